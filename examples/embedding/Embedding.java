@@ -1,17 +1,14 @@
 import org.mechservice.solver.api.JointVariables;
-import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.capability.Energies;
 import org.mechservice.solver.api.capability.ExplicitModel;
-import org.mechservice.solver.api.capability.ExtendedModel;
-import org.mechservice.solver.api.capability.WatchedModel;
+import org.mechservice.solver.api.capability.ModelParts;
 
 /** Integrates a model by the classical Runge-Kutta method; give its class, the end, the steps. */
 public final class Embedding {
   public static void main(String[] arguments) throws Exception {
     Object built = Class.forName(arguments[0]).getConstructor().newInstance();
-    Model whole = ExtendedModel.bare(ModelSource.of(built));
-    ExplicitModel model = (ExplicitModel) WatchedModel.bare(whole);
+    ExplicitModel model = (ExplicitModel) ModelParts.of(ModelSource.of(built)).equations();
     double h = Double.parseDouble(arguments[1]) / Integer.parseInt(arguments[2]);
     double[] y = new double[model.description().stateCount()];
     double[] energy = new double[2];

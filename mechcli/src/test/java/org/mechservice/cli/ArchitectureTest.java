@@ -14,9 +14,15 @@ import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import com.tngtech.archunit.core.importer.ImportOption;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -148,6 +154,58 @@ class ArchitectureTest {
     packages.values().removeIf(places -> places.size() == 1);
 
     assertThat(packages).isEmpty();
+  }
+
+  /** Types of one package may need each other; across packages that is a circle of files. */
+  @Test
+  void noCircleOfTypesCrossesPackages() {
+    Map<JavaClass, Set<JavaClass>> needs = new LinkedHashMap<>();
+    PRODUCT.stream()
+        .filter(GENERATED.negate())
+        .filter(type -> !type.getSimpleName().equals("package-info"))
+        .forEach(
+            type ->
+                type.getDirectDependenciesFromSelf().stream()
+                    .map(dependency -> topLevel(dependency.getTargetClass()))
+                    .filter(PRODUCT::contains)
+                    .forEach(
+                        target ->
+                            needs
+                                .computeIfAbsent(topLevel(type), t -> new LinkedHashSet<>())
+                                .add(target)));
+    Map<JavaClass, Set<JavaClass>> reached = new LinkedHashMap<>();
+    needs.keySet().forEach(type -> reached.put(type, reachedFrom(type, needs)));
+
+    List<String> circles =
+        reached.entrySet().stream()
+            .flatMap(
+                from ->
+                    from.getValue().stream()
+                        .filter(to -> !to.getPackageName().equals(from.getKey().getPackageName()))
+                        .filter(to -> reached.getOrDefault(to, Set.of()).contains(from.getKey()))
+                        .map(to -> from.getKey().getName() + " and " + to.getName()))
+            .toList();
+
+    assertThat(circles).isEmpty();
+  }
+
+  private static JavaClass topLevel(JavaClass type) {
+    return type.getBaseComponentType()
+        .getEnclosingClass()
+        .map(ArchitectureTest::topLevel)
+        .orElseGet(type::getBaseComponentType);
+  }
+
+  private static Set<JavaClass> reachedFrom(JavaClass type, Map<JavaClass, Set<JavaClass>> needs) {
+    Set<JavaClass> reached = new HashSet<>();
+    Deque<JavaClass> open = new ArrayDeque<>(needs.getOrDefault(type, Set.of()));
+    while (!open.isEmpty()) {
+      JavaClass next = open.pop();
+      if (reached.add(next)) {
+        open.addAll(needs.getOrDefault(next, Set.of()));
+      }
+    }
+    return reached;
   }
 
   @Test

@@ -1,36 +1,92 @@
 package org.mechservice.mechml;
 
 import java.util.List;
+import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Diagnostic;
+import org.mechservice.solver.closure.assembly.ClosedStart;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Output;
 
-/**
- * A model file after reading: a mechanism and settings in SI units, with all names resolved.
- *
- * @param mechanism the mechanism
- * @param settings the chosen simulation
- * @param simulations every simulation of the file, in file order
- * @param parameters in file order
- * @param outputs user-defined result columns, in file order
- * @param unused points, vectors and parameters that nothing refers to, such as {@code point "p3" of
- *     body "bar"}
- * @param warnings diagnostics below errors, in file order
- */
-public record MechmlModel(
-    Mechanism mechanism,
-    SimulationSettings settings,
-    List<SimulationSettings> simulations,
-    List<ModelParameter> parameters,
-    List<Output> outputs,
-    List<String> unused,
-    List<Diagnostic> warnings) {
-  public MechmlModel {
-    simulations = List.copyOf(simulations);
-    parameters = List.copyOf(parameters);
-    outputs = List.copyOf(outputs);
-    unused = List.copyOf(unused);
-    warnings = List.copyOf(warnings);
+/** A model file after reading: a mechanism and settings in SI units, with all names resolved. */
+public final class MechmlModel {
+  private final Mechanism mechanism;
+  private final SimulationSettings settings;
+  private final List<SimulationSettings> simulations;
+  private final List<ModelParameter> parameters;
+  private final List<Output> outputs;
+  private final List<String> unused;
+  private final List<Diagnostic> warnings;
+
+  /** Kept because all who ask for it ask for the same one, and it takes long to compute. */
+  private Optional<ClosedStart> closedStart = Optional.empty();
+
+  /**
+   * Creates a model.
+   *
+   * @param mechanism the mechanism
+   * @param settings the chosen simulation
+   * @param simulations every simulation of the file, in file order
+   * @param parameters in file order
+   * @param outputs user-defined result columns, in file order
+   * @param unused points, vectors and parameters that nothing refers to, such as {@code point "p3"
+   *     of body "bar"}
+   * @param warnings diagnostics below errors, in file order
+   */
+  public MechmlModel(
+      Mechanism mechanism,
+      SimulationSettings settings,
+      List<SimulationSettings> simulations,
+      List<ModelParameter> parameters,
+      List<Output> outputs,
+      List<String> unused,
+      List<Diagnostic> warnings) {
+    this.mechanism = mechanism;
+    this.settings = settings;
+    this.simulations = List.copyOf(simulations);
+    this.parameters = List.copyOf(parameters);
+    this.outputs = List.copyOf(outputs);
+    this.unused = List.copyOf(unused);
+    this.warnings = List.copyOf(warnings);
+  }
+
+  /** Creates a model with one simulation and without parameters and outputs. */
+  public MechmlModel(Mechanism mechanism, SimulationSettings settings, List<Diagnostic> warnings) {
+    this(mechanism, settings, List.of(settings), List.of(), List.of(), List.of(), warnings);
+  }
+
+  /** Returns the mechanism. */
+  public Mechanism mechanism() {
+    return mechanism;
+  }
+
+  /** Returns the chosen simulation. */
+  public SimulationSettings settings() {
+    return settings;
+  }
+
+  /** Returns every simulation of the file, in file order. */
+  public List<SimulationSettings> simulations() {
+    return simulations;
+  }
+
+  /** Returns the parameters in file order. */
+  public List<ModelParameter> parameters() {
+    return parameters;
+  }
+
+  /** Returns the user-defined result columns, in file order. */
+  public List<Output> outputs() {
+    return outputs;
+  }
+
+  /** Returns the points, vectors and parameters that nothing refers to. */
+  public List<String> unused() {
+    return unused;
+  }
+
+  /** Returns the diagnostics below errors, in file order. */
+  public List<Diagnostic> warnings() {
+    return warnings;
   }
 
   /** Returns the mechanism with the events of the chosen simulation. */
@@ -38,8 +94,17 @@ public record MechmlModel(
     return mechanism.withEvents(settings.events());
   }
 
-  /** Creates a model with one simulation and without parameters and outputs. */
-  public MechmlModel(Mechanism mechanism, SimulationSettings settings, List<Diagnostic> warnings) {
-    this(mechanism, settings, List.of(settings), List.of(), List.of(), List.of(), warnings);
+  /**
+   * Returns the mechanism with its loops closed, computed once per time.
+   *
+   * @param time start of a run, s
+   */
+  public synchronized ClosedStart closedStart(double time) {
+    ClosedStart start =
+        closedStart
+            .filter(known -> known.time() == time)
+            .orElseGet(() -> new ClosedStart(mechanism, time));
+    closedStart = Optional.of(start);
+    return start;
   }
 }

@@ -2,6 +2,7 @@ package org.mechservice.mechml;
 
 import java.util.List;
 import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.mechanism.Event;
 
 /**
@@ -53,7 +54,7 @@ public record SimulationSettings(
         run,
         AbsoluteTolerances.uniform(run.absoluteTolerance()),
         formulation,
-        "auto",
+        MethodNames.AUTO,
         List.of(),
         List.of());
   }

@@ -41,6 +41,7 @@ import org.mechservice.report.page.ScenePage;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.catalogue.MethodNames;
 
 /** Error against run time of one model: measures it and writes its page. */
 public final class ModelReport {
@@ -140,7 +141,7 @@ public final class ModelReport {
   /** Residuals and multipliers of the scene's loops; empty for an open chain. */
   private Optional<LoopForces> loops(List<Candidate> candidates) {
     SimulationMethod first = candidates.get(0).method();
-    if (first.closure().equals(SimulationMethod.OPEN)) {
+    if (first.closure().equals(MethodNames.NONE)) {
       return Optional.empty();
     }
     SimulationOptions options = MethodList.options(first).columns(Set.of(ColumnGroup.CONSTRAINTS));

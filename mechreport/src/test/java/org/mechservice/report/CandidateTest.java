@@ -9,13 +9,14 @@ import org.mechservice.report.method.Candidate;
 import org.mechservice.report.method.SimulationMethod;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.ModelEvents;
-import org.mechservice.solver.api.capability.WatchedModel;
+import org.mechservice.solver.api.capability.ModelParts;
+import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.simulation.RuntimeSolver;
 
 class CandidateTest {
   private static Candidate candidate(Model model) {
     return new Candidate(
-        new SimulationMethod("DTR", SimulationMethod.OPEN, "DE"), () -> model, new RuntimeSolver());
+        new SimulationMethod("DTR", MethodNames.NONE, "DE"), () -> model, new RuntimeSolver());
   }
 
   /** Events of these kinds; in a run begun, the equations jump at 1 s. */
@@ -31,6 +32,6 @@ class CandidateTest {
   void equationsAreThoseOfTheModelThatIsWatched() {
     PlanarPendulum model = new PlanarPendulum(0);
     assertThat(candidate(model).equations()).isSameAs(model);
-    assertThat(candidate(new WatchedModel(model, events(List.of()))).equations()).isSameAs(model);
+    assertThat(candidate(ModelParts.of(model).with(events(List.of()))).equations()).isSameAs(model);
   }
 }

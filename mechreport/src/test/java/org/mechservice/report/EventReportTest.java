@@ -30,6 +30,7 @@ import org.mechservice.report.page.ReliabilityWarnings;
 import org.mechservice.report.page.ScenePage;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.api.capability.ModelEvents.Action;
+import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.simulation.RuntimeSolver;
 
@@ -258,7 +259,7 @@ class EventReportTest {
 
   private SceneFindings findings(Mechanism mechanism, Solver solver, String name)
       throws IOException {
-    SimulationMethod method = new SimulationMethod("DTR", SimulationMethod.OPEN, name);
+    SimulationMethod method = new SimulationMethod("DTR", MethodNames.NONE, name);
     return findings(
         new Candidate(method, () -> EventScenes.model(mechanism, "DTR", BALL_END), solver));
   }

@@ -11,6 +11,7 @@ import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.ModelEvents.Action;
 import org.mechservice.solver.api.capability.ModelEvents.Direction;
 import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Expression.Call;
@@ -132,7 +133,7 @@ final class EventScenes {
   static Candidate candidate(
       Mechanism mechanism, String formulation, String integrator, double end) {
     return new Candidate(
-        new SimulationMethod(formulation, SimulationMethod.OPEN, integrator),
+        new SimulationMethod(formulation, MethodNames.NONE, integrator),
         () -> model(mechanism, formulation, end),
         new RuntimeSolver());
   }

@@ -33,6 +33,7 @@ import org.mechservice.report.method.SimulationMethod;
 import org.mechservice.report.page.ReliabilityWarnings;
 import org.mechservice.report.page.ScenePage;
 import org.mechservice.solver.api.Solver;
+import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.simulation.RuntimeSolver;
 
 class ReportTest {
@@ -58,7 +59,7 @@ class ReportTest {
 
   private SceneFindings findings(Judge judge, String integrator, Solver solver, double damping)
       throws IOException {
-    SimulationMethod method = new SimulationMethod("DTR", SimulationMethod.OPEN, integrator);
+    SimulationMethod method = new SimulationMethod("DTR", MethodNames.NONE, integrator);
     Candidate candidate = new Candidate(method, () -> new PlanarPendulum(damping), solver);
     Reference reference = judge.reference().orElseThrow();
     List<Point> points;

@@ -29,15 +29,16 @@ import org.mechservice.report.method.Candidate;
 import org.mechservice.report.method.MethodList;
 import org.mechservice.report.method.SimulationMethod;
 import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.catalogue.MethodNames;
 
 /** Measures the paper's tables again. */
 public final class PaperReport {
   /** The paper's methods, as our services build them. */
   private static final SimulationMethod EXPLICIT =
-      new SimulationMethod("DTR", SimulationMethod.OPEN, "DE");
+      new SimulationMethod("DTR", MethodNames.NONE, "DE");
 
   private static final SimulationMethod IMPLICIT =
-      new SimulationMethod("RR-JF", SimulationMethod.OPEN, "ode15sR");
+      new SimulationMethod("RR-JF", MethodNames.NONE, "ode15sR");
 
   private static final double TOLERANCE = 1e-5;
   private static final int REPEATS = 11;

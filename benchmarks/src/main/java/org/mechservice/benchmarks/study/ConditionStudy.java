@@ -8,6 +8,7 @@ import org.mechservice.report.page.SolverChart;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.capability.ResidualModel;
+import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.linear.SingularValues;
 
 /** Digits lost in accelerations against the condition of the mass matrix. */
@@ -154,7 +155,7 @@ final class ConditionStudy implements Study {
   }
 
   private static Model model(MechSession session, String formulation, String integrator) {
-    SimulationMethod method = new SimulationMethod(formulation, SimulationMethod.OPEN, integrator);
+    SimulationMethod method = new SimulationMethod(formulation, MethodNames.NONE, integrator);
     return StudyContext.compact(session, method).models().get();
   }
 

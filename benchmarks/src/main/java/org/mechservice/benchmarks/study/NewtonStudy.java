@@ -10,6 +10,7 @@ import org.mechservice.report.method.Candidate;
 import org.mechservice.report.method.SimulationMethod;
 import org.mechservice.report.page.SolverChart;
 import org.mechservice.solver.api.capability.ResidualModel;
+import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.linear.DenseLu;
 import org.mechservice.solver.linear.LinearSolver;
 
@@ -267,7 +268,7 @@ final class NewtonStudy implements Study {
     for (String formulation : List.of("RR-JF", "RR")) {
       Candidate candidate =
           StudyContext.candidate(
-              session, new SimulationMethod(formulation, SimulationMethod.OPEN, "ode15sR"));
+              session, new SimulationMethod(formulation, MethodNames.NONE, "ode15sR"));
       for (double tolerance : new double[] {1e-4, 1e-6, 1e-8}) {
         context.at(formulation + " at " + StudyContext.number(tolerance), 0.9);
         StudyContext.Ran ran = StudyContext.run(candidate, END, END, tolerance, 60);

@@ -19,6 +19,7 @@ import org.mechservice.report.page.SolverChart;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.Energies;
 import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.catalogue.MethodNames;
 
 /** Energy, momentum and open loops over very many periods: bounded, linear or quadratic. */
 final class PeriodsStudy implements Study {
@@ -79,7 +80,7 @@ final class PeriodsStudy implements Study {
     List<SimulationMethod> open =
         List.of(
             StudyContext.EXPLICIT,
-            new SimulationMethod("DTR", SimulationMethod.OPEN, "DE"),
+            new SimulationMethod("DTR", MethodNames.NONE, "DE"),
             StudyContext.IMPLICIT);
     // A bar that swings to 1 rad about its lowest position: 2π √(2 l / 3 g) = 1.638 s, and 6.6 %.
     scene(page, table, "pendulum", pendulum(), 1.746, open, this::energy);

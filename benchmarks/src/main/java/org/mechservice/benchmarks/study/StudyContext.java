@@ -30,18 +30,18 @@ import org.mechservice.solver.api.run.RunControl;
 import org.mechservice.solver.api.run.RunReport;
 import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.catalogue.MethodNames;
 
 /** Scenes built by the service and runs of them, shared by all studies. */
 public final class StudyContext {
   private static final String SCENES = "/org/mechservice/report/extremes/";
 
   /** The explicit method for open chains. */
-  static final SimulationMethod EXPLICIT =
-      new SimulationMethod("DTR", SimulationMethod.OPEN, "ode113");
+  static final SimulationMethod EXPLICIT = new SimulationMethod("DTR", MethodNames.NONE, "ode113");
 
   /** The implicit method for open chains. */
   static final SimulationMethod IMPLICIT =
-      new SimulationMethod("RR-JF", SimulationMethod.OPEN, "ode15sR");
+      new SimulationMethod("RR-JF", MethodNames.NONE, "ode15sR");
 
   /** Methods for scenes with loops: both ways to keep them closed, explicit and implicit. */
   static final List<SimulationMethod> WITH_LOOPS =

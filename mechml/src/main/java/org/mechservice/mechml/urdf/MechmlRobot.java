@@ -9,6 +9,7 @@ import org.mechservice.mechml.urdf.UrdfRobot.Inertial;
 import org.mechservice.mechml.urdf.UrdfRobot.Joint;
 import org.mechservice.mechml.urdf.UrdfRobot.Link;
 import org.mechservice.mechml.urdf.UrdfRobot.Mimic;
+import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
@@ -53,7 +54,7 @@ final class MechmlRobot {
             .add(new TagBuilder("timeSet").set("tini", "0").set("tend", "1").set("tstep", "0.01"))
             .add(
                 new TagBuilder("integrator")
-                    .set("name", "auto")
+                    .set("name", MethodNames.AUTO)
                     .set("relTol", "1e-6")
                     .set("absTol", "1e-8"));
     return new TagBuilder("MBSsimulation").add(dynamic);

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.capability.ExtendedModel;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.result.ResultColumns;
 import org.mechservice.solver.api.result.Variable;
@@ -36,7 +36,7 @@ public final class LoopForces {
    * has none.
    */
   public static Optional<LoopForces> of(Model model) {
-    ResultColumns columns = ExtendedModel.columnsOf(model);
+    ResultColumns columns = ModelParts.of(model).columns();
     List<String> names =
         columns.columns(ColumnGroup.CONSTRAINTS).stream().map(Variable::name).toList();
     LoopForces loops = new LoopForces(columns, names);

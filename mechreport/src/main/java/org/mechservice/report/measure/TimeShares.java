@@ -9,8 +9,7 @@ import java.util.Map;
 import java.util.Set;
 import org.mechservice.report.method.Candidate;
 import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.capability.ExtendedModel;
-import org.mechservice.solver.api.capability.WatchedModel;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.run.RunControl;
 import org.mechservice.solver.api.run.RunReport;
 
@@ -99,19 +98,10 @@ public record TimeShares(Map<Part, Double> parts, double tolerance) {
       this.model = model;
     }
 
-    /** The model, what it is wrapped in about it, with its calls timed. */
+    /** The model, the calls of its equations timed. */
     Model watched() {
-      return watched(model);
-    }
-
-    private Model watched(Model inner) {
-      if (inner instanceof WatchedModel watched) {
-        return new WatchedModel(watched(watched.model()), watched.events());
-      }
-      if (inner instanceof ExtendedModel extended) {
-        return new ExtendedModel(watched(extended.model()), extended.columns());
-      }
-      return proxy(inner);
+      ModelParts parts = ModelParts.of(model);
+      return new ModelParts(proxy(parts.equations()), parts.events(), parts.columns());
     }
 
     /** A model with the same interfaces of the solver's API. */

@@ -4,8 +4,7 @@ import java.util.function.Supplier;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.api.capability.ExplicitModel;
-import org.mechservice.solver.api.capability.ExtendedModel;
-import org.mechservice.solver.api.capability.WatchedModel;
+import org.mechservice.solver.api.capability.ModelParts;
 
 /**
  * A method with the model built for it.
@@ -17,14 +16,14 @@ import org.mechservice.solver.api.capability.WatchedModel;
 public record Candidate(SimulationMethod method, Supplier<Model> models, Solver solver) {
   /** Returns a new instance of the equations of motion, without events. */
   public ExplicitModel equations() {
-    return (ExplicitModel) WatchedModel.bare(ExtendedModel.bare(models.get()));
+    return (ExplicitModel) ModelParts.of(models.get()).equations();
   }
 
   /** Returns a new instance of the equations of motion with its events. */
   public ModelProblem problem() {
-    Model made = ExtendedModel.bare(models.get());
-    ExplicitModel equations = (ExplicitModel) WatchedModel.bare(made);
-    return WatchedModel.eventsOf(made)
+    ModelParts made = ModelParts.of(models.get());
+    ExplicitModel equations = (ExplicitModel) made.equations();
+    return made.events()
         .map(events -> new ModelProblem(equations, events))
         .orElseGet(() -> new ModelProblem(equations));
   }

@@ -12,10 +12,12 @@ import org.mechservice.client.failure.ServiceException;
 import org.mechservice.client.jar.LocalModel;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.DependentStates;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.capability.ProjectedStates;
 import org.mechservice.solver.catalogue.ClosureMethod;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.IntegrationMethod;
+import org.mechservice.solver.catalogue.MethodNames;
 
 /**
  * Every formulation, closure and integrator, tried on a scene: those that fit, built, and the
@@ -46,9 +48,9 @@ public record MethodList(List<Candidate> candidates, List<OmittedMethod> leftOut
   public static MethodList of(MechSession session) {
     List<Candidate> candidates = new ArrayList<>();
     List<OmittedMethod> leftOut = new ArrayList<>();
-    boolean loops = hasLoops(session);
+    boolean loops = hasLoops(chosenByService(session));
     for (String formulation : FORMULATIONS) {
-      for (String closure : loops ? CLOSURES : List.of(SimulationMethod.OPEN)) {
+      for (String closure : loops ? CLOSURES : List.of(MethodNames.NONE)) {
         for (String integrator : INTEGRATORS) {
           SimulationMethod method = new SimulationMethod(formulation, closure, integrator);
           try {
@@ -70,11 +72,19 @@ public record MethodList(List<Candidate> candidates, List<OmittedMethod> leftOut
   }
 
   /** Builds the model with the service's own choice; a refusal of it holds for all methods. */
-  private static boolean hasLoops(MechSession session) {
+  private static Model chosenByService(MechSession session) {
     LocalModel chosen =
-        session.fetchModel(SimulationOptions.asInFile().formulation("auto").integrator("auto"));
-    Model model = chosen.newModel();
-    return model instanceof DependentStates || model instanceof ProjectedStates;
+        session.fetchModel(
+            SimulationOptions.asInFile()
+                .formulation(MethodNames.AUTO)
+                .integrator(MethodNames.AUTO));
+    return chosen.newModel();
+  }
+
+  /** Returns whether the equations of a model close loops. */
+  static boolean hasLoops(Model model) {
+    Model equations = ModelParts.of(model).equations();
+    return equations instanceof DependentStates || equations instanceof ProjectedStates;
   }
 
   /** Returns the options that choose a method. */
@@ -83,8 +93,6 @@ public record MethodList(List<Candidate> candidates, List<OmittedMethod> leftOut
         SimulationOptions.asInFile()
             .formulation(method.formulation())
             .integrator(method.integrator());
-    return method.closure().equals(SimulationMethod.OPEN)
-        ? options
-        : options.closure(method.closure());
+    return method.closure().equals(MethodNames.NONE) ? options : options.closure(method.closure());
   }
 }

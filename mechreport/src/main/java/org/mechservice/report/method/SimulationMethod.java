@@ -1,5 +1,7 @@
 package org.mechservice.report.method;
 
+import org.mechservice.solver.catalogue.MethodNames;
+
 /**
  * How a scene is simulated.
  *
@@ -8,18 +10,15 @@ package org.mechservice.report.method;
  * @param integrator {@code ode113}, {@code DE}, {@code ode15s} or {@code ode15sR}
  */
 public record SimulationMethod(String formulation, String closure, String integrator) {
-  /** The closure of a model without loops. */
-  public static final String OPEN = "none";
-
   /** Returns the method's name, such as {@code DSR penalty ode113}. */
   public String name() {
-    String loops = closure.equals(OPEN) ? "" : closure + " ";
+    String loops = closure.equals(MethodNames.NONE) ? "" : closure + " ";
     return formulation + " " + loops + integrator;
   }
 
   /** Returns the options of {@code mech simulate} that choose the method. */
   public String options() {
-    String loops = closure.equals(OPEN) ? "" : " --closure " + closure;
+    String loops = closure.equals(MethodNames.NONE) ? "" : " --closure " + closure;
     return "--formulation " + formulation + loops + " --integrator " + integrator;
   }
 

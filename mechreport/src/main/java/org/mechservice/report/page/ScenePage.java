@@ -15,6 +15,7 @@ import org.mechservice.report.measure.Reference;
 import org.mechservice.report.measure.Spectrum;
 import org.mechservice.report.method.OmittedMethod;
 import org.mechservice.report.method.SimulationMethod;
+import org.mechservice.solver.catalogue.MethodNames;
 
 /** The page of one scene. What does not concern the scene is not on it. */
 public final class ScenePage {
@@ -67,7 +68,7 @@ public final class ScenePage {
     // what was left out counts too: all methods of one closure may have been
     boolean closes =
         Stream.concat(found.methods().stream(), found.leftOut().stream().map(OmittedMethod::method))
-            .anyMatch(method -> !method.closure().equals(SimulationMethod.OPEN));
+            .anyMatch(method -> !method.closure().equals(MethodNames.NONE));
     String loops = closes ? "closed loops" : "open chain";
     add("<h1>" + Html.escape(found.model()) + "</h1>");
     add(

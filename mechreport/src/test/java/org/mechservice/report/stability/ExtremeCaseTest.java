@@ -7,10 +7,11 @@ import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.mechservice.report.measure.MeasuredRun;
 import org.mechservice.report.method.SimulationMethod;
+import org.mechservice.solver.catalogue.MethodNames;
 
 class ExtremeCaseTest {
   private static final SimulationMethod METHOD =
-      new SimulationMethod("DTR", SimulationMethod.OPEN, "ode113");
+      new SimulationMethod("DTR", MethodNames.NONE, "ode113");
 
   private static ExtremeCase wanted(ExtremeCase.Expectation expectation, String part) {
     return new ExtremeCase(

@@ -18,12 +18,14 @@ import org.mechservice.mechml.unit.Unit;
 import org.mechservice.solver.catalogue.Accuracy;
 import org.mechservice.solver.catalogue.IntegrationMethod;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.ode.IntegratorSettings;
 
 /** Reads {@code integrator}. */
 final class IntegratorReader {
   private static final List<String> KNOWN =
-      Stream.concat(Stream.of("auto"), IntegrationMethod.labels().stream().sorted()).toList();
+      Stream.concat(Stream.of(MethodNames.AUTO), IntegrationMethod.labels().stream().sorted())
+          .toList();
 
   /** Highest order of the Adams formulas with local extrapolation. */
   private static final int HIGHEST_ADAMS_ORDER = 13;

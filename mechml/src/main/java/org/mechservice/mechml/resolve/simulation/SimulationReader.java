@@ -17,18 +17,18 @@ import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.Accuracy;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.closure.PenaltySettings;
 import org.mechservice.solver.mechanism.Event;
 
 /** Reads {@code MBSsimulation}: task, time set, tolerances and method. */
 final class SimulationReader {
-  private static final String AUTO = "auto";
   private static final String ALL = "all";
 
   /** Placeholder in the settings of a task that is not integrated. */
   private static final IntegratorReader.Choice NO_INTEGRATOR =
       new IntegratorReader.Choice(
-          AUTO,
+          MethodNames.AUTO,
           1e-5,
           AbsoluteTolerances.uniform(1e-5),
           Double.POSITIVE_INFINITY,
@@ -64,7 +64,7 @@ final class SimulationReader {
     List<Event> events = eventsReader.map(r -> r.read(asked.children("event"))).orElse(List.of());
     List<String> columns = asked.child("output").map(this::columns).orElse(List.of());
     Optional<Element> formulation = asked.child("formulation");
-    Optional<String> closure = formulation.map(this::closure).orElse(Optional.of(AUTO));
+    Optional<String> closure = formulation.map(this::closure).orElse(Optional.of(MethodNames.AUTO));
     if (time.isEmpty() || integrator.isEmpty() || task.isEmpty() || closure.isEmpty()) {
       return Optional.empty();
     }
@@ -74,7 +74,7 @@ final class SimulationReader {
             task.get(),
             run(time.get(), integrator.get()),
             integrator.get().absoluteTolerances(),
-            formulation.map(f -> f.required("name")).orElse(AUTO),
+            formulation.map(f -> f.required("name")).orElse(MethodNames.AUTO),
             closure.get(),
             columns,
             events));
@@ -85,7 +85,7 @@ final class SimulationReader {
    * invalid.
    */
   private Optional<String> closure(Element formulation) {
-    String closure = formulation.attribute("closure").orElse(AUTO);
+    String closure = formulation.attribute("closure").orElse(MethodNames.AUTO);
     List<String> numbers = new ArrayList<>();
     boolean wrong = false;
     for (String name : List.of("alpha", "omega", "mu")) {

@@ -41,7 +41,7 @@ public record CheckReport(
   public static CheckReport of(MechmlModel model) {
     Mechanism mechanism = model.mechanism();
     SceneAnalysis scene = SceneAnalysis.of(mechanism);
-    LoopAnalysis loops = LoopAnalysis.of(mechanism, model.settings().run());
+    LoopAnalysis loops = LoopAnalysis.of(model);
     List<Finding> findings =
         new ArrayList<>(scene.findingsAtStart(model.settings().run().tStart()));
     findings.addAll(loops.findings());

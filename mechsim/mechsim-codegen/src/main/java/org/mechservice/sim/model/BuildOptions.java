@@ -5,6 +5,7 @@ import java.util.Set;
 import org.mechservice.sim.emit.plan.CodeForm;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.catalogue.MethodNames;
 
 /**
  * What a model is to be built for.
@@ -48,6 +49,6 @@ public record BuildOptions(
 
   /** Generated code wherever there is some, loops closed as suits them. */
   public BuildOptions(String formulation, Set<ColumnGroup> columns, RunSettings settings) {
-    this(formulation, "auto", false, columns, settings);
+    this(formulation, MethodNames.AUTO, false, columns, settings);
   }
 }

@@ -32,7 +32,7 @@ public record CodeForecast(FormulationChoice choice, int operations, List<Omissi
             model.settings().formulation(),
             model.settings().closure(),
             model.settings().run(),
-            model.mechanism());
+            model);
     List<String> notGenerated = GenerationLimits.notGenerated(model.watchedMechanism(), choice);
     if (!notGenerated.isEmpty()) {
       return data(choice, notGenerated);

@@ -22,7 +22,7 @@ import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.closure.ClosedMechanism;
+import org.mechservice.solver.closure.assembly.ClosedStart;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.StartRole;
 
@@ -88,12 +88,11 @@ final class ModelAssembly {
   }
 
   private void requireClosedLoops() {
-    ClosedMechanism closed =
-        new ClosedMechanism(mechanism, choice.formulation(), options.settings());
-    if (!closed.isAssembled()) {
+    ClosedStart start = model.closedStart(options.settings().tStart());
+    if (!start.isAssembled()) {
       throw new ModelBuildException(
           MessageCode.LOOPS_OPEN_AT_START,
-          closed.findings().stream()
+          start.findings().stream()
               .filter(finding -> !finding.kind().isWarning())
               .map(finding -> finding.note().text())
               .collect(Collectors.joining(" ", "", " " + wayToClose())));

@@ -8,6 +8,7 @@ import org.mechservice.sim.compile.ModelCompiler;
 import org.mechservice.sim.emit.AnalysisTask;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.user.UserClasses;
+import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**
@@ -31,14 +32,14 @@ public final class ModelFactory {
     Optional<AnalysisTask> task = AnalysisTask.of(model.settings().task());
     if (task.isPresent()) {
       String name = model.settings().task().element();
-      FormulationChoice asked = new FormulationChoice(name, "none", "the simulation asks for it");
+      FormulationChoice asked =
+          new FormulationChoice(name, MethodNames.NONE, "the simulation asks for it");
       return new ModelAssembly(model, options, asked).analysis(task.get());
     }
     String integrator = options.settings().integrator();
     StandaloneMain.requireIntegrator(integrator);
     FormulationChoice resolved =
-        FormulationChoice.of(
-            options.formulation(), options.closure(), options.settings(), mechanism);
+        FormulationChoice.of(options.formulation(), options.closure(), options.settings(), model);
     FormulationChoice choice =
         options
             .integratorReason()

@@ -5,12 +5,13 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import org.mechservice.mechml.MechmlModel;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.ClosureMethod;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.IntegrationMethod;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.closure.ClosedMechanism;
+import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.closure.PenaltySettings;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.closure.DistanceClosure;
@@ -27,11 +28,9 @@ import org.mechservice.solver.mechanism.force.UserForceElement;
  * @param reason why these
  */
 public record FormulationChoice(String formulation, String closure, String reason) {
-  private static final String AUTO = "AUTO";
   private static final String DTR = Formulation.DTR.label();
   private static final String DSR = Formulation.DSR.label();
   private static final String RESIDUAL_DERIVED = Formulation.RR_JF.label();
-  private static final String OPEN = "none";
   private static final String PROJECTION = ClosureMethod.PROJECTION.label();
 
   /** Loops that a reason names. */
@@ -47,9 +46,10 @@ public record FormulationChoice(String formulation, String closure, String reaso
    *     suit the others or the scene
    */
   public static FormulationChoice of(
-      String formulation, String closure, RunSettings settings, Mechanism mechanism) {
-    String asked = formulation.toUpperCase(Locale.ROOT);
-    if (!asked.equals(AUTO) && Formulation.find(asked).isEmpty()) {
+      String formulation, String closure, RunSettings settings, MechmlModel model) {
+    Mechanism mechanism = model.mechanism();
+    String asked = canonical(formulation);
+    if (!asked.equals(MethodNames.AUTO) && Formulation.find(asked).isEmpty()) {
       throw refused(
           "there is no formulation \""
               + formulation
@@ -59,7 +59,14 @@ public record FormulationChoice(String formulation, String closure, String reaso
     }
     return mechanism.closures().isEmpty()
         ? open(asked, closure, settings.integrator(), mechanism)
-        : closed(asked, closure, settings, mechanism);
+        : closed(asked, closure, settings, model);
+  }
+
+  /** Returns a request for a formulation as it is spelt here, whatever its case. */
+  private static String canonical(String formulation) {
+    return formulation.equalsIgnoreCase(MethodNames.AUTO)
+        ? MethodNames.AUTO
+        : formulation.toUpperCase(Locale.ROOT);
   }
 
   /** Returns the same choice with a further reason. */
@@ -85,7 +92,7 @@ public record FormulationChoice(String formulation, String closure, String reaso
 
   private static FormulationChoice open(
       String asked, String closure, String integrator, Mechanism mechanism) {
-    if (!closure.equals("auto") && !closure.equals(OPEN)) {
+    if (!closure.equals(MethodNames.AUTO) && !closure.equals(MethodNames.NONE)) {
       throw refused(
           "closure \""
               + closure
@@ -95,7 +102,7 @@ public record FormulationChoice(String formulation, String closure, String reaso
     }
     String chosen = asked;
     String reason = "asked for; it fits: the joints form a tree";
-    if (asked.equals(AUTO)) {
+    if (asked.equals(MethodNames.AUTO)) {
       boolean residual = takesResidual(integrator);
       chosen = residual ? RESIDUAL_DERIVED : DTR;
       reason =
@@ -107,19 +114,20 @@ public record FormulationChoice(String formulation, String closure, String reaso
           "asked for; it fits: the scene is an open chain, which articulated bodies solve in O(n)";
     }
     requireIntegrator(chosen, integrator);
-    return new FormulationChoice(chosen, OPEN, reason);
+    return new FormulationChoice(chosen, MethodNames.NONE, reason);
   }
 
   private static FormulationChoice closed(
-      String asked, String closure, RunSettings settings, Mechanism mechanism) {
-    if (!asked.equals(AUTO) && !Formulation.of(asked).takesLoops()) {
+      String asked, String closure, RunSettings settings, MechmlModel model) {
+    Mechanism mechanism = model.mechanism();
+    if (!asked.equals(MethodNames.AUTO) && !Formulation.of(asked).takesLoops()) {
       throw refused(
           asked
               + " is for open chains; the scene closes loops at "
               + loops(mechanism)
               + "; use DSR, RR or RR-JF");
     }
-    boolean automatic = closure.equals("auto");
+    boolean automatic = closure.equals(MethodNames.AUTO);
     boolean penalty = PenaltySettings.isPenalty(closure);
     if (!automatic && !closure.equals(PROJECTION) && !penalty) {
       throw refused("there is no closure \"" + closure + "\"; use projection, penalty or auto");
@@ -129,7 +137,7 @@ public record FormulationChoice(String formulation, String closure, String reaso
     }
     String why = "the scene closes loops at " + loops(mechanism);
     String chosen = asked;
-    if (asked.equals(AUTO)) {
+    if (asked.equals(MethodNames.AUTO)) {
       chosen = takesResidual(settings.integrator()) ? RESIDUAL_DERIVED : DSR;
       why = "auto: " + why;
     } else {
@@ -137,7 +145,7 @@ public record FormulationChoice(String formulation, String closure, String reaso
       why = "asked for; it fits: " + why;
     }
     Optional<String> against =
-        automatic ? againstProjection(chosen, settings, mechanism) : Optional.empty();
+        automatic ? model.closedStart(settings.tStart()).againstProjection() : Optional.empty();
     String closedBy =
         automatic ? against.isPresent() ? PenaltySettings.CLOSURE : PROJECTION : closure;
     String reason =
@@ -145,11 +153,6 @@ public record FormulationChoice(String formulation, String closure, String reaso
             ? "auto: " + against.orElse("independent coordinates can be chosen")
             : "asked for";
     return new FormulationChoice(chosen, closedBy, why + "; closure " + closedBy + ", " + reason);
-  }
-
-  private static Optional<String> againstProjection(
-      String formulation, RunSettings settings, Mechanism mechanism) {
-    return new ClosedMechanism(mechanism, formulation, settings).againstProjection();
   }
 
   private static void requireUsable(String penalty) {

@@ -6,6 +6,7 @@ import java.util.Optional;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.IntegrationMethod;
+import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.Bushing;
 import org.mechservice.solver.mechanism.force.ForceElement;
@@ -54,18 +55,21 @@ public record IntegratorSelection(String integrator, Optional<String> reason) {
    */
   public static IntegratorSelection of(
       String formulation, Mechanism mechanism, RunSettings settings) {
-    String asked = formulation.toUpperCase(Locale.ROOT);
-    if (Formulation.find(asked).filter(Formulation::isResidual).isPresent()) {
+    if (Formulation.find(formulation.toUpperCase(Locale.ROOT))
+        .filter(Formulation::isResidual)
+        .isPresent()) {
       return new IntegratorSelection(RESIDUAL, Optional.empty());
     }
     return lastingStiffness(mechanism, settings)
-        .map(motion -> stiff(asked, mechanism, motion))
+        .map(motion -> stiff(formulation, mechanism, motion))
         .orElseGet(() -> new IntegratorSelection(SWITCHING, Optional.empty()));
   }
 
   private static IntegratorSelection stiff(
-      String asked, Mechanism mechanism, FastestMotion motion) {
-    boolean residual = asked.equals("AUTO") && mechanism.velocityCount() >= RESIDUAL_VELOCITIES;
+      String formulation, Mechanism mechanism, FastestMotion motion) {
+    boolean residual =
+        formulation.equalsIgnoreCase(MethodNames.AUTO)
+            && mechanism.velocityCount() >= RESIDUAL_VELOCITIES;
     return new IntegratorSelection(
         residual ? RESIDUAL : STIFF,
         Optional.of("joint \"" + motion.joint().name() + "\" " + motion.text()));

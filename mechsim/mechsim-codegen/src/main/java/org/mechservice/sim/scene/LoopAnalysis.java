@@ -2,9 +2,9 @@ package org.mechservice.sim.scene;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.mechml.MechmlModel;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.closure.ClosedMechanism;
+import org.mechservice.solver.closure.assembly.ClosedStart;
 import org.mechservice.solver.closure.assembly.LoopFinding;
 import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.kinematics.TreeGeometry;
@@ -37,25 +37,27 @@ public record LoopAnalysis(
   /**
    * Analyses the loops at the start of a run.
    *
-   * @param defaults settings of the run, of which the start counts
+   * @param model with the settings of the run, of which the start counts
    */
-  public static LoopAnalysis of(Mechanism mechanism, RunSettings defaults) {
+  public static LoopAnalysis of(MechmlModel model) {
+    Mechanism mechanism = model.mechanism();
     if (mechanism.closures().isEmpty()) {
       return NONE;
     }
+    double startTime = model.settings().run().tStart();
     TreeGeometry tree = new TreeGeometry(mechanism);
     LoopEquations loops = new LoopEquations(tree);
     double[] y = new double[mechanism.positionCount() + mechanism.velocityCount()];
     mechanism.initialState(y);
     TreeMotion motion = new TreeMotion(tree);
-    motion.sweep(defaults.tStart(), y);
-    loops.place(motion, defaults.tStart());
-    loops.move(motion, defaults.tStart());
+    motion.sweep(startTime, y);
+    loops.place(motion, startTime);
+    loops.move(motion, startTime);
     List<LoopEntry> entries = entries(mechanism, loops);
-    ClosedMechanism closed = new ClosedMechanism(mechanism, "", defaults);
-    int independent = closed.isAssembled() ? closed.rank() : NOT_JUDGED;
+    ClosedStart start = model.closedStart(startTime);
+    int independent = start.isAssembled() ? start.rank() : NOT_JUDGED;
     return new LoopAnalysis(
-        entries, loops.count(), independent, findings(mechanism, closed.findings()));
+        entries, loops.count(), independent, findings(mechanism, start.findings()));
   }
 
   private static List<LoopEntry> entries(Mechanism mechanism, LoopEquations loops) {

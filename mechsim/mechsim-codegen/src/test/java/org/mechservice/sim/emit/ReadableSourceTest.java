@@ -23,8 +23,8 @@ import org.mechservice.sim.model.GeneratedModel;
 import org.mechservice.sim.model.LoopAgreement;
 import org.mechservice.sim.model.ModelFactory;
 import org.mechservice.sim.model.Omission;
-import org.mechservice.sim.model.RandomForces;
-import org.mechservice.sim.model.RandomTrees;
+import org.mechservice.sim.model.RandomMechmlForces;
+import org.mechservice.sim.model.RandomMechmlTrees;
 import org.mechservice.sim.model.Scenes;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -44,7 +44,7 @@ class ReadableSourceTest {
     Stream<Mechanism> loops = IntStream.rangeClosed(1, 12).mapToObj(LoopAgreement::scene);
     Stream<Mechanism> trees =
         LongStream.rangeClosed(1, 12)
-            .mapToObj(seed -> RandomForces.on(RandomTrees.driven(seed, BODIES), seed));
+            .mapToObj(seed -> RandomMechmlForces.on(RandomMechmlTrees.driven(seed, BODIES), seed));
     return Stream.concat(
         loops.map(scene -> source(scene, "RR-JF", "penalty")),
         trees.map(scene -> source(scene, "RR-JF", "auto")));

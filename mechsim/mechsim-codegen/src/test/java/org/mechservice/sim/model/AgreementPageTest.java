@@ -53,11 +53,11 @@ class AgreementPageTest {
     int bodies = 2 + seed % 7;
     Mechanism tree =
         seed % 3 == 0
-            ? RandomTrees.driven(seed, bodies)
+            ? RandomMechmlTrees.driven(seed, bodies)
             : seed % 3 == 1
-                ? RandomTrees.ofAllJoints(seed, bodies)
-                : RandomTrees.tree(seed, bodies);
-    Mechanism forced = kind.equals("trees") ? tree : RandomForces.on(tree, seed);
+                ? RandomMechmlTrees.ofAllJoints(seed, bodies)
+                : RandomMechmlTrees.tree(seed, bodies);
+    Mechanism forced = kind.equals("trees") ? tree : RandomMechmlForces.on(tree, seed);
     return kind.equals("with user classes") ? GeneratedUserForcesTest.pulled(forced) : forced;
   }
 
@@ -73,7 +73,7 @@ class AgreementPageTest {
   }
 
   private static void compare(Mechanism mechanism, String formulation, Row row) {
-    double[] y = RandomTrees.state(3, mechanism);
+    double[] y = RandomMechmlTrees.state(3, mechanism);
     double[] yDot = new Random(7).doubles(y.length, -2, 2).toArray();
     double[] expected = new double[y.length];
     double[] actual = new double[y.length];

@@ -96,14 +96,14 @@ class EverythingIsCodeTest {
   private record Combination(
       JointType joint,
       Method method,
-      Optional<RandomLoops.Kind> loop,
+      Optional<RandomMechmlLoops.Kind> loop,
       Class<? extends ForceElement> force,
       boolean driven) {
 
     /** A joint of the type, a free body, and a hinge that may be driven; closed at its end. */
     Mechanism chain(long seed) {
       Random random = new Random(seed);
-      RandomJoints joints = new RandomJoints(random);
+      RandomMechmlJoints joints = new RandomMechmlJoints(random);
       List<Joint> chain = new ArrayList<>();
       List<Body> bodies = new ArrayList<>();
       List<JointType> types = List.of(joint, JointType.F, JointType.R);
@@ -129,7 +129,7 @@ class EverythingIsCodeTest {
               List.of(),
               List.of(),
               List.of());
-      return RandomForces.of(force, free, seed);
+      return RandomMechmlForces.of(force, free, seed);
     }
 
     /** Returns the first one whose loop can be closed at the start. */
@@ -142,12 +142,12 @@ class EverythingIsCodeTest {
               .orElseThrow();
       Mechanism forced =
           force.equals(UserForceElement.class) ? GeneratedUserForcesTest.pulled(closed) : closed;
-      return RandomEvents.on(forced, seed);
+      return RandomMechmlEvents.on(forced, seed);
     }
 
     private Mechanism closed(long seed) {
       Mechanism chain = chain(seed);
-      return loop.map(kind -> RandomLoops.closedBy(kind, chain, seed)).orElse(chain);
+      return loop.map(kind -> RandomMechmlLoops.closedBy(kind, chain, seed)).orElse(chain);
     }
 
     /** Returns the groups of columns that data compute beside the code. */
@@ -183,8 +183,8 @@ class EverythingIsCodeTest {
   void whateverIsCombinedWithAJoint(JointType joint) {
     int turn = List.of(JointType.values()).indexOf(joint);
     for (Method method : Method.values()) {
-      RandomLoops.Kind[] kinds = RandomLoops.Kind.values();
-      Optional<RandomLoops.Kind> loop =
+      RandomMechmlLoops.Kind[] kinds = RandomMechmlLoops.Kind.values();
+      Optional<RandomMechmlLoops.Kind> loop =
           method.isOpen() ? Optional.empty() : Optional.of(kinds[turn % kinds.length]);
       Class<? extends ForceElement> force = FORCES.get(turn % FORCES.size());
       assertIsCode(new Combination(joint, method, loop, force, turn % 3 == 0), turn);
@@ -200,7 +200,7 @@ class EverythingIsCodeTest {
       for (Method method : Method.values()) {
         for (Class<? extends ForceElement> force : FORCES) {
           for (boolean driven : new boolean[] {false, true}) {
-            for (Optional<RandomLoops.Kind> loop : closures(method)) {
+            for (Optional<RandomMechmlLoops.Kind> loop : closures(method)) {
               assertIsCode(new Combination(joint, method, loop, force, driven), seed++);
             }
           }
@@ -209,12 +209,12 @@ class EverythingIsCodeTest {
     }
   }
 
-  private static List<Optional<RandomLoops.Kind>> closures(Method method) {
-    List<Optional<RandomLoops.Kind>> closures = new ArrayList<>();
+  private static List<Optional<RandomMechmlLoops.Kind>> closures(Method method) {
+    List<Optional<RandomMechmlLoops.Kind>> closures = new ArrayList<>();
     if (method.isOpen()) {
       closures.add(Optional.empty());
     } else {
-      for (RandomLoops.Kind kind : RandomLoops.Kind.values()) {
+      for (RandomMechmlLoops.Kind kind : RandomMechmlLoops.Kind.values()) {
         closures.add(Optional.of(kind));
       }
     }

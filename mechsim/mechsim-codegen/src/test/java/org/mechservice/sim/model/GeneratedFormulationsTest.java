@@ -67,11 +67,11 @@ class GeneratedFormulationsTest {
     int bodies = 2 + seed % 7;
     Mechanism tree =
         seed % 3 == 0
-            ? RandomTrees.driven(seed, bodies)
+            ? RandomMechmlTrees.driven(seed, bodies)
             : seed % 3 == 1
-                ? RandomTrees.ofAllJoints(seed, bodies)
-                : RandomTrees.tree(seed, bodies);
-    return Named.of("seed " + seed, seed % 2 == 0 ? tree : RandomForces.on(tree, seed));
+                ? RandomMechmlTrees.ofAllJoints(seed, bodies)
+                : RandomMechmlTrees.tree(seed, bodies);
+    return Named.of("seed " + seed, seed % 2 == 0 ? tree : RandomMechmlForces.on(tree, seed));
   }
 
   @ParameterizedTest
@@ -88,7 +88,7 @@ class GeneratedFormulationsTest {
   }
 
   private static void assertAgreement(Mechanism mechanism) {
-    double[] y = RandomTrees.state(3, mechanism);
+    double[] y = RandomMechmlTrees.state(3, mechanism);
     double[] expected = new double[y.length];
     RunSettings settings = Scenes.SETTINGS;
     SemiRecursiveModel reference =
@@ -114,7 +114,7 @@ class GeneratedFormulationsTest {
   @MethodSource("scenes")
   void theResidualOfTheDerivativeVanishes(Mechanism mechanism) {
     ResidualModel model = (ResidualModel) model("RR", mechanism);
-    double[] y = RandomTrees.state(5, mechanism);
+    double[] y = RandomMechmlTrees.state(5, mechanism);
     double[] yDot = new double[y.length];
     if (model.derivative(TIME, y, yDot) != ExplicitModel.REGULAR) {
       return;
@@ -142,7 +142,7 @@ class GeneratedFormulationsTest {
       BuildOptions options = options(formulation);
       Model direct = ModelFactory.compile(file, options, generated).newInstance();
       Model compiled = ModelFactory.compileSource(file, options, generated).newInstance();
-      double[] y = RandomTrees.state(seed, mechanism);
+      double[] y = RandomMechmlTrees.state(seed, mechanism);
       assertThat(everything(direct, y)).containsExactly(everything(compiled, y));
     }
   }
@@ -164,12 +164,12 @@ class GeneratedFormulationsTest {
   /** As long as code is generated for: 26 234 operations in some 30 methods. */
   @Test
   void aLongChainHasShortMethodsAndTheBitsOfItsEquations() {
-    Mechanism chain = RandomTrees.tree(1, 40);
+    Mechanism chain = RandomMechmlTrees.tree(1, 40);
     GeneratedModel generated = generated("DSR", chain);
     byte[] file = Objects.requireNonNull(generated.classFiles().get(generated.className()));
     assertThat(MethodSizes.longest(file)).isLessThan(8000);
     ExplicitModel model = (ExplicitModel) model("DSR", chain);
-    double[] y = RandomTrees.state(1, chain);
+    double[] y = RandomMechmlTrees.state(1, chain);
     double[] actual = new double[y.length];
     double[] expected = new double[y.length];
     assertThat(model.derivative(TIME, y, actual)).isEqualTo(ExplicitModel.REGULAR);
@@ -179,14 +179,14 @@ class GeneratedFormulationsTest {
 
   @Test
   void compositeInertiasThatDataEvaluateAsFastAreLeftToThem() {
-    Mechanism chain = RandomTrees.ofAllJoints(1, 40);
+    Mechanism chain = RandomMechmlTrees.ofAllJoints(1, 40);
     GeneratedModel generated = ModelFactory.generate(Scenes.model(chain), options("DSR"));
     assertThat(generated.formulationReason())
         .contains("compact form")
         .contains("DSR of more than 30000 operations (its factors alone take 62382)");
     Model model =
         ModelFactory.compile(Scenes.model(chain), options("DSR"), generated).newInstance();
-    double[] y = RandomTrees.state(1, chain);
+    double[] y = RandomMechmlTrees.state(1, chain);
     double[] actual = new double[y.length];
     double[] expected = new double[y.length];
     ((ExplicitModel) model).derivative(TIME, y, actual);
@@ -200,7 +200,8 @@ class GeneratedFormulationsTest {
 
   @Test
   void aChainTooLongForCodeByCompositeInertiasIsGeneratedByArticulatedBodies() {
-    assertThat(generated("DTR", RandomTrees.ofAllJoints(1, 40)).operations()).isLessThan(30_000);
+    assertThat(generated("DTR", RandomMechmlTrees.ofAllJoints(1, 40)).operations())
+        .isLessThan(30_000);
   }
 
   @Test
@@ -208,7 +209,7 @@ class GeneratedFormulationsTest {
     Mechanism driver = Scenes.timingModel("driver41").mechanism();
     ResidualModel model = (ResidualModel) model("RR", driver);
     ExplicitModel explicit = (ExplicitModel) model("DSR", driver);
-    double[] y = RandomTrees.state(2, driver);
+    double[] y = RandomMechmlTrees.state(2, driver);
     double[] yDot = new double[y.length];
     double[] residual = new double[y.length];
     ThreadMXBean thread = (ThreadMXBean) ManagementFactory.getThreadMXBean();

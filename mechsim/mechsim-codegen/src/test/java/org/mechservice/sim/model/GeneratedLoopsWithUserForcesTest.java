@@ -121,7 +121,9 @@ class GeneratedLoopsWithUserForcesTest {
   @ValueSource(strings = {"projection", "penalty"})
   void derivativesOfTheResidualAreCode(String closure) {
     MechmlModel file =
-        Scenes.model(GeneratedUserForcesTest.pulled(RandomLoops.on(RandomTrees.tree(1, 2), 1, 1)));
+        Scenes.model(
+            GeneratedUserForcesTest.pulled(
+                RandomMechmlLoops.on(RandomMechmlTrees.tree(1, 2), 1, 1)));
     GeneratedModel generated =
         ModelFactory.generate(file, LoopAgreement.options("RR-JF", closure, false));
     assertThat(generated.source()).contains("implements LoopTerms.OfDerivatives");

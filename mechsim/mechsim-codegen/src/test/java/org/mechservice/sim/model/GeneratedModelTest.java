@@ -49,9 +49,9 @@ class GeneratedModelTest {
   static Stream<Named<Mechanism>> scenes() {
     return Stream.of(
             Stream.of(Scenes.pendulum(), Scenes.timingModel("driver41").mechanism()),
-            seeds(8).map(seed -> RandomTrees.tree(seed, 3 + 2 * seed)),
-            seeds(9).map(seed -> RandomTrees.ofAllJoints(seed, 1 + seed)),
-            seeds(5).map(seed -> RandomTrees.driven(seed, 3 + seed)))
+            seeds(8).map(seed -> RandomMechmlTrees.tree(seed, 3 + 2 * seed)),
+            seeds(9).map(seed -> RandomMechmlTrees.ofAllJoints(seed, 1 + seed)),
+            seeds(5).map(seed -> RandomMechmlTrees.driven(seed, 3 + seed)))
         .flatMap(scenes -> scenes)
         .map(mechanism -> Named.of(mechanism.name(), mechanism));
   }
@@ -75,7 +75,7 @@ class GeneratedModelTest {
     assertThat(direct.description()).isEqualTo(compiled.description());
     assertThat(((BodyPoses) direct).bodies()).isEqualTo(((BodyPoses) compiled).bodies());
     for (int seed = 1; seed <= 3; seed++) {
-      double[] y = RandomTrees.state(seed, mechanism);
+      double[] y = RandomMechmlTrees.state(seed, mechanism);
       assertSameBits(everything(direct, y), everything(compiled, y));
     }
   }
@@ -100,7 +100,7 @@ class GeneratedModelTest {
   void theClassHasTheBitsOfItsEquations(Mechanism mechanism) {
     ExplicitModel model = generated(mechanism);
     Links links = Links.of(mechanism);
-    double[] y = RandomTrees.state(11, mechanism);
+    double[] y = RandomMechmlTrees.state(11, mechanism);
     double[] yDot = new double[y.length];
     model.derivative(TIME, y, yDot);
     assertSameBits(yDot, evaluated(ArticulatedBodyEquations.derive(links), y, y.length));
@@ -139,7 +139,7 @@ class GeneratedModelTest {
   void theClassAgreesWithTheDataDrivenFormulation(Mechanism mechanism) {
     ExplicitModel model = generated(mechanism);
     DataDrivenModel reference = new DataDrivenModel(mechanism, Scenes.SETTINGS);
-    double[] y = RandomTrees.state(5, mechanism);
+    double[] y = RandomMechmlTrees.state(5, mechanism);
     double[] actual = new double[y.length];
     double[] expected = new double[y.length];
     assertThat(model.derivative(TIME, y, actual)).isEqualTo(ExplicitModel.REGULAR);
@@ -176,7 +176,7 @@ class GeneratedModelTest {
   @MethodSource("freeScenes")
   void energyIsConstantAlongTheMotion(Mechanism mechanism) {
     ExplicitModel model = generated(mechanism);
-    double[] y = RandomTrees.state(9, mechanism);
+    double[] y = RandomMechmlTrees.state(9, mechanism);
     double[] yDot = new double[y.length];
     model.derivative(0, y, yDot);
     double speed = 0;
@@ -237,7 +237,7 @@ class GeneratedModelTest {
 
   @Test
   void theStartIsTheMechanisms() {
-    Mechanism mechanism = RandomTrees.tree(4, 9);
+    Mechanism mechanism = RandomMechmlTrees.tree(4, 9);
     double[] y = new double[18];
     Arrays.fill(y, 7);
     double[] expected = new double[18];
@@ -248,7 +248,7 @@ class GeneratedModelTest {
 
   @Test
   void theDescriptionIsTheMechanisms() {
-    Mechanism mechanism = RandomTrees.tree(4, 9);
+    Mechanism mechanism = RandomMechmlTrees.tree(4, 9);
     ExplicitModel model = generated(mechanism);
     assertThat(model.description())
         .isEqualTo(new DataDrivenModel(mechanism, Scenes.SETTINGS).description());
@@ -287,7 +287,7 @@ class GeneratedModelTest {
         (com.sun.management.ThreadMXBean) java.lang.management.ManagementFactory.getThreadMXBean();
     Mechanism mechanism = Scenes.timingModel("driver41").mechanism();
     ExplicitModel model = generated(mechanism);
-    double[] y = RandomTrees.state(1, mechanism);
+    double[] y = RandomMechmlTrees.state(1, mechanism);
     double[] yDot = new double[y.length];
     double[] energy = new double[2];
     double[] poses = new double[BodyPoses.NUMBERS_PER_BODY * 41];

@@ -12,7 +12,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.solver.api.capability.ExplicitModel;
-import org.mechservice.solver.api.capability.WatchedModel;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.Outcome;
@@ -103,7 +103,8 @@ class GeneratedRunsTest {
   }
 
   private static double[] derivative(CompiledModel model, double[] parameters) {
-    ExplicitModel made = (ExplicitModel) WatchedModel.bare(model.instances().model(parameters));
+    ExplicitModel made =
+        (ExplicitModel) ModelParts.of(model.instances().model(parameters)).equations();
     double[] y = {0.1, 0.2, 0.3, 0.4};
     double[] yDot = new double[y.length];
     assertThat(made.derivative(0.7, y, yDot)).isEqualTo(ExplicitModel.REGULAR);

@@ -66,11 +66,12 @@ class GeneratedUserForcesTest {
     int bodies = 2 + seed % 7;
     Mechanism tree =
         seed % 3 == 0
-            ? RandomTrees.driven(seed, bodies)
+            ? RandomMechmlTrees.driven(seed, bodies)
             : seed % 3 == 1
-                ? RandomTrees.ofAllJoints(seed, bodies)
-                : RandomTrees.tree(seed, bodies);
-    return Named.of("seed " + seed, pulled(seed % 2 == 0 ? tree : RandomForces.on(tree, seed)));
+                ? RandomMechmlTrees.ofAllJoints(seed, bodies)
+                : RandomMechmlTrees.tree(seed, bodies);
+    return Named.of(
+        "seed " + seed, pulled(seed % 2 == 0 ? tree : RandomMechmlForces.on(tree, seed)));
   }
 
   /** Two classes of users among the other forces, at any points. */
@@ -142,7 +143,7 @@ class GeneratedUserForcesTest {
   }
 
   private static void assertAgreement(Mechanism mechanism) {
-    double[] y = RandomTrees.state(3, mechanism);
+    double[] y = RandomMechmlTrees.state(3, mechanism);
     double[] expected = new double[y.length];
     double[] actual = new double[y.length];
     DataDrivenModel reference = new DataDrivenModel(mechanism, Scenes.SETTINGS, FORCES);
@@ -205,7 +206,7 @@ class GeneratedUserForcesTest {
         new LinearisedResidualModel(
             mechanism, Scenes.SETTINGS, FORCES, LinearisedResidualModel.Mode.FULL);
     LinearisedModel model = (LinearisedModel) model("RR-JF", mechanism);
-    double[] y = RandomTrees.state(3, mechanism);
+    double[] y = RandomMechmlTrees.state(3, mechanism);
     double[] yDot = new Random(7).doubles(y.length, -2, 2).toArray();
     boolean known = reference.linearise(TIME, y, yDot);
     assertThat(model.linearise(TIME, y, yDot)).isEqualTo(known);
@@ -231,7 +232,7 @@ class GeneratedUserForcesTest {
       GeneratedModel generated = generated(formulation, mechanism);
       SortedMap<String, byte[]> compiled =
           ModelCompiler.compile(generated.sourceName(), generated.source(), new TreeMap<>());
-      double[] y = RandomTrees.state(seed, mechanism);
+      double[] y = RandomMechmlTrees.state(seed, mechanism);
       double[] direct = new double[y.length];
       double[] fromSource = new double[y.length];
       ((ExplicitModel) loaded(generated, new TreeMap<>())).derivative(TIME, y, direct);
@@ -244,7 +245,7 @@ class GeneratedUserForcesTest {
   void aForceThatIsNotFiniteEndsTheEvaluationWithItsName() {
     Mechanism mechanism = scene(2).getPayload();
     ExplicitModel model = (ExplicitModel) model("DTR", mechanism);
-    double[] y = RandomTrees.state(3, mechanism);
+    double[] y = RandomMechmlTrees.state(3, mechanism);
     Arrays.fill(y, mechanism.positionCount(), y.length, 1e200);
     assertThat(model.derivative(TIME, y, new double[y.length])).isEqualTo(Defects.DEFECT);
     assertThat(((Defects) model).lastDefect().part()).isEqualTo("force pull");

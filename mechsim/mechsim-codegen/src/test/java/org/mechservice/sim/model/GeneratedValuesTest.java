@@ -23,9 +23,8 @@ import org.mechservice.sim.emit.GeneratedClass;
 import org.mechservice.sim.equations.coordinates.GeneratedCutCoordinatesTest;
 import org.mechservice.sim.equations.links.Links;
 import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.capability.ExtendedModel;
 import org.mechservice.solver.api.capability.ModelEvents;
-import org.mechservice.solver.api.capability.WatchedModel;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.result.ResultColumns;
 import org.mechservice.solver.dynamics.event.WrittenValues;
@@ -47,8 +46,8 @@ class GeneratedValuesTest {
                     Named.of(
                         "tree " + seed,
                         seed % 2 == 0
-                            ? RandomTrees.driven(seed, 2 + seed % 5)
-                            : RandomTrees.ofAllJoints(seed, 2 + seed % 5))),
+                            ? RandomMechmlTrees.driven(seed, 2 + seed % 5)
+                            : RandomMechmlTrees.ofAllJoints(seed, 2 + seed % 5))),
         LoopAgreement.scenes().limit(6));
   }
 
@@ -66,16 +65,16 @@ class GeneratedValuesTest {
   }
 
   private static ModelEvents events(Model model) {
-    return WatchedModel.eventsOf(ExtendedModel.bare(model)).orElseThrow();
+    return ModelParts.of(model).events().orElseThrow();
   }
 
   @ParameterizedTest
   @MethodSource("mechanisms")
   void eventsAgreeWithThoseDrivenByData(Mechanism mechanism) {
-    MechmlModel file = RandomEvents.on(mechanism, 1);
+    MechmlModel file = RandomMechmlEvents.on(mechanism, 1);
     ModelEvents data = events(model(file, true));
     ModelEvents code = events(model(file, false));
-    double[] y = RandomTrees.state(3, mechanism);
+    double[] y = RandomMechmlTrees.state(3, mechanism);
     int count = file.settings().events().size();
     double[] expected = new double[count];
     double[] actual = new double[count];
@@ -94,10 +93,10 @@ class GeneratedValuesTest {
   @ParameterizedTest
   @MethodSource("mechanisms")
   void outputsAgreeWithThoseDrivenByData(Mechanism mechanism) {
-    MechmlModel file = RandomEvents.on(mechanism, 1);
-    ResultColumns data = ExtendedModel.columnsOf(model(file, true));
-    ResultColumns code = ExtendedModel.columnsOf(model(file, false));
-    double[] y = RandomTrees.state(3, mechanism);
+    MechmlModel file = RandomMechmlEvents.on(mechanism, 1);
+    ResultColumns data = ModelParts.of(model(file, true)).columns();
+    ResultColumns code = ModelParts.of(model(file, false)).columns();
+    double[] y = RandomMechmlTrees.state(3, mechanism);
     double[] expected = new double[file.outputs().size() + 1];
     double[] actual = new double[expected.length];
     data.values(ColumnGroup.OUTPUTS, TIME, y, expected, 1);
@@ -108,13 +107,13 @@ class GeneratedValuesTest {
 
   @Test
   void theClassFileHasTheBitsOfTheCompiledSource() {
-    MechmlModel file = RandomEvents.on(RandomTrees.ofAllJoints(1, 5), 1);
+    MechmlModel file = RandomMechmlEvents.on(RandomMechmlTrees.ofAllJoints(1, 5), 1);
     GeneratedClass plan =
         ValuesClass.derive(file, Links.of(file.mechanism()), options(false)).plan().orElseThrow();
     String name = "org.mechservice.model." + plan.simpleName();
     Map<String, byte[]> written = Map.of(name, plan.classFile());
     Map<String, byte[]> compiled = ModelCompiler.compile(name, plan.source(), new TreeMap<>());
-    double[] y = RandomTrees.state(3, file.mechanism());
+    double[] y = RandomMechmlTrees.state(3, file.mechanism());
     assertThat(outputs(name, written, y, file.outputs().size()))
         .containsExactly(outputs(name, compiled, y, file.outputs().size()));
   }
@@ -123,12 +122,12 @@ class GeneratedValuesTest {
   @ParameterizedTest
   @MethodSource("mechanisms")
   void theWrittenSourcesAreAllClassesOfTheModel(Mechanism mechanism) {
-    MechmlModel file = RandomEvents.on(mechanism, 1);
+    MechmlModel file = RandomMechmlEvents.on(mechanism, 1);
     GeneratedModel generated = ModelFactory.generate(file, options(false));
     CompiledModel written = ModelFactory.compile(file, options(false), generated);
     CompiledModel compiled = ModelFactory.compileSource(file, options(false), generated);
     assertThat(compiled.classFiles().keySet()).isEqualTo(written.classFiles().keySet()).hasSize(3);
-    double[] y = RandomTrees.state(3, mechanism);
+    double[] y = RandomMechmlTrees.state(3, mechanism);
     double[] expected = new double[file.settings().events().size()];
     double[] actual = new double[expected.length];
     events(written.newInstance()).values(TIME, y, expected);
@@ -180,7 +179,7 @@ class GeneratedValuesTest {
 
   @Test
   void expressionsOfMoreOperationsThanFitSurelyAreLeftToTheData() {
-    MechmlModel file = RandomEvents.on(RandomTrees.ofAllJoints(1, 120), 1);
+    MechmlModel file = RandomMechmlEvents.on(RandomMechmlTrees.ofAllJoints(1, 120), 1);
     assertThat(ValuesClass.derive(file, Links.of(file.mechanism()), options(false)).fromData())
         .contains("all together they take more than 20000 operations");
   }

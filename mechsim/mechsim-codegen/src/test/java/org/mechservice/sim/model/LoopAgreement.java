@@ -89,17 +89,17 @@ public record LoopAgreement(
     int bodies = 2 + seed % 6;
     Mechanism tree =
         seed % 3 == 0
-            ? RandomTrees.driven(seed, bodies)
+            ? RandomMechmlTrees.driven(seed, bodies)
             : seed % 3 == 1
-                ? RandomTrees.ofAllJoints(seed, bodies)
-                : RandomTrees.tree(seed, bodies);
-    Mechanism forced = seed % 2 == 0 ? tree : RandomForces.on(tree, seed);
-    return RandomLoops.on(forced, seed, 1 + seed % 2);
+                ? RandomMechmlTrees.ofAllJoints(seed, bodies)
+                : RandomMechmlTrees.tree(seed, bodies);
+    Mechanism forced = seed % 2 == 0 ? tree : RandomMechmlForces.on(tree, seed);
+    return RandomMechmlLoops.on(forced, seed, 1 + seed % 2);
   }
 
   /** Returns whether the loops can be closed at the start. */
   public static boolean closes(Mechanism mechanism) {
-    return new ClosedMechanism(mechanism, "DSR", Scenes.SETTINGS).isAssembled();
+    return new ClosedMechanism(mechanism, "DSR", Scenes.SETTINGS).start().isAssembled();
   }
 
   public static <T> T code(Mechanism mechanism, String formulation, String closure, Class<T> type) {
@@ -129,8 +129,7 @@ public record LoopAgreement(
   /** Returns RR-JF with code for its derivatives, be they worth it or not. */
   public static GeneratedModel withDerivatives(MechmlModel file, BuildOptions options) {
     FormulationChoice choice =
-        FormulationChoice.of(
-            options.formulation(), options.closure(), options.settings(), file.mechanism());
+        FormulationChoice.of(options.formulation(), options.closure(), options.settings(), file);
     Links links = Links.of(file.mechanism());
     TermsClass terms = LoopTermsClass.derive(file, links, options, choice);
     return new ModelAssembly(file, options, choice).looped(links, terms);
@@ -150,7 +149,7 @@ public record LoopAgreement(
         Forms.of(mechanism, "RR", "penalty", users, ResidualModel.class);
     double[] closed = new double[reduced.data().description().stateCount()];
     reduced.data().initialState(closed);
-    double[] open = RandomTrees.state(3, mechanism);
+    double[] open = RandomMechmlTrees.state(3, mechanism);
     Forms<LinearisedModel> reducedStep =
         Forms.of(mechanism, "RR-JF", "projection", users, LinearisedModel.class);
     Forms<LinearisedModel> step =

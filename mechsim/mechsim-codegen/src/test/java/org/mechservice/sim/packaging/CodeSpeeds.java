@@ -14,7 +14,7 @@ import org.mechservice.sim.model.CompiledModel;
 import org.mechservice.sim.model.FreshMachine;
 import org.mechservice.sim.model.GeneratedModel;
 import org.mechservice.sim.model.ModelFactory;
-import org.mechservice.sim.model.RandomTrees;
+import org.mechservice.sim.model.RandomMechmlTrees;
 import org.mechservice.sim.model.Scenes;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.capability.ResidualModel;
@@ -135,7 +135,7 @@ final class CodeSpeeds {
 
   private static long evaluationTime(
       ExplicitModel model, Mechanism mechanism, boolean residualAlone) {
-    double[] y = RandomTrees.state(1, mechanism);
+    double[] y = RandomMechmlTrees.state(1, mechanism);
     double[] yDot = new double[y.length];
     double[] out = new double[y.length];
     long best = Long.MAX_VALUE;

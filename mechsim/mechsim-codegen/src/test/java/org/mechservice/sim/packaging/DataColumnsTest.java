@@ -23,12 +23,12 @@ import org.mechservice.sim.compile.SolverClasses;
 import org.mechservice.sim.model.BuildOptions;
 import org.mechservice.sim.model.CompiledModel;
 import org.mechservice.sim.model.ModelFactory;
-import org.mechservice.sim.model.RandomEvents;
-import org.mechservice.sim.model.RandomForces;
-import org.mechservice.sim.model.RandomTrees;
+import org.mechservice.sim.model.RandomMechmlEvents;
+import org.mechservice.sim.model.RandomMechmlForces;
+import org.mechservice.sim.model.RandomMechmlTrees;
 import org.mechservice.sim.model.Scenes;
 import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.capability.ExtendedModel;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
@@ -93,8 +93,8 @@ class DataColumnsTest {
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
   void valuesOfForcesAreColumnsAlsoWhereSomethingHappensAlongTheRun(boolean compact) {
-    Mechanism pushed = RandomForces.on(RandomTrees.driven(SEED, 4), SEED);
-    assertThat(forceColumns(RandomEvents.on(pushed, SEED), compact))
+    Mechanism pushed = RandomMechmlForces.on(RandomMechmlTrees.driven(SEED, 4), SEED);
+    assertThat(forceColumns(RandomMechmlEvents.on(pushed, SEED), compact))
         .isEqualTo(forceColumns(Scenes.model(pushed), compact))
         .isNotEmpty();
   }
@@ -104,7 +104,7 @@ class DataColumnsTest {
         new BuildOptions("DTR", "auto", compact, Set.of(ColumnGroup.FORCES), SETTINGS);
     Model built =
         ModelFactory.compile(model, options, ModelFactory.generate(model, options)).newInstance();
-    return ExtendedModel.columnsOf(built).columns(ColumnGroup.FORCES);
+    return ModelParts.of(built).columns().columns(ColumnGroup.FORCES);
   }
 
   /** The runtime JAR has the whole solver, so a model JAR needs none of it. */
@@ -140,8 +140,8 @@ class DataColumnsTest {
 
   /** Compact, so that none of the columns is code. */
   private static CompiledModel pushed(ColumnGroup group) {
-    Mechanism pushed = RandomForces.on(RandomTrees.driven(SEED, 4), SEED);
-    MechmlModel model = RandomEvents.on(pushed, SEED);
+    Mechanism pushed = RandomMechmlForces.on(RandomMechmlTrees.driven(SEED, 4), SEED);
+    MechmlModel model = RandomMechmlEvents.on(pushed, SEED);
     BuildOptions options = new BuildOptions("DTR", "auto", true, Set.of(group), SETTINGS);
     return ModelFactory.compile(model, options, ModelFactory.generate(model, options));
   }

@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.mechservice.sim.check.TreeDrawing;
-import org.mechservice.sim.model.RandomTrees;
+import org.mechservice.sim.model.RandomMechmlTrees;
 import org.mechservice.sim.model.Scenes;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -24,7 +24,7 @@ class SceneAnalysisTest {
 
   @Test
   void everyJointOfATreeIsInTheRoadmapOnce() {
-    Mechanism tree = RandomTrees.tree(3, 12);
+    Mechanism tree = RandomMechmlTrees.tree(3, 12);
     SceneAnalysis scene = SceneAnalysis.of(tree);
     assertThat(scene.degreesOfFreedom()).isEqualTo(12);
     assertThat(scene.roadmap()).extracting(RoadmapEntry::position).doesNotHaveDuplicates();

@@ -15,24 +15,25 @@ import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.linear.SparseSymmetric;
 
 /**
- * Factors of M x + Jᵀ λ = f, J x + c = 0 by recursion, without M: articulated bodies that carry the
- * equations of the loops inwards with them. An equation is eliminated at its {@link LoopFronts
- * home}; from there inwards it is part of the articulated inertia (Popov and Vereshchagin 1978;
- * Sathya and Carpentier 2024, constrained articulated-body algorithm with early elimination). What
- * loops share on the root is a sparse matrix, factored in an order of least degree.
+ * Factors of M x + Jᵀ λ = f, J x + c = 0 by recursion over articulated bodies, without M. The
+ * recursion carries the loop equations inwards and eliminates each at its {@link LoopFronts home};
+ * from there inwards the equation is part of the articulated inertia (Popov and Vereshchagin 1978;
+ * Sathya and Carpentier 2024, constrained articulated-body algorithm with early elimination).
+ * Equations that are at home on the root form a sparse matrix, factored in an order of least
+ * degree.
  *
- * <p>The cost is one number of operations per link and equation that is open in it, squared,
- * instead of the cube of the mechanism's size. With K the wrenches of the multipliers as a link
- * feels them, U = Iᴬ S, D = Sᵀ U, κ = Kᵀ S + g, where g are the forces of multipliers on the joint
- * itself:
+ * <p>The cost per link grows with the square of the number of equations open in it; a dense
+ * factorisation costs the cube of the mechanism's size. With K the wrenches of the multipliers as a
+ * link feels them, U = Iᴬ S, D = Sᵀ U, κ = Kᵀ S + g, where g are the forces of multipliers on the
+ * joint itself:
  *
  * <pre>
  * Iᴬ −= U Uᵀ / D,  K −= U κᵀ / D,  Λ += κ κᵀ / D   for each freedom of a joint
  * Iᴬ += K_e K_eᵀ / Λ_ee,  K −= K_e Λ_e / Λ_ee        for each equation e at home
  * </pre>
  *
- * <p>Workspace of one thread; nothing allocates after construction. It does not hold rods with
- * mass, which couple two bodies.
+ * <p>Workspace of one thread; nothing allocates after construction. Rods with mass are not
+ * supported, because they couple two bodies.
  */
 public final class ArticulatedLoops {
   private static final double[] NONE = {};
@@ -52,7 +53,7 @@ public final class ArticulatedLoops {
   private final double[] pivot;
   private final double[] push;
 
-  /** K, 6 per entry of a front; of an entry that is eliminated as it was then. */
+  /** K, 6 per entry of a front; an eliminated entry keeps its value at the elimination. */
   private final double[] wrench;
 
   /** κ of each velocity, for the entries of its link's front that are open in it. */
@@ -68,7 +69,7 @@ public final class ArticulatedLoops {
 
   private final double[] ofVelocity;
 
-  /** p, then accelerations, 6 per link; c + what is known of J x, then multipliers, by place. */
+  /** p, then accelerations, 6 per link; c + the known part of J x, then multipliers, by place. */
   private final double[] spatial;
 
   private final double[] row;
@@ -77,7 +78,7 @@ public final class ArticulatedLoops {
   private boolean[] heldAt = {};
 
   /**
-   * @param rows equations that count, by their rows; independent of each other
+   * @param rows rows of the equations that are used; independent of each other
    */
   public ArticulatedLoops(TreeMotion motion, LoopEquations loops, int[] rows) {
     tree = motion.tree();
@@ -109,24 +110,23 @@ public final class ArticulatedLoops {
     places = fronts.place;
   }
 
-  /** Returns whether these are the factors for a set of equations. */
+  /** Returns whether these factors were made for a set of equations. */
   public boolean areOf(int[] rows) {
     return Arrays.equals(fronts.rows, rows);
   }
 
   /**
-   * Factors where the loops are placed.
+   * Factors at the state at which the loops were last placed.
    *
-   * @return {@link ExplicitModel#REGULAR}; or the velocity of the state that no inertia resists; or
-   *     −2 − the equation that repeats others there
+   * @return {@link ExplicitModel#REGULAR}; or the index of a velocity without inertia; or −2 − the
+   *     row of an equation that is redundant at this state
    */
   public int factor() {
     return factor(NONE, new boolean[0]);
   }
 
   /**
-   * Factors M x + Jᵀ λ = f, J x + c = C λ with a compliance C, so that equations may repeat each
-   * other.
+   * Factors M x + Jᵀ λ = f, J x + c = C λ with a compliance C, which permits redundant equations.
    *
    * @param compliance one number per row of the loops, or empty for none; not modified
    * @param held velocities of the state at which x is zero; empty if there are none
@@ -162,7 +162,7 @@ public final class ArticulatedLoops {
     return ExplicitModel.REGULAR;
   }
 
-  /** Takes K and g of the multipliers where they act. */
+  /** Sets K and g of the multipliers in the links on which they act. */
   private void load() {
     Arrays.fill(wrench, 0);
     Arrays.fill(direct, 0);
@@ -207,7 +207,7 @@ public final class ArticulatedLoops {
     return ExplicitModel.REGULAR;
   }
 
-  /** Takes the freedoms of a link's joint out, one after the other. */
+  /** Eliminates the freedoms of a link's joint, one after the other. */
   private int eliminateJoint(int link) {
     if (tree.driven[link]) {
       return ExplicitModel.REGULAR;
@@ -252,8 +252,8 @@ public final class ArticulatedLoops {
   }
 
   /**
-   * Returns about the largest element on the diagonal of M, from above, where the tree is placed:
-   * the largest inertia that a joint moves while no other does.
+   * Returns an upper estimate of the largest diagonal element of M at the placed state: the largest
+   * inertia that one joint moves while all others are at rest.
    *
    * @param units of the velocities of the state, by which displacements are lengths
    */
@@ -292,7 +292,7 @@ public final class ArticulatedLoops {
    * @param force f, one number per velocity of the state; not modified
    * @param offset c, one number per row of the loops; not modified
    * @param x from {@code at}, one number per velocity of the state; overwritten
-   * @param lambda one number per row of the loops, those that do not count being zero; overwritten
+   * @param lambda one number per row of the loops, zero for unused rows; overwritten
    */
   public void solve(double[] force, double[] offset, double[] x, int at, double[] lambda) {
     Arrays.fill(spatial, 0);
@@ -321,7 +321,7 @@ public final class ArticulatedLoops {
     }
   }
 
-  /** Subtracts what an equation's elimination takes from those after it. */
+  /** Subtracts the contribution of an eliminated equation from the later ones. */
   private void passOn(int place) {
     for (int e = multipliers.start(place); e < multipliers.start(place + 1); e++) {
       row[multipliers.later(e)] -= multipliers.lower(e) * row[place];

@@ -5,30 +5,30 @@ import org.mechservice.solver.linear.Cholesky;
 import org.mechservice.solver.linear.DenseLu;
 
 /**
- * Solves A x + Jᵀ λ = r, J x + c = 0 for matrices A that J need not complete to full rank, by
- * repetition with (A + α JᵀJ): the augmented Lagrangian. Equations that follow from others do no
- * harm; their multipliers are of least norm.
+ * Solves A x + Jᵀ λ = r, J x + c = 0 by the augmented Lagrangian method, which iterates with the
+ * factors of A + α JᵀJ. J may have redundant rows; their multipliers are then those of least norm.
  *
- * <p>Rows of J are over the sizes of what they measure. Every repetition starts from the residuals
- * of both equations, so what the penalty costs in digits is regained. Workspace of one thread.
+ * <p>Rows of J are divided by the sizes of what they measure. Every iteration starts from the
+ * residuals of both equations and so recovers the digits that the penalty loses. Workspace of one
+ * thread.
  */
 public final class AugmentedEquations {
   private static final int REPETITIONS = 10;
 
-  /** Residual over its size that is as good as none. */
+  /** Relative residual at which the iteration stops. */
   private static final double ACCURATE = 1e-11;
 
-  /** A repetition that gains less than this is the last. */
+  /** Reduction of the residual above which the iteration stops. */
   private static final double GAIN = 0.1;
 
   /** How the matrix A + α JᵀJ is factored and solved with. */
   public interface Factors {
-    /** Returns a negative number, or the row without a pivot. */
+    /** Factors a matrix; returns a negative number, or the row without a pivot. */
     int factor(double[] matrix);
 
     void solve(double[] b);
 
-    /** For a matrix that is symmetric and positive definite. */
+    /** Returns factors of a symmetric positive definite matrix. */
     static Factors of(Cholesky factors) {
       return new Factors() {
         @Override
@@ -43,7 +43,7 @@ public final class AugmentedEquations {
       };
     }
 
-    /** For a matrix without symmetry. */
+    /** Returns factors of an unsymmetric matrix. */
     static Factors of(DenseLu factors) {
       return new Factors() {
         @Override
@@ -63,7 +63,7 @@ public final class AugmentedEquations {
   private final int n;
   private final int m;
 
-  /** J with its rows over their sizes, m × n; A, and A + α JᵀJ, n × n. */
+  /** J with its rows divided by their sizes, m × n; A, and A + α JᵀJ, n × n. */
   private final double[] rows;
 
   private final double[] matrix;
@@ -77,11 +77,11 @@ public final class AugmentedEquations {
   private final double[] force;
   private final double[] gap;
 
-  /** λ of the last solution, one per row over its size. */
+  /** λ of the last solution, one per scaled row. */
   public final double[] multipliers;
 
   /**
-   * @param units of the unknowns, in which elements of J are compared with one
+   * @param units of the unknowns, which scale the columns of J
    */
   public AugmentedEquations(int equations, double[] units, Factors factors) {
     this.factors = factors;
@@ -101,9 +101,9 @@ public final class AugmentedEquations {
    * Factors A + α JᵀJ.
    *
    * @param a A, n × n; not modified
-   * @param scaledRows J, rows over their sizes, m × n; not modified
-   * @param penalty α of a row of unit length; less of longer ones, as of those of a ring of many
-   *     bodies, which are as long as the ring is wide: α JᵀJ would else leave nothing of A
+   * @param scaledRows J, rows divided by their sizes, m × n; not modified
+   * @param penalty α of a row of unit length. Longer rows get a smaller α, so that α JᵀJ does not
+   *     swamp A; the rows of a ring of many bodies are as long as the ring is wide
    * @return a negative number, or the unknown without a pivot
    */
   public int factor(double[] a, double[] scaledRows, double penalty) {
@@ -139,7 +139,7 @@ public final class AugmentedEquations {
    * Solves with the last factors.
    *
    * @param right r; not modified
-   * @param offset c, rows over their sizes; not modified
+   * @param offset c, rows divided by their sizes; not modified
    * @param x from {@code at}; overwritten
    */
   public void solve(double[] right, double[] offset, double[] x, int at) {

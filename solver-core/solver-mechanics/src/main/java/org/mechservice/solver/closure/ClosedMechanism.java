@@ -7,9 +7,7 @@ import java.util.Optional;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.run.RunSettings;
-import org.mechservice.solver.closure.assembly.Assembly;
-import org.mechservice.solver.closure.assembly.LoopFinding;
-import org.mechservice.solver.closure.assembly.RankAnalysis;
+import org.mechservice.solver.closure.assembly.ClosedStart;
 import org.mechservice.solver.closure.equations.LoopTerms;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Tape;
@@ -22,18 +20,13 @@ import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 
 /**
- * A mechanism whose loops are closed at the start and whose independent equations are counted: what
- * models of it are made from. Immutable, but for code that evaluates its equations.
+ * A mechanism with closed loops after assembly: its loops are closed at the start and the rank of
+ * its loop equations is known. Models are made from it. Immutable, apart from generated code that
+ * evaluates its equations.
  */
 public final class ClosedMechanism {
-  private final TreeGeometry tree;
+  private final ClosedStart start;
   private final ModelDescription description;
-  private final double startTime;
-  private final double[] start;
-  private final int rank;
-  private final Optional<String> againstProjection;
-  private final List<LoopFinding> findings = new ArrayList<>();
-
   private final Optional<LoopTerms> terms;
 
   /** For each velocity of the state, its joint among those that have states. */
@@ -43,36 +36,18 @@ public final class ClosedMechanism {
    * Assembles a mechanism at the start of its run.
    *
    * @param formulation name of the formulation, for reports
-   * @param defaults settings the model carries; assembly is at their start
+   * @param defaults default settings of the model; assembly takes place at their start time
    */
   public ClosedMechanism(Mechanism mechanism, String formulation, RunSettings defaults) {
-    tree = new TreeGeometry(mechanism);
+    start = new ClosedStart(mechanism, defaults.tStart());
     terms = Optional.empty();
     jointOfVelocity = new int[mechanism.velocityCount()];
     description = new ModelDescription(mechanism.name(), formulation, joints(mechanism), defaults);
-    startTime = defaults.tStart();
-    start = new double[mechanism.positionCount() + mechanism.velocityCount()];
-    mechanism.initialState(start);
-    findings.addAll(new Assembly(tree).assemble(startTime, start));
-    if (isAssembled()) {
-      RankAnalysis analysis = new RankAnalysis(tree, startTime, start);
-      rank = analysis.rank();
-      againstProjection = analysis.againstProjection();
-      findings.addAll(analysis.findings(startTime));
-    } else {
-      rank = 0;
-      againstProjection = Optional.empty();
-    }
   }
 
   private ClosedMechanism(ClosedMechanism other, LoopTerms code) {
-    tree = other.tree;
-    description = other.description;
-    startTime = other.startTime;
     start = other.start;
-    rank = other.rank;
-    againstProjection = other.againstProjection;
-    findings.addAll(other.findings);
+    description = other.description;
     jointOfVelocity = other.jointOfVelocity;
     terms = Optional.of(code);
   }
@@ -90,27 +65,14 @@ public final class ClosedMechanism {
     return joints;
   }
 
-  /** Returns whether the loops are closed at the start; if not, {@link #findings()} says why. */
-  public boolean isAssembled() {
-    return findings.stream().allMatch(finding -> finding.kind().isWarning());
-  }
-
-  /** Returns what there is to say of the loops: corrections of the start, redundant equations. */
-  public List<LoopFinding> findings() {
-    return List.copyOf(findings);
-  }
-
-  /**
-   * Returns why independent coordinates are chosen badly at the start, if they are: penalty closure
-   * needs none (NUMERICS §3).
-   */
-  public Optional<String> againstProjection() {
-    return againstProjection;
+  /** Returns the closed start, with what there is to say of the loops. */
+  public ClosedStart start() {
+    return start;
   }
 
   /** Returns the tree that is left when the loops are opened. */
   public TreeGeometry tree() {
-    return tree;
+    return start.tree();
   }
 
   /** Returns names and settings. */
@@ -119,38 +81,30 @@ public final class ClosedMechanism {
   }
 
   /**
-   * Returns the same with code that evaluates the terms of its equations; since code has a
-   * workspace, one model is to be made of it.
+   * Returns the same mechanism with generated code for the terms of its equations. The code has a
+   * workspace, so only one model may be made of the result.
    */
   public ClosedMechanism evaluatedBy(LoopTerms code) {
     return new ClosedMechanism(this, code);
   }
 
-  /** Returns a workspace of its equations: of its code if it has some. */
+  /** Returns a workspace of its equations, evaluated by generated code where there is any. */
   public ClosedTree newEquations(UserForceSource userForces) {
     return terms
         .<ClosedTree>map(code -> new GeneratedTreeTerms(this, userForces, code))
-        .orElseGet(() -> new ClosedTree(tree, userForces));
-  }
-
-  /** Returns the number of independent equations of the loops. */
-  public int rank() {
-    return rank;
+        .orElseGet(() -> new ClosedTree(tree(), userForces));
   }
 
   /** Returns the number of degrees of freedom that the loops leave. */
   public int freedom() {
-    return tree.stateVelocityCount - rank;
+    return tree().stateVelocityCount - start.rank();
   }
 
-  /**
-   * Returns whether motions or relations between coordinates are prescribed as functions of time,
-   * so that they do work.
-   */
+  /** Returns whether a prescribed motion or a coupling depends on time and therefore does work. */
   public boolean isMovedByTime() {
     List<Expression> prescribed = new ArrayList<>();
-    tree.mechanism().motions().forEach(motion -> prescribed.addAll(motion.coordinates()));
-    for (LoopClosure closure : tree.mechanism().closures()) {
+    tree().mechanism().motions().forEach(motion -> prescribed.addAll(motion.coordinates()));
+    for (LoopClosure closure : tree().mechanism().closures()) {
       if (closure instanceof JointClosure cut) {
         prescribed.addAll(cut.motion());
       } else if (closure instanceof CoordinateClosure coupling) {
@@ -158,16 +112,6 @@ public final class ClosedMechanism {
       }
     }
     return new Tape(prescribed).leaves().stream().anyMatch(Expression.Time.class::isInstance);
-  }
-
-  /** Returns the time at which the loops are closed, s. */
-  public double startTime() {
-    return startTime;
-  }
-
-  /** Returns the assembled state [q; v] at the start. */
-  public double[] start() {
-    return start.clone();
   }
 
   /** Returns the index in {@code description().joints()} of the joint a velocity belongs to. */

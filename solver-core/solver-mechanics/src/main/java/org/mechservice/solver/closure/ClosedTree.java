@@ -33,7 +33,7 @@ public class ClosedTree {
   public final int nq;
   public final int nv;
 
-  /** M with the rods, n × n row by row, once it is asked for. */
+  /** M including the rods, n × n row by row; formed on first use. */
   private double[] mass = new double[0];
 
   /** Applied wrenches, 6 per link, and joint forces, one per extended velocity. */
@@ -41,7 +41,7 @@ public class ClosedTree {
 
   final double[] tau;
 
-  /** The wrenches with those of the loops. */
+  /** The applied wrenches plus those of the loops. */
   private final double[] loaded;
 
   private final double[] noAcceleration;
@@ -64,7 +64,10 @@ public class ClosedTree {
     noAcceleration = new double[nv];
   }
 
-  /** Returns a workspace of the same equations that has swept motions and forces in links. */
+  /**
+   * Returns the data-driven workspace of the same equations, which has the motions and forces of
+   * links.
+   */
   public ClosedTree ofData() {
     return this;
   }
@@ -88,7 +91,7 @@ public class ClosedTree {
     placeData(t, y);
   }
 
-  /** The same from the data, wherever the equations come from. */
+  /** As {@link #place}, always evaluated from the data. */
   public final void placeData(double t, double[] y) {
     motion.sweep(t, y);
     loops.place(motion, t);
@@ -96,7 +99,7 @@ public class ClosedTree {
     loops.move(motion, t);
   }
 
-  /** Places a state whose equations of motion are to be formed, and evaluates Φ, J and Φ'. */
+  /** Places a state before its equations of motion are formed, and evaluates Φ, J and Φ'. */
   public void placeEquations(double t, double[] y) {
     place(t, y);
   }
@@ -107,7 +110,7 @@ public class ClosedTree {
     open.massMatrix().toDense(mass());
   }
 
-  /** Returns M with the rods as formed last, n × n row by row. */
+  /** Returns M including the rods as last formed, n × n row by row. */
   public final double[] mass() {
     if (mass.length < nv * nv) {
       mass = new double[nv * nv];
@@ -115,7 +118,7 @@ public class ClosedTree {
     return mass;
   }
 
-  /** Returns whether accelerations are to be found in the sparsity of the tree and its loops. */
+  /** Returns whether accelerations are solved for with sparse matrices. */
   public boolean isLarge() {
     return loops.isLarge() && rods.isEmpty();
   }
@@ -127,7 +130,10 @@ public class ClosedTree {
     return forces.apply(t, wrench, tau) == ForceSet.REGULAR;
   }
 
-  /** Takes note of an accepted step at the last sweep: angles of cut joints count on from here. */
+  /**
+   * Records that the step to the last placed state was accepted: angles of cut joints are unwrapped
+   * from here.
+   */
   public void accepted(double t) {
     loops.accepted();
     if (applyForces(t)) {
@@ -161,13 +167,13 @@ public class ClosedTree {
     return motion.counted.count() + loops.counted.count();
   }
 
-  /** Writes where angles of cut joints count on from. */
+  /** Writes the unwrapped angles of cut joints at the last accepted step. */
   public void save(double[] state, int at) {
     motion.counted.save(state, at);
     loops.counted.save(state, at + motion.counted.count());
   }
 
-  /** Takes up what {@link #save} wrote. */
+  /** Restores what {@link #save} wrote. */
   public void restore(double[] state, int at) {
     motion.counted.restore(state, at);
     loops.counted.restore(state, at + motion.counted.count());
@@ -193,7 +199,7 @@ public class ClosedTree {
     formDataGamma(t);
   }
 
-  /** The same from the data, after {@link #placeData}. */
+  /** As {@link #formGamma}, from the data, after {@link #placeData}. */
   final void formDataGamma(double t) {
     motion.accelerationSweep(noAcceleration);
     loops.accelerate(motion, t);
@@ -202,8 +208,8 @@ public class ClosedTree {
   /**
    * Evaluates M v' + b − τ for accelerations that begin at {@code aAt}, after {@link #place}.
    *
-   * @param residual one number per extended velocity; overwritten, those of driven joints as they
-   *     come out
+   * @param residual one number per extended velocity; overwritten; entries of driven joints are the
+   *     driving forces
    * @return whether all forces have values
    */
   public boolean formResidual(double t, double[] a, int aAt, double[] residual) {
@@ -223,13 +229,16 @@ public class ClosedTree {
     energy[1] = world.potentialEnergy() + rods.potentialEnergy(motion) + forces.potentialEnergy();
   }
 
-  /** Writes where the bodies are in a state, and how they move ({@code BodyPoses}). */
+  /** Writes poses and velocities of the bodies at a state ({@code BodyPoses}). */
   public void poses(double t, double[] y, double[] poses) {
     motion.sweep(t, y);
     world.poses(poses);
   }
 
-  /** Writes at a state the power of what has no potential energy, and the sum of its sizes, W. */
+  /**
+   * Writes the power of all forces without potential energy at a state, and the sum of the absolute
+   * values, W.
+   */
   public void power(double t, double[] y, double[] power) {
     motion.sweep(t, y);
     applyForces(t);
@@ -238,8 +247,8 @@ public class ClosedTree {
   }
 
   /**
-   * Evaluates the derivatives of M v' + b − τ + Jᵀ λ by v', v and q where the last {@link
-   * #formResidual} was, for the same accelerations.
+   * Evaluates the derivatives of M v' + b − τ + Jᵀ λ by v', v and q at the state of the last {@link
+   * #formResidual}, for the same accelerations.
    *
    * @param a accelerations that begin at {@code aAt}; not modified
    * @param lambda multipliers, one per equation; not modified

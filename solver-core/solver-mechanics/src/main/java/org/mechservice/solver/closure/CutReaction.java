@@ -9,7 +9,7 @@ import org.mechservice.solver.mechanism.Attachment;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.spatial.Blocks;
 
-/** What a cut joint exerts on the second of its bodies. Workspace of one thread. */
+/** The reaction of a cut joint on its second body. Workspace of one thread. */
 public final class CutReaction {
   private final LoopEquations loops;
   private final int firstRow;

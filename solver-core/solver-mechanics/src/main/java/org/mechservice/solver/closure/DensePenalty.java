@@ -2,7 +2,7 @@ package org.mechservice.solver.closure;
 
 import org.mechservice.solver.linear.Cholesky;
 
-/** With M + α JᵀJ as a dense matrix, which is fast for small mechanisms. */
+/** Penalty equations with M + α JᵀJ as a dense matrix, which is fast for small mechanisms. */
 final class DensePenalty implements PenaltyEquations {
   private final ClosedTree work;
   private final double stiffness;
@@ -12,7 +12,7 @@ final class DensePenalty implements PenaltyEquations {
 
   /**
    * @param stiffness penalty over the largest inertia
-   * @param holds whether velocities may be held, each by an equation of its own
+   * @param holds whether velocities may be held fixed, each by an additional equation
    */
   DensePenalty(ClosedTree work, double stiffness, boolean holds) {
     this.work = work;
@@ -35,7 +35,10 @@ final class DensePenalty implements PenaltyEquations {
     return equations.factor(work.mass(), rows, stiffness * largestInertia());
   }
 
-  /** Returns the largest element on the diagonal of M, displacements in lengths, kg·m². */
+  /**
+   * Returns the largest diagonal element of M, with displacements in lengths of the mechanism,
+   * kg·m².
+   */
   private double largestInertia() {
     double largest = 0;
     for (int j = 0; j < work.nv; j++) {

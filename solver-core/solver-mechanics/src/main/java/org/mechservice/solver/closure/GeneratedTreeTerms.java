@@ -10,14 +10,15 @@ import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.force.user.UserForceSource;
 
 /**
- * The equations of a mechanism with loops, evaluated by code that was written for it. The data
- * serve what is asked for seldom: reactions, poses unless the model was built to put them out, and
- * the reason where a force has no direction.
+ * The equations of a mechanism with loops, evaluated by generated code. Data-driven algorithms
+ * evaluate what is rarely needed: reactions, poses of models built without pose output, and the
+ * reason why a force has no direction.
  *
- * <p>Code is given the angles of cut joints, from which it counts whole turns, behind the state.
+ * <p>The unwrapped angles of cut joints follow the state in the code's argument; the code takes
+ * whole turns from them.
  */
 final class GeneratedTreeTerms extends ClosedTree {
-  /** Where Euler parameters stand among the numbers of a body. */
+  /** Index of the first Euler parameter among the numbers of a body. */
   private static final int FIRST_EULER_PARAMETER = 3;
 
   private static final int EULER_PARAMETERS = 4;
@@ -37,12 +38,12 @@ final class GeneratedTreeTerms extends ClosedTree {
   /** M, ∂/∂v and ∂/∂q of the residual; elements that are never written are zero. */
   private final double[] derivatives;
 
-  /** A residual of the data. */
+  /** Residual evaluated from the data. */
   private final double[] extended;
 
   private final UnwrappedAngles angles;
 
-  /** Where coordinates of cut joints were at the last accepted step, as the data count them. */
+  /** Unwrapped coordinates of cut joints at the last accepted step, from the data. */
   private final double[] counted;
 
   private Optional<ClosedTree> following = Optional.empty();
@@ -52,10 +53,10 @@ final class GeneratedTreeTerms extends ClosedTree {
 
   private final double[] state;
 
-  /** A state of which only energy and power are asked, followed by the same. */
+  /** State for energy and power alone, followed by the unwrapped angles. */
   private final double[] beside;
 
-  /** What the equations returned there, and whether they were evaluated there. */
+  /** Result of the equations at that state, and whether they were evaluated there. */
   private int result;
 
   private boolean formed;
@@ -74,10 +75,10 @@ final class GeneratedTreeTerms extends ClosedTree {
     extended = new double[tree.velocityCount];
     counted = new double[super.stateLength()];
     angles = new UnwrappedAngles(tree);
-    state = angles.behind(closed.start());
+    state = angles.behind(closed.start().state());
     beside = state.clone();
-    // rows have learned here what they measure
-    placeData(closed.startTime(), state);
+    // this call has set the sizes of the rows
+    placeData(closed.start().time(), state);
   }
 
   @Override
@@ -88,7 +89,7 @@ final class GeneratedTreeTerms extends ClosedTree {
     return other;
   }
 
-  /** Lets the data that others work with count on from where these do. */
+  /** Copies the unwrapped angles to the data-driven workspace. */
   private void lead() {
     if (following.isPresent()) {
       super.save(counted, 0);
@@ -96,7 +97,7 @@ final class GeneratedTreeTerms extends ClosedTree {
     }
   }
 
-  /** {@inheritDoc} Code writes a whole mass matrix. */
+  /** {@inheritDoc} Generated code always forms a dense mass matrix. */
   @Override
   public boolean isLarge() {
     return false;
@@ -156,7 +157,10 @@ final class GeneratedTreeTerms extends ClosedTree {
     }
   }
 
-  /** {@inheritDoc} They do not depend on the forces, which may have no direction. */
+  /**
+   * {@inheritDoc} The mass matrix does not depend on the forces, so a force without direction does
+   * no harm.
+   */
   @Override
   public void formMass() {
     if (!formed) {
@@ -173,7 +177,7 @@ final class GeneratedTreeTerms extends ClosedTree {
     if (result == ExplicitModel.REGULAR) {
       return true;
     }
-    // the data know the reason, or, at the very limit, the value
+    // the data-driven evaluation gives the reason or, at the very limit, the value
     placeData(time, state);
     boolean regular = super.formBias(t);
     System.arraycopy(super.bias(), 0, bias, 0, nv);
@@ -234,7 +238,7 @@ final class GeneratedTreeTerms extends ClosedTree {
     }
   }
 
-  /** {@inheritDoc} The data do it where the code has no derivatives, or a force no value. */
+  /** {@inheritDoc} The data are used if the code has no derivatives or a force has no value. */
   @Override
   public boolean linearise(
       double t, double[] a, int aAt, double[] lambda, ResidualJacobian jacobian) {
@@ -249,7 +253,7 @@ final class GeneratedTreeTerms extends ClosedTree {
     return super.formResidual(t, a, aAt, extended) && super.linearise(t, a, aAt, lambda, jacobian);
   }
 
-  /** {@inheritDoc} Where there are none, nothing is evaluated. */
+  /** {@inheritDoc} Does nothing if there are no unwrapped angles. */
   @Override
   public void accepted(double t) {
     if (angles.count() > 0) {

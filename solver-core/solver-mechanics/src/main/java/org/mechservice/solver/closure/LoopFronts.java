@@ -12,42 +12,46 @@ import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.linear.SparseSymmetric;
 
 /**
- * Where the equations of loops are open in the tree: from the links that they depend on inwards to
- * their <i>home</i>, the last link that all their ways share. There they are eliminated, the
- * outermost homes first; those that are at home on the root follow by least degree.
+ * Elimination order of the loop equations in the tree. An equation is open from the links that it
+ * depends on inwards to its <i>home</i>, the outermost link that all its paths to the root share.
+ * It is eliminated at its home, outermost homes first; equations at home on the root follow in
+ * order of least degree.
  *
- * <p>The front of a link holds the equations that are open in a link outside of it, those at home
- * here first. Immutable.
+ * <p>The front of a link holds the equations that are open in a link outside it, those with their
+ * home at this link first. Immutable.
  */
 final class LoopFronts {
   /** Equations that are eliminated, by the rows of the loops. */
   final int[] rows;
 
   /**
-   * Matrix of the multipliers, one row per equation of {@link #rows}, of which this is the order.
+   * Matrix of the multipliers, one row per equation of {@link #rows}, in the order of elimination.
    */
   final SparseSymmetric matrix;
 
-  /** Where the front of each link begins, and where those begin that are not at home on it. */
+  /** First entry of each link's front, and the first entry whose home is not this link. */
   final int[] start;
 
   final int[] open;
 
-  /** Place of each entry's equation in the order of elimination. */
+  /** Position of each entry's equation in the order of elimination. */
   final int[] place;
 
   /** Entry of the same equation in the front of the parent, or -1. */
   final int[] inParent;
 
-  /** For each equation and link loaded by it: the link and the entry there. */
+  /**
+   * For each equation and each link on which it exerts a wrench: the link and the entry in its
+   * front.
+   */
   final int[][] loaded;
 
   final int[][] loadedEntry;
 
-  /** For each equation the extended velocities it puts forces on. */
+  /** For each equation the extended velocities on which it exerts a force. */
   final int[][] velocities;
 
-  /** Those of the state among them, and the entries in the fronts of their links. */
+  /** Velocities of the state among them, and the entries in the fronts of their links. */
   final int[][] pushed;
 
   final int[][] pushedEntry;
@@ -121,7 +125,7 @@ final class LoopFronts {
     }
   }
 
-  /** Returns whether the equation at a place of the order is at home on the root. */
+  /** Returns whether the home of the equation at a position of the order is the root. */
   boolean isAtHomeOnRoot(int ofPlace) {
     return home[matrix.rowAt(ofPlace)] == TreeGeometry.ROOT;
   }

@@ -4,39 +4,42 @@ import java.util.Arrays;
 import org.mechservice.solver.closure.equations.LoopRounding;
 
 /**
- * Moves positions and velocities onto the loops by the least change in the metric of the mass
- * matrix (NUMERICS §3): what an impulse along the constraints does to velocities. Coordinates may
- * be held meanwhile, each by an equation of its own. Workspace of one thread.
+ * Projects positions and velocities onto the constraint manifold by the least change in the metric
+ * of the mass matrix (NUMERICS §3); velocities change as by an impulse along the constraints.
+ * Selected coordinates may be held fixed, each by an additional equation. Workspace of one thread.
  */
 public final class LoopProjection {
-  /** Residual over its size, or rate over the speed, below which a state is left alone. */
+  /** Relative residual, or rate over the speed, below which a state is not changed. */
   private static final double CLOSED = 1e-13;
 
   private static final int ITERATIONS = 12;
 
-  /** The same from wherever an event has left the positions. */
+  /** Largest number of iterations after an event, which may leave positions far off the loops. */
   private static final int ITERATIONS_AFTER_JUMP = 60;
 
-  /** No coordinate moves further in one of them, rad or lengths of the mechanism. */
+  /** Longest move of a coordinate in one iteration, rad or lengths of the mechanism. */
   private static final double LONGEST_STEP = 0.4;
 
-  /** Beyond half a radian the positions found may be those of another assembly. */
+  /**
+   * Largest total move of a coordinate; beyond half a radian the solution may belong to another
+   * assembly.
+   */
   private static final double TOO_FAR = 0.5;
 
-  /** Velocities changed by this part of all are those of another branch. */
+  /** Relative change of velocities above which they belong to another branch. */
   private static final double OTHER_BRANCH = 0.25;
 
-  /** Below this speed, 1/s, velocities are rounding: a linkage that cannot move. */
+  /** Speed, 1/s, below which velocities are rounding errors of a linkage that cannot move. */
   private static final double SLOWEST = 1e-9;
 
   private final ClosedTree work;
 
-  /** What residuals are by rounding at the positions projected. */
+  /** Rounding errors of the residuals at the projected positions. */
   public final LoopRounding rounding;
 
   private final PenaltyEquations equations;
 
-  /** Velocities that must not change, if any can be held. */
+  /** Velocities that must not change; empty if none can be held. */
   private final boolean[] held;
 
   private final double[] none;
@@ -47,7 +50,7 @@ public final class LoopProjection {
     this(work, settings, false);
   }
 
-  /** Returns one that can hold coordinates. */
+  /** Returns a projection that can hold coordinates fixed. */
   public static LoopProjection holding(ClosedTree work) {
     return new LoopProjection(work, PenaltySettings.DEFAULT, true);
   }
@@ -65,28 +68,31 @@ public final class LoopProjection {
     change = new double[work.nv];
   }
 
-  /** Returns the equations of the places last factored, for accelerations too. */
+  /** Returns the equations last factored; accelerations may be solved with them too. */
   public PenaltyEquations equations() {
     return equations;
   }
 
-  /** Factors where the work is placed; returns a negative number or the velocity. */
+  /**
+   * Factors at the placed state; returns a negative number, or the index of the velocity without
+   * inertia.
+   */
   public int factor() {
     return equations.factor(held);
   }
 
-  /** Moves positions, then velocities; returns whether both obey the loops. */
+  /** Projects positions, then velocities; returns whether both satisfy the constraints. */
   public boolean project(double t, double[] y) {
     return projectPositions(t, y) && projectVelocities(t, y, OTHER_BRANCH);
   }
 
   /**
-   * Closes the loops after a jump: first with some velocities and their positions held, then, for
-   * what that has left, with all free.
+   * Closes the loops after a jump: first with some velocities and their positions held fixed, then,
+   * if a residual remains, with all free.
    *
    * @param positionSet velocities whose positions are held
    * @param velocitySet velocities that are held
-   * @return whether the state obeys the loops
+   * @return whether the state satisfies the constraints
    */
   public boolean jump(double t, double[] y, boolean[] positionSet, boolean[] velocitySet) {
     System.arraycopy(positionSet, 0, held, 0, held.length);
@@ -141,7 +147,7 @@ public final class LoopProjection {
     return false;
   }
 
-  /** Whether a residual is small, or another repetition hardly reduces it any more. */
+  /** Returns whether a residual is small, or whether the last iteration hardly reduced it. */
   private static boolean isClosed(double residual, double before) {
     return residual <= CLOSED || (residual <= LoopRounding.CLOSED && residual > 0.5 * before);
   }
@@ -157,8 +163,8 @@ public final class LoopProjection {
   /**
    * Changes velocities as an impulse along the constraints does.
    *
-   * @param allowed part of all velocities by which they may change
-   * @return whether they obey the loops
+   * @param allowed largest permitted relative change of the velocities @return whether they satisfy
+   *     the constraints
    */
   boolean projectVelocities(double t, double[] y, double allowed) {
     work.place(t, y);
@@ -179,7 +185,7 @@ public final class LoopProjection {
     return true;
   }
 
-  /** Takes the rates to be removed; returns the largest, 1/s. */
+  /** Computes the rates to be removed; returns the largest, 1/s. */
   private double rate(double[] y, double speed) {
     double largest = 0;
     for (int row = 0; row < work.loops.count(); row++) {

@@ -4,22 +4,22 @@ import java.util.Locale;
 import org.mechservice.solver.catalogue.ClosureMethod;
 
 /**
- * Numbers of the penalty closure (NUMERICS §3; García de Jalón and Bayo 1994, ch. 5). As text they
- * follow the closure's name: {@code penalty:alpha=1e7,omega=10,mu=1}; what is not named has its
- * default.
+ * Parameters of the penalty closure (NUMERICS §3; García de Jalón and Bayo 1994, ch. 5). Their text
+ * form follows the closure's name: {@code penalty:alpha=1e7,omega=10,mu=1}; an omitted parameter
+ * has its default.
  *
- * @param stiffness α, penalty per equation over the largest inertia on the diagonal of M, less
- *     where its row is longer than one; large enough for two or three repetitions to meet the
- *     equations to round-off
- * @param frequency Ω, 1/s: how fast a residual within a step dies out; those of accepted states are
- *     projected away
- * @param damping μ, of a residual as of an oscillator: 1 is critical
+ * @param stiffness α, penalty per equation divided by the largest diagonal element of M; smaller
+ *     for rows longer than one. The default is large enough for two or three iterations to satisfy
+ *     the equations to round-off
+ * @param frequency Ω, 1/s: rate at which a residual decays within a step; projection removes
+ *     residuals at accepted states
+ * @param damping μ, damping ratio of the residual: 1 is critical damping
  */
 public record PenaltySettings(double stiffness, double frequency, double damping) {
-  /** What is used unless something else is said. */
+  /** Default parameters. */
   public static final PenaltySettings DEFAULT = new PenaltySettings(1e7, 10, 1);
 
-  /** What the closure is called. */
+  /** Name of the closure. */
   public static final String CLOSURE = ClosureMethod.PENALTY.label();
 
   private static final double LEAST_STIFFNESS = 1e3;
@@ -28,8 +28,9 @@ public record PenaltySettings(double stiffness, double frequency, double damping
   private static final double LARGEST_DAMPING = 100;
 
   /**
-   * @throws IllegalArgumentException if a number is out of range: below 1e3 repetitions hardly meet
-   *     the equations, beyond 1e12 nothing of the motion is left in M + αJᵀJ
+   * @throws IllegalArgumentException if a number is out of range. With α below 1e3 the iteration
+   *     hardly satisfies the equations; with α above 1e12 the mass matrix is lost to rounding in M
+   *     + αJᵀJ
    */
   public PenaltySettings {
     require("alpha", stiffness, LEAST_STIFFNESS, LARGEST_STIFFNESS);
@@ -50,7 +51,7 @@ public record PenaltySettings(double stiffness, double frequency, double damping
     }
   }
 
-  /** Returns whether a closure is this one, with numbers of its own or without. */
+  /** Returns whether a closure is the penalty closure, with or without parameters. */
   public static boolean isPenalty(String closure) {
     return closure.equals(CLOSURE) || closure.startsWith(CLOSURE + ":");
   }

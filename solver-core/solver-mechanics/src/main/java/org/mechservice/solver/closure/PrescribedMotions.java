@@ -16,22 +16,22 @@ import org.mechservice.solver.mechanism.closure.CoordinateClosure;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 
 /**
- * Looks after a failure for what is prescribed as a function of time and has no finite acceleration
- * where the last steps tried to go, as the motion √(1 − t) has none at t = 1 s: no step leads there
- * however short it is, and the state that an error test names is one that had to follow. Allocates
- * freely.
+ * Finds, after a failure, a function of time with an unbounded second derivative near the last
+ * attempted steps. The motion √(1 − t) is an example: near t = 1 s no step is short enough, and the
+ * state that the error test names merely follows the prescribed motion. Allocates memory; not for
+ * use within a step.
  */
 public final class PrescribedMotions {
-  /** Accelerations below this, in SI units, are not those of a motion that comes to its end. */
+  /** Acceleration in SI units below which a motion is regarded as regular. */
   private static final double LARGE = 1e6;
 
   /**
-   * Relative change between times next to each other: rounding makes 1e-15, a vibration of 1e6
-   * rad/s makes 1e-8 after 10 s.
+   * Relative change of an acceleration between neighbouring times that shows a singularity;
+   * rounding causes 1e-15, a vibration of 1e6 rad/s after 10 s causes 1e-8.
    */
   private static final double NOTICEABLE = 1e-7;
 
-  /** Times next to each other are apart by as many of their spacings, as the shortest steps are. */
+  /** Distance of neighbouring times in units in the last place; the shortest steps are as long. */
   private static final double SPACINGS = 16;
 
   private final ClosedTree work;
@@ -44,9 +44,10 @@ public final class PrescribedMotions {
   }
 
   /**
-   * Returns what is prescribed and breaks off near the end of a run, if anything is.
+   * Returns the defect of a prescribed function that has no bounded acceleration near the end of a
+   * run.
    *
-   * @param t time the run stands at, s
+   * @param t time that the run has reached, s
    * @param y state [q; v] there; not modified
    * @param tried the last steps
    */
@@ -65,7 +66,7 @@ public final class PrescribedMotions {
     return found;
   }
 
-  /** Looks at the coordinates of joints that are driven, in the tree and where it is cut. */
+  /** Checks the driven coordinates of tree joints and cut joints. */
   private Optional<Defect> ofJoints(double t) {
     for (PrescribedMotion motion : work.tree.mechanism().motions()) {
       String joint = work.tree.mechanism().joints().get(motion.joint()).name();
@@ -98,7 +99,10 @@ public final class PrescribedMotions {
     return any;
   }
 
-  /** Looks at relations between coordinates and time while the mechanism rests: Φ'' is Φ_tt. */
+  /**
+   * Checks couplings between coordinates and time with the mechanism at rest, where Φ'' equals
+   * Φ_tt.
+   */
   private Optional<Defect> ofRelations(double t) {
     double[] here = accelerations(t);
     double[] there = accelerations(next(t));

@@ -9,15 +9,15 @@ import org.mechservice.solver.dynamics.recursion.JointReactions;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 
 /**
- * Multipliers of closed loops, and what joints of the tree and cut joints exert, at a state whose
- * accelerations are known: M v' + b − τ + Jᵀ λ = 0.
+ * Multipliers of closed loops and reactions of tree joints and cut joints, at a state with known
+ * accelerations: M v' + b − τ + Jᵀ λ = 0.
  *
- * <p>Of redundant equations the multipliers are not unique; those written are of least norm, forces
- * being counted times a length of the mechanism to compare with moments ({@link #areUnique} tells).
+ * <p>Multipliers of redundant equations are not unique ({@link #areUnique}). The ones written have
+ * the least norm; forces are multiplied by a length of the mechanism to compare them with moments.
  *
- * <p>A joint's reaction is what it exerts by what it forbids, and by the motion that drives it,
- * without springs, dampers, motors and friction along its coordinates. Workspace of one thread;
- * nothing allocates after construction.
+ * <p>A joint's reaction consists of its constraint forces and of the forces of its prescribed
+ * motion; springs, dampers, motors and friction along its coordinates are not part of it. Workspace
+ * of one thread; nothing allocates after construction.
  */
 public final class Reactions {
   private final ClosedTree work;
@@ -31,25 +31,25 @@ public final class Reactions {
   private final double[] tau;
 
   /**
-   * λ, one per equation of the loops in their order, N or N·m; positive against growing Φ: the
-   * tension of a rod.
+   * λ, one per loop equation in their order, N or N·m; positive if it opposes growing Φ, as the
+   * tension of a rod does.
    */
   public final double[] multipliers;
 
   /**
-   * Reactions of the tree's joints, [force; moment] per joint in file order, N, N·m: what the body
-   * nearer the root exerts on the outer one, at the joint's point on the outer one, world axes.
+   * Reactions of the tree's joints, [force; moment] per joint in file order, N, N·m: the load of
+   * the inner body on the outer one, at the joint's point on the outer one, world axes.
    */
   public final double[] onJoints;
 
   /**
    * Reactions of the cut joints, [force; moment] per joint in the order of {@link #cutJoints}, N,
-   * N·m: what body 1 exerts on body 2, at the joint's point on body 2, world axes.
+   * N·m: the load of body 1 on body 2, at the joint's point on body 2, world axes.
    */
   public final double[] onCutJoints;
 
   /**
-   * @param work the equations; its motion, forces and loops are evaluated at the states asked for
+   * @param work the equations; its motion, forces and loops are evaluated at each state
    * @param rank number of independent equations among those of the loops
    */
   public Reactions(ClosedTree work, int rank) {
@@ -80,7 +80,7 @@ public final class Reactions {
     return found;
   }
 
-  /** Returns the cut joints that exert something, in the order of their equations. */
+  /** Returns the cut joints with reactions, in the order of their equations. */
   public List<JointClosure> cutJoints() {
     return List.copyOf(cutJoints);
   }
@@ -90,7 +90,7 @@ public final class Reactions {
     return work.loops;
   }
 
-  /** Returns whether the multipliers are unique: no equation follows from others. */
+  /** Returns whether the multipliers are unique: no equation is redundant. */
   public boolean areUnique() {
     return rank == work.loops.count();
   }
@@ -100,7 +100,7 @@ public final class Reactions {
    *
    * @param t time, s
    * @param y state [q; v] that closes the loops; not modified
-   * @param a accelerations v' from {@code aAt} that obey the equations of motion; not modified
+   * @param a accelerations v' from {@code aAt} that satisfy the equations of motion; not modified
    * @return false if a force has no value there
    */
   public boolean evaluate(double t, double[] y, double[] a, int aAt) {

@@ -6,17 +6,17 @@ import java.util.stream.IntStream;
 import org.mechservice.solver.linear.SparseMatrix;
 
 /**
- * In the sparsity of the tree: a penalty α is a compliance 1/α of the equations, M x + Jᵀ λ = r, J
- * x + c = λ/α, which {@link ArticulatedLoops} factors. Repetition takes the compliance out again.
- * Where the tree alone has a joint that moves no inertia, a dense matrix has to do.
+ * Penalty equations with the sparsity of the tree. A penalty α is a compliance 1/α of the equations
+ * M x + Jᵀ λ = r, J x + c = λ/α, which {@link ArticulatedLoops} factors; the iteration removes the
+ * compliance. A dense matrix replaces it if a joint of the open tree moves no inertia.
  */
 final class RecursivePenalty implements PenaltyEquations {
   private static final int REPETITIONS = 10;
 
-  /** Residual over its size that is as good as none. */
+  /** Relative residual at which the iteration stops. */
   private static final double ACCURATE = 1e-11;
 
-  /** A repetition that gains less than this is the last. */
+  /** Reduction of the residual above which the iteration stops. */
   private static final double GAIN = 0.1;
 
   private final ClosedTree work;
@@ -62,9 +62,7 @@ final class RecursivePenalty implements PenaltyEquations {
     return dense.get().factor(held);
   }
 
-  /**
-   * The inverse of α, of a row of unit length; more of longer ones ({@link AugmentedEquations}).
-   */
+  /** Sets 1/α of a row of unit length; longer rows get more ({@link AugmentedEquations}). */
   private void formCompliance() {
     double[] units = work.units.velocities;
     SparseMatrix jacobian = work.loops.jacobian;
@@ -109,7 +107,7 @@ final class RecursivePenalty implements PenaltyEquations {
     }
   }
 
-  /** J x + c; returns the largest over the size of what it is the difference of. */
+  /** Forms J x + c; returns its largest element relative to the size of its terms. */
   private double formGap(double[] offset, double[] x, int at) {
     double scale = 0;
     double largest = 0;

@@ -10,9 +10,9 @@ import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**
- * Generated terms of the equations of a mechanism with loops and with forces that users have
- * written as classes. Where the terms depend on forces, the classes are called first, and their
- * loads handed to the code as inputs behind the model's parameters; loops know no forces.
+ * Generated terms of a mechanism with loops and user force classes. User forces are evaluated
+ * before all terms that depend on forces; their loads follow the model's parameters in the code's
+ * inputs. Terms of the loops do not depend on forces.
  */
 public class UserForcedTerms implements LoopTerms {
   final UserLoads loads;
@@ -24,13 +24,14 @@ public class UserForcedTerms implements LoopTerms {
   }
 
   /**
-   * Puts the user's forces to generated code.
+   * Combines generated code with user forces.
    *
    * @param generated of the same mechanism, constructed with {@code inputs}
    * @param inputs what {@link UserLoads#inputs} returned
-   * @param userForces makes the forces
-   * @return terms of the residual and its derivatives besides, if the code has them
-   * @throws IllegalArgumentException if a user force cannot be made, or asks for what is not there
+   * @param userForces creates the user forces
+   * @return the terms, including those of the residual and its derivatives if the code has them
+   * @throws IllegalArgumentException if a user force cannot be created, or needs an element that
+   *     does not exist
    */
   public static LoopTerms of(
       LoopTerms generated, double[] inputs, Mechanism mechanism, UserForceSource userForces) {
@@ -53,14 +54,14 @@ public class UserForcedTerms implements LoopTerms {
     generated.loops(t, y, terms);
   }
 
-  /** {@inheritDoc} Where a class gives no finite value, no term is written. */
+  /** {@inheritDoc} No term is written if a user force is not finite. */
   @Override
   public final int equations(double t, double[] y, double[] terms) {
     int loaded = loads.evaluate(t, y);
     return loaded == REGULAR ? generated.equations(t, y, terms) : loaded;
   }
 
-  /** {@inheritDoc} Forces written as classes have no potential energy. */
+  /** {@inheritDoc} User forces have no potential energy. */
   @Override
   public final void energy(double t, double[] y, double[] energy) {
     generated.energy(t, y, energy);
@@ -107,7 +108,9 @@ public class UserForcedTerms implements LoopTerms {
       slopes = new UserForceSlopes(loads);
     }
 
-    /** {@inheritDoc} Code leaves as they were what only the classes' forces give. */
+    /**
+     * {@inheritDoc} Generated code does not write the entries that only user forces contribute to.
+     */
     @Override
     public int derivatives(
         double t, double[] y, double[] a, double[] lambda, double[] derivatives) {

@@ -3,8 +3,7 @@ package org.mechservice.solver.analysis;
 import java.util.Set;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.ExplicitModel;
-import org.mechservice.solver.api.capability.ExtendedModel;
-import org.mechservice.solver.api.capability.WatchedModel;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.compact.CompactSource;
@@ -32,9 +31,8 @@ public abstract class ExtendedSource extends CompactSource {
   @Override
   protected Model made(CompactModel asBuilt) {
     CompactModel data = prepared(asBuilt);
-    Model built = super.made(data);
-    ExplicitModel model = (ExplicitModel) WatchedModel.bare(built);
-    return new ExtendedModel(built, columns(model, data));
+    ModelParts built = ModelParts.of(super.made(data));
+    return built.with(columns((ExplicitModel) built.equations(), data));
   }
 
   /** Outputs are computed beside the model, perhaps by another thread: their code is its own. */

@@ -8,14 +8,15 @@ import java.util.Optional;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.capability.Defects;
 import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.capability.ResultTable;
-import org.mechservice.solver.api.capability.WatchedModel;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.RunNotes;
 import org.mechservice.solver.catalogue.ClosureMethod;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.force.user.UserForceSource;
 
@@ -125,9 +126,9 @@ final class LinearModel implements ResultTable, RunNotes {
         new CompactModel(
             data.mechanism(),
             Formulation.DSR.label(),
-            open ? "none" : ClosureMethod.PROJECTION.label(),
+            open ? MethodNames.NONE : ClosureMethod.PROJECTION.label(),
             data.settings());
-    ExplicitModel model = (ExplicitModel) WatchedModel.bare(free.model(userForces));
+    ExplicitModel model = (ExplicitModel) ModelParts.of(free.model(userForces)).equations();
     model.initialState(y);
     double[] yDot = new double[y.length];
     int result = model.derivative(t, y, yDot);

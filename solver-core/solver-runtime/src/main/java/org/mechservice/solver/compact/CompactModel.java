@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.TunableParameter;
-import org.mechservice.solver.api.capability.WatchedModel;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.equations.LoopTerms;
@@ -139,7 +139,9 @@ public record CompactModel(
    * @param values code for their expressions, if it was written, for this model alone
    */
   public Model watched(Model model, Optional<WrittenValues> values) {
-    return somethingHappens() ? new WatchedModel(model, new StateEvents(mechanism, values)) : model;
+    return somethingHappens()
+        ? ModelParts.of(model).with(new StateEvents(mechanism, values))
+        : model;
   }
 
   /** Returns the values of the parameters, SI units, in order. */

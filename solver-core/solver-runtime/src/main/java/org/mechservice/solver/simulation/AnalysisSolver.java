@@ -9,7 +9,7 @@ import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.api.capability.AlgebraicModel;
 import org.mechservice.solver.api.capability.Defects;
 import org.mechservice.solver.api.capability.ExplicitModel;
-import org.mechservice.solver.api.capability.ExtendedModel;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.capability.ResultTable;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
@@ -24,8 +24,8 @@ import org.mechservice.solver.api.run.RunSettings;
 public final class AnalysisSolver implements Solver {
   /** Returns whether a model is for this solver. */
   public static boolean takes(Model model) {
-    Model bare = ExtendedModel.bare(model);
-    return bare instanceof AlgebraicModel || bare instanceof ResultTable;
+    Model equations = ModelParts.of(model).equations();
+    return equations instanceof AlgebraicModel || equations instanceof ResultTable;
   }
 
   @Override
@@ -35,10 +35,10 @@ public final class AnalysisSolver implements Solver {
     if (request.maxDrift().isPresent()) {
       throw EnergyMonitor.unbalanced(model, "is not integrated");
     }
-    Model bare = ExtendedModel.bare(model);
-    return bare instanceof ResultTable table
+    ModelParts parts = ModelParts.of(model);
+    return parts.equations() instanceof ResultTable table
         ? tabulate(table, request.settings(), sink)
-        : new States(model, request, sink, control).toEnd();
+        : new States(parts, request, sink, control).toEnd();
   }
 
   private static RunReport tabulate(ResultTable table, RunSettings settings, ResultSink sink)
@@ -114,14 +114,14 @@ public final class AnalysisSolver implements Solver {
     private final long begun = System.nanoTime();
     private double reached;
 
-    States(Model model, RunRequest request, ResultSink sink, RunControl control)
+    States(ModelParts parts, RunRequest request, ResultSink sink, RunControl control)
         throws IOException {
-      this.model = (AlgebraicModel) ExtendedModel.bare(model);
+      model = (AlgebraicModel) parts.equations();
       this.control = control;
       settings = request.settings();
       reached = settings.tStart();
-      rows = new RowWriter(this.model, ExtendedModel.columnsOf(model), request, sink);
-      y = new double[this.model.description().stateCount()];
+      rows = new RowWriter(model, parts.columns(), request, sink);
+      y = new double[model.description().stateCount()];
     }
 
     RunReport toEnd() throws IOException {

@@ -1,9 +1,8 @@
 package org.mechservice.solver.simulation;
 
 import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.capability.ExtendedModel;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.capability.PowerInput;
-import org.mechservice.solver.api.capability.WatchedModel;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.run.RunNotes.Note;
 import org.mechservice.solver.api.run.RunReport;
@@ -25,11 +24,11 @@ final class EnergyDriftWarning {
    * strict run that was completed. Where work is not measured, a damper that acts between two rows
    * looks like a drift.
    */
-  static RunReport added(RunReport report, Model asBuilt, RunRequest request) {
+  static RunReport added(RunReport report, Model model, RunRequest request) {
     boolean measured =
         request.columns().contains(ColumnGroup.ENERGY)
             || request.maxDrift().isPresent()
-            || !(WatchedModel.bare(ExtendedModel.bare(asBuilt)) instanceof PowerInput);
+            || !(ModelParts.of(model).equations() instanceof PowerInput);
     double drift = report.energyDrift().orElse(0) / report.energyScale().orElse(1);
     boolean far = drift > FAR && drift > TOLERANCES * request.settings().relativeTolerance();
     return measured && far

@@ -5,7 +5,6 @@ import java.util.Locale;
 import java.util.Optional;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.capability.Defects;
-import org.mechservice.solver.api.capability.DirectedForces;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.run.Failure;
 import org.mechservice.solver.api.run.RunNotes;
@@ -237,15 +236,6 @@ final class FailureText {
   static Failure of(Defects.Defect defect, double t, double stepSize, int order) {
     return new Failure(
         defect.code(), defect.cause(), t, stepSize, order, defect.part(), defect.advice());
-  }
-
-  /** Explains an evaluation of generated code at which a force lost its direction. */
-  static Defects.Defect withoutDirection(DirectedForces forces, int result) {
-    return new Defects.Defect(
-        MessageCode.FORCE_WITHOUT_DIRECTION,
-        "force " + forces.directedForce(DirectedForces.force(result)),
-        "It has no direction: its two points coincide, or its frames are turned by half a turn.",
-        "Move a point or turn a frame, or use an element that suits the motion.");
   }
 
   /** Explains a start without accelerations. */

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.simulation.equations.ModelEquations;
 
 /**
  * Motion of one velocity coordinate with its own position while the other independent ones stand

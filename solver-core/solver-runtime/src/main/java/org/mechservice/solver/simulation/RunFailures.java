@@ -17,6 +17,8 @@ import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.ode.IntegrationFailure;
 import org.mechservice.solver.ode.IntegrationStatistics;
 import org.mechservice.solver.ode.Integrator;
+import org.mechservice.solver.simulation.equations.ModelEquations;
+import org.mechservice.solver.simulation.equations.RunEvents;
 
 /**
  * The failures that end a run early: the model or the integrator cannot continue, a row cannot be

@@ -10,6 +10,7 @@ import org.mechservice.solver.api.run.RunNotes.Note;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.SavedState;
+import org.mechservice.solver.simulation.equations.RunEvents;
 
 /** Collects the notes of a run from its model, its rows, its events and its method. */
 final class RunNoteCollector {

@@ -4,10 +4,9 @@ import java.io.IOException;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.api.capability.DependentStates;
-import org.mechservice.solver.api.capability.ExtendedModel;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.capability.ProjectedStates;
 import org.mechservice.solver.api.capability.ResidualModel;
-import org.mechservice.solver.api.capability.WatchedModel;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.run.Checkpoints;
 import org.mechservice.solver.api.run.RunControl;
@@ -20,6 +19,11 @@ import org.mechservice.solver.ode.adams.Ode113;
 import org.mechservice.solver.ode.stiff.Ode15s;
 import org.mechservice.solver.ode.stiff.Ode15sR;
 import org.mechservice.solver.ode.switching.Switching;
+import org.mechservice.solver.simulation.equations.EquationForm;
+import org.mechservice.solver.simulation.equations.ExplicitForm;
+import org.mechservice.solver.simulation.equations.ExplicitLoopForm;
+import org.mechservice.solver.simulation.equations.ResidualForm;
+import org.mechservice.solver.simulation.equations.WatchedForm;
 
 /**
  * The solver of the runtime JAR: holds every integrator and takes the one a run names, with the
@@ -49,14 +53,13 @@ public final class RuntimeSolver implements Solver {
   }
 
   /** Returns the form in which an integrator takes a model's equations. */
-  public static EquationForm formOf(Model asBuilt, String integrator) {
-    Model watched = ExtendedModel.bare(asBuilt);
-    Model model = WatchedModel.bare(watched);
-    EquationForm form = bareFormOf(model, integrator);
-    return model == watched ? form : new WatchedForm(form);
+  public static EquationForm formOf(Model model, String integrator) {
+    ModelParts parts = ModelParts.of(model);
+    EquationForm form = formOfEquations(parts.equations(), integrator);
+    return parts.events().isPresent() ? new WatchedForm(form) : form;
   }
 
-  private static EquationForm bareFormOf(Model model, String integrator) {
+  private static EquationForm formOfEquations(Model model, String integrator) {
     if (takesResidual(integrator) && model instanceof ResidualModel) {
       return new ResidualForm();
     }

@@ -7,10 +7,9 @@ import java.util.Set;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.api.capability.ExplicitModel;
-import org.mechservice.solver.api.capability.ExtendedModel;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.capability.MomentumBalance;
 import org.mechservice.solver.api.capability.ResultTable;
-import org.mechservice.solver.api.capability.WatchedModel;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.result.ResultColumns;
 import org.mechservice.solver.api.result.ResultSink;
@@ -28,6 +27,10 @@ import org.mechservice.solver.ode.IntegratorFactory;
 import org.mechservice.solver.ode.IntegratorSettings;
 import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.ode.StepResult;
+import org.mechservice.solver.simulation.equations.EquationForm;
+import org.mechservice.solver.simulation.equations.ExplicitForm;
+import org.mechservice.solver.simulation.equations.ModelEquations;
+import org.mechservice.solver.simulation.equations.RunEvents;
 
 /**
  * Runs models with one integrator: steps, rows at the output times, energy watched, control obeyed.
@@ -56,17 +59,14 @@ public final class Simulation implements Solver {
     if (model instanceof ResultTable table) {
       return table.columns();
     }
-    return new RowLayout(ExplicitForm.explicit(bare(model)), ExtendedModel.columnsOf(model), groups)
+    ModelParts parts = ModelParts.of(model);
+    return new RowLayout(ExplicitForm.explicit(parts.equations()), parts.columns(), groups)
         .columns();
-  }
-
-  private static Model bare(Model model) {
-    return WatchedModel.bare(ExtendedModel.bare(model));
   }
 
   /** Returns whether runs of a model can leave checkpoints. */
   public static boolean canBeSaved(Model model) {
-    return CheckpointWriter.canBeSaved(bare(model));
+    return CheckpointWriter.canBeSaved(ModelParts.of(model).equations());
   }
 
   /**
@@ -90,7 +90,7 @@ public final class Simulation implements Solver {
    */
   public static void requireBalance(Model model, RunRequest request) {
     if (request.maxDrift().isPresent()) {
-      EnergyMonitor.requireBalance(bare(model));
+      EnergyMonitor.requireBalance(ModelParts.of(model).equations());
     }
   }
 
@@ -106,11 +106,10 @@ public final class Simulation implements Solver {
       throws IOException {
     OutputTimes.requireUsable(request.settings());
     requireBalance(model, request);
-    Model watched = ExtendedModel.bare(model);
-    ModelEquations equations = form.of(watched);
-    RunEvents events = form.events(watched, equations, request.settings());
-    ResultColumns further = ExtendedModel.columnsOf(model);
-    return new Run(equations, events, further, request, sink, control, checkpoints).toEnd();
+    ModelParts parts = ModelParts.of(model);
+    ModelEquations equations = form.of(parts.equations());
+    RunEvents events = form.events(parts, equations, request.settings());
+    return new Run(equations, events, parts.columns(), request, sink, control, checkpoints).toEnd();
   }
 
   /** One run in progress. */

@@ -6,6 +6,7 @@ import org.mechservice.solver.api.capability.MomentumBalance;
 import org.mechservice.solver.api.capability.PowerInput;
 import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.SavedState;
+import org.mechservice.solver.simulation.equations.ModelEquations;
 
 /**
  * The work of everything that has no potential energy, and the impulse of what acts on the whole:

@@ -9,12 +9,8 @@
  * org.mechservice.solver.simulation.AnalysisSolver} serves the analyses, which compute each state
  * without integration.
  *
- * <p>The forms of the equations ({@link org.mechservice.solver.simulation.ExplicitForm}, {@link
- * org.mechservice.solver.simulation.ResidualForm} and their variants) present a model to an
- * integrator. A standalone JAR contains only the classes that its main class reaches, so each form
- * is a class of its own: a scene without events or loops carries no code for them.
- *
- * <p>The remaining classes write rows and checkpoints, collect notes and warnings, and word the
+ * <p>Package {@code equations} presents a model and its events to an integrator. The classes here
+ * write rows and checkpoints, monitor energy and motion, collect notes and warnings, and word the
  * failures of a run.
  *
  * <p>The package depends on {@code solver.api}, {@code solver.ode} and the mechanics of the model.

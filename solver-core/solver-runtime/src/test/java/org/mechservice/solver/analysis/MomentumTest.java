@@ -18,11 +18,10 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.ExplicitModel;
-import org.mechservice.solver.api.capability.ExtendedModel;
 import org.mechservice.solver.api.capability.ModelEvents.Action;
 import org.mechservice.solver.api.capability.ModelEvents.Direction;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.capability.MomentumBalance;
-import org.mechservice.solver.api.capability.WatchedModel;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
@@ -114,10 +113,10 @@ class MomentumTest {
     RunSettings settings =
         new RunSettings(0, end, end / 20, integrator, tolerance, tolerance / 100);
     CompactModel data = new CompactModel(mechanism, formulation, closure, settings, List.of());
-    Model made = data.model(UserForceSource.NONE);
-    ExplicitModel bare = (ExplicitModel) WatchedModel.bare(made);
-    return new ExtendedModel(
-        made, new FurtherColumns(bare, data, ASKED, UserForceSource.NONE, Optional.empty()));
+    ModelParts made = ModelParts.of(data.model(UserForceSource.NONE));
+    ExplicitModel equations = (ExplicitModel) made.equations();
+    return made.with(
+        new FurtherColumns(equations, data, ASKED, UserForceSource.NONE, Optional.empty()));
   }
 
   private static Model fourBar(String formulation, String closure, double tolerance) {

@@ -13,7 +13,7 @@ import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.ExplicitModel;
-import org.mechservice.solver.api.capability.ExtendedModel;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
@@ -53,9 +53,9 @@ class PrescribedModelTest {
       Set<ColumnGroup> further = EnumSet.range(ColumnGroup.CONSTRAINTS, ColumnGroup.OUTPUTS);
       further.retainAll(ColumnGroup.of(groups));
       Model extended =
-          new ExtendedModel(
-              model,
-              new FurtherColumns(model, data, further, UserForceSource.NONE, Optional.empty()));
+          ModelParts.of(model)
+              .with(
+                  new FurtherColumns(model, data, further, UserForceSource.NONE, Optional.empty()));
       RunRequest request = new RunRequest(settings, ColumnGroup.of(groups));
       report = new RuntimeSolver().run(extended, request, this, new RunControl());
     }

@@ -50,7 +50,7 @@ class ArticulatedLoopsTest {
     ProjectionModel model = new ProjectionModel(closed, UserForceSource.NONE);
     Partition partition = model.completion.ofVelocities();
     ClosedTree work = model.work;
-    work.place(closed.startTime(), closed.start());
+    work.place(closed.start().time(), closed.start().state());
     work.formMass();
     ArticulatedLoops factors = new ArticulatedLoops(work.motion, work.loops, partition.kept);
     assertThat(factors.areOf(partition.kept)).isTrue();
@@ -108,7 +108,7 @@ class ArticulatedLoopsTest {
   void penaltyMeetsAllEquationsWhetherTheyRepeatOrNot(Mechanism mechanism) {
     ClosedMechanism closed = new ClosedMechanism(mechanism, "DSR", SETTINGS);
     ClosedTree work = closed.newEquations(UserForceSource.NONE);
-    work.place(closed.startTime(), closed.start());
+    work.place(closed.start().time(), closed.start().state());
     work.formMass();
     PenaltyEquations recursive =
         new RecursivePenalty(work, PenaltySettings.DEFAULT.stiffness(), true);
@@ -159,7 +159,7 @@ class ArticulatedLoopsTest {
     Mechanism mechanism = mechanisms().findFirst().orElseThrow();
     ClosedMechanism closed = new ClosedMechanism(mechanism, "DSR", SETTINGS);
     ClosedTree work = closed.newEquations(UserForceSource.NONE);
-    work.place(closed.startTime(), closed.start());
+    work.place(closed.start().time(), closed.start().state());
     int[] twice = {0, 0};
     ArticulatedLoops factors = new ArticulatedLoops(work.motion, work.loops, twice);
     assertThat(factors.factor()).isEqualTo(-2);
@@ -172,7 +172,7 @@ class ArticulatedLoopsTest {
     ClosedMechanism closed = new ClosedMechanism(mechanism, "DSR", SETTINGS);
     ClosedTree work = closed.newEquations(UserForceSource.NONE);
     LoopEquations loops = work.loops;
-    work.place(closed.startTime(), closed.start());
+    work.place(closed.start().time(), closed.start().state());
     for (int row = 0; row < loops.count(); row++) {
       double[] wrench = new double[6 * work.tree.linkCount];
       double[] tau = new double[work.tree.velocityCount];

@@ -118,8 +118,8 @@ class LargeLoopsTest {
     RunSettings settings = SceneRun.settings(0.5, 0.1, "ode113", 1e-8);
     ClosedMechanism closed = new ClosedMechanism(spatial, "DSR", settings);
     assertThat(closed.freedom()).isEqualTo(1);
-    assertThat(closed.rank()).isEqualTo(2 * WINDOWS);
-    LoopFinding redundant = closed.findings().get(0);
+    assertThat(closed.start().rank()).isEqualTo(2 * WINDOWS);
+    LoopFinding redundant = closed.start().findings().get(0);
     assertThat(redundant.kind()).isEqualTo(LoopFinding.Kind.REDUNDANT);
     for (int i = 1; i <= WINDOWS; i++) {
       assertThat(redundant.part()).contains("\"window" + i + "\"");
@@ -140,7 +140,7 @@ class LargeLoopsTest {
     RunSettings settings = SceneRun.settings(0.5, 0.1, "ode113", 1e-8);
     ClosedMechanism closed = new ClosedMechanism(Linkages.windows(windows, SPEED), "DSR", settings);
     assertThat(closed.freedom()).isEqualTo(1);
-    assertThat(closed.findings()).isEmpty();
+    assertThat(closed.start().findings()).isEmpty();
   }
 
   @Test

@@ -66,12 +66,12 @@ public record LoopComparison(
   /** Returns why a mechanism cannot be compared, if it cannot. */
   public static Optional<LeftOut> leftOut(Mechanism mechanism) {
     ClosedMechanism closed = new ClosedMechanism(mechanism, "DSR", SETTINGS);
-    if (!closed.isAssembled()) {
+    if (!closed.start().isAssembled()) {
       return Optional.of(LeftOut.NOT_CLOSED);
     } else if (closed.freedom() == 0) {
       return Optional.of(LeftOut.LOCKED);
     }
-    return closed.findings().stream()
+    return closed.start().findings().stream()
             .anyMatch(finding -> finding.kind() == LoopFinding.Kind.SINGULAR_START)
         ? Optional.of(LeftOut.SINGULAR_START)
         : Optional.empty();
@@ -80,7 +80,7 @@ public record LoopComparison(
   /** Compares all formulations. */
   public static LoopComparison of(Mechanism mechanism) {
     ClosedMechanism closed = new ClosedMechanism(mechanism, "DSR", SETTINGS);
-    double[] y = closed.start();
+    double[] y = closed.start().state();
     int nq = mechanism.positionCount();
     double[] v = Arrays.copyOfRange(y, nq, y.length);
     double[] expected = new GlobalFormulation(mechanism, List.of()).accelerations(0, y, v);
@@ -92,13 +92,17 @@ public record LoopComparison(
       double[] a = accelerations(model, y);
       forward.put(formulation, difference(a, expected));
       missing = Math.max(missing, missing(mechanism, model, y, a));
-      condition = condition(model, closed.rank());
+      condition = condition(model, closed.start().rank());
     }
     LinearisedProjectionModel residual =
         (LinearisedProjectionModel) LoopModels.of(mechanism, "RR-JF", SETTINGS);
     forward.put("RR", difference(byResidual(residual, y), expected));
     return new LoopComparison(
-        closed.freedom(), residual.work.loops.count() - closed.rank(), condition, forward, missing);
+        closed.freedom(),
+        residual.work.loops.count() - closed.start().rank(),
+        condition,
+        forward,
+        missing);
   }
 
   private static void require(boolean done) {

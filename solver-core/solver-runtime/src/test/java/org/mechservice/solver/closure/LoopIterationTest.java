@@ -81,7 +81,7 @@ class LoopIterationTest {
   @ParameterizedTest
   void matrixIsTheSchurComplementOfTheWholeAlongTheLoops(long seed) {
     LinearisedProjectionModel model = model(LoopComparison.mechanism(seed));
-    double[] y = model.closed.start();
+    double[] y = model.closed.start().state();
     double[] yDot = derivatives(model, y, seed);
     int nq = model.work.nq;
     int n = model.work.nv;
@@ -112,7 +112,7 @@ class LoopIterationTest {
   @ParameterizedTest
   void derivativeByPositionsHoldsThatOfTheLoopsForces(long seed) {
     LinearisedProjectionModel model = model(LoopComparison.mechanism(seed));
-    double[] y = model.closed.start();
+    double[] y = model.closed.start().state();
     double[] yDot = derivatives(model, y, seed);
     assertThat(model.linearise(0, y, yDot)).isTrue();
     int n = model.work.nv;

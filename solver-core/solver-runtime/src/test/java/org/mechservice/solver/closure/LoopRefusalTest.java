@@ -114,7 +114,8 @@ class LoopRefusalTest {
     Mechanism across = barsHeldAcrossTheirPlane();
     String integrator = formulation.equals("DSR") ? "ode113" : "ode15sR";
     RunSettings settings = SceneRun.settings(1, 0.1, integrator, 1e-6);
-    assertThat(new ClosedMechanism(across, formulation, settings).againstProjection()).isPresent();
+    assertThat(new ClosedMechanism(across, formulation, settings).start().againstProjection())
+        .isPresent();
     Outcome outcome = LoopModels.run(across, formulation, settings).report.outcome();
     assertThat(outcome).isInstanceOf(Outcome.Failed.class);
     Failure failure = ((Outcome.Failed) outcome).failure();
@@ -126,8 +127,8 @@ class LoopRefusalTest {
   void constraintsThatContradictEachOtherAreNamedWithWhatIsLeftOpen() {
     Mechanism torn = with(List.of(rod(3)), StartRole.PREFERRED);
     ClosedMechanism closed = new ClosedMechanism(torn, "DSR", SETTINGS);
-    assertThat(closed.isAssembled()).isFalse();
-    LoopFinding finding = closed.findings().get(closed.findings().size() - 1);
+    assertThat(closed.start().isAssembled()).isFalse();
+    LoopFinding finding = closed.start().findings().get(closed.start().findings().size() - 1);
     assertThat(finding.kind()).isEqualTo(LoopFinding.Kind.NOT_CLOSED);
     assertThat(finding.part()).startsWith("constraint \"");
     assertThat(Math.abs(finding.amount())).isGreaterThan(0.1);
@@ -138,11 +139,11 @@ class LoopRefusalTest {
   void jointsFixedAtTheStartAreNotMovedToCloseALoop() {
     Mechanism fixed = with(List.of(rod(1.2)), StartRole.FIXED);
     ClosedMechanism closed = new ClosedMechanism(fixed, "DSR", SETTINGS);
-    assertThat(closed.isAssembled()).isFalse();
+    assertThat(closed.start().isAssembled()).isFalse();
     double[] given = new double[fixed.positionCount() + fixed.velocityCount()];
     fixed.initialState(given);
-    assertThat(closed.start()).containsExactly(given);
-    assertThat(closed.findings().get(0).part()).startsWith("constraint \"strut\"");
+    assertThat(closed.start().state()).containsExactly(given);
+    assertThat(closed.start().findings().get(0).part()).startsWith("constraint \"strut\"");
   }
 
   /** What is too little for a warning would stay in the equations of penalty closure. */
@@ -159,9 +160,9 @@ class LoopRefusalTest {
             Origin.NONE);
     Mechanism almost = Linkages.mechanism("almost", exact.bodies(), exact.joints(), List.of(rod));
     ClosedMechanism closed = new ClosedMechanism(almost, "DSR", SETTINGS);
-    assertThat(closed.findings()).isEmpty();
+    assertThat(closed.start().findings()).isEmpty();
     ClosedTree work = new ClosedTree(closed.tree(), UserForceSource.NONE);
-    work.place(0, closed.start());
+    work.place(0, closed.start().state());
     assertThat(work.loops.largestResidual()).isLessThan(1e-13);
   }
 
@@ -170,7 +171,7 @@ class LoopRefusalTest {
     Mechanism moving = Linkages.slidingPendulum(0);
     double[] given = new double[4];
     moving.initialState(given);
-    assertThat(new ClosedMechanism(moving, "DSR", SETTINGS).start()).containsExactly(given);
+    assertThat(new ClosedMechanism(moving, "DSR", SETTINGS).start().state()).containsExactly(given);
   }
 
   @ParameterizedTest

@@ -59,8 +59,8 @@ class PenaltySettingsTest {
     ClosedMechanism closed =
         new ClosedMechanism(mechanism, "DSR", SceneRun.settings(1, 0.1, "ode113", 1e-6));
     PenaltyModel model = new PenaltyModel(closed, UserForceSource.NONE, settings);
-    double[] yDot = new double[closed.start().length];
-    assertThat(model.derivative(0, closed.start(), yDot)).isEqualTo(ExplicitModel.REGULAR);
+    double[] yDot = new double[closed.start().state().length];
+    assertThat(model.derivative(0, closed.start().state(), yDot)).isEqualTo(ExplicitModel.REGULAR);
     return yDot;
   }
 }

@@ -44,7 +44,7 @@ class ReactionsTest {
   }
 
   private static Reactions reactAtStart(LoopModel model) {
-    double[] y = model.closed.start();
+    double[] y = model.closed.start().state();
     assertThat(model.react(0, y)).isEqualTo(ExplicitModel.REGULAR);
     return model.reactions();
   }
@@ -194,7 +194,7 @@ class ReactionsTest {
     LoopModel model = model(mechanism);
     Reactions reactions = reactAtStart(model);
     GlobalFormulation global = new GlobalFormulation(mechanism, List.of());
-    double[] y = model.closed.start();
+    double[] y = model.closed.start().state();
     Joint joint = mechanism.joints().get(1);
     for (int k = 0; k < type.velocityCount(); k++) {
       double[] v = new double[mechanism.velocityCount()];

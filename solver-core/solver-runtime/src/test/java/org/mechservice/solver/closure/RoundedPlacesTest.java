@@ -104,10 +104,10 @@ class RoundedPlacesTest {
     RunSettings settings = SceneRun.settings(1, 0.1, "ode113", 1e-6);
     Mechanism far = fourBar(4e8, 0);
     ClosedMechanism closed = new ClosedMechanism(far, "DSR", settings);
-    double[] start = new double[closed.start().length];
+    double[] start = new double[closed.start().state().length];
     far.initialState(start);
-    assertThat(closed.isAssembled()).isTrue();
-    assertThat(closed.start()).containsExactly(start);
+    assertThat(closed.start().isAssembled()).isTrue();
+    assertThat(closed.start().state()).containsExactly(start);
   }
 
   /**

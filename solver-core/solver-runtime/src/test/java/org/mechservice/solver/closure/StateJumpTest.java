@@ -102,7 +102,7 @@ class StateJumpTest {
     }
     LoopModel model = model(mechanism, seed % 2 == 0 ? "DSR" : "DSR penalty");
     Random random = new Random(seed);
-    double[] y = model.closed.start();
+    double[] y = model.closed.start().state();
     int nq = model.work.nq;
     int n = model.work.nv;
     boolean[] set = new boolean[y.length];

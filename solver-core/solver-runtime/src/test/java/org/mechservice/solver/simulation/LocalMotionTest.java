@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
+import org.mechservice.solver.simulation.equations.ExplicitForm;
 
 /** q'' = -k q - c q'. */
 class LocalMotionTest {

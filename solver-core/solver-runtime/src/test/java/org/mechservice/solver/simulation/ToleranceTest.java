@@ -13,6 +13,8 @@ import org.mechservice.solver.mechanism.Origin;
 import org.mechservice.solver.mechanism.Prismatic;
 import org.mechservice.solver.mechanism.Revolute;
 import org.mechservice.solver.mechanism.Root;
+import org.mechservice.solver.simulation.equations.ExplicitForm;
+import org.mechservice.solver.simulation.equations.ModelEquations;
 import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;

@@ -18,8 +18,8 @@ import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.dynamics.DataDrivenModel;
 import org.mechservice.solver.mechanism.FiveBarPendulum;
 import org.mechservice.solver.ode.adams.De;
-import org.mechservice.solver.simulation.ExplicitForm;
 import org.mechservice.solver.simulation.Simulation;
+import org.mechservice.solver.simulation.equations.ExplicitForm;
 
 class StandaloneTest {
   @TempDir private Path folder;

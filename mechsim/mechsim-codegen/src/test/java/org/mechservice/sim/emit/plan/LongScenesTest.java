@@ -24,7 +24,7 @@ import org.mechservice.sim.model.BuildOptions;
 import org.mechservice.sim.model.Chains;
 import org.mechservice.sim.model.GeneratedModel;
 import org.mechservice.sim.model.ModelFactory;
-import org.mechservice.sim.model.RandomTrees;
+import org.mechservice.sim.model.RandomMechmlTrees;
 import org.mechservice.sim.model.Scenes;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.api.Model;
@@ -154,7 +154,7 @@ class LongScenesTest {
     GeneratedModel generated = generated(file, options);
     assertThat(generated.source()).contains("derivativeAngles1(", "derivativeAngles2(");
     Model code = ModelFactory.compile(file, options, generated).newInstance();
-    double[] y = RandomTrees.state(1, star);
+    double[] y = RandomMechmlTrees.state(1, star);
     assertThat(derivative(code, y))
         .containsExactly(
             derivative(ModelFactory.compileSource(file, options, generated).newInstance(), y));

@@ -22,9 +22,9 @@ import org.mechservice.sim.model.Chains;
 import org.mechservice.sim.model.CompiledModel;
 import org.mechservice.sim.model.GeneratedModel;
 import org.mechservice.sim.model.ModelFactory;
-import org.mechservice.sim.model.RandomForces;
-import org.mechservice.sim.model.RandomLoops;
-import org.mechservice.sim.model.RandomTrees;
+import org.mechservice.sim.model.RandomMechmlForces;
+import org.mechservice.sim.model.RandomMechmlLoops;
+import org.mechservice.sim.model.RandomMechmlTrees;
 import org.mechservice.sim.model.Scenes;
 import org.mechservice.sim.packaging.ModelJars;
 import org.mechservice.solver.api.Model;
@@ -63,10 +63,11 @@ class SharedKernelsTest {
                 Chains.ofDifferentLinks(12),
                 Scenes.timingModel("driver41").mechanism(),
                 Scenes.scene("gimbal_q2_1.5707963267948966.json", "gimbal")),
-            seeds(2).map(seed -> RandomTrees.tree(seed, 8 + seed)),
-            seeds(3).map(seed -> RandomTrees.ofAllJoints(seed, 5 + 2 * seed)),
-            seeds(2).map(seed -> RandomTrees.driven(seed, 6 + seed)),
-            seeds(3).map(seed -> RandomForces.on(RandomTrees.ofAllJoints(seed, 6), seed)))
+            seeds(2).map(seed -> RandomMechmlTrees.tree(seed, 8 + seed)),
+            seeds(3).map(seed -> RandomMechmlTrees.ofAllJoints(seed, 5 + 2 * seed)),
+            seeds(2).map(seed -> RandomMechmlTrees.driven(seed, 6 + seed)),
+            seeds(3)
+                .map(seed -> RandomMechmlForces.on(RandomMechmlTrees.ofAllJoints(seed, 6), seed)))
         .flatMap(mechanisms -> mechanisms)
         .map(mechanism -> Named.of(mechanism.name(), mechanism));
   }
@@ -83,11 +84,11 @@ class SharedKernelsTest {
     int bodies = 5 + seed % 5;
     Mechanism tree =
         switch (seed % 3) {
-          case 0 -> RandomTrees.tree(seed, bodies);
-          case 1 -> RandomTrees.ofAllJoints(seed, bodies);
-          default -> RandomTrees.driven(seed, bodies);
+          case 0 -> RandomMechmlTrees.tree(seed, bodies);
+          case 1 -> RandomMechmlTrees.ofAllJoints(seed, bodies);
+          default -> RandomMechmlTrees.driven(seed, bodies);
         };
-    return Named.of("seed " + seed, seed % 2 == 0 ? tree : RandomForces.on(tree, seed));
+    return Named.of("seed " + seed, seed % 2 == 0 ? tree : RandomMechmlForces.on(tree, seed));
   }
 
   @ParameterizedTest
@@ -138,7 +139,7 @@ class SharedKernelsTest {
   private static long[] everything(Model model, Mechanism mechanism) {
     double[] start = new double[model.description().stateCount()];
     model.initialState(start);
-    double[] states = RandomTrees.state(3, mechanism);
+    double[] states = RandomMechmlTrees.state(3, mechanism);
     return Stream.of(start, states)
         .flatMap(y -> Stream.of(y, at(model, y, mechanism.bodies().size())))
         .flatMapToDouble(Arrays::stream)
@@ -171,9 +172,9 @@ class SharedKernelsTest {
   @ParameterizedTest
   @ValueSource(ints = {1, 2})
   void theTermsOfLoopsHaveTheBitsOfTheStraightLine(int seed) {
-    Mechanism mechanism = RandomLoops.on(RandomTrees.ofAllJoints(seed, 6), seed, 1);
+    Mechanism mechanism = RandomMechmlLoops.on(RandomMechmlTrees.ofAllJoints(seed, 6), seed, 1);
     MechmlModel file = Scenes.model(mechanism);
-    double[] y = RandomTrees.state(seed, mechanism);
+    double[] y = RandomMechmlTrees.state(seed, mechanism);
     double[][] found = new double[2][y.length];
     for (CodeForm form : new CodeForm[] {CodeForm.STRAIGHT, CodeForm.SHARED}) {
       BuildOptions options =
@@ -225,7 +226,7 @@ class SharedKernelsTest {
 
   @Test
   void aLargeModelWithoutLinksThatAreAlikeIsWrittenOutAndToldWhy() {
-    assertThat(generated(RandomTrees.tree(1, 40), CodeForm.AUTO).code())
+    assertThat(generated(RandomMechmlTrees.tree(1, 40), CodeForm.AUTO).code())
         .startsWith("straight line: derivative")
         .contains("shared kernels would take");
   }
@@ -262,7 +263,7 @@ class SharedKernelsTest {
         (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
     Mechanism mechanism = Chains.ofDifferentLinks(12);
     Model model = compiled(Scenes.model(mechanism), options("DTR", CodeForm.SHARED)).newInstance();
-    double[] y = RandomTrees.state(1, mechanism);
+    double[] y = RandomMechmlTrees.state(1, mechanism);
     double[] yDot = new double[y.length];
     ((ExplicitModel) model).derivative(TIME, y, yDot);
     long id = Thread.currentThread().getId();

@@ -70,7 +70,7 @@ public class GeneratedCutCoordinatesTest {
   }
 
   private static boolean closes(Mechanism mechanism) {
-    return new ClosedMechanism(mechanism, "DSR", Scenes.SETTINGS).isAssembled();
+    return new ClosedMechanism(mechanism, "DSR", Scenes.SETTINGS).start().isAssembled();
   }
 
   static Stream<Named<Mechanism>> scenes() {

@@ -24,8 +24,8 @@ import org.mechservice.sim.model.BuildOptions;
 import org.mechservice.sim.model.GeneratedModel;
 import org.mechservice.sim.model.LoopAgreement;
 import org.mechservice.sim.model.ModelFactory;
-import org.mechservice.sim.model.RandomForces;
-import org.mechservice.sim.model.RandomTrees;
+import org.mechservice.sim.model.RandomMechmlForces;
+import org.mechservice.sim.model.RandomMechmlTrees;
 import org.mechservice.sim.model.Scenes;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.capability.LinearisedModel;
@@ -67,11 +67,11 @@ class GeneratedJacobianTest {
     int bodies = 2 + seed % 7;
     Mechanism tree =
         seed % 3 == 0
-            ? RandomTrees.driven(seed, bodies)
+            ? RandomMechmlTrees.driven(seed, bodies)
             : seed % 3 == 1
-                ? RandomTrees.ofAllJoints(seed, bodies)
-                : RandomTrees.tree(seed, bodies);
-    return Named.of("seed " + seed, seed % 2 == 0 ? tree : RandomForces.on(tree, seed));
+                ? RandomMechmlTrees.ofAllJoints(seed, bodies)
+                : RandomMechmlTrees.tree(seed, bodies);
+    return Named.of("seed " + seed, seed % 2 == 0 ? tree : RandomMechmlForces.on(tree, seed));
   }
 
   private static TreeStepModel model(Mechanism mechanism) {
@@ -100,7 +100,7 @@ class GeneratedJacobianTest {
         new LinearisedResidualModel(
             mechanism, Scenes.SETTINGS, UserForceSource.NONE, LinearisedResidualModel.Mode.FULL);
     LinearisedModel model = model(mechanism);
-    double[] y = RandomTrees.state(3, mechanism);
+    double[] y = RandomMechmlTrees.state(3, mechanism);
     double[] yDot = new Random(7).doubles(y.length, -2, 2).toArray();
     boolean known = reference.linearise(TIME, y, yDot);
     assertThat(model.linearise(TIME, y, yDot)).isEqualTo(known);
@@ -190,7 +190,7 @@ class GeneratedJacobianTest {
   @MethodSource("scenes")
   void aSolvedStepRemovesTheResidual(Mechanism mechanism) {
     TreeStepModel model = model(mechanism);
-    double[] y = RandomTrees.state(4, mechanism);
+    double[] y = RandomMechmlTrees.state(4, mechanism);
     double[] yDot = new double[y.length];
     if (model.derivative(TIME, y, yDot) != ExplicitModel.REGULAR
         || !model.linearise(TIME, y, yDot)
@@ -232,7 +232,7 @@ class GeneratedJacobianTest {
       MechmlModel file = Scenes.model(mechanism);
       GeneratedModel generated = ModelFactory.generate(file, OPTIONS);
       ResidualDerivatives.Derived derived = ResidualDerivatives.derive(Links.of(mechanism));
-      double[] y = RandomTrees.state(seed, mechanism);
+      double[] y = RandomMechmlTrees.state(seed, mechanism);
       double[] direct =
           derivatives(ModelFactory.compile(file, OPTIONS, generated).newInstance(), y);
       assertThat(direct)
@@ -263,7 +263,7 @@ class GeneratedJacobianTest {
     byte[] file = Objects.requireNonNull(generated.classFiles().get(generated.className()));
     assertThat(MethodSizes.longest(file)).isLessThan(8000);
     LinearisedModel model = model(driver);
-    double[] y = RandomTrees.state(2, driver);
+    double[] y = RandomMechmlTrees.state(2, driver);
     double[] yDot = new double[y.length];
     double[] r = rates(y);
     ThreadMXBean thread = (ThreadMXBean) ManagementFactory.getThreadMXBean();

@@ -16,7 +16,7 @@ import org.mechservice.sim.model.BuildOptions;
 import org.mechservice.sim.model.ModelFactory;
 import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.solver.api.capability.ExplicitModel;
-import org.mechservice.solver.api.capability.WatchedModel;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.result.ColumnGroup;
 
 /** A spring whose points coincide wherever the joints are, in generated code. */
@@ -48,10 +48,11 @@ class CoincidentSpringTest {
     MechmlModel model = model("0");
     ExplicitModel built =
         (ExplicitModel)
-            WatchedModel.bare(
-                ModelFactory.compile(
-                        model, options(model), ModelFactory.generate(model, options(model)))
-                    .newInstance());
+            ModelParts.of(
+                    ModelFactory.compile(
+                            model, options(model), ModelFactory.generate(model, options(model)))
+                        .newInstance())
+                .equations();
     double[] rate = new double[2];
     assertThat(built.derivative(0, new double[] {0.3, 2}, rate)).isEqualTo(ExplicitModel.REGULAR);
     assertThat(rate).containsExactly(2, 0);

@@ -15,8 +15,8 @@ import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.model.BuildOptions;
 import org.mechservice.sim.model.GeneratedModel;
 import org.mechservice.sim.model.ModelFactory;
-import org.mechservice.sim.model.RandomForces;
-import org.mechservice.sim.model.RandomTrees;
+import org.mechservice.sim.model.RandomMechmlForces;
+import org.mechservice.sim.model.RandomMechmlTrees;
 import org.mechservice.sim.model.Scenes;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.Energies;
@@ -46,11 +46,11 @@ class GeneratedForcesTest {
     int bodies = 2 + seed % 7;
     Mechanism tree =
         seed % 3 == 0
-            ? RandomTrees.driven(seed, bodies)
+            ? RandomMechmlTrees.driven(seed, bodies)
             : seed % 3 == 1
-                ? RandomTrees.ofAllJoints(seed, bodies)
-                : RandomTrees.tree(seed, bodies);
-    return Named.of("seed " + seed, RandomForces.on(tree, seed));
+                ? RandomMechmlTrees.ofAllJoints(seed, bodies)
+                : RandomMechmlTrees.tree(seed, bodies);
+    return Named.of("seed " + seed, RandomMechmlForces.on(tree, seed));
   }
 
   @ParameterizedTest
@@ -72,7 +72,7 @@ class GeneratedForcesTest {
     Mechanism mechanism = scene(seed).getPayload();
     MechmlModel file = Scenes.model(mechanism);
     GeneratedModel generated = ModelFactory.generate(file, ALL);
-    double[] y = RandomTrees.state(seed, mechanism);
+    double[] y = RandomMechmlTrees.state(seed, mechanism);
     assertThat(everything(ModelFactory.compile(file, ALL, generated).newInstance(), y))
         .containsExactly(
             everything(ModelFactory.compileSource(file, ALL, generated).newInstance(), y));
@@ -95,7 +95,7 @@ class GeneratedForcesTest {
     MechmlModel file = Scenes.model(mechanism);
     Model model = ModelFactory.compile(file, ALL, ModelFactory.generate(file, ALL)).newInstance();
     DataDrivenModel reference = new DataDrivenModel(mechanism, Scenes.SETTINGS);
-    double[] y = RandomTrees.state(3, mechanism);
+    double[] y = RandomMechmlTrees.state(3, mechanism);
     double[] actual = new double[y.length];
     double[] expected = new double[y.length];
     int result = reference.derivative(TIME, y, expected);

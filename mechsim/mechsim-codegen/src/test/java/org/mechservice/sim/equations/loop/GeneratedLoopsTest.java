@@ -23,8 +23,8 @@ import org.mechservice.sim.model.GeneratedModel;
 import org.mechservice.sim.model.LoopAgreement;
 import org.mechservice.sim.model.ModelFactory;
 import org.mechservice.sim.model.Omission;
-import org.mechservice.sim.model.RandomLoops;
-import org.mechservice.sim.model.RandomTrees;
+import org.mechservice.sim.model.RandomMechmlLoops;
+import org.mechservice.sim.model.RandomMechmlTrees;
 import org.mechservice.sim.model.Scenes;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.BodyPoses;
@@ -110,7 +110,7 @@ public class GeneratedLoopsTest {
         .contains("LoopTerms.OfPoses");
     BodyPoses code = LoopAgreement.model(Scenes.model(mechanism), withPoses, BodyPoses.class);
     BodyPoses data = LoopAgreement.data(mechanism, "DSR", "projection", BodyPoses.class);
-    double[] y = RandomTrees.state(3, mechanism);
+    double[] y = RandomMechmlTrees.state(3, mechanism);
     double[] expected = new double[BodyPoses.NUMBERS_PER_BODY * mechanism.bodies().size()];
     double[] actual = new double[expected.length];
     data.poses(0.4, y, expected);
@@ -134,7 +134,7 @@ public class GeneratedLoopsTest {
 
   @Test
   void derivativesOfTheResidualAreCode() {
-    Mechanism loops = RandomLoops.on(RandomTrees.tree(1, 12), 1, 2);
+    Mechanism loops = RandomMechmlLoops.on(RandomMechmlTrees.tree(1, 12), 1, 2);
     GeneratedModel generated = generated(loops, "RR-JF", "projection");
     assertThat(generated.source()).contains("implements LoopTerms.OfDerivatives");
     assertThat(generated.fromData()).isEmpty();
@@ -142,7 +142,7 @@ public class GeneratedLoopsTest {
 
   @Test
   void derivativesTooLongToBeFasterAreLeftToTheDataWithTheirReason() {
-    Mechanism loops = RandomLoops.on(RandomTrees.tree(30, 30), 30, 2);
+    Mechanism loops = RandomMechmlLoops.on(RandomMechmlTrees.tree(30, 30), 30, 2);
     GeneratedModel generated = generated(loops, "RR-JF", "penalty");
     assertThat(generated.source()).contains("implements LoopTerms.OfResidual");
     assertThat(generated.fromData())
@@ -200,7 +200,7 @@ public class GeneratedLoopsTest {
 
   @Test
   void manyBodiesInLoopsHaveShortMethods() {
-    Mechanism loops = RandomLoops.on(RandomTrees.tree(1, 40), 1, 6);
+    Mechanism loops = RandomMechmlLoops.on(RandomMechmlTrees.tree(1, 40), 1, 6);
     GeneratedModel generated = generated(loops, "RR", "penalty");
     byte[] file = Objects.requireNonNull(generated.classFiles().get(generated.sourceName()));
     assertThat(MethodSizes.longest(file)).isLessThan(8000);

@@ -112,8 +112,7 @@ public record LoadedModel(
   private FormulationChoice formulation() {
     SimulationSettings asked = model.settings();
     try {
-      return FormulationChoice.of(
-          asked.formulation(), asked.closure(), asked.run(), model.mechanism());
+      return FormulationChoice.of(asked.formulation(), asked.closure(), asked.run(), model);
     } catch (ModelBuildException e) {
       return new FormulationChoice(
           asked.formulation(), asked.closure(), String.valueOf(e.getMessage()));

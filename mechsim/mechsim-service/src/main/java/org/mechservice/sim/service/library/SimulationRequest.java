@@ -39,6 +39,7 @@ import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.Accuracy;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.IntegrationMethod;
+import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**
@@ -78,11 +79,6 @@ public record SimulationRequest(
   /** Integrator for {@code auto} with residual formulations. */
   private static final String RESIDUAL_INTEGRATOR = IntegrationMethod.ODE15SR.label();
 
-  private static final String AUTO = "auto";
-
-  /** Integrator in the settings of a task that is not integrated. */
-  private static final String NO_INTEGRATOR = "none";
-
   public SimulationRequest {
     columns = Set.copyOf(columns);
     earlierIds = List.copyOf(earlierIds);
@@ -118,7 +114,8 @@ public record SimulationRequest(
         settings(given, ofFile),
         given.flag(OPT_STANDALONE.value),
         given.flag(OPT_STRICT.value),
-        integrated && given.text(OPT_INTEGRATOR.value, ofFile.run().integrator()).equals(AUTO),
+        integrated
+            && given.text(OPT_INTEGRATOR.value, ofFile.run().integrator()).equals(MethodNames.AUTO),
         Optional.empty(),
         maxDrift(given),
         earlierIds(given));
@@ -276,8 +273,8 @@ public record SimulationRequest(
             .withOutput(end, given.positive(OPT_T_STEP.value, ofFile.tStep(), "s"))
             .withIntegrator(
                 !(file.task() instanceof SimulationTask.Dynamic)
-                    ? NO_INTEGRATOR
-                    : integrator.equals(AUTO) ? automatic(formulation) : integrator)
+                    ? MethodNames.NONE
+                    : integrator.equals(MethodNames.AUTO) ? automatic(formulation) : integrator)
             .withRelativeTolerance(given.belowOne(OPT_REL_TOL.value, ofFile.relativeTolerance()))
             .withAccuracy(accuracy(given, ofFile));
     return given.has(OPT_ABS_TOL.value)

@@ -12,6 +12,7 @@
  * BodyPoses}, {@link Energies}, {@link PowerInput} and {@link MomentumBalance} for what is recorded
  * and watched. {@link Defects} and {@link DirectedForces} name what went wrong in an evaluation.
  *
- * <p>{@link ExtendedModel} and {@link WatchedModel} stand for another model and add to it.
+ * <p>{@link ModelParts} joins equations with events and with columns that are computed beside them,
+ * and takes any model apart into these.
  */
 package org.mechservice.solver.api.capability;

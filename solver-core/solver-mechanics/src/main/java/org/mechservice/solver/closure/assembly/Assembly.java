@@ -15,26 +15,26 @@ import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.StartRole;
 
 /**
- * Closes the loops at the start: positions by damped Gauss-Newton iteration over what each joint
- * may move, velocities by the least change (NUMERICS §3). A state that obeys the loops stays as it
- * is to the bit. For setting up: allocates freely.
+ * Closes the loops at the start: positions by damped Gauss-Newton iteration, weighted by how far
+ * each joint may move, and velocities by the least change (NUMERICS §3). A state that satisfies the
+ * loops is not changed in any bit. Runs once at set-up and allocates memory.
  */
 public final class Assembly {
-  /** Residual over its size and beyond rounding, below which a state is left alone. */
+  /** Relative residual beyond rounding below which a state is not changed. */
   private static final double CLOSED = 1e-13;
 
-  /** Residual over its size above which a correction is worth a warning. */
+  /** Relative residual above which a correction is reported as a warning. */
   private static final double NOTEWORTHY = 1e-9;
 
   private static final int ITERATIONS = 60;
 
-  /** No coordinate moves further in one iteration, rad or lengths of the mechanism. */
+  /** Longest move of a coordinate in one iteration, rad or lengths of the mechanism. */
   private static final double LONGEST_STEP = 0.4;
 
-  /** Sizes of moves from which the iteration is tried again when the start leads nowhere. */
+  /** Sizes of random moves of the start with which a failed iteration is tried again. */
   private static final double[] KICKS = {0, 0.01, 0.1, 0.3, 0.6};
 
-  /** How far a given joint moves compared with one that is free to. */
+  /** Weight of a joint with a given start value; a free joint has weight 1. */
   private static final double RELUCTANCE = 1e-3;
 
   private final TreeMotion motion;
@@ -45,7 +45,7 @@ public final class Assembly {
   private final StartRole[] role;
   private final LeastMoves least;
 
-  /** J, rows over their sizes and columns times what they may move. */
+  /** J, rows divided by their sizes and columns multiplied by their weights. */
   private final SparseMatrix matrix;
 
   private final double[] right;
@@ -85,7 +85,7 @@ public final class Assembly {
    *
    * @param t time of the start, s
    * @param y state [q; v]; overwritten where it does not obey the loops
-   * @return what there is to say: corrections, or why it failed; empty if nothing was to be done
+   * @return findings: corrections, or the reason of a failure; empty if nothing was changed
    */
   public List<LoopFinding> assemble(double t, double[] y) {
     List<LoopFinding> findings = new ArrayList<>();
@@ -123,7 +123,7 @@ public final class Assembly {
     return rounding.excess(y);
   }
 
-  /** Moves free joints alone if that is enough, else given ones too; then from other starts. */
+  /** Moves only free joints if that suffices, otherwise given ones too; then tries other starts. */
   private boolean closePositions(double t, double[] y) {
     double[] best = y.clone();
     double least = residual(t, y);
@@ -155,7 +155,7 @@ public final class Assembly {
     coordinates.move(y, 0, move, 0, size);
   }
 
-  /** Returns how readily a velocity's coordinate moves; 0: not at all. */
+  /** Returns the weight of a velocity's coordinate; 0 if it must not move. */
   private double weight(int velocity, StartRole last) {
     if (role[velocity] == StartRole.FREE) {
       return units.velocities[velocity];
@@ -164,7 +164,7 @@ public final class Assembly {
     return moves ? RELUCTANCE * units.velocities[velocity] : 0;
   }
 
-  /** Iterates from a state; returns the residual reached. */
+  /** Iterates from a state; returns the final residual. */
   private double iterate(double t, double[] y, StartRole last) {
     double merit = merit(t, y);
     double damping = 0;
@@ -202,7 +202,10 @@ public final class Assembly {
     return Double.isNaN(sum) ? Double.POSITIVE_INFINITY : sum;
   }
 
-  /** Rows over their sizes, columns times what they may move, relative to the readiest. */
+  /**
+   * Forms J with rows divided by their sizes and columns multiplied by their weights relative to
+   * the largest.
+   */
   private void differentiate(StartRole last) {
     loops.differentiate(motion);
     double most = mostReady(last);
@@ -216,7 +219,7 @@ public final class Assembly {
     least.take(matrix);
   }
 
-  /** Returns the largest weight over its unit, so that moves are counted in units. */
+  /** Returns the largest weight divided by its unit, so that moves are in units. */
   private double mostReady(StartRole last) {
     double most = 0;
     for (int j = 0; j < nv; j++) {
@@ -268,7 +271,10 @@ public final class Assembly {
     return worst < 0 ? 0 : Math.abs(loops.rate[worst]) / loops.size(worst);
   }
 
-  /** Changes velocities as little as their weights ask; twice, for the rounding of the first. */
+  /**
+   * Applies the least weighted change to the velocities; the second pass removes the rounding
+   * errors of the first.
+   */
   private double fitVelocities(double t, double[] y, StartRole last) {
     double reached = rateResidual(t, y);
     for (int pass = 0; pass < 2; pass++) {

@@ -5,7 +5,7 @@ import java.util.stream.IntStream;
 import org.mechservice.solver.linear.PivotedElimination;
 import org.mechservice.solver.linear.SingularValues;
 
-/** By singular values, the rows by full pivoting. */
+/** Rank by singular values, independent rows by full pivoting. */
 record DenseIndependentRows(int rank, List<Integer> redundant, double smallestPivot)
     implements IndependentRows {
   /**

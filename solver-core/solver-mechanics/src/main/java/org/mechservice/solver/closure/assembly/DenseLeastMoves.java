@@ -3,9 +3,9 @@ package org.mechservice.solver.closure.assembly;
 import org.mechservice.solver.linear.SingularValues;
 import org.mechservice.solver.linear.SparseMatrix;
 
-/** By singular values. */
+/** Least solution by singular values. */
 final class DenseLeastMoves implements LeastMoves {
-  /** Singular values below this part of the largest are not divided by. */
+  /** Singular values below this fraction of the largest are taken as zero. */
   private static final double NEGLIGIBLE = 1e-9;
 
   private final SingularValues singular;
@@ -14,7 +14,7 @@ final class DenseLeastMoves implements LeastMoves {
   private final double[] dense;
 
   /**
-   * @param columns of the matrix that count, the first ones
+   * @param columns number of leading columns of the matrix that are used
    */
   DenseLeastMoves(int rows, int columns) {
     singular = new SingularValues(rows, columns);

@@ -2,18 +2,18 @@ package org.mechservice.solver.closure.assembly;
 
 import java.util.List;
 
-/** How many rows of a matrix are independent, and which follow from the others. */
+/** The rank of a matrix, and its redundant rows. */
 interface IndependentRows {
-  /** Ratio of neighbouring singular values that separates rows from repetitions. */
+  /** Ratio of neighbouring singular values that marks the rank. */
   double GAP = 1e4;
 
-  /** What lies beyond the gap is smaller than this part of the largest. */
+  /** Fraction of the largest singular value that all values beyond the gap are below. */
   double NEGLIGIBLE = 1e-8;
 
-  /** Returns how many rows are independent. */
+  /** Returns the number of independent rows. */
   int rank();
 
-  /** Returns the rows that follow from the others, ascending. */
+  /** Returns the redundant rows, ascending. */
   List<Integer> redundant();
 
   /** Returns the smallest pivot of the independent rows over the largest. */

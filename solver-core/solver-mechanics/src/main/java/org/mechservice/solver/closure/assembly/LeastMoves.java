@@ -2,11 +2,9 @@ package org.mechservice.solver.closure.assembly;
 
 import org.mechservice.solver.linear.SparseMatrix;
 
-/**
- * The smallest solution of linear equations that may repeat each other. Workspace of one thread.
- */
+/** The least-norm solution of linear equations that may be redundant. Workspace of one thread. */
 interface LeastMoves {
-  /** Takes other equations, of the pattern that it was made for; not modified. */
+  /** Sets a new matrix with the pattern given at construction; not modified. */
   void take(SparseMatrix matrix);
 
   /**

@@ -4,7 +4,7 @@ import java.util.Locale;
 import org.mechservice.solver.api.capability.Defects.Defect;
 import org.mechservice.solver.catalogue.MessageCode;
 
-/** Says why loops cannot go on. */
+/** Defects of closed loops that end a run. */
 public final class LoopDefect {
   private LoopDefect() {}
 
@@ -45,7 +45,7 @@ public final class LoopDefect {
         "The mechanism locks or branches there; check its dimensions, or end the run before.");
   }
 
-  /** An equation that seemed to follow from the others does not. */
+  /** An equation that was redundant at the start no longer is. */
   public static Defect leftOut(String equation, double residual, String unit) {
     return new Defect(
         MessageCode.CONSTRAINT_NO_LONGER_REDUNDANT,

@@ -5,14 +5,10 @@ import org.mechservice.solver.api.run.RunNotes.Note;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * Something about a mechanism's loops that its user should know.
- *
- * @param kind what it is
- * @param part the constraint, or the constraints, and which of their equations; empty if none can
- *     be named
- * @param amount residual or other number that belongs to it, in {@code unit}
- * @param unit SI unit of the amount
- * @param time when, s
+ * A finding about a mechanism's loops for its user. @param kind kind of finding @param part the
+ * constraint or constraints and their equations; empty if none can be named @param amount residual
+ * or other number, in {@code unit} @param unit SI unit of the amount @param time time of the
+ * finding, s
  */
 public record LoopFinding(Kind kind, String part, double amount, String unit, double time) {
 
@@ -26,16 +22,16 @@ public record LoopFinding(Kind kind, String part, double amount, String unit, do
     NOT_CLOSED(MessageCode.START_POSITION_NOT_CLOSED, false),
     /** No velocities fit the loops; the amount is the least residual found. */
     NO_VELOCITIES(MessageCode.NO_START_VELOCITY, false),
-    /** Equations that say nothing new and are left out; the amount is their number. */
+    /** Redundant equations were left out; the amount is their number. */
     REDUNDANT(MessageCode.REDUNDANT_CONSTRAINTS, true),
-    /** The loops start in a singular position; the amount is the number of equations it hides. */
+    /** The loops start in a singular position; the amount is the loss of rank. */
     SINGULAR_START(MessageCode.START_POSITION_SINGULAR, true),
     /**
      * The loops came through a singular position, or very near to one; the amount is the smallest
      * pivot of their equations over the largest it was in the run.
      */
     SINGULAR_PASSED(MessageCode.SINGULAR_POSITION_PASSED, true),
-    /** Other coordinates are independent from here; the part names them. */
+    /** The independent coordinates have changed; the part names the new ones. */
     CHOSEN_ANEW(MessageCode.INDEPENDENT_COORDINATES_CHANGED, true);
 
     private final MessageCode code;
@@ -51,7 +47,7 @@ public record LoopFinding(Kind kind, String part, double amount, String unit, do
       return code;
     }
 
-    /** Returns whether a run may go on. */
+    /** Returns whether a run may continue. */
     public boolean isWarning() {
       return warning;
     }

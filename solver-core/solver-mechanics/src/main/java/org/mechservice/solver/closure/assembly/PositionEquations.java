@@ -28,7 +28,7 @@ public final class PositionEquations {
   /** ∂/∂q. */
   public final SparseMatrix matrix;
 
-  /** Where the elements of Euler parameters stand, by the set and the equation. */
+  /** Indices of the elements of Euler parameters, by set and equation. */
   private final List<BallElements> balls = new ArrayList<>();
 
   /**
@@ -37,7 +37,7 @@ public final class PositionEquations {
    */
   private record BallElements(int ball, int element, int ofVelocity) {}
 
-  /** For each element of the matrix the element of J it is, or -1. */
+  /** For each element of the matrix the index of the equal element of J, or -1. */
   private final int[] ofVelocity;
 
   public PositionEquations(LoopEquations loops, StateCoordinates coordinates) {
@@ -116,7 +116,7 @@ public final class PositionEquations {
     return Arrays.binarySearch(matrix.column, matrix.start[row], matrix.start[row + 1], position);
   }
 
-  /** Takes Φ and the norms; the equations are placed. */
+  /** Evaluates Φ and the norms; the equations must be placed. */
   public void evaluate(double[] q) {
     System.arraycopy(loops.value, 0, value, 0, loops.count());
     for (int ball = 0; ball < coordinates.ballCount(); ball++) {
@@ -128,7 +128,7 @@ public final class PositionEquations {
     return q[at] * q[at] + q[at + 1] * q[at + 1] + q[at + 2] * q[at + 2] + q[at + 3] * q[at + 3];
   }
 
-  /** Forms the matrix from J, which is evaluated. */
+  /** Forms the matrix from J, which must be evaluated. */
   public void differentiate(double[] q) {
     for (int e = 0; e < ofVelocity.length; e++) {
       if (ofVelocity[e] >= 0) {

@@ -18,26 +18,32 @@ import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.linear.SparseMatrix;
 
 /**
- * How many equations of the loops are independent (NUMERICS §3): the rank of J M^(−1/2) with rows
- * of unit length at the assembled state, and at three states near by that are assembled again,
- * since a singular position hides equations. The largest counts and is kept for the run: off the
- * loops' own positions, where predicted states lie, the rank looks larger than it is.
+ * The number of independent loop equations (NUMERICS §3): the rank of J M^(−1/2) with rows of unit
+ * length, at the assembled state and at three neighbouring assembled states, since the rank drops
+ * in a singular position. The largest of these is used for the whole run. Predicted states do not
+ * satisfy the loops, and J there seems to have a larger rank.
  *
- * <p>For setting up: allocates freely.
+ * <p>Runs once at set-up and allocates memory.
  */
 public final class RankAnalysis {
   /**
-   * A row smaller than this part of what it could be is zero: than what its products would add up
-   * to, or than a change by the mechanism's size with every coordinate changed by its unit.
+   * Fraction of its bound below which a row is zero. The bound is the sum of the sizes of its
+   * products, or a change by the mechanism's size when every coordinate changes by its unit.
    */
   private static final double NOTHING = 1e-11;
 
-  /** Moves from the assembled state, rad or lengths of the mechanism, and their number. */
+  /**
+   * Distance of the neighbouring states from the assembled one, rad or lengths of the mechanism,
+   * and their number.
+   */
   private static final double NEARBY = 1e-3;
 
   private static final int NEIGHBOURS = 3;
 
-  /** Smallest pivot over the largest below which independent coordinates serve badly. */
+  /**
+   * Ratio of the smallest to the largest pivot below which independent coordinates are
+   * ill-conditioned.
+   */
   private static final double BAD_PIVOT = 1e-6;
 
   private final TreeMotion motion;
@@ -54,7 +60,7 @@ public final class RankAnalysis {
   private List<Integer> redundant = List.of();
 
   /**
-   * Judges the rank.
+   * Determines the rank.
    *
    * @param t time of the start, s
    * @param y state that closes the loops; not modified
@@ -87,7 +93,7 @@ public final class RankAnalysis {
     return near;
   }
 
-  /** Returns the rank at a state, and takes over a rank larger than the one known. */
+  /** Returns the rank at a state, and keeps it if it is larger than the one known. */
   private int judge(double t, double[] y) {
     motion.sweep(t, y);
     loops.place(motion, t);
@@ -105,8 +111,8 @@ public final class RankAnalysis {
   }
 
   /**
-   * J M^(−1/2), its rows of unit length, or zero where nothing but rounding is left of them. With
-   * bodies that only loops give inertia M has no inverse, and columns count in units.
+   * Returns J M^(−1/2) with rows of unit length; rows of rounding errors are zero. M is singular if
+   * bodies get inertia only through loops; columns are then scaled by units.
    */
   private double[] scaledByMass() {
     SparseMatrix bounds = loops.bounds(motion);
@@ -150,7 +156,7 @@ public final class RankAnalysis {
     }
   }
 
-  /** J with columns in units and rows of unit length, or zero likewise. */
+  /** Returns J with columns in units and rows of unit length, or zero. */
   private SparseMatrix scaledInUnits() {
     SparseMatrix bounds = loops.bounds(motion);
     SparseMatrix scaled = loops.jacobian.sameShape();
@@ -183,19 +189,19 @@ public final class RankAnalysis {
     return n - rank;
   }
 
-  /** Returns the equations that follow from the others, by their rows. */
+  /** Returns the rows of the redundant equations. */
   public List<Integer> redundant() {
     return redundant;
   }
 
-  /** Returns whether the start hides equations that count close by. */
+  /** Returns whether the rank at the start is lower than at neighbouring states. */
   public boolean startsSingular() {
     return rankAtStart < rank;
   }
 
   /**
-   * Returns why independent coordinates would be chosen badly: the rank changes at the start, or
-   * the best choice of dependent ones has a pivot far below the largest.
+   * Returns the reason against independent coordinates, if there is one: the rank is lower at the
+   * start than near it, or the best choice has a pivot far below the largest.
    */
   public Optional<String> againstProjection() {
     if (startsSingular()) {
@@ -207,7 +213,7 @@ public final class RankAnalysis {
         : Optional.empty();
   }
 
-  /** Returns what a user should know: redundant equations, a singular start. */
+  /** Returns the findings for the user: redundant equations, a singular start. */
   public List<LoopFinding> findings(double t) {
     List<LoopFinding> findings = new ArrayList<>();
     if (!redundant.isEmpty()) {

@@ -6,14 +6,16 @@ import org.mechservice.solver.linear.SingularValues;
 import org.mechservice.solver.linear.SparseMatrix;
 
 /**
- * J of the loops with its rows over the sizes of what they measure and its columns in units, by its
- * singular values: what has one right answer although equations may repeat each other or positions
- * be singular. Of large mechanisms the least solutions come from sparse factors. Workspace of one
- * thread; nothing allocates after construction but what singular values of large mechanisms ask
- * for.
+ * The scaled loop Jacobian and its singular values: rows are divided by the sizes of what they
+ * measure, columns are in units. Least-norm solutions are unique even with redundant equations and
+ * in singular positions. Large mechanisms get them from sparse factors. Workspace of one thread;
+ * only singular values of large mechanisms allocate after construction.
  */
 public final class ScaledJacobian {
-  /** Singular values below this part of the largest are not divided by: a singular position. */
+  /**
+   * Singular values below this fraction of the largest are taken as zero, as in a singular
+   * position.
+   */
   private static final double NEGLIGIBLE = 1e-10;
 
   private final LoopEquations loops;
@@ -23,7 +25,7 @@ public final class ScaledJacobian {
   private Optional<SingularValues> singular = Optional.empty();
   private double[] elements = {};
 
-  /** Whether the singular values are those of the J last taken. */
+  /** Whether the singular values belong to the present J. */
   private boolean decomposed;
 
   private final double[] ofVelocities;
@@ -42,7 +44,7 @@ public final class ScaledJacobian {
     ofRows = new double[loops.count()];
   }
 
-  /** Takes the J that the loops have now. */
+  /** Copies and scales the present J of the loops. */
   public void decompose() {
     for (int row = 0; row < ofRows.length; row++) {
       for (int e = scaled.start[row]; e < scaled.start[row + 1]; e++) {
@@ -54,7 +56,7 @@ public final class ScaledJacobian {
     sparse.ifPresentOrElse(least -> least.take(scaled), this::values);
   }
 
-  /** Returns the singular values of the J last taken. */
+  /** Returns the singular values of the last copied J. */
   private SingularValues values() {
     if (singular.isEmpty()) {
       singular = Optional.of(new SingularValues(loops.count(), unit.length));
@@ -66,7 +68,7 @@ public final class ScaledJacobian {
     return singular.get();
   }
 
-  /** Returns the number of independent equations, {@code most} at most. */
+  /** Returns the number of independent equations, at most {@code most}. */
   public int rank(int most) {
     if (sparse.isPresent()) {
       return Math.min(most, new SparseIndependentRows(scaled, unit.length).rank());
@@ -84,7 +86,9 @@ public final class ScaledJacobian {
     return values().value(k) / values().value(0);
   }
 
-  /** Returns the scaled J, row by row, one number per velocity of the state; not to be modified. */
+  /**
+   * Returns the scaled J, row by row, one number per velocity of the state; must not be modified.
+   */
   public double[] elements() {
     if (elements.length < ofRows.length * unit.length) {
       elements = new double[ofRows.length * unit.length];
@@ -94,8 +98,8 @@ public final class ScaledJacobian {
   }
 
   /**
-   * Finds the multipliers with Jᵀ λ = −residual, those of least norm, forces being counted times
-   * the mechanism's length to compare with moments.
+   * Finds the multipliers of least norm with Jᵀ λ = −residual; forces are multiplied by the
+   * mechanism's length to compare them with moments.
    *
    * @param most number of independent equations at most
    * @param residual one number per velocity; not modified

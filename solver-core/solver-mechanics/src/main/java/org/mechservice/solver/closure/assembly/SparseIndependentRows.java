@@ -10,11 +10,11 @@ import org.mechservice.solver.linear.SparseElimination;
 import org.mechservice.solver.linear.SparseMatrix;
 
 /**
- * By sparse elimination down to pivots that leave a doubt, and by singular values of what is left
- * then, which is a few rows or rounding.
+ * Rank by sparse elimination while pivots are clearly nonzero, then by singular values of the few
+ * rows that remain.
  */
 final class SparseIndependentRows implements IndependentRows {
-  /** Pivots above this part of the largest element are rows without doubt. */
+  /** Fraction of the largest element above which a pivot is clearly nonzero. */
   private static final double DOUBTLESS = 1e-5;
 
   private final int rank;
@@ -66,7 +66,10 @@ final class SparseIndependentRows implements IndependentRows {
     return narrow;
   }
 
-  /** Returns how many singular values there are before the gap; the rows before count as one. */
+  /**
+   * Returns the number of singular values before the gap; the largest of the eliminated rows counts
+   * as 1.
+   */
   private static int rank(double[] left, int rows, int columns, double least) {
     SingularValues singular = new SingularValues(rows, columns);
     singular.decompose(left);

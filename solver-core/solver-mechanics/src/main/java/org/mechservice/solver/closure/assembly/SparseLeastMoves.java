@@ -7,11 +7,14 @@ import org.mechservice.solver.linear.SparseMatrix;
 import org.mechservice.solver.linear.SparseSymmetric;
 
 /**
- * By factors of A Aᵀ, to which a little is added on the diagonal because equations may repeat each
- * other: x = Aᵀ (A Aᵀ + ε)⁻¹ b, repeated for what ε has left of b.
+ * Least solution by factors of A Aᵀ + ε, which is regular even if equations are redundant: x = Aᵀ
+ * (A Aᵀ + ε)⁻¹ b, iterated to remove the error of ε.
  */
 final class SparseLeastMoves implements LeastMoves {
-  /** ε over the size of A Aᵀ: what is smaller than its square root beside A is a repetition. */
+  /**
+   * ε relative to the size of A Aᵀ; elements smaller than its square root relative to A are taken
+   * as zero.
+   */
   private static final double REGULAR = 1e-14;
 
   private static final int REPETITIONS = 4;
@@ -21,7 +24,8 @@ final class SparseLeastMoves implements LeastMoves {
   private final SparseMatrix pattern;
 
   /**
-   * Elements column by column, in each in the order of elimination, and the places of their rows.
+   * Elements by columns, in the order of elimination within each column, and the indices of their
+   * rows.
    */
   private final int[] columnStart;
 
@@ -36,7 +40,7 @@ final class SparseLeastMoves implements LeastMoves {
   private double factoredWith = -1;
 
   /**
-   * @param columns of the matrix that count, the first ones
+   * @param columns number of leading columns of the matrix that are used
    */
   SparseLeastMoves(SparseMatrix pattern, int columns) {
     rows = pattern.rows();

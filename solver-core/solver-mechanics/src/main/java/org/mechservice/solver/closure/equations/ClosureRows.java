@@ -7,9 +7,9 @@ import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 
 /**
- * The equations of one closure, Φ(q, t) = 0, rows J of Φ' = J v + Φ_t and what they need besides.
- * Workspace of one thread. {@link #place} comes first, then {@link #move}, then {@link
- * #accelerate}; each after the like sweep of the motion.
+ * The equations of one closure: Φ(q, t) = 0, and rows J of Φ' = J v + Φ_t. Workspace of one thread.
+ * The order of calls is {@link #place}, {@link #move}, {@link #accelerate}, each after the
+ * corresponding sweep of the motion.
  */
 abstract class ClosureRows {
   private final LoopClosure closure;
@@ -25,13 +25,13 @@ abstract class ClosureRows {
   /** Returns the number of equations. */
   abstract int count();
 
-  /** Returns what an equation forbids, for messages. */
+  /** Returns the direction that an equation constrains, for messages. */
   abstract String label(int row);
 
   /** Returns the size of what an equation measures after {@link #place}: m, or 1 rad. */
   abstract double size(int row);
 
-  /** Takes the size of what an equation measures, unless that does not change. */
+  /** Sets the size of what an equation measures, if it changes. */
   void measure(double size) {}
 
   /** Returns the SI unit of what an equation measures, after {@link #place}. */
@@ -62,7 +62,7 @@ abstract class ClosureRows {
    */
   abstract void addJacobian(TreeMotion motion, int row, double[] rows, int at);
 
-  /** Adds bounds of the elements of a row of J, which do not know cancellation. */
+  /** Adds upper bounds of the elements of a row of J, free of cancellation. */
   abstract void addBounds(TreeMotion motion, int row, double[] bounds, int at);
 
   /**
@@ -74,25 +74,22 @@ abstract class ClosureRows {
   abstract void addForces(int row, double multiplier, double[] wrench, double[] tau);
 
   /**
-   * Gives how the forces of multipliers change with the places of links and coordinates.
-   *
-   * @param multipliers one per equation of all closures; this one's from {@code at}
-   * @param factor what they are multiplied by
+   * Adds the derivatives of the multipliers' forces by poses of links and by coordinates. @param
+   * multipliers one per equation of all closures; this closure's from {@code at} @param factor
+   * factor of the multipliers
    */
   abstract void linearise(double[] multipliers, int at, double factor, ForceJacobian sink);
 
   /**
-   * Adds what the equations depend on.
-   *
-   * @param ways links whose joints they depend on; added to
-   * @param loaded links on which {@link #addForces} puts wrenches; added to
-   * @param velocities extended velocities on which it puts forces; added to
+   * Adds the structure of the equations. @param ways links whose joints they depend on; added
+   * to @param loaded links on which {@link #addForces} exerts wrenches; added to @param velocities
+   * extended velocities on which it exerts forces; added to
    */
   abstract void addSupport(BitSet ways, BitSet loaded, BitSet velocities);
 
-  /** Gives the pairs of links that {@link #linearise} couples. */
+  /** Adds the pairs of links that {@link #linearise} couples. */
   abstract void couplings(Couplings couplings);
 
-  /** Keeps in mind which whole turn angles are on, after an accepted step. */
+  /** Stores the unwrapped angles after an accepted step. */
   abstract void accepted();
 }

@@ -5,8 +5,8 @@ import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**
- * What makes coordinates of the state comparable: displacements are counted in a length of the
- * mechanism, angles and Euler parameters as they are.
+ * Units that make coordinates of the state comparable: displacements are divided by a length of the
+ * mechanism; angles and Euler parameters are not scaled.
  */
 public final class CoordinateUnits {
   /** Unit of each position, m or 1. */
@@ -41,7 +41,7 @@ public final class CoordinateUnits {
     }
   }
 
-  /** Returns the largest velocity of a state in units, 1/s. */
+  /** Returns the largest scaled velocity of a state, 1/s. */
   public double speed(double[] y, int velocityAt) {
     double speed = 0;
     for (int j = 0; j < velocities.length; j++) {

@@ -13,7 +13,7 @@ import org.mechservice.solver.kinematics.pair.CutJoint;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 
-/** What a relation between coordinates depends on. Workspace of one thread. */
+/** A variable of a coupling between coordinates. Workspace of one thread. */
 abstract class CouplingLeaf {
   static final double[] NO_RATES = new double[36];
 
@@ -26,17 +26,17 @@ abstract class CouplingLeaf {
     return scaled;
   }
 
-  /** Returns the value; of a cut joint's coordinate this places it as well. */
+  /** Returns the value; places a cut joint's coordinate as well. */
   abstract double value(TreeMotion motion, double t);
 
   abstract double rate(TreeMotion motion);
 
   abstract double acceleration(TreeMotion motion);
 
-  /** Returns the size of what it measures: m, or 1 rad; 0 of what does not move. */
+  /** Returns the size of what it measures: m, or 1 rad; 0 if it is constant. */
   abstract double size();
 
-  /** Returns the links that it moves with, the root left out. */
+  /** Returns the links on which it depends, without the root. */
   int[] links() {
     return new int[0];
   }
@@ -50,11 +50,15 @@ abstract class CouplingLeaf {
 
   void accepted() {}
 
-  /** Gives how the forces of a force on this coordinate change with the places of bodies. */
+  /**
+   * Adds the derivatives, by the poses of bodies, of the loads that a force on this coordinate
+   * exerts.
+   */
   void linearise(double force, ForceJacobian sink) {}
 
   /**
-   * Gives what happens when the force on this coordinate is stiffness times the motion of another.
+   * Adds the derivatives for a force on this coordinate equal to a stiffness times the change of
+   * another.
    */
   void linearise(double stiffness, CouplingLeaf by, ForceJacobian sink) {
     if (stiffness == 0 || size() == 0 || by.size() == 0) {
@@ -74,7 +78,7 @@ abstract class CouplingLeaf {
   void byLink(double stiffness, int link, double[] wrench, ForceJacobian sink) {}
 
   /**
-   * @throws IllegalArgumentException if a relation must not depend on this
+   * @throws IllegalArgumentException if a coupling must not depend on this variable
    */
   static CouplingLeaf of(
       Expression leaf,

@@ -13,7 +13,7 @@ import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.closure.CoordinateClosure;
 
-/** A relation between coordinates: one equation. */
+/** A coupling of coordinates: one equation. */
 final class CouplingRows extends ClosureRows {
   private final TapeEvaluation evaluation;
   private final CouplingLeaf[] leaves;
@@ -64,7 +64,10 @@ final class CouplingRows extends ClosureRows {
     this.size = size > 0 ? size : this.size;
   }
 
-  /** {@inheritDoc} The relation says which; it need not be one unit throughout. */
+  /**
+   * {@inheritDoc} The unit of a coupling's residual follows from its expression, whose terms may
+   * have different units.
+   */
   @Override
   String unit(int row) {
     return "SI";
@@ -137,7 +140,7 @@ final class CouplingRows extends ClosureRows {
     }
   }
 
-  /** λ (∇Φ)' of the leaves' own curvature, and λ ∂²Φ between leaves. */
+  /** Adds λ ∇Φ times the second derivatives of the variables, and λ ∂²Φ between variables. */
   @Override
   void linearise(double[] multipliers, int at, double factor, ForceJacobian sink) {
     double force = factor * multipliers[at];

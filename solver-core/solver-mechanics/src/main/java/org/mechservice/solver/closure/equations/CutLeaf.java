@@ -11,7 +11,7 @@ import org.mechservice.solver.kinematics.pair.CutJoint;
 import org.mechservice.solver.kinematics.pair.PairFunction;
 import org.mechservice.solver.kinematics.pair.PairLinearisation;
 
-/** A position of a cut joint; an angle goes on counting when it has made half a turn. */
+/** A position of a cut joint; angles are unwrapped. */
 final class CutLeaf extends CouplingLeaf {
   final CutJoint cut;
   private final PairFunction function;
@@ -22,7 +22,9 @@ final class CutLeaf extends CouplingLeaf {
   private final double[] curvature = new double[36];
   private final PairLinearisation linearisation = new PairLinearisation();
 
-  /** The value at the last accepted step is among these: the nearest whole turn to it is meant. */
+  /**
+   * Unwrapped values at the last accepted step; an angle is taken on the whole turn nearest to it.
+   */
   private final CountedPositions counted;
 
   private final int reference;
@@ -90,7 +92,10 @@ final class CutLeaf extends CouplingLeaf {
     cut.relative().addWrenches(function.gradient, force, wrench);
   }
 
-  /** The wrenches of a unit force, which are also how links move the coordinate. */
+  /**
+   * Forms the wrenches of a unit force, which are also the gradient of the coordinate by link
+   * motions.
+   */
   void formWrenches() {
     cut.relative().wrenches(function.gradient, wrenchA, wrenchB);
   }

@@ -10,14 +10,14 @@ import org.mechservice.solver.mechanism.closure.PointOnLineClosure;
 import org.mechservice.solver.mechanism.closure.PointOnPlaneClosure;
 import org.mechservice.solver.spatial.Vector3;
 
-/** The size of a mechanism: what a residual in m is compared with. */
+/** The length scale of a mechanism, for relative residuals. */
 final class LengthScale {
   private LengthScale() {}
 
   /**
    * Returns the largest distance between points of one body that joints, closures or centres of
-   * mass name, m; 1 if all coincide. What hangs on the root is measured between its ends on moving
-   * bodies alone, since the place in the world does not matter.
+   * mass name, m; 1 if all coincide. Connections to the root are measured only between their ends
+   * on moving bodies, since the position in the world does not matter.
    */
   static double of(TreeGeometry tree) {
     double largest = 0;
@@ -34,8 +34,8 @@ final class LengthScale {
   }
 
   /**
-   * Returns how far from the root's origin a point of the root lies at most that a joint or closure
-   * names, m: what is computed from there is as exact as numbers of that size.
+   * Returns the largest distance from the root's origin of a point on the root that a joint or
+   * closure names, m. It determines the rounding errors of computed positions.
    */
   static double farthest(TreeGeometry tree) {
     double largest = 0;

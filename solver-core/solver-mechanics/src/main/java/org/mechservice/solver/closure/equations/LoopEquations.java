@@ -22,20 +22,17 @@ import org.mechservice.solver.mechanism.closure.PointOnPlaneClosure;
  * The equations of all closures of a mechanism: Φ(q, t) = 0, Φ' = J v + Φ_t = 0, Φ'' = J v' + γ =
  * 0. Workspace of one thread; nothing allocates after construction.
  *
- * <p>Displacements are in m and tilts in rad, with gradients of size one; each equation comes with
- * the {@link #size} of what it measures, which makes residuals comparable.
+ * <p>Displacements are in m and tilts in rad, with gradients of size one. Residuals of different
+ * equations are compared relative to the {@link #size} of what each measures.
  */
 public final class LoopEquations {
-  /**
-   * Velocities of the state from which matrices are kept in their sparsity: below, dense ones are
-   * as fast.
-   */
+  /** Number of velocities from which matrices are sparse; dense matrices are as fast below it. */
   public static final int LARGE = 100;
 
   /**
-   * Equations squared times velocities from which loops are set up in their sparsity. Singular
-   * values take that many operations some ten times over, and the start is closed by some hundred
-   * of them where many equations repeat each other: a net of 10 x 10 bodies took 100 s.
+   * Number of equations squared times velocities from which set-up uses sparse matrices. One set of
+   * singular values costs about ten times as many operations, and closing the start takes about a
+   * hundred sets if many equations are redundant: a net of 10 x 10 bodies took 100 s.
    */
   private static final double LARGE_TO_SET_UP = 5e4;
 
@@ -46,7 +43,7 @@ public final class LoopEquations {
   private final double[] parameters;
   private final double length;
 
-  /** What angles of cut joints in couplings count from. */
+  /** Unwrapped angles of cut joints in couplings. */
   public final CountedPositions counted = new CountedPositions();
 
   /** Φ, m or rad. */
@@ -55,25 +52,25 @@ public final class LoopEquations {
   /** Φ' = J v + Φ_t. */
   public final double[] rate;
 
-  /** γ = Φ'' of the accelerations last swept. */
+  /** Φ'' for the last swept accelerations; γ if these are zero. */
   public final double[] acceleration;
 
   /**
    * J by the extended velocities: the state's first, then those of driven joints. An equation
-   * depends on the joints of its ways to the common ancestor alone.
+   * depends only on the joints between its bodies and their common ancestor.
    */
   public final SparseMatrix jacobian;
 
-  /** A row with all its columns; zero between calls. */
+  /** Dense row; zero between calls. */
   private final double[] wholeRow;
 
-  /** Prepares the equations of a tree's mechanism, its parameters at their values in the file. */
+  /** Prepares the equations of a tree's mechanism, with parameters at their values in the file. */
   public LoopEquations(TreeGeometry tree) {
     this(tree, false);
   }
 
   /**
-   * @param start whether to add what cut joints are to keep at the start
+   * @param start whether to add equations for start values of cut joints
    */
   public LoopEquations(TreeGeometry tree, boolean start) {
     this.tree = tree;
@@ -121,7 +118,7 @@ public final class LoopEquations {
     return pattern;
   }
 
-  /** Returns what an equation depends on. */
+  /** Returns the links and velocities that an equation depends on. */
   public RowSupport support(int row) {
     BitSet ways = new BitSet();
     BitSet loaded = new BitSet();
@@ -156,12 +153,12 @@ public final class LoopEquations {
     return closureOfRow.length;
   }
 
-  /** Returns whether the mechanism is so large that matrices are to be kept in their sparsity. */
+  /** Returns whether the mechanism is large enough for sparse matrices. */
   public boolean isLarge() {
     return tree.stateVelocityCount > LARGE;
   }
 
-  /** Returns whether rank and start are to be found in the sparsity of the equations. */
+  /** Returns whether set-up finds rank and start with sparse matrices. */
   public boolean isLargeToSetUp() {
     double equations = count();
     return isLarge() || equations * equations * tree.stateVelocityCount > LARGE_TO_SET_UP;
@@ -172,7 +169,10 @@ public final class LoopEquations {
     return closureOfRow[row].closure();
   }
 
-  /** Returns what an equation forbids, for messages: {@code displacement along (0, 0, 1)}, say. */
+  /**
+   * Returns the direction that an equation constrains, for messages, such as {@code displacement
+   * along (0, 0, 1)}.
+   */
   public String label(int row) {
     return closureOfRow[row].label(rowInClosure[row]);
   }
@@ -192,7 +192,7 @@ public final class LoopEquations {
     return closureOfRow[row].unit(rowInClosure[row]);
   }
 
-  /** Returns the length that makes residuals in m comparable, m. */
+  /** Returns the length scale of the mechanism, m. */
   public double length() {
     return length;
   }
@@ -202,7 +202,7 @@ public final class LoopEquations {
     return parameters;
   }
 
-  /** Evaluates Φ for the places of the last sweep. */
+  /** Evaluates Φ for the poses of the last sweep. */
   public void place(TreeMotion motion, double t) {
     for (int i = 0; i < closures.size(); i++) {
       closures.get(i).place(motion, t);
@@ -238,7 +238,7 @@ public final class LoopEquations {
   }
 
   /**
-   * Writes the columns of J that belong to the state, rows over their sizes.
+   * Writes the columns of J that belong to the state, with rows divided by their sizes.
    *
    * @param rows {@link #count} times {@code columns} numbers; overwritten
    */
@@ -255,9 +255,9 @@ public final class LoopEquations {
   }
 
   /**
-   * Takes Φ, Φ' and J as code has evaluated them.
+   * Copies Φ, Φ' and J from the terms of generated code. @param terms laid out as in {@link
+   * LoopTerms}; not modified
    *
-   * @param terms as {@link LoopTerms} says; not modified
    * @param velocities number of velocities of the state
    */
   public void take(double[] terms, int velocities) {
@@ -282,8 +282,8 @@ public final class LoopEquations {
   }
 
   /**
-   * Returns bounds of the elements of J, after {@link #place}: a row far below them is zero but for
-   * rounding.
+   * Returns bounds of the elements of J, after {@link #place}: a row far below them consists of
+   * rounding errors.
    *
    * @return of the pattern of {@link #jacobian}
    */
@@ -310,7 +310,10 @@ public final class LoopEquations {
     }
   }
 
-  /** Adds the forces of one equation's multiplier, likewise. */
+  /**
+   * Adds the forces of one equation's multiplier, as {@link #addForces(double[], double, double[],
+   * double[])}.
+   */
   public void addForces(int row, double multiplier, double[] wrench, double[] tau) {
     if (multiplier != 0) {
       closureOfRow[row].addForces(rowInClosure[row], multiplier, wrench, tau);
@@ -318,7 +321,7 @@ public final class LoopEquations {
   }
 
   /**
-   * Gives how the forces factor · Jᵀ λ change with the places of links and coordinates, after
+   * Adds the derivatives of the forces factor · Jᵀ λ by poses of links and by coordinates, after
    * {@link #place}.
    *
    * @param multipliers λ, one per equation, N or N·m; not modified
@@ -331,31 +334,34 @@ public final class LoopEquations {
     }
   }
 
-  /** Gives the pairs of links that {@link #linearise} couples; some more than once. */
+  /** Adds the pairs of links that {@link #linearise} couples, some more than once. */
   public void couplings(Couplings couplings) {
     closures.forEach(rows -> rows.couplings(couplings));
   }
 
-  /** Takes note of an accepted step: angles of cut joints go on counting from here. */
+  /** Records an accepted step: angles of cut joints are unwrapped from here. */
   public void accepted() {
     for (int i = 0; i < closures.size(); i++) {
       closures.get(i).accepted();
     }
   }
 
-  /** Returns the largest |Φ| over its size, of the last {@link #place}; NaN if one is. */
+  /**
+   * Returns the largest |Φ| relative to its size at the last {@link #place}; NaN if any Φ is NaN.
+   */
   public double largestResidual() {
     int worst = worst(value);
     return worst < 0 ? 0 : Math.abs(value[worst]) / size(worst);
   }
 
-  /** Returns the equation with the largest |Φ| over its size, or −1 if there is none. */
+  /** Returns the equation with the largest |Φ| relative to its size, or −1 if there is none. */
   public int worst() {
     return worst(value);
   }
 
   /**
-   * Returns the row whose number is largest over its size, the first NaN if there is one, or −1.
+   * Returns the row with the largest number relative to its size, the first NaN if there is one, or
+   * −1.
    */
   public int worst(double[] residual) {
     int worst = -1;

@@ -5,23 +5,26 @@ import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.linear.SparseMatrix;
 
 /**
- * How large residuals of the loops are by rounding alone: coordinates and fixed points are rounded,
- * far from the origin, or after many turns, to more than a part of the mechanism's size. To first
- * order a residual then differs by Σ |∂Φ/∂q_j| ulp(q_j), and by the spacing of numbers as large as
- * the farthest fixed point, which places are computed from. Workspace of one thread.
+ * Estimated rounding errors of the loops' residuals. Far from the origin, or after many turns,
+ * coordinates and fixed points carry rounding errors that are large relative to the mechanism. To
+ * first order a residual's error is Σ |∂Φ/∂q_j| ulp(q_j), plus the unit in the last place of the
+ * farthest fixed point's coordinates. Workspace of one thread.
  *
- * <p>Who corrects a state by a residual leaves a part of its rounding alone ({@link #leftAlone}):
- * the state then stays as smooth as its steps, where corrections by rounding errors would make it
- * rough, and differences of high order, which error tests are made of, would see nothing else.
+ * <p>A correction of a state does not remove all of a residual's rounding error ({@link
+ * #leftAlone}). Corrections by rounding errors would make successive states rough and would
+ * dominate the high-order differences from which error tests are made.
  */
 public final class LoopRounding {
-  /** Residual over its size that will do, rounding left out. */
+  /** Relative residual, beyond rounding, that is accepted. */
   public static final double CLOSED = 1e-11;
 
-  /** Rounding errors that add up with each coordinate and fixed point: four operations or so. */
+  /** Number of rounding errors per coordinate and fixed point: about four operations. */
   private static final double ROUNDINGS = 4;
 
-  /** Part of that which no correction touches: what remains can still be told from rounding. */
+  /**
+   * Fraction of the rounding error that corrections do not remove; the rest can still be
+   * distinguished from rounding.
+   */
   private static final double LEFT_ALONE = 0.5;
 
   /** A rotation is twice the vector part of a change of Euler parameters, which are at most 1. */
@@ -30,7 +33,10 @@ public final class LoopRounding {
   private final LoopEquations loops;
   private final StateCoordinates coordinates;
 
-  /** Spacing of the farthest fixed point's coordinates over the length of the mechanism. */
+  /**
+   * Unit in the last place of the farthest fixed point's coordinates, relative to the mechanism's
+   * length.
+   */
   private final double ofPlaces;
 
   public LoopRounding(TreeGeometry tree, LoopEquations loops, StateCoordinates coordinates) {
@@ -40,8 +46,8 @@ public final class LoopRounding {
   }
 
   /**
-   * Returns the residual by rounding of an equation, over its size, where J was formed at positions
-   * or near by. Times the speed it is that of its rate.
+   * Returns the relative rounding error of an equation's residual at or near the positions at which
+   * J was formed. Multiplied by the speed it is the rounding error of the rate.
    *
    * @param y state that begins with the positions; not modified
    */
@@ -67,7 +73,10 @@ public final class LoopRounding {
     return velocity < coordinates.velocityCount();
   }
 
-  /** Returns how far an equation's residual last placed lies above its rounding, over its size. */
+  /**
+   * Returns the excess of an equation's last residual over its rounding error, relative to its
+   * size.
+   */
   public double excess(int row, double[] y) {
     return Math.abs(loops.value[row]) / loops.size(row) - part(row, y);
   }
@@ -84,12 +93,12 @@ public final class LoopRounding {
     return largest;
   }
 
-  /** Returns the part of a residual over its size that corrections leave alone. */
+  /** Returns the part of a relative residual that corrections do not remove. */
   public double leftAlone(int row, double[] y) {
     return LEFT_ALONE * part(row, y);
   }
 
-  /** Returns how far a residual is from zero beyond what is left alone. */
+  /** Returns the part of a residual that a correction removes. */
   public static double beyond(double leftAlone, double residual) {
     double beyond = Math.abs(residual) - leftAlone;
     return beyond <= 0 ? 0 : Math.copySign(beyond, residual);

@@ -5,28 +5,28 @@ import org.mechservice.solver.api.capability.BodyPoses;
 import org.mechservice.solver.api.capability.ExplicitModel;
 
 /**
- * The terms of the equations of one mechanism with loops, M v' + b + Jᵀ λ = τ and Φ(q, t) = 0, as
- * code written for it; how they are solved is left to the closure. Workspace of one thread.
+ * The terms of the equations of one mechanism with loops, M v' + b + Jᵀ λ = τ and Φ(q, t) = 0,
+ * evaluated by code generated for it. The closure solves the equations. Workspace of one thread.
  *
- * <p>With m equations of the loops in the order of {@link LoopEquations} and n velocities of the
- * state, terms stand in one array, one after the other:
+ * <p>One array holds all terms. With m loop equations in the order of {@link LoopEquations} and n
+ * velocities of the state it contains, in this order:
  *
  * <ul>
  *   <li>Φ, m numbers, m or rad;
  *   <li>Φ' = J v + Φ_t, m numbers;
  *   <li>J by the velocities of the state, m × n row by row;
- *   <li>the sizes of what the equations measure, m numbers, of those of which the size changes; 0
- *       for the others;
- *   <li>γ, m numbers: Φ'' while no joint accelerates but the driven ones;
+ *   <li>the sizes of what the equations measure, m numbers; 0 for each constant size;
+ *   <li>γ, m numbers: Φ'' if only driven joints accelerate;
  *   <li>b − τ, n numbers, N·m or N;
- *   <li>M, n × n row by row, of which only the lower triangle and the diagonal are used.
+ *   <li>M, n × n row by row; only the lower triangle and the diagonal are used.
  * </ul>
  *
- * <p>What is zero in every state need not be written. The state y is [q; v], followed by the {@link
- * UnwrappedAngles}, rad, as they were at the last accepted step: those of now are the nearest.
+ * <p>Entries that are zero in every state need not be written. The state y is [q; v], followed by
+ * the {@link UnwrappedAngles}, rad, at the last accepted step; present angles are taken on the
+ * nearest turn.
  */
 public interface LoopTerms {
-  /** What {@link #equations} returns where all forces have values. */
+  /** Result of {@link #equations} if all forces have values. */
   int REGULAR = ExplicitModel.REGULAR;
 
   /** Returns where J begins. */
@@ -54,7 +54,7 @@ public interface LoopTerms {
     return biasAt(m, n) + n;
   }
 
-  /** Returns how many numbers all terms are. */
+  /** Returns the length of the array of terms. */
   static int count(int m, int n) {
     return massAt(m, n) + n * n;
   }
@@ -74,7 +74,7 @@ public interface LoopTerms {
    * @param t time, s
    * @param y state [q; v] and counted angles; not modified
    * @param terms overwritten
-   * @return {@link #REGULAR}, or what a force returns that has no direction ({@link
+   * @return {@link #REGULAR}, or the result of a force without direction ({@link
    *     org.mechservice.solver.api.capability.DirectedForces})
    */
   int equations(double t, double[] y, double[] terms);
@@ -98,12 +98,12 @@ public interface LoopTerms {
    */
   void power(double t, double[] y, double[] power);
 
-  /** Returns where the bodies are, if code was written for that. */
+  /** Returns the code for poses of bodies, if the model has it. */
   default Optional<OfPoses> poses() {
     return this instanceof OfPoses own ? Optional.of(own) : Optional.empty();
   }
 
-  /** Where the bodies are besides. */
+  /** Terms with poses of bodies. */
   interface OfPoses extends LoopTerms {
     /**
      * Writes the numbers of {@link BodyPoses}, bodies in file order, except that e0 may be
@@ -116,7 +116,7 @@ public interface LoopTerms {
     void poses(double t, double[] y, double[] poses);
   }
 
-  /** Terms of the recursive residual besides. */
+  /** Terms with the recursive residual. */
   interface OfResidual extends LoopTerms {
     /**
      * Writes γ.
@@ -139,11 +139,11 @@ public interface LoopTerms {
     int residual(double t, double[] y, double[] a, double[] residual);
   }
 
-  /** Derivatives of the recursive residual besides. */
+  /** Terms with the derivatives of the recursive residual. */
   interface OfDerivatives extends OfResidual {
     /**
      * Writes the derivatives of M v' + b − τ + Jᵀ λ by v', v and q, for Euler parameters along the
-     * tangent. What is zero in every state need not be written.
+     * tangent. Entries that are zero in every state need not be written.
      *
      * @param t time, s
      * @param y state [q; v] and counted angles; not modified

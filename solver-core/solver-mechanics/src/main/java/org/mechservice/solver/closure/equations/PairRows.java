@@ -21,8 +21,8 @@ import org.mechservice.solver.mechanism.closure.PointOnLineClosure;
 import org.mechservice.solver.mechanism.closure.PointOnPlaneClosure;
 
 /**
- * Equations between two bodies: functions of their relative pose that vanish, and coordinates of a
- * cut joint that follow prescribed motions.
+ * Equations between two bodies: functions of their relative pose that are zero, and coordinates of
+ * a cut joint with prescribed motions.
  */
 final class PairRows extends ClosureRows {
   private static final double[] NO_RATES = new double[36];
@@ -35,12 +35,12 @@ final class PairRows extends ClosureRows {
   private final PairLinearisation linearisation = new PairLinearisation();
   private final double length;
 
-  /** Number of functions at the front that vanish; the others follow the motion. */
+  /** Number of leading functions that are zero; the others follow the prescribed motion. */
   private final int vanishing;
 
   private final PrescribedPairMotion driven;
 
-  /** Whether the motion is that of the start, counted from time zero. */
+  /** Whether the equations hold start values, with time counted from zero. */
   private final boolean atStart;
 
   private PairRows(
@@ -71,7 +71,7 @@ final class PairRows extends ClosureRows {
         false);
   }
 
-  /** What a cut joint forbids, and its prescribed coordinates. */
+  /** Constraints and prescribed coordinates of a cut joint. */
   static PairRows of(JointClosure closure, TreeGeometry tree, double[] parameters, double length) {
     CutJoint cut = new CutJoint(tree, closure.joint());
     List<PairFunction> functions = new ArrayList<>(cut.forbidden());
@@ -104,8 +104,7 @@ final class PairRows extends ClosureRows {
   }
 
   /**
-   * A cut joint's coordinates and velocities that are to keep their start values: equations of
-   * assembly alone.
+   * Coordinates and velocities of a cut joint with given start values; equations for assembly only.
    */
   static PairRows ofStart(JointClosure closure, TreeGeometry tree, double length) {
     Joint joint = closure.joint();

@@ -13,7 +13,7 @@ public final class PrescribedPairMotion {
 
   /**
    * @param coordinates one expression per coordinate
-   * @param parameters values of the parameters; kept, so that they may be changed
+   * @param parameters values of the parameters; stored, later changes have effect
    * @throws IllegalArgumentException if an expression depends on anything but time and parameters
    */
   public PrescribedPairMotion(List<Expression> coordinates, double[] parameters) {

@@ -2,7 +2,10 @@ package org.mechservice.solver.closure.equations;
 
 import java.util.BitSet;
 
-/** What an equation of the loops depends on. Immutable; the arrays must not be written to. */
+/**
+ * The links and velocities that a loop equation depends on. Immutable; callers must not write to
+ * the arrays.
+ */
 public final class RowSupport {
   private final int[] ways;
   private final int[] loaded;
@@ -19,12 +22,12 @@ public final class RowSupport {
     return ways;
   }
 
-  /** Returns the links on which its multiplier puts a wrench, ascending; the root is left out. */
+  /** Returns the links on which its multiplier exerts a wrench, ascending, without the root. */
   public int[] loaded() {
     return loaded;
   }
 
-  /** Returns the extended velocities on which its multiplier puts a force, ascending. */
+  /** Returns the extended velocities on which its multiplier exerts a force, ascending. */
   public int[] velocities() {
     return velocities;
   }

@@ -15,40 +15,46 @@ import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.linear.SparseMatrix;
 
 /**
- * Finds dependent positions and velocities from independent ones: positions by Newton's method,
- * velocities by the equations differentiated. When the coordinates chosen as independent lose their
- * hold, others are chosen. Workspace of one thread.
+ * Computes dependent positions and velocities from independent ones: positions by Newton's method,
+ * velocities by the differentiated equations. Chooses other independent coordinates when the
+ * dependent block becomes ill-conditioned. Workspace of one thread.
  */
 public final class Completion {
-  /** After a correction this small the next would be its square: below round-off. */
+  /**
+   * Correction at which Newton's method has converged: the next one would be its square, below
+   * round-off.
+   */
   private static final double CONVERGED = 1e-8;
 
-  /** Beyond half a radian the solution found may be that of another assembly. */
+  /**
+   * Largest total move of a coordinate; beyond half a radian the solution may belong to another
+   * assembly.
+   */
   private static final double TOO_FAR = 0.5;
 
   private static final int ITERATIONS = 12;
 
-  /** Residual over its size beyond which an equation left out does not follow from the others. */
+  /** Relative residual above which an omitted equation is no longer redundant. */
   private static final double LEFT_OUT = 1e-7;
 
   /**
-   * Other coordinates are taken when their smallest pivot is larger by this factor: what is
-   * dependent then never moves much faster than what is not. Waiting until a pivot has fallen to
-   * 1e-3 makes the error of a pendulum in crossed slides 1500 times larger, at 1e-10.
+   * Factor by which the smallest pivot of another choice must be larger for the choice to change.
+   * Dependent coordinates then never move much faster than independent ones. Waiting until a pivot
+   * has fallen to 1e-3 makes the error of a pendulum in crossed slides 1500 times larger, at 1e-10.
    */
   private static final double BETTER = 2;
 
   /**
-   * Dependent velocities are those of another branch if they differ from the expected ones by this
-   * part of all velocities. Expected are those handed in, which were predicted, and those that the
-   * equations of the last accepted state would give.
+   * Relative difference from the expected velocities above which dependent velocities belong to
+   * another branch. Expected velocities are the predicted ones in the argument, and those that the
+   * equations of the last accepted state give.
    */
   private static final double OTHER_BRANCH = 0.25;
 
   /**
-   * Velocities in units that are those of a mechanism at rest, 1/s: a radian in thirty thousand
-   * years. In a structure that cannot move all velocities are rounding errors, and their changes as
-   * large as themselves.
+   * Scaled speed, 1/s, below which a mechanism is at rest: a radian in thirty thousand years. The
+   * velocities of a structure that cannot move are rounding errors, and change by as much as their
+   * own size.
    */
   private static final double AT_REST = 1e-12;
 
@@ -71,7 +77,7 @@ public final class Completion {
 
   /**
    * @param rank number of independent equations among those of the loops
-   * @param notes is told of singular positions that were passed
+   * @param notes receives a finding for each singular position passed
    */
   Completion(ClosedTree work, int rank, Consumer<LoopFinding> notes) {
     this.work = work;
@@ -93,22 +99,22 @@ public final class Completion {
     acceptedOffset = new double[loops.count()];
   }
 
-  /** Returns which velocities are found from which; factored by {@link #complete}. */
+  /** Returns the partition of the velocities; factored by {@link #complete}. */
   public Partition ofVelocities() {
     return ofVelocities;
   }
 
-  /** Returns which positions are found from which. */
+  /** Returns the partition of the positions. */
   Partition ofPositions() {
     return ofPositions;
   }
 
-  /** Forms the equations of positions, differentiated, where the loops are. */
+  /** Forms the Jacobian of the position equations at the placed state. */
   void formPositionMatrix(double[] y) {
     positions.differentiate(y);
   }
 
-  /** Returns the equations of positions, differentiated, as formed last. */
+  /** Returns the Jacobian of the position equations as last formed. */
   SparseMatrix positionMatrix() {
     return positions.matrix;
   }
@@ -123,7 +129,7 @@ public final class Completion {
   /**
    * Chooses the independent coordinates at a state that closes the loops.
    *
-   * @return false if there are not as many independent equations as there should be
+   * @return false if fewer equations than expected are independent
    */
   boolean begin(double t, double[] y) {
     work.place(t, y);
@@ -146,26 +152,26 @@ public final class Completion {
     positions.differentiate(y);
   }
 
-  /** Overwrites dependent positions and velocities; returns false if nothing fits. */
+  /** Overwrites dependent positions and velocities; returns false if there is no solution. */
   boolean complete(double t, double[] y) {
     boolean done = !watch.creeps() && completePositions(t, y) && completeVelocities(t, y);
     watch.tried(done);
     return done;
   }
 
-  /** Says that {@link #begin} could not choose. */
+  /** Returns the defect of a failed {@link #begin}. */
   Defect startsSingular() {
     return LoopDefect.singularStart(loops.name(watch.weakestRow()));
   }
 
-  /** Says that the dependent velocities cannot be found at the last state tried. */
+  /** Returns the defect that the last attempted state has no dependent velocities. */
   Defect locked() {
     return LoopDefect.singular(loops.name(watch.weakestRow()), 0);
   }
 
   /**
-   * Returns what keeps the loops from going on from the last accepted state: a singular position,
-   * or that the last state tried could not be completed.
+   * Returns the reason why the motion cannot continue from the last accepted state: a singular
+   * position, or a failed completion of the last attempted state.
    */
   Optional<Defect> obstacle() {
     return watch.obstacle();
@@ -189,7 +195,7 @@ public final class Completion {
     return false;
   }
 
-  /** One correction of the dependent positions; returns its size, the largest in units. */
+  /** Corrects the dependent positions once; returns the largest scaled change. */
   private double correct(double[] y) {
     for (int i = 0; i < correction.length; i++) {
       correction[i] = positions.value[ofPositions.kept[i]];
@@ -228,7 +234,7 @@ public final class Completion {
     return change <= Math.max(AT_REST, OTHER_BRANCH * speed) || asBefore(y, OTHER_BRANCH * speed);
   }
 
-  /** Whether the equations of the last accepted state give nearly the same velocities. */
+  /** Returns whether the equations of the last accepted state give nearly the same velocities. */
   private boolean asBefore(double[] y, double tolerance) {
     before.copyChoice(ofVelocities);
     if (!before.factor(acceptedJacobian)) {
@@ -251,7 +257,7 @@ public final class Completion {
     return change <= tolerance;
   }
 
-  /** Returns where the elements of a row of J end that belong to velocities of the state. */
+  /** Returns the end of the elements of a row of J that belong to velocities of the state. */
   private int endOfState(int row) {
     int end = loops.jacobian.start[row + 1];
     while (end > loops.jacobian.start[row] && loops.jacobian.column[end - 1] >= nv) {
@@ -260,7 +266,7 @@ public final class Completion {
     return end;
   }
 
-  /** Keeps what the next state is compared with: J and Φ_t = Φ' − J v. */
+  /** Stores J and Φ_t = Φ' − J v for comparison with the next state. */
   private void remember(double[] y) {
     acceptedSpeed = units.speed(y, nq);
     acceptedJacobian.copy(loops.jacobian);
@@ -274,7 +280,7 @@ public final class Completion {
   }
 
   /**
-   * Returns why an equation that was left out is to be heard after all, if one is.
+   * Returns the defect of an omitted equation that is no longer redundant, if there is one.
    *
    * @param y the state last accepted; not modified
    */
@@ -295,7 +301,7 @@ public final class Completion {
         + watch.stateLength();
   }
 
-  /** Writes the choice of coordinates and what the next states are compared with. */
+  /** Writes the choice of coordinates and the values that the next states are compared with. */
   void save(double[] state, int at) {
     int next = at;
     ofPositions.save(state, next);
@@ -310,7 +316,7 @@ public final class Completion {
     watch.save(state, next + 1);
   }
 
-  /** Takes up what {@link #save} wrote. */
+  /** Restores what {@link #save} wrote. */
   void restore(double[] state, int at) {
     int next = at;
     ofPositions.restore(state, next);
@@ -335,7 +341,7 @@ public final class Completion {
   }
 
   /**
-   * Takes note of an accepted state.
+   * Records an accepted state.
    *
    * @return whether other coordinates are independent from now on
    */
@@ -350,7 +356,7 @@ public final class Completion {
   }
 
   /**
-   * Takes note of a state to which an event has led; the choice of coordinates stays.
+   * Records a state after an event; the choice of coordinates stays.
    *
    * @param closed whether the loops are closed there
    */

@@ -6,7 +6,10 @@ import org.mechservice.solver.linear.LinearSolver;
 import org.mechservice.solver.linear.PivotedElimination;
 import org.mechservice.solver.linear.SparseMatrix;
 
-/** Chooses by full pivoting, which finds the largest pivots; nothing allocates but restoring. */
+/**
+ * A partition chosen by full pivoting, which finds the largest pivots. Only restoring allocates
+ * memory.
+ */
 final class DensePartition extends Partition {
   private final PivotedElimination elimination;
   private final PivotedElimination block;
@@ -14,13 +17,13 @@ final class DensePartition extends Partition {
   private final double[] scaled;
   private final double[] blockElements;
 
-  /** Where each unknown stands among the dependent ones, or -1. */
+  /** Index of each unknown among the dependent ones, or -1. */
   private final int[] blockColumn;
 
   private final int[] rows;
   private final int[] columns;
 
-  /** Number of pivots in the matrix last looked at. */
+  /** Number of pivots in the last matrix examined. */
   private int found;
 
   DensePartition(int equations, int unknowns, int rank) {

@@ -17,8 +17,9 @@ import org.mechservice.solver.linear.SparseMatrix;
  *
  * <pre>Rᵀ (M + hγ C + hγ² (K + Σ λ_k ∂²Φ_k)) R Δv_I = …</pre>
  *
- * <p>with K, C the derivatives of the open tree's residual (NUMERICS §3). How R and γ̂ themselves
- * change with q and v is left to the iteration: their part is smaller by hγ |v| over a length.
+ * <p>with K, C the derivatives of the open tree's residual (NUMERICS §3). The matrix omits the
+ * derivatives of R and γ̂, which are smaller by hγ |v| over a length; the iteration makes up for
+ * them.
  */
 public final class LinearisedProjectionModel extends ResidualProjectionModel
     implements LinearisedModel {
@@ -47,7 +48,7 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
   private final DenseLu lu;
   private int singular;
 
-  /** The choice of velocities at the last linearisation, which a run taken up repeats. */
+  /** Choice of velocities at the last linearisation; a resumed run restores it. */
   private final Partition linearised;
 
   private boolean repeating;
@@ -55,7 +56,7 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
   /**
    * Makes a model of a mechanism whose loops are closed.
    *
-   * @param userForces makes the forces that users have written
+   * @param userForces creates the user forces
    * @throws IllegalArgumentException if the loops are not closed at the start
    */
   public LinearisedProjectionModel(ClosedMechanism closed, UserForceSource userForces) {
@@ -63,7 +64,7 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
     TreePattern pattern = new TreePattern(work.tree, work.coupledLinks());
     jacobian = new ResidualJacobian(work.motion, pattern);
     iteration = new TreeIteration(work.tree, pattern, jacobian);
-    int rank = closed.rank();
+    int rank = closed.start().rank();
     int f = closed.freedom();
     boolean large = work.loops.isLarge();
     velocities = Partition.of(work.loops.jacobian, work.nv, rank, large);
@@ -102,7 +103,10 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
     repeating = true;
   }
 
-  /** {@inheritDoc} The first of a run taken up is that which was last before. */
+  /**
+   * {@inheritDoc} The first call of a resumed run repeats the last linearisation before the
+   * checkpoint.
+   */
   @Override
   public boolean linearise(double t, double[] y, double[] yDot) {
     Partition present = completion.ofVelocities();

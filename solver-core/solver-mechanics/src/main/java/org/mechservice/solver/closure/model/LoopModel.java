@@ -27,10 +27,10 @@ import org.mechservice.solver.force.formula.SampleStates;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Body;
 
-/** What models of closed loops have in common. */
+/** Common part of all models of closed loops. */
 public abstract class LoopModel
     implements ExplicitModel, Energies, PowerInput, BodyPoses, Defects, RunNotes, StateJumps {
-  /** Notes kept at most of a kind; a wheel that turns for long makes many. */
+  /** Largest number of notes of one kind; a wheel that turns for a long time causes many. */
   private static final int MOST_NOTES = 50;
 
   public final ClosedMechanism closed;
@@ -47,14 +47,14 @@ public abstract class LoopModel
   private Optional<Defect> defect = Optional.empty();
 
   public LoopModel(ClosedMechanism closed, UserForceSource userForces) {
-    if (!closed.isAssembled()) {
+    if (!closed.start().isAssembled()) {
       throw new IllegalArgumentException(
           "the loops of " + closed.description().name() + " are not closed at the start");
     }
     this.closed = closed;
     work = closed.newEquations(userForces);
     derivative = new double[work.nq + work.nv];
-    closed.findings().forEach(this::note);
+    closed.start().findings().forEach(this::note);
   }
 
   @Override
@@ -64,22 +64,22 @@ public abstract class LoopModel
 
   @Override
   public void initialState(double[] y) {
-    System.arraycopy(closed.start(), 0, y, 0, closed.start().length);
+    System.arraycopy(closed.start().state(), 0, y, 0, closed.start().state().length);
   }
 
-  /** Keeps a note, unless there are many of its kind already. */
+  /** Adds a note, up to {@link #MOST_NOTES} of each kind. */
   final void note(LoopFinding finding) {
     if (noted.merge(finding.kind(), 1, Integer::sum) <= MOST_NOTES) {
       notes.add(finding.note());
     }
   }
 
-  /** Keeps a note. */
+  /** Adds a note. */
   final void note(Note note) {
     notes.add(note);
   }
 
-  /** {@inheritDoc} What was left out of many is counted at the end. */
+  /** {@inheritDoc} The last note gives the number of omitted notes. */
   @Override
   public final List<Note> notes() {
     List<Note> all = new ArrayList<>(notes);
@@ -94,7 +94,7 @@ public abstract class LoopModel
     return all;
   }
 
-  /** Remembers why an evaluation fails; returns what it returns then. */
+  /** Stores why an evaluation fails; returns its result code. */
   final int fail(Defect why) {
     defect = Optional.of(why);
     return DEFECT;
@@ -138,14 +138,12 @@ public abstract class LoopModel
     return closed;
   }
 
-  /** Takes note of a state after a jump, at which the work is placed, and of whether it closes. */
+  /** Records the placed state after a jump. */
   abstract void jumped(double t, double[] y, boolean closed);
 
   /**
-   * Evaluates multipliers and reactions.
-   *
-   * @param y state that closes the loops; not modified
-   * @return as {@link #derivative}; if regular, {@link #reactions} has them
+   * Evaluates multipliers and reactions, which {@link #reactions} returns. @param y state that
+   * closes the loops; not modified @return as {@link #derivative}
    */
   public final int react(double t, double[] y) {
     int moved = derivative(t, y, derivative);
@@ -158,7 +156,7 @@ public abstract class LoopModel
   /** Returns the multipliers and reactions of the last {@link #react}. */
   public final Reactions reactions() {
     if (reactions.isEmpty()) {
-      reactions = Optional.of(new Reactions(work.ofData(), closed.rank()));
+      reactions = Optional.of(new Reactions(work.ofData(), closed.start().rank()));
     }
     return reactions.get();
   }

@@ -4,11 +4,11 @@ import java.util.Arrays;
 import org.mechservice.solver.linear.SparseMatrix;
 
 /**
- * Which unknowns of m equations in n unknowns, r of them independent, are found from the others,
- * and by which r equations: A_kept,dependent is the block that is solved with. Workspace of one
- * thread.
+ * Partition of m equations in n unknowns, of rank r: r kept equations determine r dependent
+ * unknowns from the n − r independent ones. A_kept,dependent is the block that is factored.
+ * Workspace of one thread.
  *
- * <p>Matrices have m rows, of which the first n columns count; all have one pattern.
+ * <p>Matrices have m rows, all with one pattern; only their first n columns are used.
  */
 public abstract class Partition {
   final int m;
@@ -22,7 +22,7 @@ public abstract class Partition {
   public final int[] independent;
   private final boolean[] isIndependent;
 
-  /** What rows and columns are multiplied by before pivots are compared. */
+  /** Factors of rows and columns for the comparison of pivots. */
   final double[] rowScale;
 
   final double[] columnScale;
@@ -40,8 +40,8 @@ public abstract class Partition {
   }
 
   /**
-   * Returns a partition that has not chosen yet: of small systems by full pivoting, of large ones
-   * in their sparsity.
+   * Returns a partition without a choice yet: by full pivoting for small systems, by sparse
+   * elimination for large ones.
    *
    * @param pattern of the matrices, m rows
    * @param unknowns n
@@ -54,7 +54,7 @@ public abstract class Partition {
         : new DensePartition(pattern.rows(), unknowns, rank);
   }
 
-  /** Takes over choice and scales of another of the same size. */
+  /** Copies the choice and the scales of a partition of the same size. */
   void copyChoice(Partition other) {
     scale(other.rowScale, other.columnScale);
     System.arraycopy(other.kept, 0, kept, 0, rank);
@@ -68,7 +68,7 @@ public abstract class Partition {
     return rank;
   }
 
-  /** Returns the number of unknowns that are not found from others. */
+  /** Returns n − r, the number of independent unknowns. */
   public final int freedom() {
     return n - rank;
   }
@@ -78,7 +78,7 @@ public abstract class Partition {
   }
 
   /**
-   * Sets what makes equations and unknowns comparable, for choices and pivots from now on.
+   * Sets the scales of equations and unknowns for all later choices and pivots.
    *
    * @param rows factor per equation
    * @param columns factor per unknown
@@ -96,7 +96,7 @@ public abstract class Partition {
    */
   abstract boolean choose(SparseMatrix a);
 
-  /** Takes r equations and unknowns. */
+  /** Sets the kept equations and the dependent unknowns, r of each. */
   final void take(int[] equations, int[] unknowns) {
     Arrays.fill(isIndependent, true);
     System.arraycopy(equations, 0, kept, 0, rank);
@@ -115,7 +115,7 @@ public abstract class Partition {
   }
 
   /**
-   * Tells which equations are left out.
+   * Marks the equations that are not kept.
    *
    * @param leftOut length m; overwritten
    */
@@ -139,7 +139,7 @@ public abstract class Partition {
     }
   }
 
-  /** Takes up a choice that {@link #save} wrote. */
+  /** Restores a choice that {@link #save} wrote. */
   void restore(double[] state, int at) {
     int[] equations = new int[rank];
     int[] unknowns = new int[rank];
@@ -149,32 +149,28 @@ public abstract class Partition {
   }
 
   /**
-   * Chooses anew if that gives a smallest pivot larger than a bound; otherwise everything stays.
-   *
-   * @return whether the choice is another
+   * Makes a new choice if its smallest pivot is larger than a bound; otherwise changes
+   * nothing. @return whether the choice has changed
    */
   abstract boolean chooseBetter(SparseMatrix a, double bound);
 
-  /** Returns how many numbers {@link #bestPivot(double[])} asks for. */
+  /** Returns the length of the argument of {@link #bestPivot(double[])}. */
   abstract int scaledLength();
 
-  /**
-   * Returns the elements of the matrix that was last chosen from, in scaled units; not to be
-   * modified.
-   */
+  /** Returns the scaled elements of the matrix of the last choice; must not be modified. */
   abstract double[] scaled();
 
   /**
-   * Returns the smallest pivot of the best choice in a matrix of scaled units; 0 if it has none.
+   * Returns the smallest pivot of the best choice in a scaled matrix; 0 if there is none.
    *
    * @param elements in the order of {@link #scaled}; not modified
    */
   abstract double bestPivot(double[] elements);
 
-  /** Returns the same of the matrix that was last chosen from or looked at. */
+  /** Returns the smallest pivot of the best choice in the last matrix examined. */
   abstract double bestPivot();
 
-  /** Returns the equation that had the smallest pivot when a matrix was last looked at. */
+  /** Returns the equation with the smallest pivot in the last matrix examined. */
   abstract int weakestRow();
 
   /** Returns the smallest pivot of the dependent block in scaled units; 0 if it is singular. */

@@ -18,9 +18,9 @@ import org.mechservice.solver.force.user.UserForceSource;
  * (M + Jᵀ α J) a = τ − b − Jᵀ (α c + λ),   c = γ + 2 Ω μ Φ' + Ω² Φ,   λ ← λ + α (J a + c)
  * </pre>
  *
- * <p>repeated until J a + c is round-off, and every step ends with positions and velocities
- * projected onto the loops in the metric of M (NUMERICS §3). Redundant equations do no harm, and no
- * coordinates need to be chosen.
+ * <p>iterated until J a + c is round-off. Every step ends with a projection of positions and
+ * velocities onto the loops in the metric of M (NUMERICS §3). Redundant equations are permitted,
+ * and no choice of coordinates is needed.
  */
 public class PenaltyModel extends LoopModel implements ProjectedStates, ModelState {
   final PenaltySettings settings;
@@ -33,7 +33,7 @@ public class PenaltyModel extends LoopModel implements ProjectedStates, ModelSta
   /**
    * Makes a model of a mechanism whose loops are closed.
    *
-   * @param userForces makes the forces that users have written
+   * @param userForces creates the user forces
    * @throws IllegalArgumentException if the loops are not closed at the start
    */
   public PenaltyModel(
@@ -41,12 +41,13 @@ public class PenaltyModel extends LoopModel implements ProjectedStates, ModelSta
     super(closed, userForces);
     this.settings = settings;
     projection = new LoopProjection(work, settings);
-    partition = Partition.of(work.loops.jacobian, work.nv, closed.rank(), work.loops.isLarge());
+    partition =
+        Partition.of(work.loops.jacobian, work.nv, closed.start().rank(), work.loops.isLarge());
     watch = new SingularityMonitor(work.loops, partition, this::note);
     right = new double[work.nv];
     offset = new double[work.loops.count()];
-    note(new Note(MessageCode.PENALTY_SETTINGS, closed.startTime(), false, settings.text()));
-    beginWatch(closed.startTime(), closed.start());
+    note(new Note(MessageCode.PENALTY_SETTINGS, closed.start().time(), false, settings.text()));
+    beginWatch(closed.start().time(), closed.start().state());
   }
 
   private void beginWatch(double t, double[] y) {

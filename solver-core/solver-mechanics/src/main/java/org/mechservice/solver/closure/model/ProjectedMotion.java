@@ -6,8 +6,8 @@ import org.mechservice.solver.linear.Cholesky;
 import org.mechservice.solver.linear.SparseMatrix;
 
 /**
- * The second velocity transformation: accelerations from the equations of motion in directions that
- * the loops leave free (NUMERICS §3; García de Jalón and Bayo 1994, ch. 5 and 8).
+ * The second velocity transformation: accelerations from the equations of motion projected onto the
+ * free directions of the loops (NUMERICS §3; García de Jalón and Bayo 1994, ch. 5 and 8).
  *
  * <pre>v' = R v_I' + γ̂;  (Rᵀ M R) v_I' = −Rᵀ (b − τ + M γ̂)
  * R = 1 on the independent velocities, −J_D⁻¹ J_I on the dependent ones; γ̂ = −J_D⁻¹ γ there</pre>
@@ -15,7 +15,7 @@ import org.mechservice.solver.linear.SparseMatrix;
  * <p>Workspace of one thread; nothing allocates after construction.
  */
 final class ProjectedMotion {
-  /** What {@link #accelerations} returns if the free directions all have inertia. */
+  /** Result of {@link #reduce} if all free directions have inertia. */
   static final int REGULAR = -1;
 
   private final int n;
@@ -41,7 +41,7 @@ final class ProjectedMotion {
   private final double[] along;
   private final double[] column;
 
-  /** Where each independent velocity stands among them. */
+  /** Index of each independent velocity among the independent ones. */
   private final int[] place;
 
   ProjectedMotion(int velocities, Partition partition) {
@@ -61,7 +61,7 @@ final class ProjectedMotion {
     place = new int[n];
   }
 
-  /** Forms R; the partition has been factored. */
+  /** Forms R; the partition must be factored. */
   void formTransformation(SparseMatrix jacobian) {
     Arrays.fill(transformation, -0.0);
     for (int j = 0; j < f; j++) {
@@ -115,7 +115,7 @@ final class ProjectedMotion {
   }
 
   /**
-   * Solves for the accelerations; R is formed and RᵀMR reduced.
+   * Solves for the accelerations, after {@link #formTransformation} and {@link #reduce}.
    *
    * @param bias b − τ, n numbers
    * @param gamma γ, one number per equation
@@ -155,7 +155,7 @@ final class ProjectedMotion {
     }
   }
 
-  /** Completes a change along the loops, x_D = R_D x_I. */
+  /** Completes a change in the free directions, x_D = R_D x_I. */
   void expand(double[] x, int at) {
     for (int i = 0; i < r; i++) {
       double sum = 0;
@@ -177,7 +177,7 @@ final class ProjectedMotion {
     }
   }
 
-  /** Writes Rᵀ A R, f × f, of a matrix without symmetry, n × n. */
+  /** Writes Rᵀ A R, f × f, of an unsymmetric n × n matrix. */
   void reduceSquare(double[] a, double[] product) {
     int[] d = partition.dependent;
     int[] in = partition.independent;
@@ -196,7 +196,7 @@ final class ProjectedMotion {
     }
   }
 
-  /** Writes the same of a matrix that is kept in its sparsity. */
+  /** Writes Rᵀ A R of a sparse matrix. */
   void reduceSparse(TreeSquare a, double[] product) {
     for (int j = 0; j < f; j++) {
       Arrays.fill(along, 0);

@@ -12,31 +12,31 @@ import org.mechservice.solver.closure.assembly.LoopFinding;
 import org.mechservice.solver.force.user.UserForceSource;
 
 /**
- * DSR with closed loops by the second velocity transformation: the state [q; v] of the open tree,
- * of which as many coordinates are independent as there are degrees of freedom (NUMERICS §3).
+ * DSR with closed loops by the second velocity transformation: the state is [q; v] of the open
+ * tree, with as many independent coordinates as degrees of freedom (NUMERICS §3).
  */
 public class ProjectionModel extends LoopModel implements DependentStates, ModelState {
   public final Completion completion;
   private Optional<ProjectedMotion> projected = Optional.empty();
   private Optional<RecursiveAccelerations> recursive = Optional.empty();
 
-  /** Why the motion cannot go on from the last accepted state. */
+  /** Reason why the motion cannot continue from the last accepted state. */
   private Optional<Defect> broken = Optional.empty();
 
   /**
-   * Makes a model of a mechanism whose loops are closed. Where the start hides so many equations
-   * that no independent coordinates can be chosen, evaluations end with N-023.
+   * Makes a model of a mechanism whose loops are closed. Evaluations fail with N-023 if the start
+   * is so singular that no independent coordinates can be chosen.
    *
-   * @param userForces makes the forces that users have written
+   * @param userForces creates the user forces
    * @throws IllegalArgumentException if the loops are not closed at the start
    */
   public ProjectionModel(ClosedMechanism closed, UserForceSource userForces) {
     super(closed, userForces);
-    completion = new Completion(work, closed.rank(), this::note);
+    completion = new Completion(work, closed.start().rank(), this::note);
     if (work.isLarge()) {
       recursive = Optional.of(new RecursiveAccelerations(work, completion.ofVelocities()));
     }
-    if (!completion.begin(closed.startTime(), closed.start())) {
+    if (!completion.begin(closed.start().time(), closed.start().state())) {
       broken = Optional.of(completion.startsSingular());
     }
   }
@@ -97,7 +97,7 @@ public class ProjectionModel extends LoopModel implements DependentStates, Model
     completion.restore(state, work.stateLength());
   }
 
-  /** Returns whether the motion goes on from the last accepted state. */
+  /** Returns whether the motion can continue from the last accepted state. */
   final boolean goesOn() {
     if (broken.isPresent()) {
       fail(broken.get());
@@ -105,7 +105,7 @@ public class ProjectionModel extends LoopModel implements DependentStates, Model
     return broken.isEmpty();
   }
 
-  /** Returns the equations in free directions. */
+  /** Returns the projected equations of motion. */
   final ProjectedMotion projected() {
     if (projected.isEmpty()) {
       projected = Optional.of(new ProjectedMotion(work.nv, completion.ofVelocities()));
@@ -113,7 +113,7 @@ public class ProjectionModel extends LoopModel implements DependentStates, Model
     return projected.get();
   }
 
-  /** Forms R at the state last placed. */
+  /** Forms R at the placed state. */
   final int formDirections() {
     if (!completion.ofVelocities().factor(work.loops.jacobian)) {
       return fail(completion.locked());
@@ -153,7 +153,7 @@ public class ProjectionModel extends LoopModel implements DependentStates, Model
     return REGULAR;
   }
 
-  /** The same in the sparsity of the tree; by R where M alone has no inverse. */
+  /** Solves with the sparsity of the tree, or with R if M is singular. */
   private int solveByRecursion(double t, double[] y, double[] yDot) {
     work.placeRates(t, y);
     if (!work.formBias(t)) {

@@ -7,17 +7,17 @@ import org.mechservice.solver.closure.ClosedTree;
 
 /**
  * The accelerations of a large mechanism, M v' + b − τ + Jᵀ λ = 0 and J v' + γ = 0, by {@link
- * ArticulatedLoops}: for the equations that a {@link Partition} keeps, which change only where
- * others follow from the rest. Workspace of one thread.
+ * ArticulatedLoops}, for the equations that a {@link Partition} keeps. The kept equations change
+ * only when other equations become redundant. Workspace of one thread.
  */
 final class RecursiveAccelerations {
-  /** What became of a solution. */
+  /** Outcome of a solution. */
   enum Solved {
-    /** There are accelerations. */
+    /** The accelerations have been found. */
     REGULAR,
-    /** The equations of the loops repeat each other here. */
+    /** The kept loop equations are dependent at this state. */
     LOCKED,
-    /** The tree without its loops has a joint that moves no inertia. */
+    /** The open tree has a joint that moves no inertia. */
     WITHOUT_INERTIA
   }
 
@@ -35,7 +35,7 @@ final class RecursiveAccelerations {
   }
 
   /**
-   * Solves where the work is placed and its bias formed.
+   * Solves at the placed state, after the bias was formed.
    *
    * @param a accelerations from {@code at}; overwritten
    */

@@ -20,33 +20,36 @@ import org.mechservice.solver.linear.DenseLu;
  *
  * <pre>F = [q' − N (v − Jᵀ μ); M v' + b − τ + Jᵀ λ; J v + Φ_t; Φ],</pre>
  *
- * <p>rows of J over their sizes, columns in the coordinates' units where they act on velocities. λ
- * and μ are in no test. The equations of an implicit step are solved with a penalty in place of the
- * zero block and repeated, which is the augmented Lagrangian (NUMERICS §3). Rows that repeat others
- * where F is linearised are left out, their λ and μ being zero: predicted states lie off the loops,
- * where such rows contradict the others by a little, and multipliers would grow without bound. How
- * J v changes with q is not in the matrix, which is kept for steps that move otherwise: every
- * solution is corrected by the rates at the state it leads to. How Jᵀ μ changes is left to the
- * iteration.
+ * <p>with rows of J divided by their sizes, and columns in the coordinates' units in the term Jᵀ μ.
+ * Error tests leave λ and μ out. The equations of an implicit step are solved by the augmented
+ * Lagrangian method: a penalty replaces the zero block, and iteration removes its error (NUMERICS
+ * §3). Rows that are redundant at the linearisation are left out, with λ and μ zero: predicted
+ * states lie off the loops, where such rows slightly contradict the others, and multipliers would
+ * grow without bound. The matrix omits the derivative of J v by q, because it is kept over several
+ * steps; every solution is corrected by the rates at the state that it leads to. The matrix also
+ * omits the derivative of Jᵀ μ, for which the iteration makes up.
  */
 public final class ResidualPenaltyModel extends PenaltyModel implements LinearisedModel {
-  /** Where the derivatives of the equations of motion come from. */
+  /** Method for the derivatives of the equations of motion. */
   public enum Derivatives {
-    /** By recursion: RR-JF. */
+    /** Analytic derivatives by recursion: RR-JF. */
     RECURSIVE,
-    /** By differences: RR. */
+    /** Difference quotients: RR. */
     DIFFERENCES
   }
 
-  /** Part of the largest element added to the diagonal of J U² Jᵀ, some rows of J being zero. */
+  /**
+   * Multiple of the largest element that is added to the diagonal of J U² Jᵀ, since rows of J may
+   * be zero.
+   */
   private static final double REGULAR_PART = 1e-10;
 
   private static final int REPETITIONS = 3;
 
-  /** Residuals that assembly leaves, over their sizes, besides their rounding. */
+  /** Relative residual that assembly leaves, in addition to rounding. */
   private static final double ROUNDING = 2e-13;
 
-  /** Rates over the speed that change with positions moved by their rounding. */
+  /** Relative change of the rates when positions change by their rounding errors. */
   private static final double RATE_ROUNDING = 1e-11;
 
   private final Derivatives derivatives;
@@ -56,7 +59,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
   private final int n;
   private final int m;
 
-  /** J over its sizes where F is evaluated, and where it was linearised, m × n. */
+  /** J with scaled rows at the state of F and at the linearisation, m × n. */
   private final double[] rows;
 
   private final double[] linearisedRows;
@@ -72,12 +75,12 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
   private final double[] ofPosition;
   private final double[] mu;
 
-  /** Which rows are independent, chosen where F is linearised, and which repeat them. */
+  /** Independent rows, chosen at the linearisation, and the redundant ones. */
   private final Partition independent;
 
   private final boolean[] isRepeated;
 
-  /** Time and state of the last residual, and a state near by. */
+  /** Time and state of the last residual, and a neighbouring state. */
   private double time;
 
   private final double[] state;
@@ -94,7 +97,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
   /**
    * Makes a model of a mechanism whose loops are closed.
    *
-   * @param userForces makes the forces that users have written
+   * @param userForces creates the user forces
    * @throws IllegalArgumentException if the loops are not closed at the start
    */
   public ResidualPenaltyModel(
@@ -125,7 +128,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     ofVelocity = new double[m];
     ofPosition = new double[m];
     mu = new double[m];
-    independent = Partition.of(work.loops.jacobian, n, closed.rank(), work.loops.isLarge());
+    independent = Partition.of(work.loops.jacobian, n, closed.start().rank(), work.loops.isLarge());
     double[] sizes = new double[m];
     Arrays.setAll(sizes, row -> 1 / work.loops.size(row));
     independent.scale(sizes, work.units.velocities);
@@ -194,14 +197,14 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     return REGULAR;
   }
 
-  /** Finds the rows that repeat others where the loops are placed. */
+  /** Finds the redundant rows at the placed state. */
   private void findRepeated() {
     if (independent.choose(work.loops.jacobian)) {
       independent.listLeftOut(isRepeated);
     }
   }
 
-  /** J over its sizes; nothing in the rows that repeat others. */
+  /** Forms J with scaled rows; redundant rows are zero. */
   private void formRows(double[] j) {
     work.loops.scaledRows(j, n);
     for (int row = 0; row < m; row++) {
@@ -211,13 +214,13 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     }
   }
 
-  /** M v' + b − τ without the loops; returns false if a force has no value. */
+  /** Forms M v' + b − τ without the loops; returns false if a force has no value. */
   private boolean formForce(double t, double[] y, double[] yDot) {
     work.place(t, y);
     return work.formResidual(t, yDot, work.nq, force);
   }
 
-  /** x += factor Jᵀ λ, or factor U² Jᵀ λ. */
+  /** Adds factor Jᵀ λ or factor U² Jᵀ λ to x. */
   private void addTransposed(
       double[] j, double[] multipliers, int at, double factor, boolean inUnits, double[] x) {
     double[] unit = work.units.velocities;
@@ -257,7 +260,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     return jacobian.isFinite();
   }
 
-  /** M v' + b − τ + Jᵀ λ at another state, for the same v' and λ. */
+  /** Forms M v' + b − τ + Jᵀ λ at another state, for the same v' and λ. */
   private boolean pushed(double t, double[] at, double[] y, double[] yDot, double[] pushed) {
     if (!formForce(t, at, yDot)) {
       fail(work.forces.defect());
@@ -283,7 +286,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     return singular < 0 && factorGram();
   }
 
-  /** J U² Jᵀ with a small diagonal. */
+  /** Forms and factors J U² Jᵀ with a small additional diagonal. */
   private boolean factorGram() {
     double[] unit = work.units.velocities;
     double largest = 0;
@@ -297,7 +300,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
       }
       largest = Math.max(largest, normal[i * m + i]);
     }
-    // rows left out are zero, and all rows of loops between bodies that cannot move
+    // omitted rows are zero, and so are all rows of loops between bodies that cannot move
     double regular = REGULAR_PART * (largest > 0 ? largest : 1);
     for (int i = 0; i < m; i++) {
       normal[i * m + i] += regular;
@@ -334,7 +337,9 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     }
   }
 
-  /** Changes of the states from that of velocities; r holds the reduced positions. */
+  /**
+   * Completes the change of the state from that of the velocities; r holds the reduced positions.
+   */
   private void complete(double[] r, double[] change) {
     System.arraycopy(velocity, 0, change, 0, n);
     correctPositions(change);
@@ -342,7 +347,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     System.arraycopy(velocity, 0, r, work.nq, n);
   }
 
-  /** Makes velocities fit the loops at the positions to which a change leads. */
+  /** Corrects velocities so that they satisfy the loops at the changed positions. */
   private void correctVelocities(double[] r) {
     for (int i = 0; i < moved.length; i++) {
       moved[i] = state[i] + r[i];

@@ -18,7 +18,7 @@ public class ResidualProjectionModel extends ProjectionModel implements Residual
   /**
    * Makes a model of a mechanism whose loops are closed.
    *
-   * @param userForces makes the forces that users have written
+   * @param userForces creates the user forces
    * @throws IllegalArgumentException if the loops are not closed at the start
    */
   public ResidualProjectionModel(ClosedMechanism closed, UserForceSource userForces) {
@@ -28,7 +28,7 @@ public class ResidualProjectionModel extends ProjectionModel implements Residual
     reduced = new double[closed.freedom()];
   }
 
-  /** Places a state and evaluates M v' + b − τ for the independent ones of given derivatives. */
+  /** Places a state and evaluates M v' + b − τ for the independent derivatives given. */
   final int evaluate(double t, double[] y, double[] yDot) {
     if (!goesOn()) {
       return DEFECT;
@@ -45,7 +45,7 @@ public class ResidualProjectionModel extends ProjectionModel implements Residual
     return work.formResidual(t, acceleration, 0, force) ? REGULAR : fail(work.forces.defect());
   }
 
-  /** {@inheritDoc} Places of dependent components are set to zero. */
+  /** {@inheritDoc} Dependent components of the residual are set to zero. */
   @Override
   public final int residual(double t, double[] y, double[] yDot, double[] residual) {
     int evaluated = evaluate(t, y, yDot);

@@ -8,37 +8,37 @@ import org.mechservice.solver.closure.assembly.LoopFinding;
 import org.mechservice.solver.closure.equations.LoopEquations;
 
 /**
- * Watches how close the loops come to positions in which their equations lose rank, from one
- * accepted state to the next. There two branches of the motion meet, and neither energy nor
- * residuals would show a change from one to the other (NUMERICS §3).
+ * Measures at each accepted state how close the loops are to a position in which their equations
+ * lose rank. Two branches of the motion meet in such a position, and neither energy nor residuals
+ * show a change from one branch to the other (NUMERICS §3).
  *
- * <p>Closeness is the smallest pivot of J, rows over their sizes and columns in units, as full
- * pivoting finds it, over the largest that it was in the run. A step may lead across: J is then
- * interpolated to where the pivot would vanish. Workspace of one thread.
+ * <p>Closeness is the smallest pivot of the scaled J by full pivoting, divided by its largest value
+ * in the run. A step may cross a singular position; J is therefore interpolated to the point at
+ * which the pivot would vanish. Workspace of one thread.
  */
 final class SingularityMonitor {
-  /** Closeness worth a warning. */
+  /** Closeness at which a warning is given. */
   static final double NEAR = 1e-2;
 
-  /** Closeness at which a singular position lies behind: the next one is another. */
+  /** Closeness above which a singular position has been passed and the next one is counted anew. */
   private static final double CLEAR = 5 * NEAR;
 
   /**
-   * Smallest pivot at which the start is a singular position: in units of the mechanism, where
-   * pivots are about 1, this is rounding.
+   * Smallest pivot at which the start is singular. Scaled pivots are about 1, so this value is
+   * rounding.
    */
   private static final double NOTHING = 1e-11;
 
-  /** Stands for {@link #closest} as long as a run that began in a singular position is near it. */
+  /** Value of {@link #closest} while a run that began in a singular position is still near it. */
   private static final double LEAVING = -1;
 
-  /** Above this closeness at both ends of a step there is nothing in between. */
+  /** Closeness at both ends of a step above which the step crosses no singular position. */
   private static final double LOOK_BETWEEN = 0.3;
 
   /**
-   * Closeness below which rounding, which grows with its inverse cube, shows in accelerations, and
-   * the steps in a row that come closer after which it is rounding that makes them so short: a
-   * motion that goes on steps across in one or two.
+   * Closeness below which rounding shows in accelerations; it grows with the inverse cube. The
+   * second constant is the number of successive approaching steps after which rounding is the cause
+   * of the short steps: a regular motion crosses the position in one or two.
    */
   private static final double ROUGH = 3e-4;
 
@@ -48,7 +48,7 @@ final class SingularityMonitor {
   private final Partition partition;
   private final Consumer<LoopFinding> notes;
 
-  /** Scaled J of the last accepted state, and what is between it and this one. */
+  /** Scaled J of the last accepted state, and J interpolated to the present one. */
   private final double[] before;
 
   private final double[] between;
@@ -56,25 +56,28 @@ final class SingularityMonitor {
   private double closenessBefore = 1;
   private double largest;
 
-  /** Whether the loops did not close at the state last tried, where, and by how much. */
+  /** Whether the loops did not close at the last attempted state; the equation and its residual. */
   private boolean failed;
 
   private int failedRow;
   private double failedResidual;
 
-  /** The closest since a singular position came near; none if it is 1. */
+  /** Smallest closeness in the present approach to a singular position; 1 outside an approach. */
   private double closest = 1;
 
   private double closestTime;
   private int closestRow;
   private int rowBefore;
 
-  /** Steps in a row where it is rough that have come closer, or not left where the run began. */
+  /**
+   * Number of successive steps below {@link #ROUGH} that approached the position, or did not leave
+   * the start.
+   */
   private int closer;
 
   /**
-   * @param partition of the velocities, which finds pivots
-   * @param notes is told of singular positions passed
+   * @param partition partition of the velocities, which computes pivots @param notes receives a
+   *     finding for each singular position passed
    */
   SingularityMonitor(LoopEquations loops, Partition partition, Consumer<LoopFinding> notes) {
     this.loops = loops;
@@ -89,7 +92,7 @@ final class SingularityMonitor {
     return before.length + 8;
   }
 
-  /** Writes what the next states are compared with. */
+  /** Writes the values that the next states are compared with. */
   void save(double[] state, int at) {
     System.arraycopy(before, 0, state, at, before.length);
     int next = at + before.length;
@@ -103,7 +106,7 @@ final class SingularityMonitor {
     state[next] = closer;
   }
 
-  /** Takes up what {@link #save} wrote. */
+  /** Restores what {@link #save} wrote. */
   void restore(double[] state, int at) {
     System.arraycopy(state, at, before, 0, before.length);
     int next = at + before.length;
@@ -118,10 +121,8 @@ final class SingularityMonitor {
   }
 
   /**
-   * Takes the state a run begins with, in which the partition has chosen.
-   *
-   * @return whether it is no singular position; what is said of one at the start is not said again
-   *     when the run leaves it
+   * Records the start state, after the partition has chosen. A singular start is reported once, not
+   * again when the run leaves it. @return whether the start is regular
    */
   boolean begin(double t) {
     double pivot = partition.bestPivot();
@@ -133,14 +134,14 @@ final class SingularityMonitor {
   }
 
   /**
-   * Returns whether steps creep up to a singular position and would never reach it: no further
-   * state is to be found then.
+   * Returns whether ever shorter steps approach a singular position without reaching it, so that
+   * the run cannot continue.
    */
   boolean creeps() {
     return closer >= CREEPING;
   }
 
-  /** Takes note of whether the loops could be closed at a state tried, where they are placed. */
+  /** Records whether the loops could be closed at the placed state. */
   void tried(boolean closed) {
     failed = !closed;
     if (failed) {
@@ -150,8 +151,8 @@ final class SingularityMonitor {
   }
 
   /**
-   * Returns what keeps the loops from going on from the last accepted state: a singular position,
-   * or that the last state tried could not be closed.
+   * Returns the reason why the motion cannot continue from the last accepted state: a singular
+   * position, or loops that do not close at the last attempted state.
    */
   Optional<Defect> obstacle() {
     if (closenessBefore < CLEAR) {
@@ -162,14 +163,14 @@ final class SingularityMonitor {
         : Optional.empty();
   }
 
-  /** Returns the equation whose pivot was smallest in the last accepted state. */
+  /** Returns the equation with the smallest pivot at the last accepted state. */
   int weakestRow() {
     return rowBefore;
   }
 
   /**
-   * Takes a state to which an event has led, where the loops are placed and in which the partition
-   * has looked for a choice: what lies between it and the last one was not passed.
+   * Records the placed state after an event, for which the partition has examined J. Positions
+   * between it and the last state were not passed.
    *
    * @param closed whether the loops are closed there
    */
@@ -180,7 +181,7 @@ final class SingularityMonitor {
     report();
   }
 
-  /** Takes note of an accepted state, at which the partition looked for a better choice. */
+  /** Records an accepted state, at which the partition has looked for a better choice. */
   void accepted(double t) {
     largest = Math.max(largest, partition.bestPivot());
     double closeness = partition.bestPivot() / largest;

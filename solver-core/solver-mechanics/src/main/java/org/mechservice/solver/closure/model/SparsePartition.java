@@ -7,22 +7,22 @@ import org.mechservice.solver.linear.SparseLu;
 import org.mechservice.solver.linear.SparseMatrix;
 
 /**
- * Chooses in the sparsity of the equations: pivots are large beside what their rows have left, and
- * make few new elements. Allocates where it chooses, at every accepted step; what each evaluation
- * does allocates nothing.
+ * A partition chosen by sparse elimination: pivots are large relative to the remaining elements of
+ * their rows and cause little fill-in. Choosing allocates memory, at every accepted step;
+ * evaluations do not.
  */
 final class SparsePartition extends Partition {
   private final SparseElimination elimination;
   private final SparseMatrix scaled;
   private SparseLu factors;
 
-  /** Where each equation stands among the kept, and each unknown among the dependent ones. */
+  /** Index of each equation among the kept ones, and of each unknown among the dependent ones. */
   private final int[] keptPlace;
 
   private final int[] dependentPlace;
   private final double[] work;
 
-  /** Whose order of pivots the factors have taken over, if they have. */
+  /** Factorisation whose order of pivots the factors use, if any. */
   private Optional<SparseLu> orderedBy = Optional.empty();
 
   private int found;
@@ -48,7 +48,10 @@ final class SparsePartition extends Partition {
     }
   }
 
-  /** {@inheritDoc} In the order of the pivots, on which the last bits of what is solved depend. */
+  /**
+   * {@inheritDoc} The choice is written in the order of the pivots, because the last bits of
+   * solutions depend on it.
+   */
   @Override
   void save(double[] state, int at) {
     for (int k = 0; k < factors.size(); k++) {

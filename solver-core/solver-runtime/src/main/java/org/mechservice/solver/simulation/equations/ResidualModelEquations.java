@@ -1,4 +1,4 @@
-package org.mechservice.solver.simulation;
+package org.mechservice.solver.simulation.equations;
 
 import java.util.Optional;
 import org.mechservice.solver.api.capability.Defects;
@@ -23,7 +23,7 @@ class ResidualModelEquations extends ModelEquations implements ResidualSystem {
   }
 
   @Override
-  StepResult start(Integrator integrator, double t0, double[] y0, double tEnd) {
+  public StepResult start(Integrator integrator, double t0, double[] y0, double tEnd) {
     ResidualIntegrator method = residual(integrator);
     double[] yDot0 = new double[dimension()];
     int result = model.consistent(t0, y0, yDot0);
@@ -44,7 +44,7 @@ class ResidualModelEquations extends ModelEquations implements ResidualSystem {
   }
 
   @Override
-  Optional<Defects.Defect> defect() {
+  public Optional<Defects.Defect> defect() {
     Optional<Defects.Defect> ofModel = super.defect();
     return ofModel.isPresent() || startNotFinite < 0 || singularJoint() != ExplicitModel.REGULAR
         ? ofModel
@@ -57,7 +57,7 @@ class ResidualModelEquations extends ModelEquations implements ResidualSystem {
   }
 
   @Override
-  StepResult resume(Integrator integrator, byte[] saved) {
+  public StepResult resume(Integrator integrator, byte[] saved) {
     return residual(integrator).resume(this, saved);
   }
 

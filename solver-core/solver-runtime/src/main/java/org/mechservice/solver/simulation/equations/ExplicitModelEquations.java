@@ -1,4 +1,4 @@
-package org.mechservice.solver.simulation;
+package org.mechservice.solver.simulation.equations;
 
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.ode.Integrator;
@@ -15,12 +15,12 @@ class ExplicitModelEquations extends ModelEquations implements OdeSystem {
   }
 
   @Override
-  StepResult start(Integrator integrator, double t0, double[] y0, double tEnd) {
+  public StepResult start(Integrator integrator, double t0, double[] y0, double tEnd) {
     return integrator.start(this, t0, y0, tEnd);
   }
 
   @Override
-  StepResult resume(Integrator integrator, byte[] saved) {
+  public StepResult resume(Integrator integrator, byte[] saved) {
     return integrator.resume(this, saved);
   }
 

@@ -1,8 +1,8 @@
-package org.mechservice.solver.simulation;
+package org.mechservice.solver.simulation.equations;
 
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.ModelEvents;
-import org.mechservice.solver.api.capability.WatchedModel;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.run.RunSettings;
 
 /**
@@ -14,13 +14,14 @@ import org.mechservice.solver.api.run.RunSettings;
 public record WatchedForm(EquationForm equations) implements EquationForm {
   @Override
   public ModelEquations of(Model model) {
-    return equations.of(WatchedModel.bare(model));
+    return equations.of(model);
   }
 
   @Override
-  public RunEvents events(Model model, ModelEquations of, RunSettings settings) {
+  public RunEvents events(ModelParts model, ModelEquations of, RunSettings settings) {
     ModelEvents events =
-        WatchedModel.eventsOf(model)
+        model
+            .events()
             .orElseThrow(() -> new IllegalArgumentException("nothing happens to the model"));
     of.breakAt(events.begin(settings.tStart(), settings.tEnd()));
     return events.kinds().isEmpty() ? new RunEvents() : new WatchedRun(events, of);

@@ -1,4 +1,4 @@
-package org.mechservice.solver.simulation;
+package org.mechservice.solver.simulation.equations;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -65,7 +65,7 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   private record Occurrence(int event, double time, double energy, double byLoops) {}
 
   @Override
-  Integrator watch(Integrator integrator) {
+  public Integrator watch(Integrator integrator) {
     return new EventIntegration(integrator, this);
   }
 
@@ -215,34 +215,34 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   }
 
   @Override
-  double dueRow() {
+  public double dueRow() {
     return dueRows.isEmpty() ? Double.POSITIVE_INFINITY : dueRows.get(0);
   }
 
   @Override
-  void rowWritten() {
+  public void rowWritten() {
     dueRows.remove(0);
   }
 
   @Override
-  double takeWork() {
+  public double takeWork() {
     double taken = work;
     work = 0;
     return taken;
   }
 
   @Override
-  void tell(MomentumBalance balance) {
+  public void tell(MomentumBalance balance) {
     momentum = Optional.of(balance);
   }
 
   @Override
-  Optional<Failure> failure() {
+  public Optional<Failure> failure() {
     return failure;
   }
 
   @Override
-  String part() {
+  public String part() {
     int event = notFinite >= 0 ? notFinite : latest;
     return event < 0 ? "" : (isMotion(event) ? "joint" : "event") + " \"" + names[event] + "\"";
   }
@@ -252,7 +252,7 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   }
 
   @Override
-  List<Note> notes() {
+  public List<Note> notes() {
     List<Note> notes = new ArrayList<>();
     for (Occurrence one : told) {
       MessageCode code =

@@ -1,4 +1,4 @@
-package org.mechservice.solver.simulation;
+package org.mechservice.solver.simulation.equations;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -16,6 +16,7 @@ import org.mechservice.solver.api.capability.StateJumps;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.Failure;
 import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.PiecewiseSystem;
 import org.mechservice.solver.ode.SavedState;
@@ -66,7 +67,7 @@ public abstract class ModelEquations implements UnitNormGroups, PiecewiseSystem,
    *
    * @param settings with tolerances by kind of state
    */
-  final List<Double> absoluteTolerances(RunSettings settings) {
+  public final List<Double> absoluteTolerances(RunSettings settings) {
     List<Variable> states = model.description().states();
     List<Double> tolerances = new ArrayList<>();
     for (int i = 0; i < dimension; i++) {
@@ -92,10 +93,10 @@ public abstract class ModelEquations implements UnitNormGroups, PiecewiseSystem,
    *
    * @param y0 unknowns at the start, the states being given; multipliers are overwritten
    */
-  abstract StepResult start(Integrator integrator, double t0, double[] y0, double tEnd);
+  public abstract StepResult start(Integrator integrator, double t0, double[] y0, double tEnd);
 
   /** Goes on with an integration of these equations that was saved. */
-  abstract StepResult resume(Integrator integrator, byte[] saved);
+  public abstract StepResult resume(Integrator integrator, byte[] saved);
 
   /** Carries the model's own state over, if it has one. */
   @Override
@@ -106,7 +107,7 @@ public abstract class ModelEquations implements UnitNormGroups, PiecewiseSystem,
   }
 
   /** Carries over what has a state of its own. */
-  static void transfer(ModelState own, SavedState state) {
+  public static void transfer(ModelState own, SavedState state) {
     double[] numbers = new double[own.stateLength()];
     own.saveState(numbers);
     state.numbers(numbers);
@@ -121,7 +122,7 @@ public abstract class ModelEquations implements UnitNormGroups, PiecewiseSystem,
    * @param y unknowns; overwritten
    * @return false if the loops cannot be closed there
    */
-  final boolean closeLoops(double t, double[] y) {
+  public final boolean closeLoops(double t, double[] y) {
     if (model instanceof DependentStates loops) {
       return loops.complete(beside(t), y);
     }
@@ -160,7 +161,7 @@ public abstract class ModelEquations implements UnitNormGroups, PiecewiseSystem,
   }
 
   /** Returns the name of an unknown. */
-  final String name(int unknown) {
+  public final String name(int unknown) {
     List<Variable> states = model.description().states();
     return unknown < states.size()
         ? states.get(unknown).name()
@@ -168,7 +169,7 @@ public abstract class ModelEquations implements UnitNormGroups, PiecewiseSystem,
   }
 
   /** Returns the model. */
-  final ExplicitModel model() {
+  public final ExplicitModel model() {
     return model;
   }
 
@@ -183,7 +184,7 @@ public abstract class ModelEquations implements UnitNormGroups, PiecewiseSystem,
   /**
    * Returns the joint at which the last evaluation was singular, or {@link ExplicitModel#REGULAR}.
    */
-  final int singularJoint() {
+  public final int singularJoint() {
     return result >= 0 ? result : ExplicitModel.REGULAR;
   }
 
@@ -191,7 +192,7 @@ public abstract class ModelEquations implements UnitNormGroups, PiecewiseSystem,
    * Returns why a run failed, if the model can tell; for the arguments see {@link
    * Defects#withoutValue}.
    */
-  final Optional<Defects.Defect> defect(
+  public final Optional<Defects.Defect> defect(
       double t, double[] y, double[] yDot, List<Failure.Step> tried) {
     Optional<Defects.Defect> formula =
         model instanceof Defects able ? able.withoutValue(t, y, yDot, tried) : Optional.empty();
@@ -199,17 +200,26 @@ public abstract class ModelEquations implements UnitNormGroups, PiecewiseSystem,
   }
 
   /** Returns why the last evaluation failed, if the model can tell. */
-  Optional<Defects.Defect> defect() {
+  public Optional<Defects.Defect> defect() {
     if (result <= DirectedForces.FIRST && model instanceof DirectedForces forces) {
-      return Optional.of(FailureText.withoutDirection(forces, result));
+      return Optional.of(withoutDirection(forces, result));
     }
     return result == Defects.DEFECT && model instanceof Defects able
         ? Optional.of(able.lastDefect())
         : Optional.empty();
   }
 
+  /** Explains an evaluation of generated code at which a force lost its direction. */
+  private static Defects.Defect withoutDirection(DirectedForces forces, int result) {
+    return new Defects.Defect(
+        MessageCode.FORCE_WITHOUT_DIRECTION,
+        "force " + forces.directedForce(DirectedForces.force(result)),
+        "It has no direction: its two points coincide, or its frames are turned by half a turn.",
+        "Move a point or turn a frame, or use an element that suits the motion.");
+  }
+
   /** Returns what may have kept the integration from going on, if the model can tell. */
-  final Optional<Defects.Defect> obstacle() {
+  public final Optional<Defects.Defect> obstacle() {
     return model instanceof Defects able ? able.obstacle() : Optional.empty();
   }
 

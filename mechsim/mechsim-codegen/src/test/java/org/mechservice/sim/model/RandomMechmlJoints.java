@@ -24,12 +24,12 @@ import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
 /** Random joints of every type, half of them taken against the file's sense, and motions. */
-public final class RandomJoints {
+public final class RandomMechmlJoints {
   private static final List<JointType> TYPES = List.of(JointType.values());
 
   private final Random random;
 
-  public RandomJoints(Random random) {
+  public RandomMechmlJoints(Random random) {
     this.random = random;
   }
 

@@ -19,23 +19,23 @@ import org.mechservice.solver.spatial.Vector3;
  * a root that is moved and turned. Joints and bodies stand in an order in which a child may come
  * before its parent.
  */
-public final class RandomTrees {
+public final class RandomMechmlTrees {
   private final Random random;
   private final boolean allJoints;
 
-  private RandomTrees(long seed, boolean allJoints) {
+  private RandomMechmlTrees(long seed, boolean allJoints) {
     random = new Random(seed);
     this.allJoints = allJoints;
   }
 
   /** Returns the tree of a seed. */
   public static Mechanism tree(long seed, int bodies) {
-    return new RandomTrees(seed, false).tree("tree" + seed, bodies);
+    return new RandomMechmlTrees(seed, false).tree("tree" + seed, bodies);
   }
 
   /** Returns a tree of joints of all types. */
   public static Mechanism ofAllJoints(long seed, int bodies) {
-    return new RandomTrees(seed, true).tree("mixed" + seed, bodies);
+    return new RandomMechmlTrees(seed, true).tree("mixed" + seed, bodies);
   }
 
   /** Returns a tree of joints of all types, some of which are driven. */
@@ -47,7 +47,7 @@ public final class RandomTrees {
         free.gravity(),
         free.bodies(),
         free.joints(),
-        new RandomJoints(new Random(seed)).motions(free.joints()),
+        new RandomMechmlJoints(new Random(seed)).motions(free.joints()),
         free.startRoles(),
         List.of(),
         List.of(),
@@ -107,7 +107,7 @@ public final class RandomTrees {
     Rotation zero = random.nextInt(3) == 0 ? rotation() : Rotation.IDENTITY;
     Attachment attachment = new Attachment(parent, vector(0.5), child, vector(0.5), zero);
     if (allJoints) {
-      return new RandomJoints(random).any(name, attachment, axis());
+      return new RandomMechmlJoints(random).any(name, attachment, axis());
     }
     String type = random.nextInt(3) == 0 ? "P" : "R";
     return Scenes.joint(name, type, attachment, axis(), vector(1).x(), vector(1).y());

@@ -1,4 +1,4 @@
-package org.mechservice.solver.simulation;
+package org.mechservice.solver.simulation.equations;
 
 import org.mechservice.solver.api.capability.DependentStates;
 import org.mechservice.solver.ode.CompletedSystem;

@@ -1,6 +1,7 @@
-package org.mechservice.solver.simulation;
+package org.mechservice.solver.simulation.equations;
 
 import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.run.RunSettings;
 
 /**
@@ -9,11 +10,12 @@ import org.mechservice.solver.api.run.RunSettings;
  */
 public interface EquationForm {
   /**
-   * Returns the equations of a model in this form.
+   * Returns the equations in this form.
    *
-   * @throws IllegalArgumentException S-061 if the model does not have it
+   * @param equations those of a model, without its events
+   * @throws IllegalArgumentException S-061 if they do not have it
    */
-  ModelEquations of(Model model);
+  ModelEquations of(Model equations);
 
   /**
    * Returns what happens along a run of a model.
@@ -21,7 +23,7 @@ public interface EquationForm {
    * @param of its equations
    * @param settings of the run
    */
-  default RunEvents events(Model model, ModelEquations of, RunSettings settings) {
+  default RunEvents events(ModelParts model, ModelEquations of, RunSettings settings) {
     return new RunEvents();
   }
 }

@@ -31,13 +31,13 @@ import org.mechservice.solver.spatial.Vector3;
  * some of which are driven, rods with and without mass, points on planes and lines, relations of
  * coordinates. Velocities at the start are for assembly to fit.
  */
-public final class RandomLoops {
+public final class RandomMechmlLoops {
   private final Random random;
   private final Mechanism tree;
   private final double[] poses;
   private final List<LoopClosure> closures = new ArrayList<>();
 
-  private RandomLoops(long seed, Mechanism tree) {
+  private RandomMechmlLoops(long seed, Mechanism tree) {
     this.random = new Random(seed);
     this.tree = tree;
     DataDrivenModel open = new DataDrivenModel(tree, Scenes.SETTINGS);
@@ -49,7 +49,7 @@ public final class RandomLoops {
 
   /** Returns the tree with closures. */
   public static Mechanism on(Mechanism tree, long seed, int count) {
-    RandomLoops loops = new RandomLoops(seed, tree);
+    RandomMechmlLoops loops = new RandomMechmlLoops(seed, tree);
     for (int i = 0; i < count; i++) {
       loops.closures.add(loops.closure("c" + i));
     }
@@ -58,7 +58,7 @@ public final class RandomLoops {
 
   /** Returns the tree with a closure of a kind between its last body and the root. */
   public static Mechanism closedBy(Kind kind, Mechanism tree, long seed) {
-    RandomLoops loops = new RandomLoops(seed, tree);
+    RandomMechmlLoops loops = new RandomMechmlLoops(seed, tree);
     BodyPoint onRoot = new BodyPoint(BodyPoint.ROOT, loops.vector().times(0.5));
     int last = tree.bodies().size() - 1;
     loops.closures.add(loops.closure("c", kind, onRoot, last));
@@ -129,7 +129,7 @@ public final class RandomLoops {
             second,
             at(second, place).position(),
             axes(onFirst.body()).transposed().times(axes(second)));
-    Joint joint = new RandomJoints(random).any(name, attachment, vector());
+    Joint joint = new RandomMechmlJoints(random).any(name, attachment, vector());
     JointType type = joint.type();
     boolean driven =
         type.positionCount() == type.velocityCount()

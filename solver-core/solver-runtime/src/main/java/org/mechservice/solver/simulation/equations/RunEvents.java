@@ -1,4 +1,4 @@
-package org.mechservice.solver.simulation;
+package org.mechservice.solver.simulation.equations;
 
 import java.util.List;
 import java.util.Optional;
@@ -12,22 +12,22 @@ public class RunEvents {
   RunEvents() {}
 
   /** Returns the integrator that notices what happens. */
-  Integrator watch(Integrator integrator) {
+  public Integrator watch(Integrator integrator) {
     return integrator;
   }
 
   /**
    * Returns the next instant of the last step that is to be a row, s; infinite if there is none.
    */
-  double dueRow() {
+  public double dueRow() {
     return Double.POSITIVE_INFINITY;
   }
 
   /** Takes note of the row of {@link #dueRow}. */
-  void rowWritten() {}
+  public void rowWritten() {}
 
   /** Returns the energy that changes of the state have put in since this was asked last, J. */
-  double takeWork() {
+  public double takeWork() {
     return 0;
   }
 
@@ -37,20 +37,20 @@ public class RunEvents {
   }
 
   /** Takes the balance of momentum, which is told what changes of the state do to it. */
-  void tell(MomentumBalance momentum) {}
+  public void tell(MomentumBalance momentum) {}
 
   /** Returns what happened, for the report. */
-  List<Note> notes() {
+  public List<Note> notes() {
     return List.of();
   }
 
   /** Returns why the run cannot go on, if an event could not do what it says. */
-  Optional<Failure> failure() {
+  public Optional<Failure> failure() {
     return Optional.empty();
   }
 
   /** Returns the event that a failure of the integrator lies at; empty if none can be named. */
-  String part() {
+  public String part() {
     return "";
   }
 }

@@ -1,4 +1,4 @@
-package org.mechservice.solver.simulation;
+package org.mechservice.solver.simulation.equations;
 
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.ExplicitModel;
@@ -11,7 +11,7 @@ public final class ExplicitForm implements EquationForm {
     return new ExplicitModelEquations(explicit(model));
   }
 
-  static ExplicitModel explicit(Model model) {
+  public static ExplicitModel explicit(Model model) {
     if (model instanceof ExplicitModel explicit) {
       return explicit;
     }

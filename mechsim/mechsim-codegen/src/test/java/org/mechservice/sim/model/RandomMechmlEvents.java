@@ -25,12 +25,12 @@ import org.mechservice.solver.spatial.Vector3;
  * Events and outputs of a mechanism that depend on time, every coordinate of every joint, places
  * and velocities of points; events set the states of every joint that has some.
  */
-public final class RandomEvents {
+public final class RandomMechmlEvents {
   private final Random random;
   private final Mechanism mechanism;
   private final List<Expression> leaves = new ArrayList<>();
 
-  private RandomEvents(Mechanism mechanism, long seed) {
+  private RandomMechmlEvents(Mechanism mechanism, long seed) {
     this.mechanism = mechanism;
     random = new Random(seed);
     leaves.add(new Expression.Time());
@@ -54,7 +54,7 @@ public final class RandomEvents {
 
   /** Returns the model of a mechanism with events and outputs. */
   public static MechmlModel on(Mechanism mechanism, long seed) {
-    RandomEvents all = new RandomEvents(mechanism, seed);
+    RandomMechmlEvents all = new RandomMechmlEvents(mechanism, seed);
     SimulationSettings settings = all.settings();
     return new MechmlModel(
         mechanism, settings, List.of(settings), List.of(), all.outputs(), List.of(), List.of());

@@ -1,4 +1,4 @@
-package org.mechservice.solver.simulation;
+package org.mechservice.solver.simulation.equations;
 
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.DependentStates;

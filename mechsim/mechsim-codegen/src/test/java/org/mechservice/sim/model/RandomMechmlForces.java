@@ -24,14 +24,14 @@ import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
 /** Random forces of every kind on a given tree. */
-public final class RandomForces {
+public final class RandomMechmlForces {
   private static final List<Side> SIDES = List.of(Side.values());
 
   private final Random random;
   private final Mechanism tree;
   private final List<ForceElement> forces = new ArrayList<>();
 
-  private RandomForces(long seed, Mechanism tree) {
+  private RandomMechmlForces(long seed, Mechanism tree) {
     this.random = new Random(seed);
     this.tree = tree;
   }
@@ -43,7 +43,7 @@ public final class RandomForces {
 
   /** Returns the tree with some forces of a kind. */
   public static Mechanism of(Class<? extends ForceElement> kind, Mechanism tree, long seed) {
-    RandomForces forces = new RandomForces(seed, tree);
+    RandomMechmlForces forces = new RandomMechmlForces(seed, tree);
     for (int round = 0; round < 2; round++) {
       forces.addOneOfEach();
     }

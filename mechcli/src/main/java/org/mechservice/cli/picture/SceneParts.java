@@ -1,0 +1,313 @@
+package org.mechservice.cli.picture;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
+import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.expression.Coordinate;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.Tape;
+import org.mechservice.solver.expression.TapeEvaluation;
+import org.mechservice.solver.kinematics.TreeGeometry;
+import org.mechservice.solver.kinematics.TreeMotion;
+import org.mechservice.solver.mechanism.Attachment;
+import org.mechservice.solver.mechanism.Body;
+import org.mechservice.solver.mechanism.Cylindrical;
+import org.mechservice.solver.mechanism.Joint;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.Planar;
+import org.mechservice.solver.mechanism.Prismatic;
+import org.mechservice.solver.mechanism.Revolute;
+import org.mechservice.solver.mechanism.Screw;
+import org.mechservice.solver.mechanism.Universal;
+import org.mechservice.solver.mechanism.closure.CoordinateClosure;
+import org.mechservice.solver.mechanism.closure.DistanceClosure;
+import org.mechservice.solver.mechanism.closure.JointClosure;
+import org.mechservice.solver.mechanism.closure.LoopClosure;
+import org.mechservice.solver.mechanism.closure.PointOnLineClosure;
+import org.mechservice.solver.mechanism.closure.PointOnPlaneClosure;
+import org.mechservice.solver.mechanism.force.Bushing;
+import org.mechservice.solver.mechanism.force.Contact;
+import org.mechservice.solver.mechanism.force.ForceElement;
+import org.mechservice.solver.mechanism.force.ForceTorque;
+import org.mechservice.solver.mechanism.force.JointForce;
+import org.mechservice.solver.mechanism.force.JointFriction;
+import org.mechservice.solver.mechanism.force.JointSpringDamper;
+import org.mechservice.solver.mechanism.force.NamedPoint;
+import org.mechservice.solver.mechanism.force.SpringDamper;
+import org.mechservice.solver.mechanism.force.UserForceElement;
+import org.mechservice.solver.spatial.InertiaTensor;
+import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.view.scene.Anchor;
+import org.mechservice.view.scene.BodyPose;
+import org.mechservice.view.scene.Point3;
+import org.mechservice.view.scene.SceneBody;
+import org.mechservice.view.scene.SceneConstraint;
+import org.mechservice.view.scene.SceneForce;
+import org.mechservice.view.scene.SceneJoint;
+
+/** Translates the parts of a mechanism in one position to the parts of a scene. */
+final class SceneParts {
+  private static final Vector3 Z = new Vector3(0, 0, 1);
+
+  private final TreeGeometry tree;
+  private final Mechanism mechanism;
+  private final TreeMotion motion;
+  private final double t;
+
+  /**
+   * Takes a position.
+   *
+   * @param motion after a sweep to the position; not modified
+   * @param t the time of the position, s
+   */
+  SceneParts(TreeMotion motion, double t) {
+    tree = motion.tree();
+    mechanism = tree.mechanism();
+    this.motion = motion;
+    this.t = t;
+  }
+
+  static Point3 point(Vector3 v) {
+    return new Point3(v.x(), v.y(), v.z());
+  }
+
+  private static Anchor anchor(BodyPoint point) {
+    return new Anchor(point.body(), point(point.position()));
+  }
+
+  BodyPose rootPose() {
+    return pose(Mechanism.ROOT);
+  }
+
+  private BodyPose pose(int body) {
+    double[] rotation = body == Mechanism.ROOT ? tree.rootRotation : motion.worldRotation;
+    int link = tree.linkOf(body);
+    double[] r = new double[3];
+    tree.fromReference(new BodyPoint(body, Vector3.ZERO), r, 0);
+    double[] origin = new double[3];
+    motion.points.position(link, r, 0, origin, 0);
+    return BodyPose.of(
+        new Point3(origin[0], origin[1], origin[2]),
+        rotation,
+        body == Mechanism.ROOT ? 0 : 9 * link);
+  }
+
+  List<SceneBody> bodies(Map<String, String> geometries) {
+    List<SceneBody> bodies = new ArrayList<>();
+    for (Body body : mechanism.bodies()) {
+      InertiaTensor i = body.inertia();
+      bodies.add(
+          new SceneBody(
+              body.name(),
+              pose(bodies.size()),
+              body.mass(),
+              point(body.centerOfMass()),
+              List.of(i.xx(), i.yy(), i.zz(), i.xy(), i.xz(), i.yz()),
+              geometries.getOrDefault(body.name(), "")));
+    }
+    return bodies;
+  }
+
+  List<SceneJoint> joints() {
+    List<SceneJoint> joints = new ArrayList<>();
+    for (Joint joint : mechanism.joints()) {
+      joints.add(joint(joint, false, mechanism.isDriven(joints.size())));
+    }
+    for (LoopClosure closure : mechanism.closures()) {
+      if (closure instanceof JointClosure cut) {
+        joints.add(joint(cut.joint(), true, !cut.motion().isEmpty()));
+      }
+    }
+    return joints;
+  }
+
+  private static SceneJoint joint(Joint joint, boolean cut, boolean driven) {
+    Attachment at = joint.attachment();
+    Vector3 axis = Vector3.ZERO;
+    Vector3 axis2 = Vector3.ZERO;
+    if (joint instanceof Revolute revolute) {
+      axis = revolute.axis();
+    } else if (joint instanceof Prismatic prismatic) {
+      axis = prismatic.axis();
+    } else if (joint instanceof Cylindrical cylindrical) {
+      axis = cylindrical.axis();
+    } else if (joint instanceof Screw screw) {
+      axis = screw.axis();
+    } else if (joint instanceof Planar planar) {
+      Vector3 normal = planar.normal();
+      axis = planar.fileBody2IsParent() ? at.zeroRotation().apply(normal) : normal;
+    } else if (joint instanceof Universal universal) {
+      boolean turned = universal.fileBody2IsParent();
+      axis = turned ? universal.axis2() : universal.axis1();
+      axis2 = turned ? universal.axis1() : universal.axis2();
+    }
+    return new SceneJoint(
+        joint.name(),
+        joint.type(),
+        cut,
+        driven,
+        new Anchor(at.parent(), point(at.parentPoint())),
+        new Anchor(at.child(), point(at.childPoint())),
+        point(axis),
+        point(axis2));
+  }
+
+  List<SceneConstraint> constraints() {
+    List<SceneConstraint> constraints = new ArrayList<>();
+    for (LoopClosure closure : mechanism.closures()) {
+      if (closure instanceof DistanceClosure one) {
+        SceneConstraint.Kind kind =
+            one.hasRod() ? SceneConstraint.Kind.ROD : SceneConstraint.Kind.DISTANCE;
+        constraints.add(constraint(one.name(), kind, one.point1(), one.point2(), Vector3.ZERO));
+      } else if (closure instanceof PointOnLineClosure one) {
+        SceneConstraint.Kind kind = SceneConstraint.Kind.POINT_ON_LINE;
+        constraints.add(constraint(one.name(), kind, one.point(), one.line(), one.direction()));
+      } else if (closure instanceof PointOnPlaneClosure one) {
+        SceneConstraint.Kind kind = SceneConstraint.Kind.POINT_ON_PLANE;
+        constraints.add(constraint(one.name(), kind, one.point(), one.plane(), one.normal()));
+      } else if (closure instanceof CoordinateClosure one) {
+        constraints.add(
+            new SceneConstraint(
+                one.name(),
+                SceneConstraint.Kind.COUPLING,
+                List.of(),
+                Point3.ZERO,
+                coupled(one.relation())));
+      }
+    }
+    return constraints;
+  }
+
+  private static SceneConstraint constraint(
+      String name,
+      SceneConstraint.Kind kind,
+      BodyPoint first,
+      BodyPoint second,
+      Vector3 direction) {
+    return new SceneConstraint(
+        name, kind, List.of(anchor(first), anchor(second)), point(direction), List.of());
+  }
+
+  /** Returns the names of the joints whose coordinates an expression contains. */
+  private List<String> coupled(Expression relation) {
+    return new Tape(List.of(relation))
+        .leaves().stream()
+            .filter(Expression.CoordinatePosition.class::isInstance)
+            .map(leaf -> ((Expression.CoordinatePosition) leaf).coordinate())
+            .map(coordinate -> mechanism.jointOf(coordinate).name())
+            .distinct()
+            .toList();
+  }
+
+  List<SceneForce> forces() {
+    List<SceneForce> forces = new ArrayList<>();
+    for (ForceElement force : mechanism.forces()) {
+      forces.add(force(force));
+    }
+    return forces;
+  }
+
+  private SceneForce force(ForceElement force) {
+    if (force instanceof SpringDamper one) {
+      boolean stiff = !isZero(one.stiffness());
+      boolean damped = !isZero(one.damping());
+      SceneForce.Kind kind =
+          stiff && damped
+              ? SceneForce.Kind.SPRING_DAMPER
+              : damped ? SceneForce.Kind.DAMPER : SceneForce.Kind.SPRING;
+      return between(one.name(), kind, List.of(one.point1(), one.point2()));
+    } else if (force instanceof Bushing one) {
+      return between(
+          one.name(),
+          SceneForce.Kind.BUSHING,
+          List.of(one.frame1().origin(), one.frame2().origin()));
+    } else if (force instanceof ForceTorque one) {
+      return wrench(one);
+    } else if (force instanceof Contact one) {
+      int surface = one.surface().body();
+      return new SceneForce(
+          one.name(),
+          SceneForce.Kind.CONTACT,
+          List.of(anchor(one.center()), anchor(one.surface().origin())),
+          pose(surface).turn(point(one.surface().axes().apply(Z))),
+          value(one.radius()),
+          "");
+    } else if (force instanceof JointSpringDamper one) {
+      return inJoint(one.name(), SceneForce.Kind.JOINT_SPRING, one.coordinate());
+    } else if (force instanceof JointForce one) {
+      return inJoint(one.name(), SceneForce.Kind.JOINT_FORCE, one.coordinate());
+    } else if (force instanceof JointFriction one) {
+      return inJoint(one.name(), SceneForce.Kind.JOINT_FRICTION, one.coordinate());
+    }
+    UserForceElement user = (UserForceElement) force;
+    return between(
+        user.name(), SceneForce.Kind.USER, user.points().stream().map(NamedPoint::point).toList());
+  }
+
+  private static SceneForce between(String name, SceneForce.Kind kind, List<BodyPoint> points) {
+    Function<BodyPoint, Anchor> anchor = SceneParts::anchor;
+    return new SceneForce(name, kind, points.stream().map(anchor).toList(), Point3.ZERO, 0, "");
+  }
+
+  private SceneForce inJoint(String name, SceneForce.Kind kind, Coordinate coordinate) {
+    Joint joint = mechanism.jointOf(coordinate);
+    SceneJoint shown = joint(joint, false, false);
+    return new SceneForce(
+        name, kind, List.of(shown.first(), shown.second()), Point3.ZERO, 0, joint.name());
+  }
+
+  /** Returns a force as an arrow along it, or a moment if there is no force. */
+  private SceneForce wrench(ForceTorque wrench) {
+    List<Expression> all = wrench.components();
+    boolean pushes = !all.subList(0, 3).stream().allMatch(SceneParts::isZero);
+    List<Expression> shown = all.subList(pushes ? 0 : 3, pushes ? 3 : 6);
+    Point3 direction = direction(shown);
+    boolean inBody = wrench.axes() == ForceTorque.Axes.BODY;
+    return new SceneForce(
+        wrench.name(),
+        pushes ? SceneForce.Kind.FORCE : SceneForce.Kind.MOMENT,
+        List.of(anchor(wrench.point())),
+        inBody ? pose(wrench.point().body()).turn(direction) : direction,
+        0,
+        "");
+  }
+
+  /** Returns the direction at the start; of a vector that is zero then, the one it can take. */
+  private Point3 direction(List<Expression> components) {
+    double[] v = new double[3];
+    double[] possible = new double[3];
+    for (int i = 0; i < 3; i++) {
+      v[i] = value(components.get(i));
+      possible[i] = isZero(components.get(i)) ? 0 : 1;
+    }
+    Point3 atStart = new Point3(v[0], v[1], v[2]);
+    double size = atStart.norm();
+    if (size > 0 && Double.isFinite(size)) {
+      return atStart.times(1 / size);
+    }
+    Point3 allowed = new Point3(possible[0], possible[1], possible[2]);
+    return allowed.norm() == 0 ? Point3.ZERO : allowed.times(1 / allowed.norm());
+  }
+
+  private static boolean isZero(Expression expression) {
+    return expression instanceof Expression.Constant constant && constant.value() == 0;
+  }
+
+  /** Returns the value at the start, with 0 for whatever depends on the state. */
+  private double value(Expression expression) {
+    Tape tape = new Tape(List.of(expression));
+    TapeEvaluation evaluation = new TapeEvaluation(tape);
+    for (int leaf = 0; leaf < tape.leaves().size(); leaf++) {
+      Expression kind = tape.leaves().get(leaf);
+      if (kind instanceof Expression.Time) {
+        evaluation.setLeaf(leaf, t);
+      } else if (kind instanceof Expression.ParameterValue parameter) {
+        evaluation.setLeaf(leaf, mechanism.parameters().get(parameter.index()).value());
+      }
+    }
+    evaluation.values();
+    return evaluation.value(0);
+  }
+}

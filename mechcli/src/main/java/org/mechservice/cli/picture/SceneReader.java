@@ -1,0 +1,83 @@
+package org.mechservice.cli.picture;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.Map;
+import org.mechservice.cli.shell.UsageException;
+import org.mechservice.mechml.MechmlModel;
+import org.mechservice.mechml.ReadOptions;
+import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.mechml.resolve.MechmlReader;
+import org.mechservice.sim.check.CheckReport;
+import org.mechservice.solver.closure.assembly.ClosedStart;
+import org.mechservice.solver.kinematics.TreeMotion;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.view.scene.SceneDescription;
+import org.mechservice.view.scene.SceneVerdict;
+
+/** Reads model files as scenes for pictures: poses at the start, with closed loops. */
+public final class SceneReader {
+  private SceneReader() {}
+
+  /**
+   * Reads a model file.
+   *
+   * @param file a MechML file
+   * @param options the simulation whose start is shown, and values of parameters
+   * @throws IOException if the file cannot be read
+   * @throws UsageException with the messages of the reader if it is no valid model
+   */
+  public static SceneDescription read(Path file, ReadOptions options) throws IOException {
+    byte[] content = Files.readAllBytes(file);
+    String fileName = String.valueOf(file.getFileName());
+    try {
+      MechmlModel model = MechmlReader.read(fileName, content, options);
+      return scene(model, geometries(fileName, content));
+    } catch (MechmlException e) {
+      throw new UsageException(String.valueOf(e.getMessage()));
+    }
+  }
+
+  /** Returns the geometry files of the bodies that name one. */
+  private static Map<String, String> geometries(String fileName, byte[] content)
+      throws MechmlException {
+    Map<String, String> geometries = new HashMap<>();
+    MechmlReader.document(fileName, content).root().children("MBSmodel").stream()
+        .flatMap(model -> model.children("Bodies").stream())
+        .flatMap(bodies -> bodies.children("body").stream())
+        .forEach(
+            body ->
+                body.attribute("graphSrc")
+                    .ifPresent(source -> geometries.put(body.required("name"), source)));
+    return geometries;
+  }
+
+  private static SceneDescription scene(MechmlModel model, Map<String, String> geometries) {
+    Mechanism mechanism = model.mechanism();
+    ClosedStart start = model.closedStart(model.settings().run().tStart());
+    TreeMotion motion = new TreeMotion(start.tree());
+    motion.sweep(start.time(), start.state());
+    SceneParts parts = new SceneParts(motion, start.time());
+    CheckReport check = CheckReport.of(model);
+    SceneVerdict verdict =
+        new SceneVerdict(
+            check.degreesOfFreedom(),
+            check.loops().equations(),
+            check.loops().redundant(),
+            start.isAssembled(),
+            check.warnings());
+    return new SceneDescription(
+        mechanism.name(),
+        mechanism.root().name(),
+        parts.rootPose(),
+        geometries.getOrDefault(mechanism.root().name(), ""),
+        SceneParts.point(mechanism.gravity()),
+        parts.bodies(geometries),
+        parts.joints(),
+        parts.constraints(),
+        parts.forces(),
+        verdict);
+  }
+}

@@ -1,0 +1,12 @@
+/**
+ * Pictures from the command line.
+ *
+ * <p>{@link org.mechservice.cli.picture.SceneReader} turns a model file into the {@link
+ * org.mechservice.view.scene.SceneDescription} that every picture of a mechanism is made from, with
+ * the loops closed as at the start of a run. It reads the model in this process: a picture needs no
+ * service and no code of users.
+ */
+@NullMarked
+package org.mechservice.cli.picture;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,36 @@
+package org.mechservice.view.scene;
+
+import java.util.List;
+
+/**
+ * A constraint of a picture other than a cut joint.
+ *
+ * @param name name in the model file
+ * @param kind what it says
+ * @param anchors the two points of a distance; the point, then a point of the line or plane; empty
+ *     for a coupling
+ * @param direction unit vector along the line or normal to the plane, in the axes of the second
+ *     anchor's body; zero for the others
+ * @param joints names of the joints whose coordinates a coupling relates; empty for the others
+ */
+public record SceneConstraint(
+    String name, Kind kind, List<Anchor> anchors, Point3 direction, List<String> joints) {
+  /** What a constraint says. */
+  public enum Kind {
+    /** Two points keep their distance, by a rod without mass. */
+    DISTANCE,
+    /** Two points keep their distance, by a rod with mass. */
+    ROD,
+    /** Coordinates of joints obey a relation, such as a gear's. */
+    COUPLING,
+    /** A point stays on a line. */
+    POINT_ON_LINE,
+    /** A point stays in a plane. */
+    POINT_ON_PLANE
+  }
+
+  public SceneConstraint {
+    anchors = List.copyOf(anchors);
+    joints = List.copyOf(joints);
+  }
+}

@@ -1,0 +1,75 @@
+package org.mechservice.view.scene;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * A mechanism at the start of its run, with closed loops.
+ *
+ * @param name the model's name
+ * @param rootName name of the body at rest
+ * @param root where the body at rest is
+ * @param rootGeometry {@code graphSrc} of the body at rest; empty if none is given
+ * @param gravity acceleration of free fall in world axes, m/s²
+ * @param bodies the moving bodies in file order
+ * @param joints joints of the tree in file order, then cut joints in file order
+ * @param constraints what closes loops besides cut joints, in file order
+ * @param forces what is applied besides gravity, in file order
+ * @param verdict what {@code mech check} says of the model
+ */
+public record SceneDescription(
+    String name,
+    String rootName,
+    BodyPose root,
+    String rootGeometry,
+    Point3 gravity,
+    List<SceneBody> bodies,
+    List<SceneJoint> joints,
+    List<SceneConstraint> constraints,
+    List<SceneForce> forces,
+    SceneVerdict verdict) {
+  public SceneDescription {
+    bodies = List.copyOf(bodies);
+    joints = List.copyOf(joints);
+    constraints = List.copyOf(constraints);
+    forces = List.copyOf(forces);
+  }
+
+  /** Returns where a body is at the start. */
+  public BodyPose pose(int body) {
+    return body == Anchor.ROOT ? root : bodies.get(body).pose();
+  }
+
+  /** Returns where an anchor is at the start, from the world's origin in world axes, m. */
+  public Point3 world(Anchor anchor) {
+    return pose(anchor.body()).toWorld(anchor.point());
+  }
+
+  /** Returns the name of a body or of the root. */
+  public String bodyName(int body) {
+    return body == Anchor.ROOT ? rootName : bodies.get(body).name();
+  }
+
+  /**
+   * Returns the points at the start between which the whole mechanism lies: the points of joints,
+   * constraints and forces, and centres of mass; in world axes, m. Never empty.
+   */
+  public List<Point3> extent() {
+    List<Point3> points = new ArrayList<>();
+    for (SceneJoint joint : joints) {
+      points.add(world(joint.first()));
+      points.add(world(joint.second()));
+    }
+    constraints.forEach(one -> one.anchors().forEach(anchor -> points.add(world(anchor))));
+    forces.forEach(one -> one.anchors().forEach(anchor -> points.add(world(anchor))));
+    for (SceneBody body : bodies) {
+      if (body.mass() > 0) {
+        points.add(body.pose().toWorld(body.centreOfMass()));
+      }
+    }
+    if (points.isEmpty()) {
+      points.add(root.position());
+    }
+    return points;
+  }
+}
