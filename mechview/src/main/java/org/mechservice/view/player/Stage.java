@@ -61,7 +61,9 @@ public final class Stage {
     for (int body = 0; body < scene.bodies().size(); body++) {
       addBody(body);
     }
-    addFixedPoints();
+    if (!addGeometry(Anchor.ROOT, scene.rootGeometry())) {
+      addFixedPoints();
+    }
     scene.joints().forEach(this::addJoint);
     scene.constraints().forEach(this::addConstraint);
     scene.forces().forEach(this::addForce);
@@ -110,23 +112,23 @@ public final class Stage {
 
   private void addBody(int index) {
     SceneBody body = scene.bodies().get(index);
-    int before = parts.size();
-    if (!body.geometry().isEmpty()) {
-      addGeometry(index, body);
-    }
-    if (parts.size() == before) {
+    if (!addGeometry(index, body.geometry())) {
       shapes(index, body).forEach(mesh -> add(index, Part.Role.BODY, body.name(), mesh));
     }
   }
 
-  private void addGeometry(int index, SceneBody body) {
+  /** Adds the surfaces of a geometry file; returns whether there are any. */
+  private boolean addGeometry(int body, String file) {
+    if (file.isEmpty()) {
+      return false;
+    }
+    String name = scene.bodyName(body);
     try {
-      for (Mesh mesh : folder.read(body.geometry())) {
-        add(index, Part.Role.BODY, body.name(), mesh);
-      }
+      folder.read(file).forEach(mesh -> add(body, Part.Role.BODY, name, mesh));
+      return true;
     } catch (MeshException e) {
-      warnings.add(
-          "body " + body.name() + " is drawn as a simple shape: " + e.getMessage());
+      warnings.add("body " + name + " is drawn as a simple shape: " + e.getMessage());
+      return false;
     }
   }
 
