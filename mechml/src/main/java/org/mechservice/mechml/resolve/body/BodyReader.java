@@ -98,7 +98,7 @@ public final class BodyReader {
           MessageCode.NEGATIVE_MASS,
           element.position(),
           Phrase.of(
-              "%s is negative: %s; a body without mass has 0",
+              "%s is negative: %s; write 0 for a body without mass",
               element.label(), Quoted.of(element.required("value"))));
       return OptionalDouble.empty();
     }
