@@ -80,7 +80,7 @@ final class SourceCompiler {
         failed.diagnostics().stream()
             .filter(said -> said.getKind() == Diagnostic.Kind.ERROR)
             .toList();
-    errors.stream().limit(MOST_ERRORS).forEach(this::tell);
+    errors.stream().limit(MOST_ERRORS).forEach(this::report);
     if (errors.isEmpty()) {
       giveUp();
     }
