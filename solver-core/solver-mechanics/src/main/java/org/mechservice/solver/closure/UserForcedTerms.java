@@ -28,7 +28,7 @@ public class UserForcedTerms implements LoopTerms {
    *
    * @param generated of the same mechanism, constructed with {@code inputs}
    * @param inputs what {@link UserLoads#inputs} returned
-   * @param userForces makes the forces
+   * @param userForces creates the user forces
    * @return the terms, including those of the residual and its derivatives if the code has them
    * @throws IllegalArgumentException if a user force cannot be created, or needs an element that
    *     does not exist

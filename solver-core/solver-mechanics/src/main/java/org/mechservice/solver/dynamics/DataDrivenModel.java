@@ -8,8 +8,8 @@ import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**
- * DTR without generated code: an open tree by articulated bodies. The reference that generated
- * classes are tested against.
+ * DTR without generated code: an open tree by the articulated-body algorithm. Generated classes are
+ * tested against it.
  */
 public final class DataDrivenModel extends OpenTreeModel {
   private final ArticulatedBody dynamics;
@@ -17,7 +17,7 @@ public final class DataDrivenModel extends OpenTreeModel {
 
   /**
    * @param mechanism an open tree without user forces
-   * @param defaults settings the model carries
+   * @param defaults default settings of the model
    * @throws IllegalArgumentException if the mechanism closes loops, or a force or a motion cannot
    *     be used
    */
@@ -27,8 +27,8 @@ public final class DataDrivenModel extends OpenTreeModel {
 
   /**
    * @param mechanism an open tree
-   * @param defaults settings the model carries
-   * @param userForces makes the user's forces
+   * @param defaults default settings of the model
+   * @param userForces creates the user forces
    * @throws IllegalArgumentException if the mechanism closes loops, or a force or a motion cannot
    *     be used
    */

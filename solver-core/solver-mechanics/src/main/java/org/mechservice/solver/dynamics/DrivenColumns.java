@@ -9,7 +9,7 @@ import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 
-/** The forces that drive joints, as outputs. */
+/** Output columns for the forces of driven joints. */
 final class DrivenColumns {
   private final List<Variable> columns = new ArrayList<>();
   private final double[] force;
@@ -45,12 +45,12 @@ final class DrivenColumns {
     return columns;
   }
 
-  /** Returns room for the forces, N·m or N. */
+  /** Returns the array for the forces, N·m or N. */
   double[] forces() {
     return force;
   }
 
-  /** Returns the power of the forces kept, W. */
+  /** Returns the power of the forces in {@link #forces}, W. */
   double power(TreeMotion motion) {
     double sum = 0;
     for (int i = 0; i < force.length; i++) {

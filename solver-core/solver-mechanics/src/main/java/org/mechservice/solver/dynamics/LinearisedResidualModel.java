@@ -18,13 +18,13 @@ import org.mechservice.solver.mechanism.Mechanism;
  */
 public final class LinearisedResidualModel extends RecursiveResidualModel
     implements LinearisedModel {
-  /** What the Jacobian is made of; M always. */
+  /** Contributions to the Jacobian besides M. */
   public enum Mode {
-    /** Everything. */
+    /** All contributions. */
     FULL,
     /**
-     * Applied forces alone: cheaper to evaluate, and enough where they make a problem stiff. What
-     * else depends on q and v is left to the iteration.
+     * Applied forces only. This is cheaper and sufficient if the forces make the problem stiff; the
+     * iteration makes up for the omitted inertia terms.
      */
     FORCES_ONLY
   }
@@ -35,9 +35,9 @@ public final class LinearisedResidualModel extends RecursiveResidualModel
 
   /**
    * @param mechanism an open tree
-   * @param defaults settings the model carries
-   * @param userForces makes the user's forces
-   * @param mode what the Jacobian is made of
+   * @param defaults default settings of the model
+   * @param userForces creates the user forces
+   * @param mode contributions to the Jacobian
    * @throws IllegalArgumentException if the mechanism closes loops, or a force or a motion cannot
    *     be used
    */

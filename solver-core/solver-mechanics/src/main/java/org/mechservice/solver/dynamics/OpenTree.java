@@ -6,14 +6,14 @@ import org.mechservice.solver.dynamics.tree.TreeMatrix;
 import org.mechservice.solver.kinematics.TreeMotion;
 
 /**
- * The equations of the open tree, M(q) a + b(q, v) = τ + Jᵀ w, as those who close its loops need
- * them. Workspace of one thread.
+ * The equations of the open tree, M(q) a + b(q, v) = τ + Jᵀ w, as loop closures use them. Workspace
+ * of one thread.
  */
 public interface OpenTree {
-  /** Returns the motion these are the equations of; the caller sweeps it. */
+  /** Returns the motion of the tree; the caller sweeps it. */
   TreeMotion motion();
 
-  /** Forms M for the places of the last sweep. */
+  /** Forms M for the poses of the last sweep. */
   void formMassMatrix();
 
   /** Returns M, or its factors after {@link #factorMassMatrix}. */
@@ -22,16 +22,16 @@ public interface OpenTree {
   /**
    * Overwrites M by its factors.
    *
-   * @return {@link ExplicitModel#REGULAR}, or the velocity that no inertia resists
+   * @return {@link ExplicitModel#REGULAR}, or the index of a velocity without inertia
    */
   int factorMassMatrix();
 
-  /** Returns how well M was conditioned when it was last factored. */
+  /** Returns the check of the pivots of the last factorisation of M. */
   PivotCheck check();
 
   /**
-   * Forms b − τ − Jᵀ w for the last sweep; what driven joints add is in b. Sweeps the accelerations
-   * of the motion with zero for all of the state.
+   * Forms b − τ − Jᵀ w for the last sweep; b includes the prescribed accelerations of driven
+   * joints. Sweeps the accelerations of the motion, with zero for all states.
    *
    * @param wrench external wrenches [moment; force] in link axes at the reference points, 6 per
    *     link, N·m, N; empty for none; not modified
@@ -48,8 +48,8 @@ public interface OpenTree {
    *
    * @param wrench as for {@link #formBias}; not modified
    * @param tau as for {@link #formBias}; not modified
-   * @param residual one number per extended velocity, N·m or N; overwritten. Those of driven
-   *     velocities are the forces that drive them
+   * @param residual one number per extended velocity, N·m or N; overwritten; entries of driven
+   *     velocities are the driving forces
    */
   void formResidual(double[] wrench, double[] tau, double[] residual);
 }

@@ -30,8 +30,8 @@ import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 
 /**
- * An open tree as a model driven by its data, whatever the formulation: state, forces, energies,
- * poses, outputs, and what went wrong. Workspace of one run and thread.
+ * Common part of the data-driven models of an open tree: state, forces, energies, poses, outputs
+ * and defects. Workspace of one run and thread.
  */
 public abstract class OpenTreeModel
     implements ExplicitModel, Energies, PowerInput, BodyPoses, ResultColumns, Defects, RunNotes {
@@ -50,8 +50,8 @@ public abstract class OpenTreeModel
   /**
    * @param mechanism an open tree
    * @param formulation name of the formulation
-   * @param defaults settings the model carries
-   * @param userForces makes the user's forces
+   * @param defaults default settings of the model
+   * @param userForces creates the user forces
    * @throws IllegalArgumentException if the mechanism closes loops, or a force or a motion cannot
    *     be used
    */
@@ -89,19 +89,19 @@ public abstract class OpenTreeModel
   }
 
   /**
-   * Writes the joint accelerations for the motion and the loads evaluated last.
+   * Writes the joint accelerations for the last motion and loads.
    *
    * @param a in state order from {@code aAt}; overwritten
-   * @return {@link ExplicitModel#REGULAR}, or the velocity that no inertia resists
+   * @return {@link ExplicitModel#REGULAR}, or the index of a velocity without inertia
    */
   abstract int accelerate(double[] a, int aAt);
 
-  /** Returns how well the inertia was conditioned when it was last used. */
+  /** Returns the check of the pivots of the last evaluation. */
   abstract PivotCheck check();
 
   /**
-   * Returns the forces that driven joints took in the last {@link #accelerate}, from {@code at} of
-   * the array handed in, in the order of the extended velocities.
+   * Writes the driving forces of the last {@link #accelerate}, in the order of the extended
+   * velocities.
    */
   abstract void drivingForces(double[] force);
 
@@ -149,9 +149,7 @@ public abstract class OpenTreeModel
         : fail(joints.singular(unresisted));
   }
 
-  /**
-   * Returns the motion that the inertia does not resist; the velocity alone if that is not clear.
-   */
+  /** Returns the motion without inertia; the velocity alone if the motion is not clear. */
   private double[] unresistedMotion(int velocity) {
     SemiRecursive.Workspace w = new SemiRecursive(tree).newWorkspace(motion);
     w.formMassMatrix();
@@ -164,7 +162,7 @@ public abstract class OpenTreeModel
     return alone;
   }
 
-  /** Keeps why an evaluation failed; returns DEFECT. */
+  /** Stores why an evaluation failed; returns DEFECT. */
   final int fail(Defect why) {
     defect = Optional.of(why);
     return DEFECT;
@@ -241,7 +239,7 @@ public abstract class OpenTreeModel
     world.poses(poses);
   }
 
-  /** {@inheritDoc} The forces that driven joints take stand among the applied forces. */
+  /** {@inheritDoc} Driving forces are among the applied forces. */
   @Override
   public final List<Variable> columns(ColumnGroup group) {
     List<Variable> columns = new ArrayList<>();

@@ -8,16 +8,16 @@ import org.mechservice.solver.mechanism.Mechanism;
 
 /**
  * RR without generated code: the residual F = [q' − N(q) v; M(q) v' + b(q, v) − τ] of an open tree,
- * by one Newton-Euler sweep out and one in. The accelerations at the start, and those put out, come
- * from composite inertias.
+ * by one Newton-Euler sweep out and one in. Accelerations at the start and in outputs come from
+ * composite inertias.
  */
 public class RecursiveResidualModel extends SemiRecursiveModel implements ResidualModel {
   private final double[] extended;
 
   /**
    * @param mechanism an open tree
-   * @param defaults settings the model carries
-   * @param userForces makes the user's forces
+   * @param defaults default settings of the model
+   * @param userForces creates the user forces
    * @throws IllegalArgumentException if the mechanism closes loops, or a force or a motion cannot
    *     be used
    */

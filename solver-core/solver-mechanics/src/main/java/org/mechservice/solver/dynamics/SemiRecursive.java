@@ -15,10 +15,10 @@ import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 
 /**
- * DSR: joint accelerations by composite inertias. The mass matrix M is formed between each joint
- * and those on its way to the root alone, factored LᵀDL along the tree without fill (Featherstone
- * 2008, §6.2 and §6.5), and b comes from one Newton-Euler sweep. A rod with mass adds the elements
- * between the ways of its two ends.
+ * DSR: joint accelerations by composite inertias. The mass matrix M is formed only between each
+ * joint and its ancestors, and factored as LᵀDL along the tree without fill-in (Featherstone 2008,
+ * §6.2 and §6.5); b comes from one Newton-Euler sweep. A rod with mass adds the elements between
+ * the ancestors of its two ends.
  *
  * <p>Immutable; give each thread its own {@link Workspace}.
  */
@@ -27,7 +27,7 @@ public final class SemiRecursive {
   private final LinkInertias inertias;
   private final TreePattern pattern;
 
-  /** Prepares the formulation for an open tree and the rods that hang on it. */
+  /** Prepares the formulation for an open tree and its rods with mass. */
   public SemiRecursive(TreeGeometry tree) {
     this.tree = tree;
     inertias = new LinkInertias(tree);
@@ -54,7 +54,7 @@ public final class SemiRecursive {
     private final MassiveRods rods;
     private final TreeMatrix mass;
 
-    /** What each pivot is judged by, one per velocity of the state. */
+    /** Reference size of each pivot, one per velocity of the state. */
     private final double[] scale;
 
     /** b − τ, one per extended velocity. */
@@ -118,7 +118,7 @@ public final class SemiRecursive {
       }
     }
 
-    /** M_kj = S_jᵀ X* I S_k for all j on the way from k to the root. */
+    /** Forms M_kj = S_jᵀ X* I S_k for all ancestors j of k. */
     private void formRow(int place) {
       int k = pattern.velocityAt[place];
       int link = tree.linkOfVelocity[k];
@@ -135,7 +135,10 @@ public final class SemiRecursive {
       }
     }
 
-    /** In the link of velocity k only the velocities before k belong to its row. */
+    /**
+     * Returns the end of the row's velocities in a link; in the link of velocity k, only those
+     * before k.
+     */
     private int endOf(int i, int link, int k) {
       return i == link ? k : tree.velocityAt[i] + tree.kind[i].velocityCount();
     }
@@ -178,7 +181,7 @@ public final class SemiRecursive {
    * @param tau joint forces, one per extended velocity, N·m or N; not modified
    * @param a joint accelerations in state order from {@code aAt}, rad/s² or m/s²; overwritten
    * @param aAt where the accelerations begin
-   * @return {@link ExplicitModel#REGULAR}, or the velocity that no inertia resists
+   * @return {@link ExplicitModel#REGULAR}, or the index of a velocity without inertia
    */
   public int accelerations(Workspace w, double[] wrench, double[] tau, double[] a, int aAt) {
     w.formMassMatrix();

@@ -15,8 +15,8 @@ public class SemiRecursiveModel extends OpenTreeModel {
 
   /**
    * @param mechanism an open tree
-   * @param defaults settings the model carries
-   * @param userForces makes the user's forces
+   * @param defaults default settings of the model
+   * @param userForces creates the user forces
    * @throws IllegalArgumentException if the mechanism closes loops, or a force or a motion cannot
    *     be used
    */

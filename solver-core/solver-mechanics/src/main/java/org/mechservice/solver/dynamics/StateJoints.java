@@ -11,9 +11,12 @@ import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 
-/** The joints that have states, and which velocity belongs to which. Immutable. */
+/** The joints that have states, and their velocities. Immutable. */
 final class StateJoints {
-  /** What moves less than this part of the largest is rounding: pivots are judged at 1e-14. */
+  /**
+   * Fraction of the largest velocity below which a joint takes no part in a motion; zero pivots are
+   * found at 1e-14.
+   */
   private static final double TAKES_PART = 1e-6;
 
   private final List<JointVariables> joints = new ArrayList<>();
@@ -52,7 +55,7 @@ final class StateJoints {
     return jointOfVelocity.length;
   }
 
-  /** Returns whether the joint of a velocity has others too. */
+  /** Returns whether the joint of a velocity has more than one. */
   boolean hasSeveral(int velocity) {
     return joints.get(jointOfVelocity[velocity]).type().velocityCount() > 1;
   }
@@ -67,13 +70,13 @@ final class StateJoints {
         : name;
   }
 
-  /** Returns whether just one joint takes part in a motion, and has no other velocity. */
+  /** Returns whether only one joint with a single velocity takes part in a motion. */
   boolean isSingle(double[] motion) {
     return moving(motion).size() == 1 && !hasSeveral(moving(motion).get(0));
   }
 
   /**
-   * Says that nothing resists a motion.
+   * Returns the defect of a motion without inertia.
    *
    * @param motion one number per velocity
    */

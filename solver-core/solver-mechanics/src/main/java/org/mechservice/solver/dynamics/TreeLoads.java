@@ -5,7 +5,7 @@ import org.mechservice.solver.force.ForceSet;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.kinematics.TreeMotion;
 
-/** What acts on a tree besides gravity, as wrenches and joint forces. Workspace of one thread. */
+/** The loads on a tree except gravity, as wrenches and joint forces. Workspace of one thread. */
 public final class TreeLoads {
   private final ForceSet forces;
   private final double[] wrench;
@@ -14,8 +14,8 @@ public final class TreeLoads {
   /**
    * Prepares the forces of a mechanism.
    *
-   * @param motion swept by the caller, places in the world included, before each evaluation
-   * @param source makes the user's forces
+   * @param motion swept by the caller, world poses included, before each evaluation
+   * @param source creates the user forces
    * @throws IllegalArgumentException if a force cannot be used; see {@link ForceSet}
    */
   public TreeLoads(TreeMotion motion, UserForceSource source) {
@@ -29,7 +29,7 @@ public final class TreeLoads {
     return forces;
   }
 
-  /** Returns whether nothing acts but gravity. */
+  /** Returns whether there are no forces but gravity. */
   public boolean isEmpty() {
     return forces.count() == 0;
   }

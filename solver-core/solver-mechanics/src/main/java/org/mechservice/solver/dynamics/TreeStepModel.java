@@ -12,9 +12,8 @@ import org.mechservice.solver.dynamics.tree.TreeSquare;
 import org.mechservice.solver.kinematics.StateCoordinates;
 
 /**
- * RR-JF with generated code: what the class of a model extends that has its residual, and the
- * derivatives of it, as code. The equations of an implicit step need pivots and a watch over them;
- * they are solved along the tree here.
+ * Superclass of generated RR-JF models, whose code evaluates the residual and its derivatives. This
+ * class solves the equations of an implicit step along the tree and checks their pivots.
  */
 public abstract class TreeStepModel implements LinearisedModel, RunNotes {
   final TreeMatrix mass;
@@ -22,10 +21,10 @@ public abstract class TreeStepModel implements LinearisedModel, RunNotes {
   final TreeSquare byPosition;
   private final TreeIteration iteration;
 
-  /** What {@link #derivatives} writes; elements it never writes are zero. */
+  /** Argument of {@link #derivatives}; elements that are never written are zero. */
   private final double[] values;
 
-  /** Where it goes, in order. */
+  /** Destinations of the values, in order. */
   private final double[][] parts;
 
   /**

@@ -4,9 +4,9 @@ import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.dynamics.tree.TreePattern;
 
 /**
- * How the forces of users change, by their own derivatives or by differences, beside derivatives
- * that code has evaluated with the forces' wrenches held fixed in the axes of their links.
- * Workspace of one thread.
+ * Derivatives of user forces, their own or by differences. They complete the derivatives of
+ * generated code, which holds the forces' wrenches constant in the axes of their links. Workspace
+ * of one thread.
  */
 public final class UserForceSlopes {
   private final UserLoads loads;
@@ -24,11 +24,11 @@ public final class UserForceSlopes {
   }
 
   /**
-   * Adds what the forces of the last evaluation contribute to the derivatives of the residual.
+   * Adds the contributions of the last evaluated forces to the derivatives of the residual.
    *
    * @param derivatives M, ∂/∂v and ∂/∂q, each n × n row by row in the order of the state; the last
    *     two are added to
-   * @return whether the slopes are finite
+   * @return whether the derivatives are finite
    */
   public boolean addTo(double t, double[] derivatives) {
     if (!loads.linearise(t, jacobian)) {

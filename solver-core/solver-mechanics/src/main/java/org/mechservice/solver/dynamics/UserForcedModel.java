@@ -16,9 +16,9 @@ import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**
- * Generated code with forces that users have written as classes. Before each evaluation of the code
- * the forces are called, and their loads handed to it as inputs behind the model's parameters.
- * Poses of bodies that the code does not write come from the motion that the forces read.
+ * Generated code combined with user force classes. The forces are evaluated before each evaluation
+ * of the code; their loads follow the model's parameters in the code's inputs. Poses that the code
+ * does not write come from the motion that the forces read.
  */
 public class UserForcedModel
     implements ExplicitModel, Energies, PowerInput, BodyPoses, Defects, DirectedForces {
@@ -33,13 +33,14 @@ public class UserForcedModel
   }
 
   /**
-   * Puts the user's forces to generated code.
+   * Combines generated code with user forces.
    *
    * @param generated of the same mechanism, constructed with {@code inputs}
    * @param inputs what {@link UserLoads#inputs} returned
-   * @param userForces makes the forces
+   * @param userForces creates the user forces
    * @return a model of the same formulation
-   * @throws IllegalArgumentException if a user force cannot be made, or asks for what is not there
+   * @throws IllegalArgumentException if a user force cannot be created, or needs an element that
+   *     does not exist
    */
   public static ExplicitModel of(
       ExplicitModel generated, double[] inputs, Mechanism mechanism, UserForceSource userForces) {
@@ -78,7 +79,7 @@ public class UserForcedModel
     return ((DirectedForces) generated).directedForce(force);
   }
 
-  /** {@inheritDoc} Forces written as classes tell of themselves. */
+  /** {@inheritDoc} A user force gives its own reason. */
   @Override
   public final Optional<Defect> withoutValue(
       double t, double[] y, double[] yDot, List<Failure.Step> tried) {
@@ -87,7 +88,7 @@ public class UserForcedModel
         : Optional.empty();
   }
 
-  /** {@inheritDoc} Forces written as classes have no potential energy. */
+  /** {@inheritDoc} User forces have no potential energy. */
   @Override
   public final void energy(double t, double[] y, double[] energy) {
     ((Energies) generated).energy(t, y, energy);

@@ -3,7 +3,7 @@ package org.mechservice.solver.dynamics;
 import org.mechservice.solver.api.capability.ResidualModel;
 import org.mechservice.solver.mechanism.Mechanism;
 
-/** A generated residual (RR) with forces that users have written as classes. */
+/** A generated residual (RR) combined with user force classes. */
 class UserForcedResidualModel extends UserForcedModel implements ResidualModel {
   private final ResidualModel generated;
 

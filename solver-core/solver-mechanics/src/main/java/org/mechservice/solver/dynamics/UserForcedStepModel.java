@@ -11,11 +11,10 @@ import org.mechservice.solver.dynamics.tree.TreeSquare;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**
- * A generated residual with its derivatives (RR-JF) and forces that users have written as classes.
- * The generated derivatives hold what the forces' wrenches do where they keep their components in
- * the axes of their links; how the forces themselves change, by their own derivatives or by
- * differences, is added here. What they couple is known only now, so the equations of a step are
- * solved in a pattern of their own.
+ * A generated residual with its derivatives (RR-JF) combined with user force classes. The generated
+ * derivatives hold the forces' wrenches constant in the axes of their links; this class adds the
+ * derivatives of the forces themselves, their own or by differences. The couplings of user forces
+ * are known only at run time, so the equations of a step have their own sparsity pattern.
  */
 final class UserForcedStepModel extends UserForcedResidualModel
     implements LinearisedModel, RunNotes {
@@ -23,7 +22,7 @@ final class UserForcedStepModel extends UserForcedResidualModel
   private final ResidualJacobian jacobian;
   private final TreeIteration iteration;
 
-  /** Where each element of the generated pattern stands in the own one. */
+  /** Index of each element of the generated pattern in the pattern of this model. */
   private final int[] elementAt;
 
   UserForcedStepModel(TreeStepModel generated, Mechanism mechanism, UserLoads loads) {

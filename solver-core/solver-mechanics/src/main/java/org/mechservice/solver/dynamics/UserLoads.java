@@ -15,10 +15,10 @@ import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 
 /**
- * What the user's forces do, as numbers that generated code is given: behind the parameters of the
- * model the wrench on each link of its {@link TreeGeometry}, then the force on each extended
- * velocity. The forces read a motion that is swept here; what else acts is in the generated code.
- * Workspace of one run and thread.
+ * The loads of user forces as inputs of generated code. The inputs hold the parameters of the
+ * model, then the wrench on each link of its {@link TreeGeometry}, then the force on each extended
+ * velocity. This class sweeps the motion that the forces read; all other forces are in the
+ * generated code. Workspace of one run and thread.
  */
 public final class UserLoads {
   private final TreeMotion motion;
@@ -29,9 +29,9 @@ public final class UserLoads {
   private Optional<Defects.Defect> defect = Optional.empty();
 
   /**
-   * @param inputs what generated code reads, see {@link #inputs}; its loads are overwritten by each
-   *     evaluation
-   * @throws IllegalArgumentException if a user force cannot be made, or asks for what is not there
+   * @param inputs inputs of the generated code, see {@link #inputs}; each evaluation overwrites its
+   *     loads @throws IllegalArgumentException if a user force cannot be created, or needs an
+   *     element that does not exist
    */
   public UserLoads(Mechanism mechanism, UserForceSource source, double[] inputs) {
     motion = new TreeMotion(new TreeGeometry(withUserForcesAlone(mechanism)));
@@ -58,8 +58,8 @@ public final class UserLoads {
   }
 
   /**
-   * Returns what generated code is constructed with: the parameters of a mechanism, SI units, with
-   * room for loads behind them.
+   * Returns the inputs of generated code: the parameters of a mechanism, SI units, followed by
+   * zeros for the loads.
    */
   public static double[] inputs(Mechanism mechanism) {
     TreeGeometry tree = new TreeGeometry(mechanism);
@@ -99,7 +99,7 @@ public final class UserLoads {
   }
 
   /**
-   * Gives the derivatives of the forces in the state of the last evaluation.
+   * Adds the derivatives of the forces at the state of the last evaluation.
    *
    * @return whether they are finite; see {@link #defect}
    */
@@ -118,12 +118,12 @@ public final class UserLoads {
     return motion;
   }
 
-  /** Returns the forces, as evaluated last. */
+  /** Returns the forces of the last evaluation. */
   public ForceSet forces() {
     return loads.forces();
   }
 
-  /** Writes the poses of all bodies in a state. */
+  /** Writes the poses of all bodies at a state. */
   void poses(double t, double[] y, double[] poses) {
     motion.sweep(t, y);
     world.poses(poses);

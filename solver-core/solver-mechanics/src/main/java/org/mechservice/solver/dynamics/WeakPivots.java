@@ -7,7 +7,7 @@ import org.mechservice.solver.api.run.RunNotes.Note;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.dynamics.tree.PivotCheck;
 
-/** Remarks on joints whose inertia was nearly singular: one per joint, at its worst. */
+/** Warnings about joints with nearly singular inertia: one per joint, for the worst state. */
 final class WeakPivots {
   private final StateJoints joints;
   private final double[] condition;

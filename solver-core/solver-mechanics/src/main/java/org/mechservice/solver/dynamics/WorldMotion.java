@@ -8,14 +8,14 @@ import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.spatial.EulerParameters;
 
-/** Where the bodies are in the world, how they move, and their energy. Workspace of one thread. */
+/** Poses, velocities and energies of the bodies in the world. Workspace of one thread. */
 public final class WorldMotion {
   private final TreeGeometry tree;
   private final TreeMotion motion;
   private final double[] work = new double[12];
 
   /**
-   * @param motion swept by the caller before each question
+   * @param motion swept by the caller before each evaluation
    */
   public WorldMotion(TreeMotion motion) {
     this.motion = motion;

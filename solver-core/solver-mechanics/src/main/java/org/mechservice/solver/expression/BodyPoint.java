@@ -9,6 +9,6 @@ import org.mechservice.solver.spatial.Vector3;
  * @param position from the body's origin, in body axes, m
  */
 public record BodyPoint(int body, Vector3 position) {
-  /** Index of the root where a body is meant. */
+  /** Body index of the root. */
   public static final int ROOT = -1;
 }

@@ -5,9 +5,9 @@ import java.util.List;
 /**
  * A formula of time, parameters and the state, in SI units.
  *
- * <p>There are no names left in it: parameters, coordinates and points are indices into the
- * mechanism it belongs to. {@code a − b} is {@code Sum(a, Negation(b))}, which rounds alike; {@code
- * pow(a, b)} and {@code a ^ b} are both {@link Power}.
+ * <p>Names are resolved: parameters, coordinates and points are indices into the mechanism. {@code
+ * a − b} is {@code Sum(a, Negation(b))}, which rounds identically; {@code pow(a, b)} and {@code a ^
+ * b} are both {@link Power}.
  */
 public sealed interface Expression {
   /** The expression 0. */
@@ -36,19 +36,19 @@ public sealed interface Expression {
 
   /**
    * The argument of a function of one variable, such as the distance along a road whose height the
-   * expression gives, m. It stands for nothing elsewhere.
+   * expression gives, m. It has no meaning elsewhere.
    */
   record Argument() implements Expression {}
 
   /**
-   * A tunable parameter: it keeps its value during a run.
+   * A tunable parameter, which is constant during a run.
    *
    * @param index among the mechanism's parameters
    */
   record ParameterValue(int index) implements Expression {}
 
   /**
-   * A joint's position, rad or m, or an Euler parameter as it would be put out.
+   * A joint's position, rad or m, or an Euler parameter in the form of the output.
    *
    * @param coordinate component counts positions
    */
@@ -104,23 +104,20 @@ public sealed interface Expression {
   /**
    * dividend / divisor.
    *
-   * @param dividend what is divided
-   * @param divisor what it is divided by
+   * @param dividend numerator @param divisor denominator
    */
   record Quotient(Expression dividend, Expression divisor) implements Expression {}
 
   /**
-   * base to the power of exponent. A negative base has a value for a whole exponent only.
-   *
-   * @param base what is raised
-   * @param exponent the power
+   * base to the power of exponent. A negative base requires an integer exponent. @param base the
+   * base @param exponent the exponent
    */
   record Power(Expression base, Expression exponent) implements Expression {}
 
   /**
    * −operand.
    *
-   * @param operand what changes sign
+   * @param operand the operand
    */
   record Negation(Expression operand) implements Expression {}
 
@@ -139,8 +136,7 @@ public sealed interface Expression {
   /**
    * A function of MECHML §2 other than {@link Function#POW}, which is {@link Power}.
    *
-   * @param function which
-   * @param arguments as many as its arity
+   * @param function the function @param arguments as many as its arity
    */
   record Call(Function function, List<Expression> arguments) implements Expression {
     public Call {

@@ -6,8 +6,8 @@ import java.util.Optional;
 
 /**
  * The functions of MECHML §2; angles in rad. This is the only table of them: the reader takes
- * names, arities and values of constant calls from here, and every switch over them is complete, so
- * that the compiler shows each place that a new function needs.
+ * names, arities and values of constant calls from it. Every switch over them is complete, so the
+ * compiler reports each place that a new function needs.
  *
  * <p>{@link #at} evaluates constants by StrictMath. A run evaluates by {@link Operation} and by
  * generated code, whose sine, cosine and power come from faster kernels and may differ in the last
@@ -32,20 +32,20 @@ public enum Function {
   LOG("log", 1),
   /** {@code pow(a, b)} = aᵇ; in formulas it is {@link Expression.Power}. */
   POW("pow", 2),
-  /** The lesser of two; where they are equal, slope of the first. */
+  /** The lesser of two; the derivative of the first if they are equal. */
   MIN("min", 2),
-  /** The greater of two; where they are equal, slope of the first. */
+  /** The greater of two; the derivative of the first if they are equal. */
   MAX("max", 2),
   SINH("sinh", 1),
   COSH("cosh", 1),
   TANH("tanh", 1),
-  /** −1, 0 or 1; its slope counts as 0 everywhere. */
+  /** −1, 0 or 1; its derivative counts as 0 everywhere. */
   SIGNUM("signum", 1),
   /** {@code hypot(x, y)} = √(x² + y²); at the origin its slope counts as 0. */
   HYPOT("hypot", 2),
-  /** The greatest whole number not above; its slope counts as 0 everywhere. */
+  /** The greatest integer not above the argument; its derivative counts as 0 everywhere. */
   FLOOR("floor", 1),
-  /** 0 below zero, 1 from zero on; its slope counts as 0 everywhere. */
+  /** 0 below zero, 1 from zero on; its derivative counts as 0 everywhere. */
   STEP("step", 1),
   /** 0 below zero, 1 above one, 3x² − 2x³ between. */
   SMOOTH_STEP("smoothStep", 1);
@@ -58,7 +58,7 @@ public enum Function {
     this.arity = arity;
   }
 
-  /** Returns the function of a name, without {@code Math.} before it. */
+  /** Returns the function of a name, which has no prefix {@code Math.}. */
   public static Optional<Function> named(String symbol) {
     return Arrays.stream(values()).filter(f -> f.symbol.equals(symbol)).findFirst();
   }
@@ -73,7 +73,7 @@ public enum Function {
     return symbol;
   }
 
-  /** Returns how many arguments it takes, 1 or 2. */
+  /** Returns the number of arguments, 1 or 2. */
   public int arity() {
     return arity;
   }
@@ -82,7 +82,7 @@ public enum Function {
    * Returns the value for constant arguments.
    *
    * @param x arguments, as many as the arity; not modified
-   * @return not a number or infinite where the function is not defined
+   * @return NaN or infinite if the function is not defined
    */
   public double at(double[] x) {
     return switch (this) {

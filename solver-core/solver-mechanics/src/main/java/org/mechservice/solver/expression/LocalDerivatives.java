@@ -2,7 +2,9 @@ package org.mechservice.solver.expression;
 
 import org.mechservice.solver.spatial.SinCos;
 
-/** First and second partial derivatives of one operation f(a, b), and scratch to find them. */
+/**
+ * First and second partial derivatives of one operation f(a, b), and scratch for their computation.
+ */
 final class LocalDerivatives {
   double byA;
   double byB;
@@ -24,17 +26,17 @@ final class LocalDerivatives {
     return sinCos[1];
   }
 
-  /** Sets those of an operation that is linear in both arguments. */
+  /** Sets the derivatives of an operation that is linear in both arguments. */
   void linear(double a, double b) {
     all(a, b, 0, 0, 0);
   }
 
-  /** Sets those of a function of one argument. */
+  /** Sets the derivatives of a function of one argument. */
   void single(double first, double second) {
     all(first, 0, second, 0, 0);
   }
 
-  /** Sets all five. */
+  /** Sets all five derivatives. */
   void all(double a, double b, double aa, double ab, double bb) {
     byA = a;
     byB = b;

@@ -1,8 +1,8 @@
 package org.mechservice.solver.expression;
 
 /**
- * What a tape does to one or two earlier values: f(a) or f(a, b), with first and second partial
- * derivatives. StrictMath wherever Math may differ between machines.
+ * An operation of a tape on one or two earlier values, f(a) or f(a, b), with first and second
+ * partial derivatives. StrictMath is used wherever Math may differ between machines.
  */
 enum Operation {
   ADD {
@@ -50,7 +50,7 @@ enum Operation {
       d.single(-1, 0);
     }
   },
-  /** a², which is what a ^ 2 becomes. */
+  /** a², the compiled form of a ^ 2. */
   SQUARE {
     @Override
     double value(double a, double b, LocalDerivatives d) {
@@ -155,7 +155,7 @@ enum Operation {
       d.single(1 / s, -2 * a / (s * s));
     }
   },
-  /** At the origin, where there is no direction, the slope counts as 0. */
+  /** Its derivatives count as 0 at the origin, where the angle is not defined. */
   ATAN2 {
     @Override
     double value(double a, double b, LocalDerivatives d) {
@@ -267,7 +267,7 @@ enum Operation {
       d.single(0, 0);
     }
   },
-  /** At the origin, where it has a cone's tip, the slope counts as 0. */
+  /** Its derivatives count as 0 at the origin, where it is not differentiable. */
   HYPOT {
     @Override
     double value(double a, double b, LocalDerivatives d) {
@@ -320,7 +320,7 @@ enum Operation {
       d.single(between ? 6 * a * (1 - a) : 0, between ? 6 - 12 * a : 0);
     }
   },
-  /** a to the power of b; where b varies, a must be positive for the slope by b. */
+  /** a to the power of b; the derivative by b requires a positive a. */
   POWER {
     @Override
     double value(double a, double b, LocalDerivatives d) {
@@ -331,7 +331,7 @@ enum Operation {
     void differentiate(double a, double b, LocalDerivatives d) {
       double f = Powers.power(a, b);
       double n = b * (b - 1);
-      // factors that are zero leave nothing, however large the power beside them
+      // a zero factor gives zero, even if the other factor is infinite
       double slope = b == 0 ? 0 : b * Powers.power(a, b - 1);
       double bend = n == 0 ? 0 : n * Powers.power(a, b - 2);
       if (a == 0) {
@@ -344,12 +344,12 @@ enum Operation {
   };
 
   /**
-   * Returns f; b is not looked at by functions of one argument. NaN where f is not defined. {@code
-   * d} lends its scratch.
+   * Returns f, or NaN if f is not defined; functions of one argument ignore b. {@code d} provides
+   * scratch.
    */
   abstract double value(double a, double b, LocalDerivatives d);
 
-  /** Writes the partial derivatives; not finite where there are none. */
+  /** Writes the partial derivatives; not finite if they do not exist. */
   abstract void differentiate(double a, double b, LocalDerivatives d);
 
   private static double smoothStep(double a) {

@@ -6,8 +6,8 @@ import java.util.List;
  * Expressions compiled to a list of operations on numbered slots, equal subexpressions only once
  * and constant ones done in advance. Immutable; {@link TapeEvaluation} runs it.
  *
- * <p>The leaves that are not constants ({@link #leaves()}) are inputs: whoever knows a mechanism's
- * motion fills them in.
+ * <p>The leaves that are not constants ({@link #leaves()}) are inputs, which the caller sets from a
+ * mechanism's motion.
  */
 public final class Tape {
   private final List<Expression> leaves;
@@ -32,7 +32,7 @@ public final class Tape {
   /**
    * Compiles expressions.
    *
-   * @param results what is wanted, in this order
+   * @param results the expressions, in the order of the results
    */
   public Tape(List<Expression> results) {
     TapeCompiler compiler = new TapeCompiler();
@@ -50,10 +50,7 @@ public final class Tape {
     initial = compiler.constants.stream().mapToDouble(Double::doubleValue).toArray();
   }
 
-  /**
-   * Returns what must be filled in before an evaluation: every kind of leaf but constants, each
-   * once.
-   */
+  /** Returns the inputs of an evaluation: all leaves except constants, each once. */
   public List<Expression> leaves() {
     return leaves;
   }
@@ -63,7 +60,7 @@ public final class Tape {
     return result.length;
   }
 
-  /** Returns whether a result is the same whatever the leaves are. */
+  /** Returns whether a result does not depend on the leaves. */
   public boolean isConstantResult(int index) {
     return constantResult[index];
   }

@@ -114,7 +114,7 @@ final class TapeCompiler {
                   constants.get(step.first()),
                   constants.get(step.second()),
                   new LocalDerivatives());
-      // what is not finite stays a step, so that it shows where it is used
+      // a constant that is not finite stays a step, so that its use is reported
       if (Double.isFinite(value)) {
         return constantSlot(value);
       }

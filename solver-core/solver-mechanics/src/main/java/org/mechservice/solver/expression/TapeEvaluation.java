@@ -6,8 +6,8 @@ import java.util.Arrays;
  * Runs a tape: values, gradients by the leaves, derivatives along a trajectory. Workspace of one
  * thread; nothing allocates after construction.
  *
- * <p>Set the leaves, then ask {@link #values()} or {@link #derivatives()}, then read. A result that
- * is not finite is passed on as it is; {@link #firstNotFinite()} finds it.
+ * <p>Set the leaves, call {@link #values()} or {@link #derivatives()}, then read the results. A
+ * result may be not finite; {@link #firstNotFinite()} finds it.
  */
 public final class TapeEvaluation {
   private final Tape tape;
@@ -66,7 +66,7 @@ public final class TapeEvaluation {
   }
 
   /**
-   * Sets a leaf and how it changes along the trajectory.
+   * Sets a leaf and its derivatives along the trajectory.
    *
    * @param leaf index in {@link Tape#leaves()}
    * @param x value
@@ -89,7 +89,9 @@ public final class TapeEvaluation {
     }
   }
 
-  /** Evaluates all results, and the partial derivatives that everything else here rests on. */
+  /**
+   * Evaluates all results and the partial derivatives of all steps, which the methods below use.
+   */
   public void derivatives() {
     for (int i = 0; i < tape.target.length; i++) {
       double a = value[tape.first[i]];
@@ -105,8 +107,8 @@ public final class TapeEvaluation {
   }
 
   /**
-   * Follows all results along the trajectory after {@link #derivatives()}: f′ = f_a a′ + f_b b′ and
-   * its derivative, from the leaves' own.
+   * Evaluates first and second derivatives of all results along the trajectory, after {@link
+   * #derivatives()}: f′ = f_a a′ + f_b b′ and its derivative.
    */
   public void rates() {
     for (int i = 0; i < tape.target.length; i++) {
@@ -123,8 +125,9 @@ public final class TapeEvaluation {
   }
 
   /**
-   * Returns slope · change. What does not change does not ask for a slope, and what has no slope,
-   * as a branch that is not taken, does not ask for the change: 0, even beside what is infinite.
+   * Returns slope · change, and 0 if one of them is 0, even if the other is not finite: a constant
+   * operand needs no slope, and an operand without influence, such as a branch not taken, needs no
+   * change.
    */
   private static double product(double slope, double change) {
     return slope == 0 || change == 0 ? 0 : slope * change;
@@ -171,8 +174,8 @@ public final class TapeEvaluation {
   }
 
   /**
-   * Writes how the gradient of a result changes when the leaves move in a direction, H d with the
-   * matrix H of second derivatives, after {@link #derivatives()}.
+   * Writes the change of a result's gradient along a direction of the leaves, H d with the Hessian
+   * H, after {@link #derivatives()}.
    *
    * @param index the result
    * @param direction d, one number per leaf; not modified

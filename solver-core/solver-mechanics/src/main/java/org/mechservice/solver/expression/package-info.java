@@ -1,12 +1,19 @@
 /**
- * Expressions of time, parameters and the state: what forces, prescribed motions, couplings, events
- * and outputs are written in.
+ * Expressions of time, parameters and the state, for forces, prescribed motions, couplings, events
+ * and outputs.
  *
  * <p>An {@link org.mechservice.solver.expression.Expression} is an immutable tree of few kinds of
- * nodes, in SI units, with every name resolved to an index; whoever reads one (a compiler to a
- * tape, a generator of code) switches over the kinds and can forget none. Its leaves look at a
- * mechanism through {@link org.mechservice.solver.expression.Coordinate} and {@link
- * org.mechservice.solver.expression.BodyPoint}, which live here so that descriptions of joints may
- * themselves contain expressions.
+ * nodes, in SI units, with every name resolved to an index. The interface is sealed, so the
+ * compiler checks that every switch over the kinds of nodes (in the tape compiler, in the code
+ * generator) is complete. Leaves refer to a mechanism through {@link
+ * org.mechservice.solver.expression.Coordinate} and {@link
+ * org.mechservice.solver.expression.BodyPoint}, which are in this package so that descriptions of
+ * joints may contain expressions.
+ *
+ * <p>{@link org.mechservice.solver.expression.Tape} compiles expressions to a list of operations
+ * with common subexpressions shared; {@link org.mechservice.solver.expression.TapeEvaluation} runs
+ * it and computes values, gradients (reverse mode) and derivatives along a trajectory (forward
+ * mode) without allocation. {@link org.mechservice.solver.expression.Function} is the table of all
+ * functions. Source: Griewank and Walther, <i>Evaluating Derivatives</i>, 2008, chapter 3.
  */
 package org.mechservice.solver.expression;

@@ -37,7 +37,7 @@ import org.mechservice.solver.mechanism.force.SpringDamper;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.spatial.Rotation;
 
-/** Puts described forces to work on a motion. */
+/** Creates applied forces from their descriptions. */
 final class ForceAssembly {
   private final TreeMotion motion;
   private final TreeGeometry tree;
@@ -49,7 +49,7 @@ final class ForceAssembly {
     this.source = source;
   }
 
-  /** Returns the force at work; the compiler names every kind that is lacking. */
+  /** Returns the applied force of a description; the compiler reports a kind without a branch. */
   AppliedForce at(ForceElement element) {
     if (element instanceof SpringDamper spring) {
       FrameMotion line =

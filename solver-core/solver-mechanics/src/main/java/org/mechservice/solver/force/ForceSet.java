@@ -14,15 +14,15 @@ import org.mechservice.solver.mechanism.Parameter;
 import org.mechservice.solver.mechanism.force.ForceElement;
 
 /**
- * All applied forces of a mechanism but gravity, at work on a motion that someone else sweeps.
+ * All applied forces of a mechanism except gravity, evaluated on a motion that the caller sweeps.
  * Workspace of one thread; nothing allocates after construction unless something fails.
  *
- * <p>After {@link TreeMotion#sweep} (places in the world included) comes {@link #apply}; what else
- * is asked refers to the state of the last {@code apply}. Forces are added in file order, so sums
- * round alike on every machine.
+ * <p>Call {@link #apply} after {@link TreeMotion#sweep} (with poses in the world); all other
+ * methods refer to the state of the last {@code apply}. Forces are added in file order, so sums
+ * round identically on every machine.
  */
 public final class ForceSet {
-  /** What {@link #apply} returns when every force has a value. */
+  /** Result of {@link #apply} if every force has a value. */
   public static final int REGULAR = -1;
 
   private final Mechanism mechanism;
@@ -32,11 +32,9 @@ public final class ForceSet {
   private int failed = REGULAR;
 
   /**
-   * Prepares the forces of a mechanism that has no user forces.
-   *
-   * @param motion of the tree the forces act on
-   * @throws IllegalArgumentException if a force refers to a body, joint or coordinate that is not
-   *     there, if its coefficients depend on more than parameters, or cannot be used
+   * Prepares the forces of a mechanism that has no user forces. @param motion motion of the
+   * tree @throws IllegalArgumentException if a force refers to a body, joint or coordinate that
+   * does not exist, if its coefficients do not depend on parameters only, or cannot be used
    */
   public ForceSet(TreeMotion motion) {
     this(motion, UserForceSource.NONE);
@@ -45,10 +43,9 @@ public final class ForceSet {
   /**
    * Prepares the forces of a mechanism.
    *
-   * @param motion of the tree the forces act on
-   * @param source makes the user's forces
-   * @throws IllegalArgumentException as {@link #ForceSet(TreeMotion)}; or if a user force cannot be
-   *     made, or asks for what is not there
+   * @param motion motion of the tree @param source creates the user forces @throws
+   *     IllegalArgumentException as {@link #ForceSet(TreeMotion)}; or if a user force cannot be
+   *     created, or needs an element that does not exist
    */
   public ForceSet(TreeMotion motion, UserForceSource source) {
     mechanism = motion.tree().mechanism();
@@ -75,8 +72,7 @@ public final class ForceSet {
   }
 
   /**
-   * Takes the values of tunable parameters, which keep them until the next call; those of the
-   * mechanism hold from the start.
+   * Sets the values of tunable parameters; initially they are those of the mechanism.
    *
    * @param values in the order of the mechanism's parameters, SI units; not modified
    * @return false if a coefficient gets a value that cannot be used; see {@link #defect()}
@@ -112,7 +108,7 @@ public final class ForceSet {
   }
 
   /**
-   * Gives the derivatives of all forces in the state of the last {@link #apply}.
+   * Adds the derivatives of all forces at the state of the last {@link #apply}.
    *
    * @return {@link #REGULAR}, or the index of a force whose derivative is not finite
    */
@@ -148,8 +144,8 @@ public final class ForceSet {
   }
 
   /**
-   * Returns the power of everything that has no potential energy, W, positive into the mechanism:
-   * the rate of the mechanical energy.
+   * Returns the power of all forces without potential energy, W, positive into the mechanism: the
+   * rate of the mechanical energy.
    */
   public double power() {
     double sum = 0;
@@ -159,7 +155,7 @@ public final class ForceSet {
     return sum;
   }
 
-  /** Returns the sum of the sizes of the same powers, each force's by itself, W. */
+  /** Returns the sum of the absolute powers of the single forces, W. */
   public double turnover() {
     double sum = 0;
     for (AppliedForce force : forces) {
@@ -168,7 +164,7 @@ public final class ForceSet {
     return sum;
   }
 
-  /** Returns what the forces can put out, {@code <force>.<value>}, in file order. */
+  /** Returns the output columns of the forces, {@code <force>.<value>}, in file order. */
   public List<Variable> columns() {
     List<Variable> columns = new ArrayList<>();
     for (int i = 0; i < forces.length; i++) {
@@ -190,7 +186,7 @@ public final class ForceSet {
     }
   }
 
-  /** Gives the pairs of links whose ways to the root meet in the Jacobian; some more than once. */
+  /** Adds the pairs of links whose ancestors are coupled in the Jacobian, some more than once. */
   public void couplings(Couplings couplings) {
     for (AppliedForce force : forces) {
       force.couplings(couplings);
@@ -198,8 +194,8 @@ public final class ForceSet {
   }
 
   /**
-   * Says that the state of the last {@link #apply} has been accepted: angles of cut joints then
-   * count whole turns from there.
+   * Records that the state of the last {@link #apply} was accepted: angles of cut joints are
+   * unwrapped from there.
    */
   public void accepted() {
     for (AppliedForce force : forces) {

@@ -4,7 +4,7 @@ import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**
- * Where each joint's coordinates stand in the extended q and v: those of driven joints come last.
+ * Offsets of each joint's coordinates in the extended q and v; those of driven joints come last.
  */
 final class ExtendedOffsets {
   private final int[] position;

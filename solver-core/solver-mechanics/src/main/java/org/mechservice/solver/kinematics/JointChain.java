@@ -20,9 +20,8 @@ import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * Takes joints apart into elementary links, from the parent to the child. A joint whose parent is
- * the file's body 2 is the same chain run backwards with every motion inverted; the definitions are
- * those of MECHML §4.
+ * Decomposes joints into elementary links, from the parent to the child. A joint whose parent is
+ * the file's body 2 is the reversed chain with every motion inverted. MECHML §4 defines the joints.
  */
 final class JointChain {
   private static final Vector3 X = new Vector3(1, 0, 0);

@@ -1,16 +1,16 @@
 package org.mechservice.solver.kinematics;
 
-/** The elementary motions that all joints are made of. */
+/** The elementary motions of which all joints are composed. */
 public enum LinkKind {
-  /** Turns about an axis fixed on both sides. */
+  /** Rotates about an axis fixed on both sides. */
   TURN(1, 1),
-  /** Slides along an axis fixed on both sides. */
+  /** Translates along an axis fixed on both sides. */
   SLIDE(1, 1),
-  /** Turns about an axis and moves along it in proportion. */
+  /** Rotates about an axis and translates along it in proportion. */
   SCREW(1, 1),
   /**
-   * Turns as four Euler parameters say; its three velocities are the angular velocity in the axes
-   * of the file's body 1.
+   * Rotates by four Euler parameters; its three velocities are the angular velocity in the axes of
+   * the file's body 1.
    */
   BALL(4, 3),
   /** Does not move. */

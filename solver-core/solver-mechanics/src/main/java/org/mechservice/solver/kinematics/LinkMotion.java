@@ -20,7 +20,7 @@ final class LinkMotion {
   private final double[] linearAcceleration;
   private final double[] carried = new double[3];
 
-  /** Works on the arrays of a motion. */
+  /** Writes to the arrays of a motion. */
   LinkMotion(TreeMotion motion) {
     tree = motion.tree();
     v = motion.v;
@@ -50,8 +50,8 @@ final class LinkMotion {
   }
 
   /**
-   * Writes the motion of the parent's point that is at the link's, in link axes: ω = Rᵀ ω_p, u = Rᵀ
-   * (u_p + ω_p × p).
+   * Writes the velocity of the parent's material point at the link's reference point, in link axes:
+   * ω = Rᵀ ω_p, u = Rᵀ (u_p + ω_p × p).
    */
   private void carry(double[] angular, double[] linear, int link) {
     int at = 3 * link;

@@ -7,8 +7,8 @@ import org.mechservice.solver.spatial.EulerParameters;
 import org.mechservice.solver.spatial.SinCos;
 
 /**
- * Places each link relative to its parent, and keeps the motion subspace. Columns that are constant
- * in link axes are written once.
+ * Computes the pose of each link relative to its parent, and the motion subspace. Columns that are
+ * constant in link axes are written once.
  */
 final class LinkPlacement {
   private final TreeGeometry tree;
@@ -18,7 +18,7 @@ final class LinkPlacement {
   private final double[] turn = new double[9];
   private final double[] sinCos = new double[2];
 
-  /** Works on the arrays of a {@link TreeMotion}. */
+  /** Writes to the arrays of a {@link TreeMotion}. */
   LinkPlacement(TreeGeometry tree, double[] rotation, double[] position, double[] subspace) {
     this.tree = tree;
     this.rotation = rotation;
@@ -54,7 +54,9 @@ final class LinkPlacement {
     }
   }
 
-  /** Writes rotation and position of a link, and what changes of its subspace. */
+  /**
+   * Writes rotation and position of a link, and the columns of its subspace that are not constant.
+   */
   void place(int link, double[] q) {
     switch (tree.kind[link]) {
       case TURN -> turn(link, q[tree.positionAt[link]]);
@@ -65,7 +67,7 @@ final class LinkPlacement {
       }
       case BALL -> ball(link, q);
       case FIXED -> {
-        // stays where it was placed
+        // a fixed link keeps its pose
       }
     }
   }

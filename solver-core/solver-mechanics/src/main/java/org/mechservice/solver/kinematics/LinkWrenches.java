@@ -27,7 +27,7 @@ public final class LinkWrenches {
   }
 
   /**
-   * Adds a force at a point to the wrench of its link; one on the root is without effect.
+   * Adds a force at a point to the wrench of its link; has no effect on the root.
    *
    * @param link the point's link, or {@link TreeGeometry#ROOT}
    * @param r from the link's reference point, in link axes, m
@@ -48,7 +48,7 @@ public final class LinkWrenches {
 
   /**
    * Adds factor · wᵀ J to a row, with J the derivative of the link's velocity by the extended
-   * velocities: what a wrench on the link does on every joint on the way to the root.
+   * velocities. The row holds the forces of the wrench on all ancestor joints.
    *
    * @param link the link, or {@link TreeGeometry#ROOT} for no effect
    * @param wrench [moment; force] in link axes at its reference point; overwritten

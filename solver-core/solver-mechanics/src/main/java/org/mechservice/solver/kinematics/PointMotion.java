@@ -4,8 +4,8 @@ import static org.mechservice.solver.spatial.Blocks.addCross;
 import static org.mechservice.solver.spatial.Blocks.apply;
 
 /**
- * Places, velocities and accelerations of points on the links, in world axes, as the sweeps of a
- * {@link TreeMotion} left them. Workspace of the thread of that motion; nothing allocates.
+ * Positions, velocities and accelerations of points on the links, in world axes, from the last
+ * sweeps of a {@link TreeMotion}. Workspace of the thread of that motion; nothing allocates.
  */
 public final class PointMotion {
   private final TreeMotion motion;
@@ -19,7 +19,7 @@ public final class PointMotion {
   }
 
   /**
-   * Writes the place of a point in the world.
+   * Writes the position of a point in the world.
    *
    * @param link the point's link, or {@link TreeGeometry#ROOT}
    * @param r from the link's reference point (the root's origin), in link (root) axes, m
@@ -78,8 +78,8 @@ public final class PointMotion {
   }
 
   /**
-   * Writes the way from one point to another, summed along the tree from their nearest common
-   * ancestor: it keeps its digits however far both are from the world's origin.
+   * Writes the vector from one point to another, summed along the tree from their nearest common
+   * ancestor, so that it keeps its digits far from the world's origin.
    *
    * @param ancestor {@link TreeGeometry#commonAncestor} of the two links
    * @param out second point minus first, world axes, m; overwritten
@@ -105,7 +105,10 @@ public final class PointMotion {
     motion.toWorld(ancestor, carried, 0, out, at);
   }
 
-  /** Leaves the place of a point in {@code carried}, from the ancestor's point in its axes. */
+  /**
+   * Writes the position of a point to {@code carried}, from the ancestor's reference point in its
+   * axes.
+   */
   private void fromAncestor(int ancestor, int link, double[] r, int rAt) {
     System.arraycopy(r, rAt, carried, 0, 3);
     for (int i = link; i != ancestor; i = tree.parent[i]) {

@@ -58,7 +58,7 @@ final class PrescribedCoordinates {
     return ordered;
   }
 
-  /** Takes other values of the parameters. */
+  /** Sets the values of the parameters. */
   void setParameters(double[] parameters) {
     for (int i = 0; i < parameterLeaves.length; i++) {
       evaluation.setLeaf(parameterLeaves[i], parameters[parameterIndex[i]]);

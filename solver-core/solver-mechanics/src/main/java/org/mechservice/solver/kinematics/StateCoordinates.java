@@ -8,8 +8,8 @@ import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.spatial.EulerParameters;
 
 /**
- * How the positions of the state change with its velocities: q' = N(q) v, with N the identity but
- * for Euler parameters, and finite moves along the tangent, one number per velocity (NUMERICS §1a).
+ * The kinematic equation of the state, q' = N(q) v, with N the identity except for Euler
+ * parameters, and finite moves along the tangent, one number per velocity (NUMERICS §1a).
  * Immutable.
  */
 public final class StateCoordinates {
@@ -111,17 +111,17 @@ public final class StateCoordinates {
     }
   }
 
-  /** Returns how many sets of Euler parameters the state holds. */
+  /** Returns the number of sets of Euler parameters in the state. */
   public int ballCount() {
     return ballPosition.length;
   }
 
-  /** Returns where the four parameters of a set begin in q. */
+  /** Returns the index in q of the first of the four parameters of a set. */
   public int ballPosition(int ball) {
     return ballPosition[ball];
   }
 
-  /** Returns where the angular velocity of a set begins in v. */
+  /** Returns the index in v of the angular velocity of a set. */
   public int ballVelocity(int ball) {
     return ballVelocity[ball];
   }
@@ -149,8 +149,7 @@ public final class StateCoordinates {
    * Moves positions along the tangent: q += factor δ, e ← exp(½ factor δ) ∘ e.
    *
    * @param q positions from {@code qAt}; overwritten
-   * @param delta nv numbers from {@code deltaAt}, rad or m; not modified
-   * @param factor what δ is multiplied by
+   * @param delta nv numbers from {@code deltaAt}, rad or m; not modified @param factor factor of δ
    */
   public void move(double[] q, int qAt, double[] delta, int deltaAt, double factor) {
     for (int i = 0; i < velocityOfPosition.length; i++) {

@@ -14,21 +14,21 @@ import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * A mechanism's constants as flat arrays, in the form the recursions use them: elementary links
- * from the root outwards, each referred to its own axes and its own reference point. The last link
- * of a joint is the child body itself, in the body's axes, with the joint's point on it as
- * reference point; the links before it are massless.
+ * A mechanism's constants as flat arrays for the recursions: elementary links from the root
+ * outwards, each with its own axes and its own reference point. The last link of a joint is the
+ * child body itself, in the body's axes, with the joint's point on it as reference point; the links
+ * before it are massless.
  *
- * <p>Reference points lie on the bodies, not at the world origin: sums and differences then keep
- * their digits however far away the mechanism is (NUMERICS §1).
+ * <p>Reference points lie on the bodies, not at the world origin, so that sums and differences keep
+ * their digits at any distance from it (NUMERICS §1).
  *
  * <p><i>Extended</i> coordinates are those of the state, in state order, followed by those of
  * driven joints in file order.
  *
- * <p>Immutable: the arrays are shared and must not be written to.
+ * <p>Immutable; callers must not write to the shared arrays.
  */
 public final class TreeGeometry {
-  /** Parent link of the links that hang on the root; equals {@link Mechanism#ROOT}. */
+  /** Parent of links whose parent is the root; equals {@link Mechanism#ROOT}. */
   public static final int ROOT = -1;
 
   /** Number of elementary links. */
@@ -37,16 +37,16 @@ public final class TreeGeometry {
   /** Parent link, or {@link #ROOT}; always smaller than the link's own index. */
   public final int[] parent;
 
-  /** How each link moves. */
+  /** Elementary motion of each link. */
   public final LinkKind[] kind;
 
   /** Index of the link's joint in file order. */
   public final int[] joint;
 
-  /** Where the link's positions begin in the extended q; meaningless for fixed links. */
+  /** Index of the link's first position in the extended q; undefined for fixed links. */
   public final int[] positionAt;
 
-  /** Where the link's velocities begin in the extended v; meaningless for fixed links. */
+  /** Index of the link's first velocity in the extended v; undefined for fixed links. */
   public final int[] velocityAt;
 
   /** The link's first velocity among those of its joint. */
@@ -121,7 +121,7 @@ public final class TreeGeometry {
 
   private final Mechanism mechanism;
 
-  /** Takes a mechanism's joints apart. */
+  /** Decomposes a mechanism's joints into elementary links. */
   public TreeGeometry(Mechanism mechanism) {
     this.mechanism = mechanism;
     List<List<ElementaryLink>> chains = new ArrayList<>();
@@ -224,7 +224,7 @@ public final class TreeGeometry {
     put(inertia, 6 * link + 3, new Vector3(tensor.xy(), tensor.xz(), tensor.yz()));
   }
 
-  /** Returns the mechanism these constants are of. */
+  /** Returns the mechanism. */
   public Mechanism mechanism() {
     return mechanism;
   }
@@ -235,8 +235,8 @@ public final class TreeGeometry {
   }
 
   /**
-   * Writes a point of a body as recursions want it: from the reference point of its link, in body
-   * axes; from the root's origin in root axes for a point of the root.
+   * Writes a point of a body from the reference point of its link, in body axes; a point of the
+   * root from the root's origin, in root axes.
    *
    * @param out three numbers from {@code at}, m; overwritten
    */
@@ -244,7 +244,7 @@ public final class TreeGeometry {
     put(out, at, point.position().minus(reference(point.body())));
   }
 
-  /** Returns the last link common to the ways from the root to two links, or {@link #ROOT}. */
+  /** Returns the nearest common ancestor of two links, or {@link #ROOT}. */
   public int commonAncestor(int first, int second) {
     int a = first;
     int b = second;

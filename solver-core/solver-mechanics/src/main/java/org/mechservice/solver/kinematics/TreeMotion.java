@@ -5,14 +5,14 @@ import static org.mechservice.solver.spatial.Blocks.applyTransposed;
 import static org.mechservice.solver.spatial.Blocks.multiply;
 
 /**
- * Where each link is, how fast it moves and how it accelerates. Workspace of one thread; nothing
- * allocates after construction.
+ * Poses, velocities and accelerations of all links. Workspace of one thread; nothing allocates
+ * after construction.
  *
  * <p>Quantities of a link are in its own axes at its reference point, unless their name says {@code
  * world}. Spatial vectors are [angular; linear]: the linear velocity is that of the material point
  * at the reference point, the linear acceleration its derivative as seen in the link's own axes
  * (Featherstone 2008, ch. 2: the acceleration of that point is {@code linearAcceleration + ω × u}).
- * The arrays are written by the methods here and read by everyone else.
+ * Only the methods of this class write to the arrays.
  */
 public final class TreeMotion {
   private final TreeGeometry tree;
@@ -47,8 +47,8 @@ public final class TreeMotion {
   public final double[] relativeVelocity;
 
   /**
-   * Velocity product c: the acceleration that the link has beyond its parent's when S v does not
-   * change, [angular; linear], 6 per link.
+   * Velocity product c: the link's acceleration relative to its parent at constant joint
+   * velocities, [angular; linear], 6 per link.
    */
   public final double[] velocityProduct;
 
@@ -58,19 +58,19 @@ public final class TreeMotion {
   /** Reference point from the world's origin, in world axes, m, 3 per link. */
   public final double[] worldPosition;
 
-  /** Angular part of the spatial acceleration, rad/s², 3 per link. Gravity is not in it. */
+  /** Angular part of the spatial acceleration without gravity, rad/s², 3 per link. */
   public final double[] angularAcceleration;
 
-  /** Linear part of the spatial acceleration, m/s², 3 per link. Gravity is not in it. */
+  /** Linear part of the spatial acceleration without gravity, m/s², 3 per link. */
   public final double[] linearAcceleration;
 
-  /** What angles in cut joints, which forces depend on, count from. */
+  /** Unwrapped coordinates of cut joints on which forces depend. */
   public final CountedPositions counted = new CountedPositions();
 
   /** Points of the links, in the world. */
   public final PointMotion points;
 
-  /** Wrenches on the links, and how they pass to the root. */
+  /** Wrenches on the links, and their transfer to the root. */
   public final LinkWrenches wrenches;
 
   /** Makes a workspace for a tree. */
@@ -98,13 +98,13 @@ public final class TreeMotion {
     wrenches = new LinkWrenches(this);
   }
 
-  /** Returns the constants of the tree this is the motion of. */
+  /** Returns the constants of the tree. */
   public TreeGeometry tree() {
     return tree;
   }
 
   /**
-   * Takes other values of the mechanism's parameters for the motions of driven joints.
+   * Sets the values of the mechanism's parameters for the motions of driven joints.
    *
    * @param parameters one number per parameter, SI units; copied
    */
@@ -113,10 +113,9 @@ public final class TreeMotion {
   }
 
   /**
-   * Sweeps outwards: places and velocities, relative to the parents and in the world.
+   * Sweeps outwards: poses and velocities, relative to the parents and in the world. @param t time,
+   * s @param q positions in state order, rad, m; not modified
    *
-   * @param t time, s
-   * @param q positions in state order, rad, m; not modified
    * @param v velocities in state order, rad/s, m/s; not modified
    */
   public void sweep(double t, double[] q, double[] v) {
@@ -125,7 +124,7 @@ public final class TreeMotion {
   }
 
   /**
-   * Sweeps outwards for a state y = [q; v]: places and velocities, relative to the parents and in
+   * Sweeps outwards for a state y = [q; v]: poses and velocities, relative to the parents and in
    * the world.
    *
    * @param t time, s
@@ -137,7 +136,7 @@ public final class TreeMotion {
   }
 
   /**
-   * As {@link #sweep(double, double[])} without the places in the world, which keep their values.
+   * As {@link #sweep(double, double[])} without the poses in the world, which keep their values.
    */
   public void sweepRelative(double t, double[] y) {
     sweep(t, y, 0, y, tree.statePositionCount);
@@ -169,8 +168,8 @@ public final class TreeMotion {
   }
 
   /**
-   * Sweeps accelerations outwards after {@link #sweep}. With all of {@code a} zero they are the
-   * velocity products, and what the motions of driven joints add.
+   * Sweeps accelerations outwards after {@link #sweep}. With all of {@code a} zero they consist of
+   * velocity products and of the prescribed accelerations of driven joints.
    *
    * @param a joint accelerations in state order, rad/s², m/s²; not modified
    */

@@ -5,7 +5,7 @@ import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * Which two bodies a joint joins, and how they stand at zero.
+ * The two bodies that a joint connects, and their relative pose at zero coordinates.
  *
  * @param parent index of the body nearer the root in {@link Mechanism#bodies()}; {@link
  *     Mechanism#ROOT} for the root
@@ -23,8 +23,8 @@ public record Attachment(
   }
 
   /**
-   * Returns what an axis fixed in both bodies becomes when parent and child change places and the
-   * motion keeps its sense: the opposite vector, in child axes.
+   * Returns the axis of the joint with parent and child exchanged and the sense of motion kept: the
+   * opposite vector, in child axes.
    *
    * @param axis unit vector in parent axes
    */
@@ -33,7 +33,7 @@ public record Attachment(
   }
 
   /**
-   * Refuses a rotation at zero where the coordinates themselves give the rotation.
+   * Rejects a rotation at zero for joints whose coordinates are Euler parameters.
    *
    * @throws IllegalArgumentException naming the joint
    */

@@ -10,7 +10,7 @@ import org.mechservice.solver.spatial.Vector3;
  * @param mass kg; 0 for a massless link
  * @param centerOfMass from the body's origin, in body axes, m
  * @param inertia about the centre of mass, in body axes, kg·m²
- * @param origin where it was written down
+ * @param origin position in the model file
  */
 public record Body(
     String name, double mass, Vector3 centerOfMass, InertiaTensor inertia, Origin origin) {

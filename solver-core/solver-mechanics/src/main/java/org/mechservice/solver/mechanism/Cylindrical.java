@@ -12,7 +12,7 @@ import org.mechservice.solver.spatial.Vector3;
  * @param axis unit vector in parent axes; positive motion of the child relative to the parent,
  *     right-handed
  * @param start displacement and angle, m and rad
- * @param origin where it was written down
+ * @param origin position in the model file
  */
 public record Cylindrical(
     String name, Attachment attachment, Vector3 axis, JointStart start, Origin origin)
@@ -27,7 +27,7 @@ public record Cylindrical(
     return JointType.C;
   }
 
-  /** {@inheritDoc} The axis turns round, which leaves both coordinates their sense. */
+  /** {@inheritDoc} The axis is reversed, which keeps the sense of both coordinates. */
   @Override
   public Cylindrical reversed() {
     return new Cylindrical(

@@ -5,14 +5,12 @@ import org.mechservice.solver.api.capability.ModelEvents;
 import org.mechservice.solver.expression.Expression;
 
 /**
- * Something that happens where an expression passes through zero (MECHML §5).
+ * An action at the zero crossings of an expression (MECHML §5).
  *
  * @param name name in the model file
  * @param trigger of time, parameters and the state
- * @param direction which passages count
- * @param action what happens
- * @param changes what {@code SET} sets; empty for other actions
- * @param origin where it was written down
+ * @param direction direction of the crossings that count @param action the action @param changes
+ *     assignments of {@code SET}; empty for other actions @param origin position in the model file
  */
 public record Event(
     String name,

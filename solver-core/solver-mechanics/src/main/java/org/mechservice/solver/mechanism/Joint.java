@@ -8,13 +8,13 @@ public sealed interface Joint
   /** Returns the name in the model file. */
   String name();
 
-  /** Returns the bodies it joins and how they stand at zero. */
+  /** Returns the bodies that it connects and their relative pose at zero. */
   Attachment attachment();
 
-  /** Returns where it was written down. */
+  /** Returns its position in the model file. */
   Origin origin();
 
-  /** Returns the joint's kind, which decides how many coordinates it has. */
+  /** Returns the joint's type, which determines the number of coordinates. */
   JointType type();
 
   /** Returns the unit of a force that acts along a velocity, which is N·m or N. */
@@ -23,8 +23,8 @@ public sealed interface Joint
   }
 
   /**
-   * Returns the same joint seen from its child: parent and child change places, the coordinates
-   * keep their sense (motion of the file's body 2 relative to its body 1).
+   * Returns the joint with parent and child exchanged; the coordinates keep their sense (motion of
+   * the file's body 2 relative to its body 1).
    */
   Joint reversed();
 

@@ -5,7 +5,7 @@ import java.util.List;
 import org.mechservice.solver.api.JointType;
 
 /**
- * Where the coordinates of a joint with several of them start, in the order of MECHML §4.
+ * Start values of the coordinates of a joint with several of them, in the order of MECHML §4.
  *
  * @param positions rad, m, or Euler parameters (scalar first, norm 1)
  * @param velocities rad/s or m/s
@@ -29,7 +29,7 @@ public record JointStart(List<Double> positions, List<Double> velocities) {
   }
 
   /**
-   * Refuses a start with another number of values than the joint has.
+   * Rejects a start with a wrong number of values.
    *
    * @throws IllegalArgumentException naming the joint and both numbers
    */

@@ -14,14 +14,15 @@ import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * Rigid bodies hanging on a root at rest, with what closes loops between them and acts on them.
+ * A mechanism: rigid bodies connected by joints to a root at rest, with closures of loops and
+ * applied forces.
  *
  * <p>Bodies and joints stand in the order of the model file. Each body is the child of exactly one
  * joint of the tree. The state y = [q; v] takes these joints in that order, leaving out the driven
  * ones; {@link #outward()} gives them from the root to the leaves.
  */
 public final class Mechanism {
-  /** Index of the root where a body is meant. */
+  /** Body index of the root. */
   public static final int ROOT = -1;
 
   private static final int NOT_DRIVEN = -1;
@@ -77,10 +78,10 @@ public final class Mechanism {
    * @param bodies the moving bodies in file order
    * @param joints one joint of the tree per body in file order, each leading from the parent
    *     outwards
-   * @param motions what drives joints of the tree, at most one per joint
+   * @param motions prescribed motions of joints of the tree, at most one per joint
    * @param startRoles how far assembly may move each joint of the tree
    * @param closures cut joints and other constraints
-   * @param forces everything applied besides gravity
+   * @param forces all applied forces except gravity
    * @param parameters numbers that expressions refer to
    * @throws IllegalArgumentException if a body index is out of range, a body is the child of no
    *     joint or of two, or the joints do not lead from the root to every body; if a motion does
@@ -122,7 +123,7 @@ public final class Mechanism {
     }
   }
 
-  /** The same bodies, joints, loops and forces with other numbers and events. */
+  /** Copies a mechanism with other parameters and events. */
   private Mechanism(Mechanism like, List<Parameter> parameters, List<Event> events) {
     this.name = like.name;
     this.root = like.root;
@@ -263,7 +264,7 @@ public final class Mechanism {
     return jointOfBody[body];
   }
 
-  /** Returns what drives joints of the tree. */
+  /** Returns the prescribed motions of joints of the tree. */
   public List<PrescribedMotion> motions() {
     return motions;
   }
@@ -295,14 +296,14 @@ public final class Mechanism {
     return parameters;
   }
 
-  /** Returns what happens along a simulation, in file order. */
+  /** Returns the events of a simulation, in file order. */
   public List<Event> events() {
     return events;
   }
 
   /**
-   * Returns the times at which the equations jump because an expression of time in them does, such
-   * as {@code step(t-1)}.
+   * Returns the times at which the equations jump because of an expression of time, such as {@code
+   * step(t-1)}.
    *
    * @param from first time of interest, s
    * @param to last one, s
@@ -314,16 +315,15 @@ public final class Mechanism {
   /**
    * Returns the times at which the position or the velocity of a driven joint jumps, in order.
    *
-   * @param from first time of interest, s; what happens there is left out
-   * @param to last one, s
+   * @param from first time of interest, s; jumps at this time are left out @param to last one, s
    */
   public List<MotionJump> motionJumps(double from, double to) {
     return MotionJumps.of(this, from, to);
   }
 
   /**
-   * Returns whether something may happen along a run at times that formulas know: a jump of the
-   * equations, or of the motion of a driven joint.
+   * Returns whether jumps at times given by formulas are possible in a run: of the equations, or of
+   * the motion of a driven joint.
    */
   public boolean mayJump() {
     return MotionJumps.possible(this)
@@ -353,12 +353,12 @@ public final class Mechanism {
     return motionOfJoint[joint] != NOT_DRIVEN;
   }
 
-  /** Returns where the positions of joint {@code joint} begin in q; -1 for a driven joint. */
+  /** Returns the index in q of the first position of joint {@code joint}; -1 for a driven joint. */
   public int positionOffset(int joint) {
     return isDriven(joint) ? -1 : positionOffset[joint];
   }
 
-  /** Returns where the velocities of joint {@code joint} begin in v; -1 for a driven joint. */
+  /** Returns the index in v of the first velocity of joint {@code joint}; -1 for a driven joint. */
   public int velocityOffset(int joint) {
     return isDriven(joint) ? -1 : velocityOffset[joint];
   }

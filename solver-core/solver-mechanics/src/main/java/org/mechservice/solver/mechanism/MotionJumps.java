@@ -21,22 +21,22 @@ import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 
 /**
- * Finds where prescribed coordinates and their velocities jump: a function is evaluated at many
- * times, closely around those at which its formula is known to change, and a stretch over which it
- * changes is halved towards the greater change until nothing is left of that, or no number lies
- * between. Two jumps within a two-thousandth of the interval that take each other back, at times
- * that do not follow from the formula, may go unnoticed.
+ * Finds jumps of prescribed coordinates and of their velocities. A function is sampled over the
+ * interval, more densely around the times at which its formula is known to change. An interval with
+ * a change is bisected towards the greater change until the change vanishes or no number lies
+ * between its ends. Two opposite jumps within a two-thousandth of the interval, at times that do
+ * not follow from the formula, may be missed.
  */
 final class MotionJumps {
   private static final int SAMPLES = 2000;
 
-  /** Half the stretch looked at around a known time, relative to the interval. */
+  /** Half the width of the dense samples around a known time, relative to the interval. */
   private static final double NEAR = 1e-9;
 
-  /** So much farther from a jump, rounding no longer takes a velocity away. */
+  /** Factor of the distance from a jump at which rounding no longer destroys the velocity. */
   private static final double ROUNDED = 100;
 
-  /** A change that is none, relative to the largest value: rounding in long formulas. */
+  /** Relative change that counts as zero: rounding errors of long formulas. */
   private static final double NOTHING = 1e-9;
 
   private final Mechanism mechanism;
@@ -47,7 +47,7 @@ final class MotionJumps {
   private MotionJumps(Mechanism mechanism, double from, double to) {
     this.mechanism = mechanism;
     near = NEAR * (to - from);
-    // What happens at the very start belongs to the start.
+    // A jump at the start time belongs to the start values.
     double begin = from + near;
     for (int i = 0; i <= SAMPLES; i++) {
       grid.add(i == SAMPLES ? to : begin + (to - begin) * i / SAMPLES);
@@ -70,7 +70,7 @@ final class MotionJumps {
     return jumps.found.stream().sorted(Comparator.comparingDouble(MotionJump::time)).toList();
   }
 
-  /** Returns whether a formula of a prescribed motion leaves that open. */
+  /** Returns whether the formulas of prescribed motions permit jumps. */
   static boolean possible(Mechanism mechanism) {
     Stream<Expression> inTree = mechanism.motions().stream().flatMap(m -> m.coordinates().stream());
     Stream<Expression> cut =
@@ -82,7 +82,7 @@ final class MotionJumps {
     return closure instanceof JointClosure joint ? joint.motion() : List.of();
   }
 
-  /** Whether a formula surely has a velocity that does not jump. */
+  /** Returns whether a formula certainly has a continuous velocity. */
   private static boolean isSmooth(Expression formula) {
     if (formula instanceof Sum sum) {
       return isSmooth(sum.left()) && isSmooth(sum.right());
@@ -173,8 +173,8 @@ final class MotionJumps {
   }
 
   /**
-   * At the jump itself a function may have a third value; rounding may leave its velocity none near
-   * by, as at the tips of {@code asin(sin(t))}.
+   * Makes a jump from the values before and after. A function may have a third value at the jump,
+   * and rounding may destroy its velocity nearby, as at the corners of {@code asin(sin(t))}.
    */
   private MotionJump jump(Joint joint, int velocity, Curve curve, boolean position, double t) {
     String name = joint.name();
@@ -190,7 +190,7 @@ final class MotionJumps {
     return new MotionJump(name, origin, velocity, position, t, before, after, lost);
   }
 
-  /** A velocity that is not finite is told of where the accelerations are. */
+  /** Adds a jump. A velocity that is not finite is reported with the accelerations instead. */
   private void add(MotionJump jump) {
     boolean known = Double.isFinite(jump.before()) && Double.isFinite(jump.after());
     if (!isFound(jump) && (jump.ofPosition() || (known && !jumpsAt(jump)))) {
@@ -209,7 +209,10 @@ final class MotionJumps {
                     && other.ahead() <= jump.behind());
   }
 
-  /** Whether the position of the coordinate jumps there, whose velocity is then of no use. */
+  /**
+   * Returns whether the position of the coordinate jumps at the same time; its velocity is then
+   * ignored.
+   */
   private boolean jumpsAt(MotionJump jump) {
     return found.stream()
         .anyMatch(
@@ -226,7 +229,7 @@ final class MotionJumps {
         : Double.isFinite(before) != Double.isFinite(after);
   }
 
-  /** A coordinate over time. */
+  /** A coordinate as a function of time. */
   private static final class Curve {
     private final TapeEvaluation evaluation;
 

@@ -1,7 +1,7 @@
 package org.mechservice.solver.mechanism;
 
 /**
- * Where a part of a mechanism was written down, for messages.
+ * The position of a part of a mechanism in the model file, for messages.
  *
  * @param file name of the file; empty if there is none
  * @param line line in the file, from 1; 0 if there is none

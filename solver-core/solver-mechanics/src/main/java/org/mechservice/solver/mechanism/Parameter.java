@@ -1,8 +1,8 @@
 package org.mechservice.solver.mechanism;
 
 /**
- * A number that may be changed without building the model anew; expressions refer to it by its
- * index in {@link Mechanism#parameters()}.
+ * A number that may be changed without rebuilding the model; expressions refer to it by its index
+ * in {@link Mechanism#parameters()}.
  *
  * @param name name in the model file
  * @param value in SI units

@@ -13,7 +13,7 @@ import org.mechservice.solver.spatial.Vector3;
  *     right-handed
  * @param initialPosition displacement at the start, m
  * @param initialVelocity its rate at the start, m/s
- * @param origin where it was written down
+ * @param origin position in the model file
  */
 public record Prismatic(
     String name,
@@ -29,7 +29,7 @@ public record Prismatic(
     return JointType.P;
   }
 
-  /** {@inheritDoc} The axis turns round, which leaves the coordinate its sense. */
+  /** {@inheritDoc} The axis is reversed, which keeps the sense of the coordinate. */
   @Override
   public Prismatic reversed() {
     return new Prismatic(

@@ -13,7 +13,7 @@ import org.mechservice.solver.spatial.Vector3;
  *     right-handed
  * @param initialPosition angle at the start, rad
  * @param initialVelocity its rate at the start, rad/s
- * @param origin where it was written down
+ * @param origin position in the model file
  */
 public record Revolute(
     String name,
@@ -29,7 +29,7 @@ public record Revolute(
     return JointType.R;
   }
 
-  /** {@inheritDoc} The axis turns round, which leaves the coordinate its sense. */
+  /** {@inheritDoc} The axis is reversed, which keeps the sense of the coordinate. */
   @Override
   public Revolute reversed() {
     return new Revolute(

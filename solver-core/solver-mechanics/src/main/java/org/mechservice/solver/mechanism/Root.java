@@ -4,7 +4,7 @@ import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * The body at rest that the mechanism hangs on.
+ * The body at rest to which the mechanism is attached.
  *
  * @param name name in the model file
  * @param position its origin in the world, m

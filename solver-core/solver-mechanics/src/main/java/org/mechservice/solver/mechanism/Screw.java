@@ -12,10 +12,10 @@ import org.mechservice.solver.spatial.Vector3;
  * @param attachment bodies, points, rotation at zero
  * @param axis unit vector in parent axes; positive motion of the child relative to the parent,
  *     right-handed
- * @param pitch way along the axis per angle, m/rad; negative for a left-handed screw
+ * @param pitch displacement along the axis per angle, m/rad; negative for a left-handed screw
  * @param initialPosition angle at the start, rad
  * @param initialVelocity its rate at the start, rad/s
- * @param origin where it was written down
+ * @param origin position in the model file
  */
 public record Screw(
     String name,
@@ -32,7 +32,7 @@ public record Screw(
     return JointType.H;
   }
 
-  /** {@inheritDoc} The axis turns round, which leaves coordinate and pitch their sense. */
+  /** {@inheritDoc} The axis is reversed, which keeps the sense of coordinate and pitch. */
   @Override
   public Screw reversed() {
     return new Screw(

@@ -1,11 +1,11 @@
 package org.mechservice.solver.mechanism;
 
-/** How far assembly may move the coordinates of a joint from where its file starts them. */
+/** Freedom of assembly to change the start values of a joint's coordinates. */
 public enum StartRole {
-  /** They stay to the bit; a loop that then cannot close is an error. */
+  /** The start values are kept in every bit; a loop that then cannot close is an error. */
   FIXED,
-  /** They were given: they move as little as the loops allow. */
+  /** The start values were given: they change as little as the loops permit. */
   PREFERRED,
-  /** They were not given: they go where the loops put them. */
+  /** The start values were not given: assembly chooses them. */
   FREE
 }

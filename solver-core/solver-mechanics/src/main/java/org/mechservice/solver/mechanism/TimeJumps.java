@@ -19,16 +19,16 @@ import org.mechservice.solver.mechanism.force.ForceTorque;
 import org.mechservice.solver.mechanism.force.JointForce;
 
 /**
- * The times at which a mechanism's equations jump because an expression in them does: {@code
- * step(t-1)} at 1 s, {@code floor(10*t)} every tenth of a second. Found where the argument of such
- * a function is c₀ + c₁ t with numbers or parameters for c; a jump that depends on the state has no
- * time that is known before.
+ * The times at which a mechanism's equations jump because of an expression of time: {@code
+ * step(t-1)} at 1 s, {@code floor(10*t)} every tenth of a second. A jump is found if the argument
+ * of such a function is c₀ + c₁ t with numbers or parameters for c; the time of a jump that depends
+ * on the state is not known in advance.
  *
  * <p>A force jumps with {@code step}, {@code floor} and {@code signum}. The acceleration of a
- * driven joint jumps besides with {@code smoothStep}, {@code abs}, {@code min} and {@code max}.
+ * driven joint also jumps with {@code smoothStep}, {@code abs}, {@code min} and {@code max}.
  */
 final class TimeJumps {
-  /** Jumps found at most; who has more has a function without pieces. */
+  /** Largest number of jumps found; a function with more is not piecewise smooth. */
   private static final int MOST = 10_000;
 
   private final List<Parameter> parameters;
@@ -107,7 +107,7 @@ final class TimeJumps {
           line(call.arguments().get(1)).ifPresent(other -> addMeeting(line, other));
         }
       }
-      // smooth where they have a value
+      // smooth wherever they are defined
       case SQRT,
           SIN,
           COS,
@@ -151,7 +151,7 @@ final class TimeJumps {
     }
   }
 
-  /** Returns an expression as a line over time, if it is one. */
+  /** Returns an expression as a linear function of time, if it is one. */
   private Optional<Line> line(Expression expression) {
     if (expression instanceof Constant constant) {
       return Optional.of(new Line(constant.value(), 0));
@@ -182,9 +182,8 @@ final class TimeJumps {
   }
 
   /**
-   * A function of time.
+   * A linear function of time. @param atZero value at t = 0
    *
-   * @param atZero value at t = 0
    * @param slope per second
    */
   private record Line(double atZero, double slope) {

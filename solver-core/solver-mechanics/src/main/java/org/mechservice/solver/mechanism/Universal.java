@@ -4,9 +4,9 @@ import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * A cross that turns about an axis of the file's body 1, and carries body 2, which turns about an
- * axis of its own: A = Rot(axis1, q1) A0 Rot(axis2, q2), the two points coincide (MECHML §4, type
- * U).
+ * A cross rotates about an axis of the file's body 1, and body 2 rotates about its own axis
+ * relative to the cross: A = Rot(axis1, q1) A0 Rot(axis2, q2), the two points coincide (MECHML §4,
+ * type U).
  *
  * @param name name in the model file
  * @param attachment bodies, points, rotation at zero
@@ -14,7 +14,7 @@ import org.mechservice.solver.spatial.Vector3;
  * @param axis2 unit vector in the axes of the file's body 2
  * @param start the two angles, rad
  * @param fileBody2IsParent whether the tree takes the joint from the file's body 2 to its body 1
- * @param origin where it was written down
+ * @param origin position in the model file
  */
 public record Universal(
     String name,

@@ -1,8 +1,9 @@
 package org.mechservice.solver.spatial;
 
 /**
- * Vectors of 3 and matrices of 3 × 3 stored row by row in larger arrays. An offset says where each
- * begins; results may not overlap their arguments unless that is said. Nothing here allocates.
+ * Vectors of 3 and matrices of 3 × 3 stored row by row in larger arrays. An offset gives the first
+ * element of each; results must not overlap arguments unless stated otherwise. Nothing here
+ * allocates.
  */
 public final class Blocks {
   private Blocks() {}

@@ -8,8 +8,8 @@ public final class EulerParameters {
   private EulerParameters() {}
 
   /**
-   * Writes the Euler parameters of a rotation matrix, e0 ≥ 0. The largest of the four is found from
-   * the diagonal and divides the others, so that no digits are lost whatever the angle (Shepperd
+   * Writes the Euler parameters of a rotation matrix, e0 ≥ 0. The largest of the four is computed
+   * from the diagonal and divides the others, so that no digits are lost at any angle (Shepperd
    * 1978).
    *
    * @param r rotation matrix row by row, body to world axes, 9 numbers from {@code ir}; not
@@ -88,7 +88,7 @@ public final class EulerParameters {
    * Writes e' = ½ (0, ω) ∘ e.
    *
    * @param e from {@code ie}; not modified
-   * @param omega angular velocity in the axes e turns to, rad/s, from {@code io}; not modified
+   * @param omega angular velocity in the outer axes of e, rad/s, from {@code io}; not modified
    * @param rate four numbers from {@code ir}, 1/s; overwritten
    */
   public static void rate(double[] e, int ie, double[] omega, int io, double[] rate, int ir) {
@@ -109,8 +109,8 @@ public final class EulerParameters {
    * Turns Euler parameters by a rotation vector: e ← exp(½ δ) ∘ e, exactly; their length stays.
    *
    * @param e from {@code ie}; overwritten
-   * @param delta rotation vector in the axes e turns to, rad, from {@code id}; not modified
-   * @param factor what δ is multiplied by
+   * @param delta rotation vector in the outer axes of e, rad, from {@code id}; not modified @param
+   *     factor factor of δ
    */
   public static void turn(double[] e, int ie, double[] delta, int id, double factor) {
     double x = 0.5 * factor * delta[id];

@@ -1,6 +1,6 @@
 package org.mechservice.solver.spatial;
 
-/** Constants of generated code that are too many to stand in it one by one. */
+/** Tables of numbers for generated code with too many constants for single literals. */
 public final class NumberTable {
   private NumberTable() {}
 

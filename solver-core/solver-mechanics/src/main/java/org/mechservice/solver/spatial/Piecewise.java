@@ -1,15 +1,15 @@
 package org.mechservice.solver.spatial;
 
-/** What generated code, which has no branches of its own, calls where a formula has cases. */
+/** Case distinctions for generated code, which contains no branches. */
 public final class Piecewise {
   private Piecewise() {}
 
-  /** Returns {@code first} where a ≤ b, else {@code second}; also where one is not a number. */
+  /** Returns {@code first} if a ≤ b, otherwise {@code second}, also if a or b is NaN. */
   public static double choose(double a, double b, double first, double second) {
     return a <= b ? first : second;
   }
 
-  /** Returns a · b, and 0 where one of them is 0, even if the other is infinite or no number. */
+  /** Returns a · b, and 0 if one of them is 0, even if the other is infinite or NaN. */
   public static double product(double a, double b) {
     return a == 0 || b == 0 ? 0 : a * b;
   }

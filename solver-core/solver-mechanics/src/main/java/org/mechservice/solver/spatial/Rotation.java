@@ -1,8 +1,8 @@
 package org.mechservice.solver.spatial;
 
 /**
- * A rotation matrix, row by row: it takes components in the rotated ("child") axes to components in
- * the fixed ("parent") axes.
+ * A rotation matrix, row by row: it transforms components in the rotated ("child") axes to
+ * components in the fixed ("parent") axes.
  */
 public record Rotation(
     double xx,
@@ -22,7 +22,7 @@ public record Rotation(
    */
   private static final double OPPOSITE = -1 + 1e-12;
 
-  /** Returns whether it turns nothing; equality of records is slow at its first call. */
+  /** Returns whether this is the identity; faster than equality of records at the first call. */
   public boolean isIdentity() {
     return xx == 1 && yy == 1 && zz == 1;
   }

@@ -21,7 +21,7 @@ public final class RotationVector {
   private double gammaSlope;
 
   /**
-   * Takes a rotation.
+   * Sets the rotation.
    *
    * @param r rotation matrix row by row, child to parent axes; not modified
    * @return false within 2e-3 rad of half a turn, where the vector jumps
@@ -78,7 +78,8 @@ public final class RotationVector {
   }
 
   /**
-   * Writes how B changes when φ does: −½ [δ]× + γ ([δ]×[φ]× + [φ]×[δ]×) + (γ′/θ) (φ · δ) [φ]×².
+   * Writes the change of B for a change of φ: −½ [δ]× + γ ([δ]×[φ]× + [φ]×[δ]×) + (γ′/θ) (φ · δ)
+   * [φ]×².
    *
    * @param delta change of φ; not modified
    * @param out 3 × 3 row by row; overwritten

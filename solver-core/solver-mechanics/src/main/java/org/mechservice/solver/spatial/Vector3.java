@@ -1,7 +1,7 @@
 package org.mechservice.solver.spatial;
 
 /**
- * A vector in three dimensions; its frame and unit are said where it is used.
+ * A vector in three dimensions; its user states frame and unit.
  *
  * @param x first component
  * @param y second component

@@ -23,9 +23,9 @@ import org.mechservice.solver.mechanism.force.JointForce;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
 
 /**
- * The angles of cut joints on which forces and relations of a mechanism depend, rad. They are no
- * states: code that is written for the mechanism finds them to a whole turn, and takes the one
- * nearest to where they were at the last accepted step. Workspace of one thread.
+ * The angles of cut joints on which forces and couplings of a mechanism depend, rad. They are not
+ * states: generated code computes them up to a whole turn and takes the turn nearest to the value
+ * at the last accepted step. Workspace of one thread.
  */
 public final class UnwrappedAngles {
   private final CutJoint[] joints;
@@ -48,7 +48,7 @@ public final class UnwrappedAngles {
     }
   }
 
-  /** Returns the positions that are such angles, in the order in which code is given them. */
+  /** Returns the positions that are such angles, in the order of the code's argument. */
   public static List<ClosureCoordinate> of(Mechanism mechanism) {
     List<Coordinate> positions = new ArrayList<>();
     List<Expression> formulas = new ArrayList<>();
@@ -79,12 +79,12 @@ public final class UnwrappedAngles {
         .toList();
   }
 
-  /** Returns whether a position of a cut joint is an angle, whose whole turns are counted. */
+  /** Returns whether a position of a cut joint is an angle, which is unwrapped. */
   public static boolean isAngle(Mechanism mechanism, ClosureCoordinate position) {
     return joint(mechanism, position).type().positionUnit(position.component()).equals("rad");
   }
 
-  /** Returns the velocity that belongs to a position of a cut joint, which has one of its own. */
+  /** Returns the velocity of a position of a cut joint that is not an Euler parameter. */
   public static ClosureCoordinate velocityOf(Mechanism mechanism, ClosureCoordinate position) {
     Joint joint = joint(mechanism, position);
     int surplus = joint.type().positionCount() - joint.type().velocityCount();
@@ -108,14 +108,14 @@ public final class UnwrappedAngles {
     return joints.length;
   }
 
-  /** Returns an array with the angles wished for at the start behind a state. */
+  /** Returns an array of a state followed by the start values of the angles. */
   public double[] behind(double[] state) {
     double[] all = Arrays.copyOf(state, state.length + starts.length);
     System.arraycopy(starts, 0, all, state.length, starts.length);
     return all;
   }
 
-  /** Lets angles, which stand from an index of an array, go on to where a sweep has led. */
+  /** Updates the angles, from an index of an array, to the last sweep. */
   public void follow(TreeMotion motion, double[] angles, int at) {
     for (int i = 0; i < joints.length; i++) {
       joints[i].relative().place(motion);

@@ -33,7 +33,7 @@ public class PenaltyModel extends LoopModel implements ProjectedStates, ModelSta
   /**
    * Makes a model of a mechanism whose loops are closed.
    *
-   * @param userForces makes the forces that users have written
+   * @param userForces creates the user forces
    * @throws IllegalArgumentException if the loops are not closed at the start
    */
   public PenaltyModel(

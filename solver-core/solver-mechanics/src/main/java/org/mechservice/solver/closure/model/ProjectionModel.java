@@ -27,7 +27,7 @@ public class ProjectionModel extends LoopModel implements DependentStates, Model
    * Makes a model of a mechanism whose loops are closed. Evaluations fail with N-023 if the start
    * is so singular that no independent coordinates can be chosen.
    *
-   * @param userForces makes the forces that users have written
+   * @param userForces creates the user forces
    * @throws IllegalArgumentException if the loops are not closed at the start
    */
   public ProjectionModel(ClosedMechanism closed, UserForceSource userForces) {

@@ -97,7 +97,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
   /**
    * Makes a model of a mechanism whose loops are closed.
    *
-   * @param userForces makes the forces that users have written
+   * @param userForces creates the user forces
    * @throws IllegalArgumentException if the loops are not closed at the start
    */
   public ResidualPenaltyModel(

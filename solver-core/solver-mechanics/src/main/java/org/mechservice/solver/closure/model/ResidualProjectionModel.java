@@ -18,7 +18,7 @@ public class ResidualProjectionModel extends ProjectionModel implements Residual
   /**
    * Makes a model of a mechanism whose loops are closed.
    *
-   * @param userForces makes the forces that users have written
+   * @param userForces creates the user forces
    * @throws IllegalArgumentException if the loops are not closed at the start
    */
   public ResidualProjectionModel(ClosedMechanism closed, UserForceSource userForces) {

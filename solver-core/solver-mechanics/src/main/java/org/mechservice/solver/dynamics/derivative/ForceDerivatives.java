@@ -5,8 +5,8 @@ import org.mechservice.solver.force.applied.ForceJacobian;
 
 /**
  * Adds the derivatives of applied forces to those of M a + b, whose sign is the opposite: F = M a +
- * b − τ − Jᵀ w. What concerns driven coordinates is left out: they do not vary, and their forces
- * are no equations.
+ * b − τ − Jᵀ w. Derivatives by driven coordinates and of driving forces are left out: driven
+ * coordinates do not vary, and their forces are not equations.
  */
 final class ForceDerivatives implements ForceJacobian {
   private static final double[] NONE = {};

@@ -5,12 +5,12 @@ import org.mechservice.solver.dynamics.tree.TreeSquare;
 import org.mechservice.solver.kinematics.StateCoordinates;
 
 /**
- * Derivatives of a residual by differences along the tangent, for formulations without derivatives
- * of their own: M as composite inertias give it, the other two by one evaluation for each velocity.
- * Workspace of one thread.
+ * Derivatives of a residual by forward differences along the tangent, for formulations without
+ * analytic derivatives: M comes from composite inertias, the other two derivatives from one
+ * evaluation per velocity each. Workspace of one thread.
  */
 public final class ResidualDifferences {
-  /** Part of a coordinate's size by which it is moved: half the digits. */
+  /** Relative step of a difference quotient: half the digits. */
   private static final double PART = 0x1p-26;
 
   private final ResidualJacobian jacobian;
@@ -35,8 +35,8 @@ public final class ResidualDifferences {
   }
 
   /**
-   * @param pattern which velocities are coupled; the other elements are zero
-   * @param forceCount length of what {@link Forces} writes
+   * @param pattern sparsity pattern of the derivatives @param forceCount length of the array that
+   *     {@link Forces} writes
    */
   public ResidualDifferences(
       ResidualJacobian jacobian,

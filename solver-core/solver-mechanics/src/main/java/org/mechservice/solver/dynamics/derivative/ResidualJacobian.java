@@ -23,7 +23,7 @@ import org.mechservice.solver.kinematics.TreeMotion;
 
 /**
  * RR-JF: the derivatives of the residual M(q) a + b(q, v) − τ − Jᵀ w by a, v and q, each between a
- * joint and those on its way to the root, O(n · depth).
+ * joint and its ancestors, O(n · depth).
  *
  * <p>With ψ' = V_p × S, ψ'' = A_p × S + V_p × ψ' and S' = V × S of each velocity's column (V_p, A_p
  * velocity and acceleration of the parent, gravity included), and Iᶜ, 2Bᶜ, fᶜ the inertia, its
@@ -42,8 +42,8 @@ import org.mechservice.solver.kinematics.TreeMotion;
  * its own rows less [Sᵀ fᶜ]×. ∂/∂q by Euler parameters is meant along the tangent: by a small
  * rotation in the axes of body 1 (NUMERICS §1a).
  *
- * <p>External wrenches are held fixed in the axes of their links, and joint forces fixed: what they
- * change is added by whoever knows them. Workspace of one thread.
+ * <p>External wrenches are held constant in the axes of their links, and joint forces constant; the
+ * caller adds their derivatives through {@link #forces}. Workspace of one thread.
  */
 public final class ResidualJacobian {
   private final TreeGeometry tree;
@@ -78,7 +78,7 @@ public final class ResidualJacobian {
 
   private final double[] parentAcceleration = new double[6];
 
-  /** On the way to the root: Iᶜ S, the wrenches of ∂/∂v and ∂/∂q, and (2Bᶜ)ᵀ S. */
+  /** Values carried towards the root: Iᶜ S, the wrenches of ∂/∂v and ∂/∂q, and (2Bᶜ)ᵀ S. */
   private final double[] inertiaWrench = new double[6];
 
   private final double[] velocityWrench = new double[6];
@@ -86,7 +86,7 @@ public final class ResidualJacobian {
   private final double[] changeMoment = new double[3];
   private final double[] work = new double[6];
 
-  /** Whether the last evaluation was of all derivatives. */
+  /** Whether the last evaluation included all derivatives. */
   private boolean full;
 
   /**
@@ -120,8 +120,8 @@ public final class ResidualJacobian {
   }
 
   /**
-   * Returns what applied forces give their derivatives to, between {@link #evaluate} or {@link
-   * #evaluateMass} and {@link #finish}.
+   * Returns the sink for the derivatives of applied forces, for use between {@link #evaluate} or
+   * {@link #evaluateMass} and {@link #finish}.
    */
   public ForceJacobian forces() {
     return forces;
@@ -143,8 +143,8 @@ public final class ResidualJacobian {
   }
 
   /**
-   * Evaluates M alone and sets the other derivatives to zero: the mode in which only forces have a
-   * Jacobian, to be added by whoever knows them.
+   * Evaluates M alone and sets the other derivatives to zero, for the mode in which only forces
+   * contribute to the Jacobian.
    */
   public void evaluateMass() {
     composites.compose();
@@ -173,8 +173,8 @@ public final class ResidualJacobian {
   }
 
   /**
-   * Sets all derivatives to zero, M among them: forces then give theirs alone. Accelerations need
-   * not be swept.
+   * Sets all derivatives and M to zero, for the derivatives of forces alone. Accelerations need not
+   * be swept.
    */
   public void evaluateNothing() {
     clear();
@@ -201,8 +201,8 @@ public final class ResidualJacobian {
   }
 
   /**
-   * Evaluates all three derivatives for the motion of the last sweeps, but for what forces add;
-   * they are not complete before {@link #finish}.
+   * Evaluates all three derivatives for the motion of the last sweeps, without those of forces;
+   * {@link #finish} completes them.
    *
    * @param wrench external wrenches, 6 per link, or empty; not modified
    */
@@ -251,7 +251,7 @@ public final class ResidualJacobian {
   }
 
   /**
-   * Takes all derivatives, complete, as code has evaluated them.
+   * Copies complete derivatives from generated code.
    *
    * @param dense M, of which the lower triangle and the diagonal are read, ∂F/∂v and ∂F/∂q, each
    *     row by row in the order of the state; not modified

@@ -35,7 +35,7 @@ public final class TreeIteration {
   private final TreeSquare matrix;
   private final TreeLu lu;
 
-  /** State at which the derivatives were taken. */
+  /** State of the derivatives. */
   private final double[] q;
 
   private final double[] v;
@@ -48,14 +48,14 @@ public final class TreeIteration {
   private final double[] turned = new double[4];
   private double hGamma;
 
-  /** M, and its factors from when they are first asked for until the next derivatives. */
+  /** M, and its factors, formed on first use after new derivatives. */
   private final TreeSquare inertia;
 
   private final TreeLu ofInertia;
   private boolean inertiaFactored;
   private boolean inertiaRegular;
 
-  /** Velocity in whose column the last factorisation left no pivot. */
+  /** Velocity whose column had no pivot in the last factorisation. */
   private int singular;
 
   /** Makes a workspace for derivatives that are evaluated elsewhere. */
@@ -96,14 +96,14 @@ public final class TreeIteration {
     rightSide = new double[v.length];
   }
 
-  /** Keeps the state at which the derivatives have been taken: y = [q; v], not modified. */
+  /** Sets the state of the derivatives: y = [q; v], not modified. */
   public void setState(double[] y) {
     System.arraycopy(y, 0, q, 0, q.length);
     System.arraycopy(y, q.length, v, 0, v.length);
     inertiaFactored = false;
   }
 
-  /** Returns what there is to be said of the factors so far. */
+  /** Returns notes on the factorisations so far. */
   public List<RunNotes.Note> notes() {
     long dense = lu.denseFactorizations();
     String text =
@@ -132,13 +132,13 @@ public final class TreeIteration {
     return singular == TreeLu.NONSINGULAR;
   }
 
-  /** Returns the unknown in whose column the last factorisation, which failed, left no pivot. */
+  /** Returns the unknown whose column had no pivot in the last, failed factorisation. */
   public int singularUnknown() {
     return q.length + singular;
   }
 
   /**
-   * Forms the n × n matrix, for whoever solves with it in directions of their own.
+   * Forms the n × n matrix without factoring it, for callers that project it first.
    *
    * @param hGamma hγ, s
    */

@@ -11,13 +11,13 @@ import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 
 /**
- * How the inertia force of each link with all beyond it changes with its velocity: the operator 2 B
+ * Velocity derivative of the inertia force of each link with all links beyond it: the operator 2 B
  * = V ×* I − I V × + (·) ×* (I V), summed over the links, in link axes at the reference point.
  * Workspace of one thread.
  *
  * <p>Written out with I = [J, h×; −h×, m] and momentum I V = [n; l], most of it cancels: 2 B [ω; u]
- * = [T ω; −2 l × ω] with T = ω× J − J ω× − u× h× − h× u× − n×. A link hands T and l on to its
- * parent as R T Rᵀ − 2 p× (R l)× and R l.
+ * = [T ω; −2 l × ω] with T = ω× J − J ω× − u× h× − h× u× − n×. The sum over links adds R T Rᵀ − 2
+ * p× (R l)× and R l to the parent's T and l.
  */
 final class VelocityDerivatives {
   private final TreeGeometry tree;

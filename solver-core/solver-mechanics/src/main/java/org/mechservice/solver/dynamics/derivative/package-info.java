@@ -1,11 +1,13 @@
 /**
  * Derivatives of the residual of the equations of motion, for implicit integrators.
  *
- * <p>{@link org.mechservice.solver.dynamics.derivative.ResidualJacobian} gives the derivatives by
- * positions, velocities and accelerations in the tree's sparsity, assembled from the inertia,
- * velocity and force terms. {@link org.mechservice.solver.dynamics.derivative.ResidualDifferences}
- * does the same by differences where a force has no derivative. {@link
- * org.mechservice.solver.dynamics.derivative.TreeIteration} solves the Newton step of an implicit
- * method with both.
+ * <p>{@link org.mechservice.solver.dynamics.derivative.ResidualJacobian} evaluates the analytic
+ * derivatives of F = M a + b − τ by positions, velocities and accelerations in the tree's sparsity;
+ * applied forces add theirs. {@link org.mechservice.solver.dynamics.derivative.ResidualDifferences}
+ * computes the same derivatives by difference quotients, for formulations without analytic ones.
+ * {@link org.mechservice.solver.dynamics.derivative.TreeIteration} forms the matrix of an implicit
+ * step, M + hγ C + hγ² K, from either, factors it along the tree and solves the Newton step.
+ *
+ * <p>Sources: Singh, Russell and Wensing 2022; Carpentier and Mansard 2018.
  */
 package org.mechservice.solver.dynamics.derivative;

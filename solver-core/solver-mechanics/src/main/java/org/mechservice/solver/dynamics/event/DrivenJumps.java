@@ -12,14 +12,14 @@ import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.MotionJump;
 
 /**
- * The jumps of prescribed motions as events along a run: where a position jumps, the run ends;
- * where a velocity jumps by Δv_d, the free velocities follow by the impulse of the drive alone,
+ * The jumps of prescribed motions as events of a run. A jump of a position ends the run. A jump
+ * Δv_d of a velocity changes the free velocities by the impulse of the drive,
  *
  * <pre>M_ff Δv_f = −M_fd Δv_d,</pre>
  *
- * <p>which is the change of least kinetic energy among all that have Δv_d (Gauss's principle for
- * impulses). Closing the loops afterwards by the least change in the same metric leaves the change
- * of least kinetic energy among those that loops allow.
+ * <p>which is the change of least kinetic energy among all with Δv_d (Gauss's principle for
+ * impulses). The loops are closed afterwards by the least change in the same metric, which gives
+ * the change of least kinetic energy among those that the loops allow.
  *
  * <p>Each event function is the distance from the nearest jump of its joint, with a sign that
  * alternates from jump to jump.
@@ -73,7 +73,7 @@ final class DrivenJumps {
       return new Kind(first.joint(), Direction.BOTH, action);
     }
 
-    /** Returns how many jumps lie behind. */
+    /** Returns the number of jumps before the present time. */
     int passed(double t) {
       int low = 0;
       int high = jumps.size();
@@ -118,14 +118,14 @@ final class DrivenJumps {
     }
   }
 
-  /** Notes that the run goes on from a time, with what the jumps up to it have changed. */
+  /** Records that the run continues from a time, after the jumps up to it have been applied. */
   void goOn(double t) {
     wentOn = t;
   }
 
   /**
-   * Returns a time on one side of the jump that {@code t} is at: behind it once the run has gone on
-   * from there, before it until then; {@code t} itself away from jumps.
+   * Returns a time on one side of the jump at {@code t}: after the jump once it has been applied,
+   * before it until then; {@code t} itself away from jumps.
    */
   double beside(double t) {
     double beside = t;
@@ -138,7 +138,7 @@ final class DrivenJumps {
     return beside;
   }
 
-  /** Returns the first time behind the jumps that have occurred; {@code t} if none has. */
+  /** Returns the first time after the jumps that have occurred; {@code t} if there is none. */
   double after(boolean[] occurred, int at, double t) {
     double after = t;
     for (int i = 0; i < tracks.size(); i++) {
@@ -150,9 +150,8 @@ final class DrivenJumps {
   }
 
   /**
-   * Changes free velocities as jumps of driven ones do; to NaN if nothing resists one of them.
-   *
-   * @param at where the kinds begin in {@code occurred}
+   * Changes free velocities by the impulses of jumps of driven ones; sets NaN if one has no
+   * inertia. @param at index of the first jump in {@code occurred}
    */
   void change(boolean[] occurred, int at, double t, double[] y) {
     int free = held.length;

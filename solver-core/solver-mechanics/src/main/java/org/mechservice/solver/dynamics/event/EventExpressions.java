@@ -5,7 +5,9 @@ import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.force.formula.ExpressionInputs;
 import org.mechservice.solver.kinematics.TreeMotion;
 
-/** The expressions of events, evaluated in the motion of the mechanism; it has no outputs. */
+/**
+ * The expressions of events, evaluated in the motion of the mechanism. Outputs are not evaluated.
+ */
 final class EventExpressions implements WrittenValues {
   private final TreeMotion motion;
   private final ExpressionInputs triggers;

@@ -14,7 +14,7 @@ import org.mechservice.solver.mechanism.MotionJump;
 import org.mechservice.solver.mechanism.StateChange;
 import org.mechservice.solver.spatial.EulerParameters;
 
-/** The events of a mechanism, evaluated in its motion, whatever the formulation. */
+/** The events of a mechanism, evaluated in its motion, for all formulations. */
 public final class StateEvents implements ModelEvents {
   private static final int EULER_PARAMETERS = 4;
 
@@ -30,8 +30,8 @@ public final class StateEvents implements ModelEvents {
   /**
    * Prepares the events of a mechanism.
    *
-   * @param code evaluates their expressions, if it was written for them
-   * @throws IllegalArgumentException if an expression refers to what the mechanism does not have
+   * @param code generated code for their expressions, if any @throws IllegalArgumentException if an
+   *     expression refers to an element that the mechanism does not have
    */
   public StateEvents(Mechanism mechanism, Optional<WrittenValues> code) {
     this.mechanism = mechanism;
@@ -53,7 +53,9 @@ public final class StateEvents implements ModelEvents {
     this(mechanism, Optional.empty());
   }
 
-  /** Returns what the events of a mechanism assign, in one order for all. */
+  /**
+   * Returns the expressions that the events of a mechanism assign, in the order used everywhere.
+   */
   public static List<Expression> assigned(Mechanism mechanism) {
     return assignments(mechanism).stream().map(Assignment::value).toList();
   }
@@ -111,7 +113,7 @@ public final class StateEvents implements ModelEvents {
     normalize(y);
   }
 
-  /** Gives Euler parameters norm one again; expressions need not. */
+  /** Normalises Euler parameters; the values of expressions need not have norm one. */
   private void normalize(double[] y) {
     for (int j = 0; j < mechanism.joints().size(); j++) {
       Joint joint = mechanism.joints().get(j);

@@ -1,12 +1,13 @@
 package org.mechservice.solver.dynamics.event;
 
 /**
- * The expressions of a model's author that are no part of its equations, as code written for them:
- * what its events watch, what they assign, and its outputs. Workspace of one thread.
+ * Values of the expressions of a model file that are not part of the equations of motion: triggers
+ * of events, values that events assign, and outputs. Generated code implements this interface.
+ * Workspace of one thread.
  */
 public interface WrittenValues {
   /**
-   * Writes what the events watch.
+   * Writes the triggers of the events.
    *
    * @param t time, s
    * @param y state [q; v]; not modified
@@ -15,7 +16,7 @@ public interface WrittenValues {
   void triggers(double t, double[] y, double[] values);
 
   /**
-   * Writes what the events assign when they occur.
+   * Writes the values that the events assign when they occur.
    *
    * @param t time, s
    * @param y state [q; v]; not modified

@@ -13,18 +13,18 @@ import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 
 /**
- * DTR: joint accelerations of an open chain by articulated bodies, O(n), without forming the mass
- * matrix.
+ * DTR: joint accelerations of an open chain by the articulated-body algorithm, O(n), without
+ * forming the mass matrix.
  *
  * <p>Three sweeps (Featherstone 2008, ch. 7; Bae and Haug 1987): velocities outwards, which {@link
  * TreeMotion} has done; articulated inertias and bias forces inwards; accelerations outwards.
  * Quantities of a link are in its axes at its reference point. A spatial vector is [angular;
  * linear]; an articulated inertia is [J, H; Hᵀ, M] in blocks of 3 × 3, so that [moment; force] = Iᴬ
- * [angular; linear] acceleration. Driven joints keep their inertia and give their driving forces
- * (hybrid dynamics, Featherstone 2008, §9.2).
+ * [angular; linear] acceleration. Driven joints are not eliminated; their driving forces are
+ * computed (hybrid dynamics, Featherstone 2008, §9.2).
  *
- * <p>Immutable; give each thread its own {@link Workspace}. Does not hold loops, nor rods with
- * mass, which couple two bodies: see {@link SemiRecursive} and closure.
+ * <p>Immutable; give each thread its own {@link Workspace}. Loops, and rods with mass, which couple
+ * two bodies, are not supported: see {@link SemiRecursive} and closure.
  */
 public final class ArticulatedBody {
   private final TreeGeometry tree;
@@ -61,10 +61,10 @@ public final class ArticulatedBody {
     /** u = τ − Sᵀ p, one per extended velocity. */
     private final double[] residual;
 
-    /** Spatial acceleration, [angular; linear], 6 per link; gravity is in it. */
+    /** Spatial acceleration including gravity, [angular; linear], 6 per link. */
     private final double[] acceleration;
 
-    /** Force that drives each driven velocity, N·m or N. */
+    /** Driving force of each driven velocity, N·m or N. */
     private final double[] driving;
 
     private final double[] work = new double[6];
@@ -80,15 +80,14 @@ public final class ArticulatedBody {
       driving = new double[tree.velocityCount - tree.stateVelocityCount];
     }
 
-    /** Returns how well the joint-space inertia was conditioned in the last evaluation. */
+    /** Returns the check of the pivots of the last evaluation. */
     public PivotCheck check() {
       return check;
     }
 
     /**
-     * Returns the forces that the motions of driven joints took in the last evaluation, beyond the
-     * joint forces applied there, in the order of the extended velocities, N·m or N; not to be
-     * modified.
+     * Returns the driving forces of the last evaluation, in addition to joint forces applied there,
+     * in the order of the extended velocities, N·m or N; must not be modified.
      */
     public double[] drivingForces() {
       return driving;
@@ -104,7 +103,7 @@ public final class ArticulatedBody {
    * @param tau joint forces, one per extended velocity, N·m or N; not modified
    * @param a joint accelerations in state order from {@code aAt}, rad/s² or m/s²; overwritten
    * @param aAt where the accelerations begin
-   * @return {@link ExplicitModel#REGULAR}, or the velocity that no inertia resists
+   * @return {@link ExplicitModel#REGULAR}, or the index of a velocity without inertia
    */
   public int accelerations(Workspace w, double[] wrench, double[] tau, double[] a, int aAt) {
     w.check.start();
@@ -132,7 +131,9 @@ public final class ArticulatedBody {
     return ExplicitModel.REGULAR;
   }
 
-  /** Takes the freedoms of a link's joint out of its articulated inertia, one after the other. */
+  /**
+   * Eliminates the freedoms of a link's joint from its articulated inertia, one after the other.
+   */
   private int eliminate(Workspace w, int link, double[] tau) {
     int first = tree.velocityAt[link];
     int end = first + tree.kind[link].velocityCount();

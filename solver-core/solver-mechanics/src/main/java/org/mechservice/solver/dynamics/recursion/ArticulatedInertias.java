@@ -13,7 +13,7 @@ import org.mechservice.solver.kinematics.TreeMotion;
 
 /**
  * Articulated inertias [J, H; Hᵀ, M] and bias forces of the links, in link axes at their reference
- * points, and the way they take to the parent. Workspace of one thread.
+ * points, and their transfer to the parent. Workspace of one thread.
  */
 public final class ArticulatedInertias {
   private final TreeGeometry tree;
@@ -41,7 +41,7 @@ public final class ArticulatedInertias {
     bias = new double[6 * tree.linkCount];
   }
 
-  /** Begins with the link alone: its rigid-body inertia and V ×* (I V). */
+  /** Sets the link's own rigid-body inertia and V ×* (I V). */
   void start(int link) {
     startAtRest(link);
     if (!rigid.massless[link]) {
@@ -49,7 +49,7 @@ public final class ArticulatedInertias {
     }
   }
 
-  /** Begins with the rigid-body inertia of the link alone, and no bias force. */
+  /** Sets the link's own rigid-body inertia and no bias force. */
   public void startAtRest(int link) {
     int at = 9 * link;
     Arrays.fill(bias, 6 * link, 6 * link + 6, 0);
@@ -126,7 +126,7 @@ public final class ArticulatedInertias {
     }
   }
 
-  /** Adds X* Iᴬ X and X* p to the parent; the link's own are spent. */
+  /** Adds X* Iᴬ X and X* p to the parent; overwrites those of the link. */
   public void addToParent(int link) {
     rotateToParentAxes(link);
     shiftToParentPoint(link);

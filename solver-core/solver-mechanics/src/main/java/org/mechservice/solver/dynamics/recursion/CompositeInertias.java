@@ -11,8 +11,8 @@ import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 
 /**
- * Composite inertias: each link with all beyond it, taken as one rigid body, in link axes about the
- * link's reference point. Workspace of one thread.
+ * Composite rigid-body inertias: each link with all links beyond it as one rigid body, in link axes
+ * about the link's reference point. Workspace of one thread.
  */
 public final class CompositeInertias {
   private final TreeGeometry tree;
@@ -39,7 +39,7 @@ public final class CompositeInertias {
     second = new double[9 * tree.linkCount];
   }
 
-  /** Composes inwards for the places the links have now. */
+  /** Forms all composites, from the leaves inwards, for the poses of the last sweep. */
   public void compose() {
     System.arraycopy(links.mass, 0, mass, 0, mass.length);
     System.arraycopy(links.moment, 0, moment, 0, moment.length);
@@ -94,7 +94,7 @@ public final class CompositeInertias {
     }
   }
 
-  /** Returns what the pivots of a link's joint are judged by (NUMERICS §2). */
+  /** Returns the reference size of the pivots of a link's joint (NUMERICS §2). */
   public double scale(int link) {
     if (tree.kind[link] == LinkKind.SLIDE) {
       return mass[link];

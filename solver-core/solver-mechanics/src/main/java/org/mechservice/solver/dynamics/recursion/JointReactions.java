@@ -10,12 +10,12 @@ import org.mechservice.solver.kinematics.pair.RelativeMotion;
 import org.mechservice.solver.mechanism.Joint;
 
 /**
- * What the joints of a tree exert by what they forbid, and by the motions that drive them: the
- * wrench that a joint passes on, less that of the springs, dampers, motors and friction that act
- * along its coordinates. It does no work on a joint that moves freely.
+ * Reactions of the joints of a tree: the wrench that a joint transmits, minus that of the springs,
+ * dampers, motors and friction along its coordinates. Reactions consist of constraint forces and of
+ * driving forces; they do no work in a free joint.
  *
  * <p>The wrench of a joint force τ is τ times the gradient of the coordinate, for joints of the
- * tree as for cut ones, so a reaction does not depend on where a loop was opened.
+ * tree as for cut ones, so a reaction does not depend on the choice of the cut joint.
  *
  * <p>Workspace of one thread; nothing allocates after construction.
  */
@@ -26,18 +26,20 @@ public final class JointReactions {
   private final MassiveRods rods;
   private final List<JointSide> sides = new ArrayList<>();
 
-  /** [moment; force], 6 per link: first what acts on it, then what its parent exerts on it. */
+  /** [moment; force], 6 per link: first the load on it, then the wrench of its parent on it. */
   private final double[] loads;
 
   private final double[] onA = new double[6];
   private final double[] onB = new double[6];
 
-  /** M a + b − τ of the last evaluation, one per extended velocity: the driving forces, at last. */
+  /**
+   * M a + b − τ of the last evaluation, one per extended velocity; the driving forces among them.
+   */
   private final double[] residual;
 
   /**
-   * Reactions, [force; moment] per joint in file order, N, N·m: what the body nearer the root
-   * exerts on the outer one, at the joint's point on the outer one, in world axes.
+   * Reactions, [force; moment] per joint in file order, N, N·m: the load of the inner body on the
+   * outer one, at the joint's point on the outer one, in world axes.
    */
   public final double[] wrench;
 
@@ -57,7 +59,7 @@ public final class JointReactions {
     wrench = new double[6 * sides.size()];
   }
 
-  /** A joint of the tree as seen from outside: its coordinates, and the link of its child. */
+  /** A joint of the tree: its coordinates, and the link of its child. */
   private static final class JointSide {
     final int child;
     final int velocityAt;
@@ -122,14 +124,14 @@ public final class JointReactions {
     }
   }
 
-  /** From [moment; force] in link axes to [force; moment] in world axes. */
+  /** Converts [moment; force] in link axes to [force; moment] in world axes. */
   private void write(int link, int at) {
     motion.toWorld(link, loads, 6 * link + 3, wrench, at);
     motion.toWorld(link, loads, 6 * link, wrench, at + 3);
   }
 
   /**
-   * Returns the forces that driven joints took in the last evaluation.
+   * Returns a driving force of the last evaluation.
    *
    * @param velocity among the extended velocities, those of a driven joint
    */

@@ -9,14 +9,13 @@ import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 
 /**
- * Takes the derivatives of wrenches on links, by the motion of links, to the joints. Workspace of
- * one thread.
+ * Transforms derivatives of wrenches on links by motions of links into derivatives of joint forces
+ * by joint coordinates. Workspace of one thread.
  *
- * <p>Seen from a link, a displacement δ of joint j on its way to the root moves it by the twist S_j
- * δ, changes its velocity by ψ'_j δ and its acceleration by (ψ''_j − V × ψ'_j) δ; a change of v_j
- * changes its velocity by S_j and its acceleration by ψ'_j + S'_j − V × S_j, all in link axes (the
- * columns are those of {@link ResidualJacobian}). A wrench on a link is felt by the joints on its
- * way to the root as Sᵀ w.
+ * <p>A displacement δ of an ancestor joint j moves a link by the twist S_j δ, changes its velocity
+ * by ψ'_j δ and its acceleration by (ψ''_j − V × ψ'_j) δ; a change of v_j changes its velocity by
+ * S_j and its acceleration by ψ'_j + S'_j − V × S_j, all in link axes (the columns are those of
+ * {@link ResidualJacobian}). A wrench w on a link acts on its ancestor joints as Sᵀ w.
  */
 public final class LinkDerivatives {
   private final TreeGeometry tree;
@@ -88,7 +87,7 @@ public final class LinkDerivatives {
     }
   }
 
-  /** Adds Jᵀ of the two wrenches to column j; they are spent. */
+  /** Adds Jᵀ of the two wrenches to column j; overwrites the wrenches. */
   private void addColumn(int on, int j) {
     for (int i = on; i != TreeGeometry.ROOT; i = tree.parent[i]) {
       int end = tree.velocityAt[i] + tree.kind[i].velocityCount();
@@ -102,7 +101,8 @@ public final class LinkDerivatives {
   }
 
   /**
-   * A row that multiplies a twist of the link becomes one that multiplies a twist of its parent.
+   * Transforms a row that multiplies a twist of the link into one that multiplies a twist of its
+   * parent.
    */
   private void toParent(int link, boolean accelerated) {
     for (int r = 0; r < 36; r += 6) {
@@ -115,7 +115,7 @@ public final class LinkDerivatives {
   }
 
   /**
-   * Adds factor · the derivative of a joint force by the place and velocity of a link.
+   * Adds factor · the derivative of a joint force by the pose and velocity of a link.
    *
    * @param on velocity of the state the force belongs to
    * @param byPlace 6 numbers; not modified
@@ -140,7 +140,7 @@ public final class LinkDerivatives {
   }
 
   /**
-   * Adds factor · the derivative of a wrench by a coordinate itself, all links held.
+   * Adds factor · the derivative of a wrench by a coordinate, with all links held fixed.
    *
    * @param by velocity of the state
    * @param byPlace 6 numbers; not modified
@@ -166,9 +166,9 @@ public final class LinkDerivatives {
   }
 
   /**
-   * Adds the derivative of a joint force by a coordinate itself. The velocities of a ball are given
-   * in axes that stay when it turns, so what {@link ResidualJacobian#finish} will add for axes that
-   * turn is taken away beforehand.
+   * Adds the derivative of a joint force by a coordinate, with all links held fixed. The velocities
+   * of a ball are in axes that do not turn with it, so this method subtracts in advance what {@link
+   * ResidualJacobian#finish} adds for turning axes.
    *
    * @param on velocity of the state
    * @param by velocity of the state

@@ -8,8 +8,8 @@ import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 
 /**
- * Rigid-body inertias of the links about their reference points, in link axes. Immutable; the
- * arrays are shared and must not be written to.
+ * Rigid-body inertias of the links about their reference points, in link axes. Immutable; callers
+ * must not write to the shared arrays.
  */
 public final class LinkInertias {
   /** Mass, kg. */

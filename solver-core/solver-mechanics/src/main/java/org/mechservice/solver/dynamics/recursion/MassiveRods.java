@@ -14,7 +14,7 @@ import org.mechservice.solver.mechanism.closure.DistanceClosure;
 /**
  * Uniform slender rods between points of two bodies, without spin about their own axes (NUMERICS
  * §4). With v_A, v_B the velocities of the ends the energy of a rod is (m/6) (v_A·v_A + v_A·v_B +
- * v_B·v_B), exactly, so it feels −(m/6) (2 a_A + a_B) + (m/2) g at A and likewise at B.
+ * v_B·v_B), exactly, so the load on A is −(m/6) (2 a_A + a_B) + (m/2) g, and correspondingly at B.
  *
  * <p>Workspace of one thread; nothing allocates after construction.
  */
@@ -162,7 +162,7 @@ public final class MassiveRods {
   }
 
   /**
-   * Adds the derivatives of the inertia forces and weights, which are taken to be in M a + b.
+   * Adds the derivatives of the inertia forces and weights, as parts of M a + b.
    *
    * @param target of a pattern made with {@link #pairs()}
    */
@@ -204,9 +204,8 @@ public final class MassiveRods {
    * Adds the momentum of all rods after a sweep: m/2 (v_A + v_B), and m/6 (2 r_A × v_A + r_A × v_B
    * + r_B × v_A + 2 r_B × v_B).
    *
-   * @param point from which r counts, m
-   * @param sum [linear; angular], world axes, N·s, N·m·s; added to
-   * @param sizes of the shares, linear and angular; added to
+   * @param point reference point of r, m @param sum [linear; angular], world axes, N·s, N·m·s;
+   *     added to @param sizes sizes of the contributions, linear and angular; added to
    */
   void addMomentum(TreeMotion motion, double[] point, double[] sum, double[] sizes) {
     for (int rod = 0; rod < rods.length; rod++) {
@@ -216,10 +215,7 @@ public final class MassiveRods {
     }
   }
 
-  /**
-   * Adds the rates of the same, with accelerations in place of velocities, after an acceleration
-   * sweep; the sizes count the weights too.
-   */
+  /** Adds the rates of the momentum, after an acceleration sweep; the sizes include the weights. */
   void addMomentumRate(TreeMotion motion, double[] point, double[] sum, double[] sizes) {
     for (int rod = 0; rod < rods.length; rod++) {
       motion.points.acceleration(linkA[rod], endA, 3 * rod, a, 0);
@@ -231,7 +227,10 @@ public final class MassiveRods {
     }
   }
 
-  /** Adds a rod's share for what {@code a} and {@code b} are of its ends; leaves r_B in force. */
+  /**
+   * Adds a rod's contribution for the vectors {@code a} and {@code b} of its ends; leaves r_B in
+   * {@code force}.
+   */
   private void addShare(TreeMotion motion, int rod, double[] point, double[] sum, double[] sizes) {
     double sixth = rods[rod].rodMass() / 6;
     Arrays.fill(wrench, 0);

@@ -10,7 +10,8 @@ import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 
 /**
- * One Newton-Euler sweep inwards: the joint forces that a motion takes. Workspace of one thread.
+ * The inward sweep of the recursive Newton-Euler algorithm: the joint forces of a given motion.
+ * Workspace of one thread.
  *
  * <p>f = I A + V ×* (I V) − w + Σ X* f of the children, with gravity as an acceleration of the
  * root; the joint force is Sᵀ f.
@@ -41,7 +42,7 @@ public final class NewtonEuler {
    *
    * @param wrench external wrenches, 6 per link, or empty; not modified
    * @param tau joint forces, one per extended velocity; not modified
-   * @param residual one number per extended velocity, N·m or N; overwritten. Those of driven
+   * @param residual one number per extended velocity, N·m or N; overwritten; entries of driven
    *     velocities are the driving forces
    */
   public void evaluate(double[] wrench, double[] tau, double[] residual) {

@@ -8,9 +8,9 @@ import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 
 /**
- * The links beyond a joint taken as one rigid body: what a pivot of the joint-space inertia is
- * judged by. A pivot that is small against it has been cancelled by the joints beyond and holds
- * nothing but rounding (NUMERICS §2). Workspace of one thread.
+ * The links beyond a joint as one rigid body, whose inertia is the reference size of a pivot of the
+ * joint-space inertia. A pivot that is very small relative to it consists of rounding errors
+ * (NUMERICS §2). Workspace of one thread.
  */
 public final class RigidComposites {
   private final TreeGeometry tree;
@@ -35,7 +35,7 @@ public final class RigidComposites {
     trace = new double[tree.linkCount];
   }
 
-  /** Begins the sweep inwards with the links alone. */
+  /** Starts the inward sweep with the links' own values. */
   public void start() {
     System.arraycopy(inertias.mass, 0, mass, 0, mass.length);
     System.arraycopy(inertias.moment, 0, moment, 0, moment.length);
@@ -45,7 +45,7 @@ public final class RigidComposites {
     }
   }
 
-  /** Returns the size a pivot of the link's joint would have if nothing beyond could move. */
+  /** Returns the pivot of the link's joint if all joints beyond were locked. */
   public double scale(int link) {
     if (tree.kind[link] == LinkKind.SLIDE) {
       return mass[link];

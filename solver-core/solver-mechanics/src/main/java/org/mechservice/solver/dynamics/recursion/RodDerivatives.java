@@ -10,12 +10,12 @@ import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 
 /**
- * How the inertia force of a rod's end changes with the motion of the links at both ends. Workspace
- * of one thread.
+ * Derivatives of the inertia force at a rod's end by the motion of the links at both ends.
+ * Workspace of one thread.
  *
- * <p>In the axes of its own link the end at r accelerates, gravity taken off, by p = u' + ω' × r +
+ * <p>The acceleration of the end at r minus gravity, in the axes of its link, is p = u' + ω' × r +
  * ω × (u + ω × r) − g. The wrench on the link of one end is −(m/6) [r × f; f] with f = 2 p + R p_o,
- * p_o that of the other end and R from the other link's axes to the own.
+ * where p_o belongs to the other end and R transforms from the other link's axes to this one's.
  */
 public final class RodDerivatives {
   private static final int SIZE = 36;
@@ -44,7 +44,7 @@ public final class RodDerivatives {
   }
 
   /**
-   * Adds the derivatives of M a + b by what a rod does at one end.
+   * Adds a rod's contribution at one end to the derivatives of M a + b.
    *
    * @param sixth m/6, kg
    * @param link this end's link
@@ -96,7 +96,10 @@ public final class RodDerivatives {
     }
   }
 
-  /** f = 2 p + R p_o: p by own velocity and acceleration; R p_o turns back as the link turns. */
+  /**
+   * Forms the derivative of f = 2 p + R p_o by this link: p by velocity and acceleration, R p_o by
+   * rotation.
+   */
   private void formByOwnLink(int link, double[] r, int rAt) {
     for (int column = 0; column < 6; column++) {
       unitTwist(column);
@@ -109,7 +112,10 @@ public final class RodDerivatives {
     }
   }
 
-  /** R p_o turns with the other link, and p_o changes with its velocity and acceleration. */
+  /**
+   * Forms the derivative of f by the other link: R p_o by rotation, p_o by velocity and
+   * acceleration.
+   */
   private void formByOtherLink(int link, double[] r, int rAt, int other, double[] s, int sAt) {
     for (int column = 0; column < 6; column++) {
       unitTwist(column);

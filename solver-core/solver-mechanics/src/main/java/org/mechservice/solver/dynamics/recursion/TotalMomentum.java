@@ -9,11 +9,10 @@ import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 
 /**
- * Linear and angular momentum of the whole of a mechanism, rods with mass included, and their
- * rates: Σ m v, Σ (r × m v + I ω) and Σ m a, Σ (r × m a + I α + ω × I ω), r from a point that rests
- * in the world, world axes. By Newton's and Euler's laws the rates are the sum of what gravity, the
- * applied forces that come from outside and the ground's reactions exert. Workspace of one thread;
- * nothing allocates after construction.
+ * Total linear and angular momentum of a mechanism, rods with mass included, and their rates: Σ m
+ * v, Σ (r × m v + I ω) and Σ m a, Σ (r × m a + I α + ω × I ω), r from a point at rest in the world,
+ * world axes. By Newton's and Euler's laws the rates equal the sum of gravity, external applied
+ * forces and ground reactions. Workspace of one thread; nothing allocates after construction.
  */
 public final class TotalMomentum {
   private final TreeGeometry tree;
@@ -28,14 +27,14 @@ public final class TotalMomentum {
   /** The point that angular momentum is about, from the world's origin, m. */
   public final double[] point = new double[3];
 
-  /** [linear; angular] of the last question, N·s, N·m·s, or N, N·m; world axes. */
+  /** [linear; angular] of the last evaluation, N·s, N·m·s, or N, N·m; world axes. */
   public final double[] sum = new double[6];
 
-  /** Sizes of the bodies' shares in {@link #sum}, added up: linear, angular. */
+  /** Sum of the sizes of the bodies' contributions to {@link #sum}: linear, angular. */
   public final double[] sizes = new double[2];
 
   /**
-   * @param motion swept by the caller before each question
+   * @param motion swept by the caller before each evaluation
    */
   public TotalMomentum(TreeMotion motion) {
     this.motion = motion;
@@ -44,7 +43,7 @@ public final class TotalMomentum {
     weight = Math.sqrt(dot(tree.gravity, 0, tree.gravity, 0));
   }
 
-  /** Puts the point where the centre of mass is; at the world's origin if there is no mass. */
+  /** Moves the point to the centre of mass, or to the world's origin if there is no mass. */
   public void toCenterOfMass() {
     double mass = 0;
     Arrays.fill(point, 0);
@@ -73,8 +72,8 @@ public final class TotalMomentum {
   }
 
   /**
-   * Evaluates the rates after a sweep and an acceleration sweep. The sizes here count the weights
-   * too: they are what rounding of the accelerations is a part of.
+   * Evaluates the rates after a sweep and an acceleration sweep. The sizes include the weights,
+   * because rounding errors of accelerations are relative to them.
    */
   public void evaluateRate() {
     begin();
@@ -108,7 +107,7 @@ public final class TotalMomentum {
     out[2] = i[at + 4] * x + i[at + 5] * y + i[at + 2] * z;
   }
 
-  /** Adds the link's share: its mass times {@code rate}, and {@code spin}. */
+  /** Adds the link's contribution: its mass times {@code rate}, and {@code spin}. */
   private void add(int link) {
     motion.points.position(link, tree.centerOfMass, 3 * link, place, 0);
     apply(motion.worldRotation, 9 * link, spin, 0, turned, 3);

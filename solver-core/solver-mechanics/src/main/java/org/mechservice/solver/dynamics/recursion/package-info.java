@@ -1,5 +1,5 @@
 /**
- * The recursions over a tree of bodies that all formulations are made of.
+ * The recursions over a tree of bodies from which all formulations are built.
  *
  * <ul>
  *   <li>{@link org.mechservice.solver.dynamics.recursion.NewtonEuler}: inverse dynamics, outward
@@ -14,8 +14,8 @@
  *       org.mechservice.solver.dynamics.recursion.TotalMomentum}: results, at output times only.
  * </ul>
  *
- * <p>Spatial vectors are in world axes about the world origin, which spares transformations between
- * links. Nothing allocates after construction. Sources: Featherstone 2008, chapters 5 to 7;
- * Rodríguez et al. 2003, section 3.
+ * <p>Spatial vectors of a link are in link axes at the link's reference point, so that results keep
+ * their digits far from the world's origin. Nothing allocates after construction. Sources:
+ * Featherstone 2008, chapters 5 to 7; Rodríguez et al. 2003, section 3.
  */
 package org.mechservice.solver.dynamics.recursion;

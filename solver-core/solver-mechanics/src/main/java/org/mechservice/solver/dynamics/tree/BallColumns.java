@@ -6,8 +6,8 @@ import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.kinematics.TreeGeometry;
 
 /**
- * The three columns of each ball in matrices over the velocities: rows of three numbers x, of which
- * a multiple of x and of x [ω]× is wanted. Immutable but for scratch; one per thread.
+ * The three columns of each ball joint in matrices over the velocities. For each row x of these
+ * columns the class adds a multiple of x and of x [ω]×. Immutable but for scratch; one per thread.
  */
 public final class BallColumns {
   private final TreePattern pattern;
@@ -15,7 +15,9 @@ public final class BallColumns {
   /** First velocity of each ball. */
   private final int[] velocity;
 
-  /** For each ball the rows beyond it that hold its columns, as index of the first of the three. */
+  /**
+   * For each ball the descendant rows that hold its columns, as index of the first of the three.
+   */
   private final int[][] rows;
 
   private final double[] from = new double[3];
@@ -35,14 +37,16 @@ public final class BallColumns {
     }
   }
 
-  /** Takes all balls. */
+  /** Returns the columns of all balls. */
   public static BallColumns all(StateCoordinates coordinates, TreePattern pattern) {
     return new BallColumns(
         pattern,
         IntStream.range(0, coordinates.ballCount()).map(coordinates::ballVelocity).toArray());
   }
 
-  /** Takes the balls whose velocities are given in axes that do not turn with the link. */
+  /**
+   * Returns the columns of the balls whose velocities are in axes that do not turn with the link.
+   */
   public static BallColumns inParentAxes(TreeGeometry tree, TreePattern pattern) {
     return new BallColumns(
         pattern,
@@ -86,7 +90,9 @@ public final class BallColumns {
     addBlock(ball, target, source, same, turned, omega, at);
   }
 
-  /** In the rows before the ball its columns are the upper halves of its own three rows. */
+  /**
+   * Adds in the rows before the ball, where its columns are the upper halves of its own three rows.
+   */
   private void addBefore(
       int ball,
       TreeElements target,

@@ -3,8 +3,9 @@ package org.mechservice.solver.dynamics.tree;
 import org.mechservice.solver.api.capability.ExplicitModel;
 
 /**
- * Judges the pivots of a joint-space inertia, one per velocity, against the rigid body beyond the
- * joint. Below 64 units of rounding a pivot counts as zero; up to 1e-12 it is worth a warning.
+ * Compares the pivots of a joint-space inertia, one per velocity, with the inertia of the rigid
+ * body beyond the joint. A pivot below 64 rounding units of that inertia counts as zero; a pivot
+ * below 1e-12 of it causes a warning.
  */
 public final class PivotCheck {
   private static final double SINGULAR = 64 * Math.ulp(1.0);
@@ -23,10 +24,9 @@ public final class PivotCheck {
   }
 
   /**
-   * Takes note of a pivot.
+   * Checks a pivot. @param velocity velocity of the pivot @param scale value of the pivot if all
+   * joints beyond were locked
    *
-   * @param velocity which velocity it belongs to
-   * @param scale what it would be if nothing beyond could move
    * @return whether it differs from zero
    */
   public boolean regular(int velocity, double pivot, double scale) {
@@ -42,14 +42,14 @@ public final class PivotCheck {
   }
 
   /**
-   * Returns the velocity whose pivot was small enough in the last evaluation to cost twelve digits
-   * or more, or {@link ExplicitModel#REGULAR}.
+   * Returns the velocity whose pivot lost twelve digits or more in the last evaluation, or {@link
+   * ExplicitModel#REGULAR}.
    */
   public int weakVelocity() {
     return weakest;
   }
 
-  /** Returns how much smaller that pivot was than it should be: the digits it costs; 1 if none. */
+  /** Returns the scale of that pivot divided by the pivot; 1 if there is none. */
   public double condition() {
     return 1 / smallest;
   }

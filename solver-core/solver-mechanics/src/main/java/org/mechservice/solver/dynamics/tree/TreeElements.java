@@ -1,9 +1,6 @@
 package org.mechservice.solver.dynamics.tree;
 
-/**
- * The elements of a matrix over the velocities of the state, in the places of a {@link
- * TreePattern}.
- */
+/** The elements of a matrix over the velocities of the state, laid out by a {@link TreePattern}. */
 public interface TreeElements {
   /** Returns the elements on the diagonal, by place. */
   double[] diagonal();

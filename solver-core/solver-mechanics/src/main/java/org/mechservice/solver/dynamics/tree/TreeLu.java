@@ -6,14 +6,14 @@ import org.mechservice.solver.linear.LinearSolver;
 
 /**
  * Factors of a {@link TreeSquare}, eliminated along the tree from the leaves to the root without
- * interchanges, so that none but the elements of the pattern are filled. Whether that was safe is
- * watched: if elements grow too much or a pivot vanishes, the matrix is factored again as a dense
- * one with interchanges, and that is counted (NUMERICS §2). Workspace of one thread.
+ * interchanges, so that no fill-in occurs outside the pattern. If elements grow too much or a pivot
+ * vanishes, the matrix is factored again as a dense one with interchanges, and a counter records it
+ * (NUMERICS §2). Workspace of one thread.
  */
 public final class TreeLu {
   /**
-   * How much larger than its row may be what is subtracted from it: the solution then loses no more
-   * than three digits beyond those its condition takes.
+   * Largest permitted ratio of a subtracted element to its row: the solution then loses at most
+   * three digits beyond its condition.
    */
   private static final double GROWTH_ALLOWED = 1e3;
 
@@ -23,7 +23,7 @@ public final class TreeLu {
   private final TreePattern pattern;
   private final TreeSquare factors;
 
-  /** Made when a matrix has to be factored as a dense one for the first time. */
+  /** Dense factorisation, created on first use. */
   private Optional<DenseLu> dense = Optional.empty();
 
   private double[] full = {};
@@ -34,8 +34,8 @@ public final class TreeLu {
   private final double[] work;
 
   /**
-   * The lower factor by columns: where each begins, one more at the end, the row of each element,
-   * where it stands by rows, and itself.
+   * The lower factor by columns: start of each column and end of the last, then for each element
+   * its row, its index in the row layout, and its value.
    */
   private final int[] columnStart;
 
@@ -128,7 +128,7 @@ public final class TreeLu {
     }
   }
 
-  /** Returns the larger of two sizes; if one of them is not a number, it is that. */
+  /** Returns the larger of two sizes, or NaN if one of them is NaN. */
   private static double larger(double a, double b) {
     return a >= b || Double.isNaN(a) ? a : b;
   }
@@ -206,8 +206,8 @@ public final class TreeLu {
   }
 
   /**
-   * Solves A x = b with the last factors. Both triangles are run through by columns, so that no sum
-   * has to wait for its last term.
+   * Solves A x = b with the last factors. Both triangles are traversed by columns, which avoids
+   * long dependent sums.
    *
    * @param b right-hand side in the order of the state, length n; overwritten with x
    */

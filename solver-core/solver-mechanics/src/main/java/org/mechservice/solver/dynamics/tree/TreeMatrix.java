@@ -4,8 +4,8 @@ import java.util.Arrays;
 import org.mechservice.solver.api.capability.ExplicitModel;
 
 /**
- * A symmetric matrix over the velocities of the state that holds just the elements of a {@link
- * TreePattern}, and its factors LᵀDL with L unit lower triangular. Workspace of one thread.
+ * A symmetric matrix over the velocities of the state with the elements of a {@link TreePattern},
+ * and its factors LᵀDL with L unit lower triangular. Workspace of one thread.
  *
  * <p>Elements are addressed by place; vectors are in the order of the state.
  */
@@ -123,7 +123,7 @@ public final class TreeMatrix implements TreeElements {
   }
 
   /**
-   * Takes the elements from the lower triangle and the diagonal of a matrix, row by row in the
+   * Copies the elements from the lower triangle and the diagonal of a matrix, row by row in the
    * order of the state.
    *
    * @param dense n² numbers from {@code at}; not modified
@@ -172,8 +172,8 @@ public final class TreeMatrix implements TreeElements {
   /**
    * Overwrites the matrix by its factors.
    *
-   * @param check judges the pivots
-   * @param scale what a pivot is judged by, one number per velocity of the state
+   * @param check checks the pivots @param scale reference size of each pivot, one number per
+   *     velocity of the state
    * @return {@link ExplicitModel#REGULAR}, or the velocity of the first pivot that is zero
    */
   public int factor(PivotCheck check, double[] scale) {
@@ -248,10 +248,10 @@ public final class TreeMatrix implements TreeElements {
   }
 
   /**
-   * Returns the motion that no inertia resists, after {@link #factor} has found a pivot of zero:
-   * the velocity it named moves by 1, those beyond it so that M times the motion vanishes there.
+   * Returns the motion without inertia, after {@link #factor} has found a zero pivot: the velocity
+   * found moves by 1, and the velocities beyond it such that M times the motion is zero
+   * there. @param velocity result of {@code factor}
    *
-   * @param velocity what {@code factor} returned
    * @return one number per velocity of the state
    */
   public double[] unresistedMotion(int velocity) {
@@ -273,8 +273,8 @@ public final class TreeMatrix implements TreeElements {
   }
 
   /**
-   * Multiplies by half of the inverse: x ← D^(−1/2) L⁻ᵀ x, so that the square of its length is xᵀ
-   * M⁻¹ x.
+   * Multiplies by a square root of the inverse: x ← D^(−1/2) L⁻ᵀ x, whose squared length is xᵀ M⁻¹
+   * x.
    *
    * @param x in the order of the state from {@code at}; overwritten, in the order of elimination
    */

@@ -6,14 +6,13 @@ import java.util.stream.IntStream;
 import org.mechservice.solver.kinematics.TreeGeometry;
 
 /**
- * Which elements of a matrix over the velocities of the state may differ from zero, and the order
- * they are eliminated in. Immutable.
+ * Sparsity pattern and elimination order of a matrix over the velocities of the state. Immutable.
  *
- * <p>The elements of a tree's mass matrix couple a velocity with those on its way to the root
- * alone. Numbered outwards (<i>places</i>) and eliminated from the last to the first, such a matrix
- * has factors LᵀDL with the same pattern (Featherstone 2008, §6.5). A rod or a force between two
- * bodies couples the velocities on the ways to both; what elimination then fills is found here
- * once.
+ * <p>The elements of a tree's mass matrix couple a velocity only with those of its ancestors.
+ * Numbered outwards (<i>places</i>) and eliminated from the last to the first, such a matrix has
+ * factors LᵀDL with the same pattern (Featherstone 2008, §6.5). A rod or a force between two bodies
+ * couples the velocities of the ancestors of both; the constructor determines the resulting
+ * fill-in.
  */
 public final class TreePattern {
   public final int size;
@@ -23,30 +22,30 @@ public final class TreePattern {
 
   public final int[] placeOf;
 
-  /** Where the row of each place begins in {@link #column}; one more at the end. */
+  /** Start of the row of each place in {@link #column}, and the end of the last row. */
   public final int[] rowStart;
 
   /** Smaller places coupled with the place of the row, ascending. */
   public final int[] column;
 
-  /** Whether every row begins with the rows of its columns, as it does on a bare tree. */
+  /**
+   * Whether every row begins with the rows of its columns, as for a tree without further couplings.
+   */
   final boolean bareTree;
 
   /**
-   * Finds the pattern of a tree.
-   *
-   * @param pairs links coupled by rods or forces, two numbers per pair; {@link TreeGeometry#ROOT}
-   *     couples nothing
+   * Determines the pattern of a tree. @param pairs links coupled by rods or forces, two numbers per
+   * pair; pairs with {@link TreeGeometry#ROOT} have no effect
    */
   public TreePattern(TreeGeometry tree, int[] pairs) {
     this(outwards(tree), parents(tree), ways(tree, pairs));
   }
 
   /**
-   * Finds the pattern of a tree that is told place by place.
+   * Determines the pattern of a tree given by places. @param velocityAt velocity of the state at
+   * each place, outwards; not modified @param parent parent of each place, −1 for none; not
+   * modified
    *
-   * @param velocityAt velocity of the state at each place, outwards; not modified
-   * @param parent the place before each on its way to the root, −1 for none; not modified
    * @param coupled further elements, two places for each; not modified
    */
   public TreePattern(int[] velocityAt, int[] parent, int[] coupled) {
@@ -93,7 +92,10 @@ public final class TreePattern {
     return order;
   }
 
-  /** Returns the place before each place: in its link, or the last of a link nearer the root. */
+  /**
+   * Returns the parent of each place: the previous one in its link, or the last place of an
+   * ancestor.
+   */
   private static int[] parents(TreeGeometry tree) {
     int[] last = lastPlaces(tree);
     int[] parents = new int[tree.stateVelocityCount];
@@ -112,7 +114,7 @@ public final class TreePattern {
     return tree.driven[link] ? 0 : tree.kind[link].velocityCount();
   }
 
-  /** Returns for each link its last place; without one the last on its way to the root. */
+  /** Returns for each link its last place, or that of the nearest ancestor with one. */
   private static int[] lastPlaces(TreeGeometry tree) {
     int[] last = new int[tree.linkCount];
     int places = 0;
@@ -127,7 +129,7 @@ public final class TreePattern {
     return last;
   }
 
-  /** Returns the elements by which pairs of links couple all on the ways of both. */
+  /** Returns the elements by which pairs of links couple their ancestors. */
   private static int[] ways(TreeGeometry tree, int[] pairs) {
     int[] last = lastPlaces(tree);
     int[] parents = parents(tree);
@@ -144,7 +146,7 @@ public final class TreePattern {
     return elements.build().toArray();
   }
 
-  /** Eliminating a place couples all that it is coupled with. */
+  /** Adds the fill-in: elimination of a place couples all places coupled with it. */
   private static void fill(BitSet[] rows) {
     for (int place = rows.length - 1; place >= 0; place--) {
       for (int i = rows[place].nextSetBit(0); i >= 0; i = rows[place].nextSetBit(i + 1)) {
@@ -161,7 +163,7 @@ public final class TreePattern {
     return Arrays.stream(rows).mapToInt(BitSet::cardinality).sum();
   }
 
-  /** Returns a pattern in the places of this one with room for the elements of another too. */
+  /** Returns the union with another pattern, in the places of this one. */
   public TreePattern joined(TreePattern other) {
     IntStream.Builder elements = IntStream.builder();
     addElements(this, elements);
@@ -185,13 +187,13 @@ public final class TreePattern {
     return size;
   }
 
-  /** Returns how many elements below the diagonal may differ from zero. */
+  /** Returns the number of elements below the diagonal that may differ from zero. */
   public int elementCount() {
     return column.length;
   }
 
   /**
-   * Returns where an element stands in its row.
+   * Returns the index of an element.
    *
    * @param row place, greater than {@code col}
    * @param col place

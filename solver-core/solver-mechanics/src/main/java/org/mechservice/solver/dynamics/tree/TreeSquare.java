@@ -3,7 +3,7 @@ package org.mechservice.solver.dynamics.tree;
 import java.util.Arrays;
 
 /**
- * A matrix without symmetry over the velocities of the state, with the elements of a {@link
+ * An unsymmetric matrix over the velocities of the state, with the elements of a {@link
  * TreePattern} on both sides of the diagonal. Elements are addressed by place. Workspace of one
  * thread.
  */
@@ -129,7 +129,7 @@ public final class TreeSquare implements TreeElements {
   }
 
   /**
-   * Takes the elements from a matrix, row by row in the order of the state.
+   * Copies the elements from a matrix, row by row in the order of the state.
    *
    * @param dense n² numbers from {@code at}; not modified
    */

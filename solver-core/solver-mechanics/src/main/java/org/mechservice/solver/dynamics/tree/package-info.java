@@ -5,7 +5,7 @@
  * org.mechservice.solver.dynamics.tree.TreePattern} holds that structure, {@link
  * org.mechservice.solver.dynamics.tree.TreeMatrix} factors a symmetric matrix L<sup>T</sup>DL along
  * it without fill-in, and {@link org.mechservice.solver.dynamics.tree.TreeLu} factors unsymmetric
- * ones, which iteration matrices of implicit methods are. {@link
+ * ones, such as the iteration matrices of implicit methods. {@link
  * org.mechservice.solver.dynamics.tree.PivotCheck} names the joint at which a pivot vanishes: a
  * massless chain or a singular position.
  *

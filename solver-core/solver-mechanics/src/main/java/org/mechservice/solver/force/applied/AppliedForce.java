@@ -8,8 +8,8 @@ import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.ForceElement;
 
 /**
- * One applied force at work: reads a motion that someone else sweeps. Workspace of one thread;
- * nothing allocates unless something fails.
+ * One applied force, evaluated on a motion that the caller sweeps. Workspace of one thread; nothing
+ * allocates unless something fails.
  */
 public abstract class AppliedForce {
   private final ForceElement element;
@@ -19,15 +19,14 @@ public abstract class AppliedForce {
     this.element = element;
   }
 
-  /** Returns the values it can put out in the mechanism it acts in. */
+  /** Returns its output values in a mechanism. */
   public List<Variable> variables(Mechanism mechanism) {
     return element.values(mechanism::jointOf);
   }
 
   /**
-   * Takes the values of tunable parameters.
-   *
-   * @return false if a coefficient has no value or none that is allowed; see {@link #defect()}
+   * Sets the values of tunable parameters. @return false if a coefficient is not finite or out of
+   * range; see {@link #defect()}
    */
   public abstract boolean parameters(double[] values);
 
@@ -38,22 +37,25 @@ public abstract class AppliedForce {
    */
   public abstract boolean apply(double t, double[] wrench, double[] tau);
 
-  /** Gives its derivatives in the state of the last {@link #apply}; false as there. */
+  /**
+   * Adds its derivatives at the state of the last {@link #apply}; returns false if they are not
+   * finite.
+   */
   public abstract boolean linearise(double t, ForceJacobian sink);
 
   /** Returns its potential energy in the state of the last {@link #apply}, J. */
   public abstract double potentialEnergy();
 
-  /** Returns the power of what has no energy in the state of the last {@link #apply}, W. */
+  /** Returns the power of its non-conservative part at the state of the last {@link #apply}, W. */
   public abstract double power();
 
   /** Writes the values of the last {@link #apply}. */
   public abstract void values(double[] out, int at);
 
-  /** Adds the pairs of links it couples: what happens to one acts on the other. */
+  /** Adds the pairs of links that it couples. */
   public abstract void couplings(Couplings couplings);
 
-  /** Keeps in mind which whole turn an angle of a cut joint is on, after an accepted step. */
+  /** Stores the unwrapped angle of a cut joint after an accepted step. */
   public void accepted() {}
 
   /** Returns why the last call failed. */
@@ -61,13 +63,13 @@ public abstract class AppliedForce {
     return defect;
   }
 
-  /** Remembers a failure and returns false. */
+  /** Stores a failure and returns false. */
   public boolean fail(MessageCode code, String cause, String advice) {
     defect = new Defect(code, "force " + element.name(), cause, advice);
     return false;
   }
 
-  /** Remembers that a coefficient cannot be used and returns false. */
+  /** Stores that a coefficient cannot be used and returns false. */
   public boolean refuse(String quantity, double value, String condition) {
     return fail(
         MessageCode.FORCE_COEFFICIENT,
@@ -75,7 +77,7 @@ public abstract class AppliedForce {
         "Check the parameters it is computed from.");
   }
 
-  /** Remembers that a result is not finite and returns false. */
+  /** Stores that a result is not finite and returns false. */
   public boolean notFinite(String quantity, double value) {
     return fail(
         MessageCode.FORCE_NOT_FINITE,

@@ -7,14 +7,14 @@ import org.mechservice.solver.expression.Tape;
 import org.mechservice.solver.expression.TapeEvaluation;
 
 /**
- * The numbers of a force's law: expressions of tunable parameters alone, evaluated once per run.
+ * The coefficients of a force law: expressions of tunable parameters only, evaluated once per run.
  */
 public final class Coefficients {
   private final TapeEvaluation tape;
   private final double[] value;
 
   /**
-   * @throws IllegalArgumentException if an expression looks at time or the state
+   * @throws IllegalArgumentException if an expression depends on time or the state
    */
   public Coefficients(String force, List<Expression> expressions) {
     tape = new TapeEvaluation(new Tape(expressions));

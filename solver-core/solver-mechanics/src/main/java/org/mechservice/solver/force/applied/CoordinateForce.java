@@ -3,7 +3,7 @@ package org.mechservice.solver.force.applied;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.force.ForceElement;
 
-/** A law of one coordinate, at work on a joint of the tree. */
+/** A force along one coordinate of a tree joint, given by a scalar law. */
 public final class CoordinateForce extends AppliedForce {
   private final TreeMotion motion;
   private final TreeCoordinate coordinate;
@@ -12,7 +12,8 @@ public final class CoordinateForce extends AppliedForce {
   private double velocity;
 
   /**
-   * @param coordinate has a velocity; if it has no position of its own, the law must not ask for it
+   * @param coordinate has a velocity; if it has no position, the law must not depend on the
+   *     position
    */
   public CoordinateForce(
       ForceElement element, TreeMotion motion, TreeCoordinate coordinate, ScalarLaw law) {

@@ -11,12 +11,12 @@ import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.spatial.Rotation;
 
-/** Finds cut joints by their closure and the frames their coordinates are measured between. */
+/** Finds cut joints by their closure, and the frames of their coordinates. */
 public final class CutCoordinates {
   private CutCoordinates() {}
 
   /**
-   * Returns the cut joint a coordinate belongs to.
+   * Returns the cut joint of a coordinate.
    *
    * @throws IllegalArgumentException if the closure is no joint
    */
@@ -31,9 +31,8 @@ public final class CutCoordinates {
   }
 
   /**
-   * Returns the component among the joint's velocities, of a position.
-   *
-   * @throws IllegalArgumentException if it is an Euler parameter, or not there
+   * Returns the component among the joint's velocities that is the rate of a position. @throws
+   * IllegalArgumentException if it is an Euler parameter, or does not exist
    */
   public static int velocityOfPosition(CutJoint cut, int component) {
     Joint joint = cut.joint();
@@ -47,14 +46,14 @@ public final class CutCoordinates {
     return velocity;
   }
 
-  /** Returns the position at the start, from which whole turns are counted. */
+  /** Returns the position at the start, from which angles are unwrapped. */
   public static double start(CutJoint cut, int position) {
     double[] start = new double[cut.joint().type().positionCount()];
     cut.joint().initialPositions(start, 0);
     return start[position];
   }
 
-  /** Returns the motion between the joint's bodies as the gradients of its coordinates want it. */
+  /** Returns the motion between the joint's bodies, in the frames of the coordinates' gradients. */
   public static FrameMotion frames(TreeMotion motion, CutJoint cut) {
     Attachment at = cut.joint().attachment();
     boolean backwards = motion.tree().linkOf(at.parent()) != cut.relative().linkA();

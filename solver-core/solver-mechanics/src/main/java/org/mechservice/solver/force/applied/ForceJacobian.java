@@ -3,21 +3,21 @@ package org.mechservice.solver.force.applied;
 import org.mechservice.solver.force.ForceSet;
 
 /**
- * Takes the derivatives of applied forces by what they depend on, piece by piece.
+ * Receives the derivatives of applied forces by motions of links and by coordinates, term by term.
  *
  * <p>A wrench is [moment; force] in the axes of its link at the link's reference point, as {@link
- * ForceSet#apply} gives it; its derivatives are those of these six components, so whoever takes
- * them to the joints adds how a wrench that is constant in its link's axes acts there. A link is
- * moved by a small twist [rotation; displacement of the reference point] in link axes, with the
- * components of its velocity [angular; linear] in link axes held; or its velocity is changed. A
+ * ForceSet#apply} gives it; its derivatives are those of these six components. The receiver adds
+ * the derivative of the joint forces of a wrench that is constant in its link's axes. A derivative
+ * by a pose is taken for a small twist [rotation; displacement of the reference point] in link
+ * axes, with the components of the link's velocity [angular; linear] in link axes held constant. A
  * coordinate is an index among the extended velocities; its small displacement is along the tangent
- * (NUMERICS §1a) and moves the force directly here, not through the links it carries.
+ * (NUMERICS §1a) and changes the force directly, not through the motion of links.
  *
- * <p>Arrays belong to the caller of these methods and change afterwards.
+ * <p>Callers reuse the arrays, so implementations must copy them.
  */
 public interface ForceJacobian {
   /**
-   * Adds the derivative of the wrench on a link by the place and velocity of a link.
+   * Adds the derivative of the wrench on a link by the pose and velocity of a link.
    *
    * @param on link of the wrench
    * @param by link that moves; may be the same
@@ -35,7 +35,7 @@ public interface ForceJacobian {
   void wrenchByCoordinate(int on, int by, double[] byPlace, double[] byVelocity);
 
   /**
-   * Adds the derivative of a joint force by the place and velocity of a link.
+   * Adds the derivative of a joint force by the pose and velocity of a link.
    *
    * @param on coordinate of the force
    * @param byPlace 6 numbers, per rad, m

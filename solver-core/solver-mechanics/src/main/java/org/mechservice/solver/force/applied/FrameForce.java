@@ -4,7 +4,7 @@ import java.util.Arrays;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.mechanism.force.ForceElement;
 
-/** A force between two bodies: a law of their relative motion, carried to both. */
+/** A force between two bodies, given by a law of their relative motion and applied to both. */
 public final class FrameForce extends AppliedForce {
   private final FrameMotion motion;
   private final FrameLaw law;
@@ -65,7 +65,7 @@ public final class FrameForce extends AppliedForce {
     return true;
   }
 
-  /** Derivatives by body 1 or 2, one column per component of its twist. */
+  /** Adds the derivatives by body 1 or 2, one column per component of its twist. */
   private void linearise(boolean first, int link, ForceJacobian sink) {
     if (link == TreeGeometry.ROOT) {
       return;
@@ -116,7 +116,7 @@ public final class FrameForce extends AppliedForce {
     return law.potentialEnergy(motion);
   }
 
-  /** What the wrench does beyond giving back energy. */
+  /** Returns the power of the wrench without its conservative part. */
   @Override
   public double power() {
     double sum = law.energyRate(motion);

@@ -3,10 +3,8 @@ package org.mechservice.solver.force.applied;
 /** A force between two bodies as a function of their relative motion, see {@link FrameMotion}. */
 public interface FrameLaw {
   /**
-   * Takes the coefficients.
-   *
-   * @param force told what is wrong with them
-   * @return false if they cannot be used
+   * Sets the coefficients. @param force receives the defect of an unusable coefficient @return
+   * false if they cannot be used
    */
   boolean parameters(double[] values, AppliedForce force);
 
@@ -16,12 +14,12 @@ public interface FrameLaw {
    * @param x relative motion; not modified
    * @param w [moment; force] on body 2 at the origin of frame 2, in the axes of frame 1;
    *     overwritten
-   * @return false if there is none; the force has been told why
+   * @return false if there is none; the force has received the defect
    */
   boolean wrench(FrameMotion x, double[] w, AppliedForce force);
 
   /**
-   * Differentiates the law in the state of the last {@link #wrench}.
+   * Differentiates the law at the state of the last {@link #wrench}.
    *
    * @param byPlace derivative by [rotation; displacement] of frame 2 with {@code x.twist} held, 6 ×
    *     6 row by row; zero at entry, overwritten
@@ -38,6 +36,6 @@ public interface FrameLaw {
   /** Writes the values of the last {@link #wrench}. */
   void values(FrameMotion x, double[] out, int at);
 
-  /** Keeps in mind which whole turn an angle is on, after an accepted step. */
+  /** Stores the unwrapped angle after an accepted step. */
   default void accepted() {}
 }

@@ -12,9 +12,9 @@ import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.spatial.Rotation;
 
 /**
- * How frame 2, on one body, stands and moves relative to frame 1, on another, as an observer on the
- * first body sees it, in the axes of frame 1. Whatever acts between two bodies and depends on them
- * alone is a function of this.
+ * Pose and velocity of frame 2, on body 2, relative to frame 1, on body 1, in the axes of frame 1.
+ * Every force between two bodies that depends only on their relative motion is a function of these
+ * quantities.
  *
  * <p>Legend: A1, A2 rotations from the axes of links 1 and 2 to those of frame 1; r1, r2 the
  * frames' origins from the links' reference points in link axes; s the origin of frame 2 from the
@@ -44,7 +44,10 @@ public final class FrameMotion {
   /** Angular velocity of frame 2, rad/s, then the rate of {@link #displacement}, m/s. */
   public final double[] twist = new double[6];
 
-  /** Angular velocity of link 1 in frame 1; of link 2; velocity of frame 2's origin; world seen. */
+  /**
+   * Angular velocity of link 1 in frame 1; of link 2; velocity of frame 2's origin; scratch in
+   * world axes.
+   */
   private final double[] omega1 = new double[3];
 
   private final double[] omega2 = new double[3];
@@ -53,7 +56,7 @@ public final class FrameMotion {
   private final double[] work = new double[9];
   private final double[] moved = new double[3];
 
-  /** Watches two frames in a motion that someone else sweeps. */
+  /** Prepares the relative motion of two frames in a motion that the caller sweeps. */
   public FrameMotion(TreeMotion motion, BodyFrame frame1, BodyFrame frame2) {
     this.motion = motion;
     TreeGeometry tree = motion.tree();
@@ -86,7 +89,7 @@ public final class FrameMotion {
     m[8] = r.zz();
   }
 
-  /** Reads place and velocities from the swept motion. */
+  /** Computes pose and velocities from the swept motion. */
   public void read() {
     motion.points.difference(ancestor, link1, r1, 0, link2, r2, 0, moved, 0);
     motion.fromWorld(link1, moved, 0, work, 0);
@@ -119,7 +122,10 @@ public final class FrameMotion {
     }
   }
 
-  /** Angular velocity of a link and velocity u + ω × r of a point of it, in frame 1. */
+  /**
+   * Computes the angular velocity of a link and the velocity u + ω × r of a point of it, in frame
+   * 1.
+   */
   private void velocity(int link, double[] r, double[] a, double[] omega, double[] u) {
     if (link == TreeGeometry.ROOT) {
       clear(omega);
@@ -154,7 +160,7 @@ public final class FrameMotion {
   }
 
   /**
-   * Writes what a wrench on body 2, and its opposite on body 1, are at the links' reference points.
+   * Transfers a wrench on body 2, and its opposite on body 1, to the links' reference points.
    *
    * @param w as for {@link #addWrench}; not modified
    * @param on1 [moment; force] in link 1's axes; overwritten
@@ -178,10 +184,9 @@ public final class FrameMotion {
   }
 
   /**
-   * Writes how the relative motion changes when a body is moved by a small twist with the
-   * components of its velocity held.
+   * Writes the change of the relative motion for a small twist of a body, with the components of
+   * its velocity held constant. @param first whether body 1 moves
    *
-   * @param first whether body 1 moves
    * @param xi [rotation; displacement] in link axes; not modified
    * @param place change of [rotation; displacement] of frame 2 in frame 1; overwritten
    * @param velocity change of {@link #twist}; overwritten
@@ -189,7 +194,7 @@ public final class FrameMotion {
   public void changeByPlace(boolean first, double[] xi, double[] place, double[] velocity) {
     changeByVelocity(first, xi, place);
     double sign = first ? -1 : 1;
-    // what turns with body 2, or against body 1, and s moving in the turning body 1
+    // rotation with body 2 or against body 1, and the motion of s in the rotating body 1
     for (int i = 0; i < 6; i++) {
       velocity[i] = 0;
     }
@@ -245,7 +250,7 @@ public final class FrameMotion {
   /**
    * Writes the change of the wrench on body 1 in link axes.
    *
-   * @param place change of the relative place; zero for a change of velocity
+   * @param place change of the relative pose; zero for a change of velocity
    */
   void wrenchChange1(double[] w, double[] dw, double[] place, double[] out) {
     for (int i = 0; i < 6; i++) {

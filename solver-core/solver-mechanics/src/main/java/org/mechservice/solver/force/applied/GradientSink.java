@@ -1,10 +1,13 @@
 package org.mechservice.solver.force.applied;
 
-/** Takes the derivative of one number by what it depends on, piece by piece. */
+/** Receives the gradient of one number by motions of links and by coordinates, term by term. */
 public interface GradientSink {
-  /** By the place and velocity of a link: 6 numbers each, as in {@link ForceJacobian}. */
+  /**
+   * Adds the derivative by the pose and velocity of a link: 6 numbers each, as in {@link
+   * ForceJacobian}.
+   */
   void byLink(int link, double[] byPlace, double[] byVelocity);
 
-  /** By an extended coordinate. */
+  /** Adds the derivative by an extended coordinate. */
   void byCoordinate(int coordinate, double byPlace, double byVelocity);
 }

@@ -1,6 +1,6 @@
 package org.mechservice.solver.force.applied;
 
-/** Takes derivatives and forgets them. */
+/** A receiver that ignores all derivatives. */
 public final class NoJacobian implements ForceJacobian {
   public static final NoJacobian INSTANCE = new NoJacobian();
 

@@ -1,7 +1,7 @@
 package org.mechservice.solver.force.applied;
 
 /**
- * Spreads the gradient of a number over a force that is proportional to it: a wrench on a link, or
+ * Outer product of the gradient of a number with a load proportional to it: a wrench on a link, or
  * a joint force.
  */
 public final class OuterProduct implements GradientSink {
@@ -16,7 +16,7 @@ public final class OuterProduct implements GradientSink {
   private ForceJacobian target;
 
   /**
-   * @param target takes the derivatives until told otherwise
+   * @param target receives the derivatives
    */
   public OuterProduct(ForceJacobian target) {
     this.target = target;
@@ -27,7 +27,7 @@ public final class OuterProduct implements GradientSink {
   }
 
   /**
-   * The force is the number times a wrench on a link.
+   * Sets the load to the number times a wrench on a link.
    *
    * @param wrench 6 numbers in link axes; copied
    */
@@ -39,7 +39,7 @@ public final class OuterProduct implements GradientSink {
     }
   }
 
-  /** The force is the number times a factor, in a joint. */
+  /** Sets the load to the number times a factor in a joint. */
   public void force(int coordinate, double scale) {
     on = coordinate;
     onLink = false;

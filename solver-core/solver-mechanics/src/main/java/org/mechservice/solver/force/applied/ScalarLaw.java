@@ -3,17 +3,15 @@ package org.mechservice.solver.force.applied;
 /** A force on one coordinate as a function of its position and velocity. */
 public interface ScalarLaw {
   /**
-   * Takes the coefficients.
-   *
-   * @param force told what is wrong with them
-   * @return false if they cannot be used
+   * Sets the coefficients. @param force receives the defect of an unusable coefficient @return
+   * false if they cannot be used
    */
   boolean parameters(double[] values, AppliedForce force);
 
   /** Evaluates the force and its derivatives. */
   void evaluate(double position, double velocity);
 
-  /** Returns the force; positive drives the coordinate upwards. */
+  /** Returns the force; a positive force increases the coordinate. */
   double force();
 
   double byPosition();

@@ -6,10 +6,9 @@ import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.mechanism.Joint;
 
 /**
- * Where a coordinate of a joint of the tree stands among the extended positions and velocities.
- *
- * @param position index of the position, or −1 where a velocity has none of its own
- * @param velocity index of its rate, or −1 for an Euler parameter
+ * Indices of a tree joint's coordinate among the extended positions and velocities. @param position
+ * index of the position, or −1 if a velocity is not the rate of one @param velocity index of its
+ * rate, or −1 for an Euler parameter
  */
 public record TreeCoordinate(int position, int velocity) {
 
@@ -73,7 +72,10 @@ public record TreeCoordinate(int position, int velocity) {
         && tree.kind[link] != LinkKind.BALL;
   }
 
-  /** The joint's links hold its coordinates side by side, not always in their order. */
+  /**
+   * Returns the joint's first index; its links hold the coordinates contiguously, but not always in
+   * order.
+   */
   private static int first(TreeGeometry tree, int joint, boolean positions) {
     int first = Integer.MAX_VALUE;
     for (int link = 0; link < tree.linkCount; link++) {

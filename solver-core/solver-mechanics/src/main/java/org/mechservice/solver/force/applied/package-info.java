@@ -1,16 +1,17 @@
 /**
- * Applied forces in the form in which the equations of motion take them.
+ * Applied forces in the form that the equations of motion use.
  *
- * <p>An {@link org.mechservice.solver.force.applied.AppliedForce} adds its share to the joint
- * forces and wrenches of a state and says which states it couples. There are two families, by the
- * place at which they act: {@link org.mechservice.solver.force.applied.FrameForce} between two
- * frames, with a {@link org.mechservice.solver.force.applied.FrameLaw} of their relative motion
+ * <p>An {@link org.mechservice.solver.force.applied.AppliedForce} adds its contribution to the
+ * joint forces and wrenches of a state and reports the links that it couples. Two families differ
+ * in their points of application: {@link org.mechservice.solver.force.applied.FrameForce} between
+ * two frames, with a {@link org.mechservice.solver.force.applied.FrameLaw} of their relative motion
  * ({@link org.mechservice.solver.force.applied.FrameMotion}), and {@link
  * org.mechservice.solver.force.applied.CoordinateForce} along one joint coordinate, with a {@link
- * org.mechservice.solver.force.applied.ScalarLaw}. The laws themselves stand in {@code force.law}.
+ * org.mechservice.solver.force.applied.ScalarLaw}. The laws themselves are in {@code force.law}.
  *
  * <p>Derivatives with respect to positions and velocities go into a {@link
- * org.mechservice.solver.force.applied.ForceJacobian}, which an implicit integrator reads. Units
- * are SI; wrenches are in world axes about the world origin unless a class says otherwise.
+ * org.mechservice.solver.force.applied.ForceJacobian}, which implicit integrators need. Units are
+ * SI; a wrench is [moment; force] in link axes at the link's reference point unless a class states
+ * otherwise.
  */
 package org.mechservice.solver.force.applied;

@@ -12,8 +12,8 @@ import org.mechservice.solver.kinematics.pair.CutJoint;
 import org.mechservice.solver.kinematics.pair.PairFunction;
 
 /**
- * A position or velocity of a cut joint: x with gradient g by the relative place, ẋ = g · twist
- * with gradient C twist.
+ * A position or velocity of a cut joint: x with gradient g by the relative pose, ẋ = g · twist with
+ * gradient C twist.
  */
 final class CutInput extends LeafInput {
   private final TreeMotion motion;

@@ -18,7 +18,7 @@ final class EulerInput extends LeafInput {
   private final double[] rate = new double[4];
 
   /**
-   * @param first where the four parameters begin in the extended positions
+   * @param first index of the first of the four parameters among the extended positions
    */
   EulerInput(TreeMotion motion, int first, JointCoordinate coordinate) {
     this.motion = motion;

@@ -9,9 +9,7 @@ import org.mechservice.solver.force.applied.GradientSink;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Parameter;
 
-/**
- * Expressions of time, parameters and the state, evaluated in a motion that someone else sweeps.
- */
+/** Expressions of time, parameters and the state, evaluated in a motion that the caller sweeps. */
 public final class ExpressionInputs {
   private final TapeEvaluation tape;
   private final LeafInput[] inputs;
@@ -21,9 +19,8 @@ public final class ExpressionInputs {
   private final double[][] gradients;
 
   /**
-   * Prepares expressions, parameters at the values the mechanism gives them.
-   *
-   * @throws IllegalArgumentException if one refers to what the motion does not have
+   * Prepares expressions, with parameters at the mechanism's values. @throws
+   * IllegalArgumentException if one refers to an element that the mechanism does not have
    */
   public ExpressionInputs(TreeMotion motion, List<Expression> expressions) {
     tape = new TapeEvaluation(new Tape(expressions));
@@ -37,12 +34,14 @@ public final class ExpressionInputs {
     gradients = new double[expressions.size()][inputs.length];
   }
 
-  /** Takes the values of the mechanism's parameters, SI units. */
+  /** Sets the values of the mechanism's parameters, SI units. */
   public void parameters(double[] values) {
     System.arraycopy(values, 0, parameters, 0, parameters.length);
   }
 
-  /** Evaluates all results in the motion of the last sweep, places in the world included. */
+  /**
+   * Evaluates all results in the motion of the last sweep, which must include poses in the world.
+   */
   public void evaluate(double t) {
     for (int i = 0; i < inputs.length; i++) {
       tape.setLeaf(i, inputs[i].value(t));
@@ -60,7 +59,7 @@ public final class ExpressionInputs {
     return tape.firstNotFinite();
   }
 
-  /** Evaluates the gradients of all results in the state of the last {@link #evaluate}. */
+  /** Evaluates the gradients of all results at the state of the last {@link #evaluate}. */
   void differentiate() {
     tape.derivatives();
     for (int i = 0; i < gradients.length; i++) {
@@ -77,7 +76,7 @@ public final class ExpressionInputs {
     return gradients[result][leaf];
   }
 
-  /** Gives what a leaf depends on. */
+  /** Passes on the gradient of a leaf. */
   void gradient(int leaf, GradientSink sink) {
     inputs[leaf].gradient(sink);
   }
@@ -88,7 +87,7 @@ public final class ExpressionInputs {
     }
   }
 
-  /** Takes note of an accepted state: angles of cut joints go on counting from here. */
+  /** Records an accepted state: angles of cut joints are unwrapped from here. */
   public void accepted() {
     for (LeafInput input : inputs) {
       input.accepted();

@@ -65,7 +65,7 @@ public final class ExpressionWrench extends AppliedForce {
     return true;
   }
 
-  /** From components [force; torque] as given to [moment; force] in link axes. */
+  /** Converts the given components [force; torque] to [moment; force] in link axes. */
   private void toWrench(double[] components, double[] out) {
     if (inWorld) {
       motion.fromWorld(link, components, 0, turned, 0);
@@ -104,7 +104,10 @@ public final class ExpressionWrench extends AppliedForce {
     return true;
   }
 
-  /** World components do not turn with the link: f changes by −δθ × f in its axes, m likewise. */
+  /**
+   * Adds the derivative of a load with constant world components: in link axes f changes by −δθ ×
+   * f, m likewise.
+   */
   private void turnAgainstLink(ForceJacobian sink) {
     toWrench(given, wrench);
     Arrays.fill(byPlace, 0);

@@ -10,14 +10,15 @@ import org.mechservice.solver.mechanism.force.ForceTorque;
 import org.mechservice.solver.mechanism.force.JointForce;
 
 /**
- * The formulas of a mechanism's forces taken apart: every part that can lose its value while what
- * it is made of has one, or can jump, from the inside out, and what it is made of; then the whole.
+ * The formulas of a mechanism's forces decomposed for diagnosis: from the inside out every
+ * subexpression that can be undefined although its operands are defined, or that can jump, with its
+ * operands; then the whole formula.
  */
 public final class ForceFormulas {
-  /** Longer formulas are cut: they are there to be recognised. */
+  /** Largest length of a formula's text; a longer one is cut, since it need only be recognised. */
   private static final int LONGEST_TEXT = 160;
 
-  /** Characters of all lines: more would not fit into a class file. */
+  /** Largest total length of all lines, so that they fit into a class file. */
   private static final int MOST_TEXT = 20_000;
 
   private final FormulaText text;
@@ -42,10 +43,8 @@ public final class ForceFormulas {
   }
 
   /**
-   * Takes the formulas of a mechanism's forces apart.
-   *
-   * @return nothing if all of them have a value and a slope in every state that is not itself
-   *     absurd, or if there are too many to keep
+   * Decomposes the formulas of a mechanism's forces. @return empty if all of them have a value and
+   * a derivative in every state of moderate size, or if there are too many
    */
   public static Optional<ForceFormulas> of(Mechanism mechanism) {
     ForceFormulas formulas = new ForceFormulas(mechanism);
@@ -55,16 +54,16 @@ public final class ForceFormulas {
   }
 
   /**
-   * Returns what is to be evaluated: for each line the part, then what it is made of, as many as
-   * the line names.
+   * Returns the expressions to be evaluated: for each line the subexpression, then its operands in
+   * the order of the line.
    */
   public List<Expression> expressions() {
     return List.copyOf(expressions);
   }
 
   /**
-   * Returns a line for each part: force, quantity, its formula, the part, and what the part is made
-   * of, with tabs between.
+   * Returns a line for each subexpression: force, quantity, its formula, the subexpression and its
+   * operands, separated by tabs.
    */
   public String lines() {
     return lines.toString();
@@ -118,9 +117,7 @@ public final class ForceFormulas {
     return List.of();
   }
 
-  /**
-   * Whether a part can be without a finite value where its arguments have moderate ones, or jumps.
-   */
+  /** Returns whether a subexpression can be not finite for moderate operands, or can jump. */
   private static boolean mayFail(Expression part) {
     if (part instanceof Expression.Quotient quotient) {
       return !(quotient.divisor() instanceof Expression.Constant);

@@ -3,7 +3,7 @@ package org.mechservice.solver.force.formula;
 import java.util.Optional;
 import org.mechservice.solver.kinematics.TreeMotion;
 
-/** Evaluates the parts of forces' formulas from the data of a mechanism. */
+/** Evaluates the subexpressions of forces' formulas from the data of a mechanism. */
 public final class FormulaCheck {
   private final ForceFormulas formulas;
   private final ExpressionInputs inputs;
@@ -14,10 +14,8 @@ public final class FormulaCheck {
   }
 
   /**
-   * Prepares the check.
-   *
-   * @param motion that someone else sweeps, with places in the world
-   * @return nothing if all formulas have values
+   * Prepares the check. @param motion swept by the caller, with poses in the world @return empty if
+   * all formulas always have values
    */
   public static Optional<FormulaCheck> of(TreeMotion motion) {
     return ForceFormulas.of(motion.tree().mechanism()).map(f -> new FormulaCheck(f, motion));

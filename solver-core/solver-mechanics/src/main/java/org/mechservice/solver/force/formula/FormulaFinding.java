@@ -5,24 +5,24 @@ import java.util.Optional;
 import org.mechservice.solver.api.capability.Defects.Defect;
 import org.mechservice.solver.catalogue.MessageCode;
 
-/** Says in words which part of which force's formula has no finite value. */
+/** Describes the subexpression of a force's formula that has no finite value. */
 final class FormulaFinding {
-  /** Fields of a line in front of what a part is made of. */
+  /** Number of fields of a line before the operands. */
   private static final int HEAD = 4;
 
   /**
-   * Relative change within a step of some 1e-16 of the time elapsed: rounding makes 1e-15, a motion
-   * of 1e6 rad/s over 1 s makes 1e-10.
+   * Relative change within a step of about 1e-16 of the elapsed time that marks a force; rounding
+   * causes 1e-15, a motion of 1e6 rad/s over 1 s causes 1e-10.
    */
   private static final double NOTICEABLE = 1e-8;
 
-  /** Relative change between neighbours 1e-7 apart that no force of use has. */
+  /** Relative change between states 1e-7 apart that no practical force has. */
   private static final double STEEP = 0.01;
 
   private FormulaFinding() {}
 
   /**
-   * Looks for the first part without a finite value.
+   * Finds the first subexpression without a finite value.
    *
    * @param lines of {@link ForceFormulas}
    * @param values of its expressions; not modified
@@ -40,8 +40,8 @@ final class FormulaFinding {
   }
 
   /**
-   * Looks for the force that changes most within a step that is the smallest of all, if that is
-   * more than rounding and any smooth motion do.
+   * Finds the force that changes most within a smallest possible step, if it changes more than by
+   * rounding or by any smooth motion.
    *
    * @param here values at {@code t}; not modified
    * @param ahead values one step later; not modified
@@ -59,10 +59,9 @@ final class FormulaFinding {
   }
 
   /**
-   * Looks for the force that changes most between neighbours, if it jumps or is nearly vertical.
-   *
-   * @param here values at {@code t}; not modified
-   * @param beside values in a state of which one component differs a little; not modified
+   * Finds the force that changes most between neighbouring states, if it jumps or is nearly
+   * vertical. @param here values at {@code t}; not modified @param beside values at a state that
+   * differs slightly in one component; not modified
    */
   static Optional<Defect> tooSteep(double t, String lines, double[] here, double[] beside) {
     return fastest(lines, here, beside, STEEP)
@@ -76,7 +75,7 @@ final class FormulaFinding {
                         + " signum(x), or make the jump an event."));
   }
 
-  /** A force that changes. */
+  /** A force with two values. */
   private record Changed(List<String> fields, double here, double there) {
     String says(String where, double t) {
       return "the "

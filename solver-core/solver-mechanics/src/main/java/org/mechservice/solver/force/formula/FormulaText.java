@@ -10,7 +10,7 @@ import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.spatial.Vector3;
 
-/** Writes formulas as text for people, with the names of their mechanism. */
+/** Writes formulas as readable text, with the names of their mechanism. */
 public final class FormulaText {
   private static final int SUM = 1;
   private static final int PRODUCT = 2;
@@ -22,13 +22,13 @@ public final class FormulaText {
   private final Mechanism mechanism;
 
   /**
-   * @param mechanism whose names the formulas use
+   * @param mechanism mechanism whose names the formulas use
    */
   public FormulaText(Mechanism mechanism) {
     this.mechanism = mechanism;
   }
 
-  /** Returns a formula as it could stand in a model file, in SI units. */
+  /** Returns a formula in the syntax of model files, in SI units. */
   public String of(Expression formula) {
     if (formula instanceof Expression.Constant constant) {
       return number(constant.value());

@@ -16,22 +16,22 @@ import org.mechservice.solver.force.applied.TreeCoordinate;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 
-/** What a leaf of an expression is worth in a swept motion, and what it depends on. */
+/** The value of a leaf of an expression in a swept motion, and its gradient. */
 public abstract class LeafInput {
   /** Reads the leaf. */
   abstract double value(double t);
 
-  /** Gives the derivatives of the value last read. */
+  /** Passes on the derivatives of the value last read. */
   public abstract void gradient(GradientSink sink);
 
-  /** Keeps in mind which whole turn an angle of a cut joint is on, after an accepted step. */
+  /** Stores the unwrapped angle of a cut joint after an accepted step. */
   void accepted() {}
 
-  /** Calls for each link whose place or velocity is read. */
+  /** Calls the consumer for each link whose pose or velocity is read. */
   public void links(IntConsumer taker) {}
 
   /**
-   * @param parameters values of the parameters; kept and read at each evaluation
+   * @param parameters values of the parameters; stored, and read at each evaluation
    * @throws IllegalArgumentException if the leaf has no value in a motion
    */
   static LeafInput of(Expression leaf, TreeMotion motion, double[] parameters) {

@@ -5,9 +5,9 @@ import java.util.Optional;
 import org.mechservice.solver.api.capability.Defects.Defect;
 import org.mechservice.solver.api.run.Failure;
 
-/** Looks after a failure for the force that caused it, where the last steps tried to go. */
+/** Finds, after a failure, the force that caused it, near the last attempted steps. */
 public final class SampleStates {
-  /** Differences for Jacobians move states by about this part. */
+  /** Relative change of a component, as in difference quotients for Jacobians. */
   private static final double MOVE = 1e-7;
 
   private final String lines;
@@ -20,11 +20,11 @@ public final class SampleStates {
     this.steps = steps;
   }
 
-  /** Evaluates the parts of forces' formulas. */
+  /** Evaluates the subexpressions of forces' formulas. */
   @FunctionalInterface
   public interface Evaluation {
     /**
-     * Returns the values of the parts in one state.
+     * Returns the values of the subexpressions at one state.
      *
      * @param t time, s
      * @param y state [q; v]; not modified
@@ -33,17 +33,16 @@ public final class SampleStates {
   }
 
   /**
-   * Looks at the state a run stands at, along the tangent as far as those steps went that did not
-   * get to an error, and then at neighbours such as differences are taken at. If all forces have
-   * values there, it may be a force that changes faster than the smallest step can follow, or one
-   * that jumps or has a vertical slope between neighbours, so that the equations of an implicit
-   * step have no solution.
+   * Checks the last state of a run, states along the tangent at the lengths of the attempted steps,
+   * and neighbouring states such as difference quotients use. If all forces have values there, it
+   * looks for a force that changes faster than the smallest step can follow, and for one that jumps
+   * or is vertical between neighbouring states, so that the equations of an implicit step have no
+   * solution.
    *
    * @param lines of {@link ForceFormulas}
-   * @param t time the run stands at, s
-   * @param y state there; its components are moved and put back
-   * @param yDot its derivative; not modified
-   * @param steps tried last
+   * @param t time that the run has reached, s @param y state there; its components are changed and
+   *     restored @param yDot its derivative; not modified @param steps lengths of the last
+   *     attempted steps
    */
   public static Optional<Defect> search(
       String lines,

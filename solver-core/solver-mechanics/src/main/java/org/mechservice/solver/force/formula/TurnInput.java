@@ -29,7 +29,7 @@ public final class TurnInput extends LeafInput {
     unit[axis] = 1;
   }
 
-  /** There is no angle to read; small changes alone have a meaning. */
+  /** Returns zero: a small rotation has no value, only a gradient. */
   @Override
   double value(double t) {
     return 0;

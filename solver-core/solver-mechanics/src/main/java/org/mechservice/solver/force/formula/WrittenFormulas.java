@@ -5,16 +5,16 @@ import java.util.Optional;
 import org.mechservice.solver.api.capability.Defects;
 import org.mechservice.solver.api.run.Failure;
 
-/** Generated code that evaluates the parts of its forces' formulas. */
+/** Generated code that evaluates the subexpressions of its forces' formulas. */
 public interface WrittenFormulas extends Defects {
   /** Returns the lines of {@link ForceFormulas}. */
   String formulas();
 
-  /** Returns how many values there are. */
+  /** Returns the number of values. */
   int formulaCount();
 
   /**
-   * Evaluates the parts.
+   * Evaluates the subexpressions.
    *
    * @param t time, s
    * @param y state [q; v]; not modified
@@ -22,7 +22,7 @@ public interface WrittenFormulas extends Defects {
    */
   void formulaValues(double t, double[] y, double[] values);
 
-  /** {@inheritDoc} No evaluation looks for them. */
+  /** {@inheritDoc} Throws an exception, because formula evaluations do not set a defect. */
   @Override
   default Defect lastDefect() {
     throw new IllegalStateException("no evaluation has failed");

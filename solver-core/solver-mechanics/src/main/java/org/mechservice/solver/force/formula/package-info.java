@@ -9,7 +9,9 @@
  *
  * <p>{@link org.mechservice.solver.force.formula.ExpressionWrench} and {@link
  * org.mechservice.solver.force.formula.ExpressionJointForce} apply the values. {@link
- * org.mechservice.solver.force.formula.FormulaCheck} evaluates all formulas at sample states before
- * a run and reports those without a finite value.
+ * org.mechservice.solver.force.formula.FormulaCheck} and {@link
+ * org.mechservice.solver.force.formula.SampleStates} find the formula behind a failed run: they
+ * evaluate its subexpressions near the last states and report the one without a finite value, or
+ * with a jump.
  */
 package org.mechservice.solver.force.formula;

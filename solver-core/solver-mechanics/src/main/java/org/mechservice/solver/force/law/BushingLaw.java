@@ -102,7 +102,7 @@ public final class BushingLaw implements FrameLaw {
     }
   }
 
-  /** Change of the wrench for a change of place and one of twist. */
+  /** Writes the change of the wrench for a change of pose and of twist. */
   private void column(FrameMotion motion, double[] place, double[] twist, double[] out, int j) {
     phi.rate(place, 0, direction, 0);
     for (int i = 0; i < 3; i++) {
@@ -132,7 +132,7 @@ public final class BushingLaw implements FrameLaw {
     }
   }
 
-  /** Turns the change of g_φ, which stands in the moment's rows, into that of Bᵀ g_φ. */
+  /** Replaces the change of g_φ, in the rows of the moment, by that of Bᵀ g_φ. */
   private void energyMoment(double[] out, int j) {
     for (int i = 0; i < 3; i++) {
       direction[i] = out[6 * i + j];

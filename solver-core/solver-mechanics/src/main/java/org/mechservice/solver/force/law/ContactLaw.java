@@ -13,9 +13,9 @@ import org.mechservice.solver.force.applied.FrameMotion;
 import org.mechservice.solver.mechanism.force.Contact;
 
 /**
- * Push and friction of a surface. Legend: (x, y, z) the centre in the surface's frame; d = R + h(x)
- * − z; N = k pos(d)ⁿ + c d′ pos′(d); (sx, sy) sliding velocity at the lowest point; p = √(s² +
- * v0²).
+ * Normal force and friction of a surface. Legend: (x, y, z) the centre in the surface's frame; d =
+ * R + h(x) − z; N = k pos(d)ⁿ + c d′ pos′(d); (sx, sy) sliding velocity at the lowest point; p =
+ * √(s² + v0²).
  */
 public final class ContactLaw implements FrameLaw {
   private static final String[] NAMES = {
@@ -168,7 +168,9 @@ public final class ContactLaw implements FrameLaw {
     column(byVelocity, 5, -normalByRate, 0, 0, 0);
   }
 
-  /** Change of the wrench for a change of N, of the slope and of the sliding velocity. */
+  /**
+   * Writes the change of the wrench for a change of N, of the slope and of the sliding velocity.
+   */
   private void column(double[] out, int j, double dN, double dSlope, double dsx, double dsy) {
     double coefficient = coefficients.at(FRICTION);
     double dfx = 0;

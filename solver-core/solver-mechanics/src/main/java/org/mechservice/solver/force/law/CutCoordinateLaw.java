@@ -21,8 +21,8 @@ public final class CutCoordinateLaw implements FrameLaw {
   private final double[] curvature = new double[36];
 
   /**
-   * The position at the last accepted step, in {@link TreeMotion#counted}: the nearest whole turn
-   * to it is meant.
+   * Index in {@link TreeMotion#counted} of the position at the last accepted step; an angle is
+   * taken on the nearest turn.
    */
   private final int reference;
 

@@ -7,7 +7,7 @@ import org.mechservice.solver.force.applied.Coefficients;
 import org.mechservice.solver.force.applied.ScalarLaw;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
 
-/** The force of a joint's spring is its tension turned round. */
+/** The force of a joint's spring, which is the negative tension. */
 public final class JointSpringLaw implements ScalarLaw {
   private final Coefficients coefficients;
   private final ScalarSpring spring;

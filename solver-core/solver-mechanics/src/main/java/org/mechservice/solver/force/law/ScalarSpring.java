@@ -5,9 +5,9 @@ import org.mechservice.solver.force.applied.Coefficients;
 import org.mechservice.solver.mechanism.force.Side;
 
 /**
- * A spring and damper of one coordinate z with rate z′: the tension T that resists z growing. With
- * x = z − z0: T = F0 + k x + c x′ on both sides, k pos(x) + c x′ pos′(x) above, −(k pos(y) + c y′
- * pos′(y)) with y = −x below. Coefficients in the order k, c, z0, F0, ε.
+ * A spring and damper of one coordinate z with rate z′: the tension T, positive against growing z.
+ * With x = z − z0: T = F0 + k x + c x′ on both sides, k pos(x) + c x′ pos′(x) above, −(k pos(y) + c
+ * y′ pos′(y)) with y = −x below. Coefficients in the order k, c, z0, F0, ε.
  */
 final class ScalarSpring {
   private static final String[] NAMES = {
@@ -83,7 +83,7 @@ final class ScalarSpring {
     return byVelocity;
   }
 
-  /** Returns the energy of the spring, zero at rest position, of the preload too. */
+  /** Returns the energy of spring and preload, zero at the rest position. */
   double potentialEnergy(double z) {
     double x = z - rest;
     return switch (side) {
@@ -93,7 +93,7 @@ final class ScalarSpring {
     };
   }
 
-  /** Returns the size of the terms that make up the tension at z = 0. */
+  /** Returns the sum of the absolute terms of the tension at z = 0. */
   double scale() {
     return Math.abs(preload) + Math.abs(k) * (Math.abs(rest) + eps);
   }

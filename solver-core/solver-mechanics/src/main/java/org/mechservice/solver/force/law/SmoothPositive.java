@@ -1,8 +1,8 @@
 package org.mechservice.solver.force.law;
 
 /**
- * The smooth positive part pos(x) = (x + √(x² + ε²)) / 2 and what belongs to it. For ε = 0 it is
- * the positive part itself, with slope 1/2 at zero.
+ * The smooth positive part pos(x) = (x + √(x² + ε²)) / 2, its derivatives and its integral. For ε =
+ * 0 it is the positive part itself, with slope 1/2 at zero.
  */
 final class SmoothPositive {
   private SmoothPositive() {}
@@ -37,8 +37,8 @@ final class SmoothPositive {
 
   /**
    * Returns ∫ pos(x)ⁿ dx. With p = pos(x), x = p − ε²/(4p), so it is p^(n+1)/(n+1) + ε² p^(n−1) /
-   * (4 (n−1)), which vanishes far below zero; for n = 1, where that has no limit, it is taken from
-   * x = 0.
+   * (4 (n−1)), which tends to zero for x → −∞; for n = 1 that limit does not exist, and the
+   * integral starts at x = 0.
    *
    * @param n at least 1
    */
@@ -56,7 +56,10 @@ final class SmoothPositive {
     return power * p * p / (n + 1) + quarter * power / (n - 1);
   }
 
-  /** Returns pⁿ for p ≥ 0; exact roots where they are cheap, as contact exponents mostly are. */
+  /**
+   * Returns pⁿ for p ≥ 0; the exponents 0.5, 1 and 1.5, which are usual in contacts, use no
+   * logarithm.
+   */
   static double power(double p, double n) {
     if (n == 1) {
       return p;

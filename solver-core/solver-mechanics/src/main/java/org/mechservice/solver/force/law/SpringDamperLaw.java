@@ -13,7 +13,7 @@ import org.mechservice.solver.mechanism.force.SpringDamper;
  * point 2, so that the force on body 2 is −T n.
  */
 public final class SpringDamperLaw implements FrameLaw {
-  /** Tension, relative to the largest of its terms, below which a line of no length is harmless. */
+  /** Tension, relative to the largest of its terms, below which coinciding points are permitted. */
   private static final double NO_TENSION = 1e-9;
 
   private final Coefficients coefficients;
@@ -63,8 +63,8 @@ public final class SpringDamperLaw implements FrameLaw {
   }
 
   /**
-   * Where the points coincide, the line is taken along the velocity: a damper without preload
-   * passes through zero length smoothly.
+   * Evaluates the force if the points coincide. The line is then taken along the velocity: a damper
+   * without preload passes through zero length smoothly.
    */
   private boolean wrenchWithoutLine(FrameMotion x, double[] w, AppliedForce force) {
     spring.evaluate(0, 0);
@@ -89,7 +89,7 @@ public final class SpringDamperLaw implements FrameLaw {
 
   /**
    * −∂(T n): with P = I − n nᵀ, dn = P dr / L, dL = n · dr, dL′ = n · du + u · P dr / L. At zero
-   * length the spring pulls straight back, whatever the direction.
+   * length the spring's force is opposite to any displacement.
    */
   @Override
   public void jacobian(FrameMotion x, double[] byPlace, double[] byVelocity) {

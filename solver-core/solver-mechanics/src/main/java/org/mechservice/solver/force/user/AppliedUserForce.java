@@ -25,11 +25,11 @@ import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 
 /**
- * A user's force at work. Its derivatives are its own, or central differences over what it
- * declared; both are carried from readings to links and joints in the same way.
+ * A user force applied to a motion. Its derivatives are its own, or central differences over the
+ * declared quantities; both are transformed from readings to links and joints in the same way.
  */
 public final class AppliedUserForce extends AppliedForce implements ForceBlocks {
-  /** Longest message of a class that is passed on, in characters. */
+  /** Largest length of a message from a class, in characters; the rest is cut off. */
   private static final int MOST_TEXT = 2000;
 
   private final UserForce law;
@@ -40,15 +40,15 @@ public final class AppliedUserForce extends AppliedForce implements ForceBlocks 
   private final UserForceReading reading;
   private final List<UserForceSensor> sensors = new ArrayList<>();
 
-  /** First of the three sensors of what is read of each point. */
+  /** Index of the first of three sensors for each quantity read of each point. */
   private final List<Map<Reads, Integer>> pointSensor = new ArrayList<>();
 
-  /** Sensor of each coordinate's position, −1 if it has none; that of its rate. */
+  /** Sensor of each coordinate's position, −1 if it has none; sensor of its rate. */
   private final int[] positionSensor;
 
   private final int[] rateSensor;
 
-  /** Change of all loads with one reading: 6 per point, then 1 per coordinate. */
+  /** Derivative of all loads by one reading: 6 per point, then 1 per coordinate. */
   private final double[] change;
 
   private final double[] forceTorque = new double[6];
@@ -171,7 +171,7 @@ public final class AppliedUserForce extends AppliedForce implements ForceBlocks 
     return true;
   }
 
-  /** Lets the user's class evaluate the readings as they are. */
+  /** Calls the user's class with the present readings. */
   private boolean evaluate() {
     reading.clear();
     try {
@@ -196,7 +196,10 @@ public final class AppliedUserForce extends AppliedForce implements ForceBlocks 
     return true;
   }
 
-  /** Returns class and message of what a class has thrown; the message is the class's own code. */
+  /**
+   * Returns class and message of an exception of the user's class; getting the message runs code of
+   * that class.
+   */
   private static String described(Throwable thrown) {
     try {
       String text = thrown.toString();
@@ -241,7 +244,7 @@ public final class AppliedUserForce extends AppliedForce implements ForceBlocks 
     return true;
   }
 
-  /** Central differences over the readings; leaves everything as it was. */
+  /** Takes central differences over the readings; restores all values. */
   private boolean takeDifferences() {
     double t = reading.time();
     for (int i = 0; i < sensors.size(); i++) {
@@ -277,7 +280,10 @@ public final class AppliedUserForce extends AppliedForce implements ForceBlocks 
     }
   }
 
-  /** Carries the change of all loads with one reading to what the reading depends on. */
+  /**
+   * Passes the derivative of all loads by one reading on to the links and coordinates of the
+   * reading.
+   */
   private void emit(UserForceSensor sensor) {
     for (int p = 0; p < points.length; p++) {
       boolean any = false;
@@ -327,10 +333,7 @@ public final class AppliedUserForce extends AppliedForce implements ForceBlocks 
     emit(sensors.get(rateSensor[coordinate]));
   }
 
-  /**
-   * Puts one column of a block into {@link #change}; rows follow each other after {@code stride}
-   * numbers.
-   */
+  /** Copies one column of a block to {@link #change}; {@code stride} is the distance of rows. */
   private void putColumn(Load load, int on, double[] block, int column, int stride) {
     Arrays.fill(change, 0);
     switch (load) {

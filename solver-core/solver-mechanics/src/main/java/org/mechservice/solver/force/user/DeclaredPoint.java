@@ -10,7 +10,7 @@ import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 
-/** A point that a user force reads or acts on: its readings, and what is added to it. */
+/** A point that a user force reads or acts on: its readings and its loads. */
 final class DeclaredPoint {
   final int link;
   final Set<Reads> reads;
@@ -22,7 +22,7 @@ final class DeclaredPoint {
   final double[] velocity = new double[3];
   final double[] angularVelocity = new double[3];
 
-  /** Force at the point and torque, world axes, N, N·m: what {@code apply} has added. */
+  /** Force at the point and torque added by {@code apply}, world axes, N, N·m. */
   final double[] load = new double[6];
 
   private final double[] r = new double[3];
@@ -37,7 +37,7 @@ final class DeclaredPoint {
     tree.fromReference(point, r, 0);
   }
 
-  /** Takes the readings from a swept motion. */
+  /** Sets the readings from a swept motion. */
   void read(TreeMotion motion) {
     motion.points.position(link, r, 0, position, 0);
     motion.points.velocity(link, r, 0, velocity, 0);
@@ -72,7 +72,8 @@ final class DeclaredPoint {
   }
 
   /**
-   * Writes how {@link #load}, constant in the world, changes in the axes of the turning link.
+   * Writes the derivative, in the axes of the rotating link, of {@link #load}, which is constant in
+   * the world.
    *
    * @param byPlace 6 × 6; its columns of displacement are left as they are
    */

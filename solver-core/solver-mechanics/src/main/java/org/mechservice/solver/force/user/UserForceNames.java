@@ -16,16 +16,18 @@ import org.mechservice.solver.mechanism.force.NamedPoint;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.spatial.Vector3;
 
-/** Answers a user force by the names of its model and remembers what it asked for. */
+/**
+ * Resolves the names that a user force declares in its model, and records the declared quantities.
+ */
 final class UserForceNames implements ForceDeclaration {
-  /** How the message begins that a class of a user cannot be used; the force's name follows. */
+  /** Beginning of the message about an unusable force class; the force's name follows. */
   static final String REFUSED = MessageCode.FORCE_CLASS_UNUSABLE + " force \"";
 
   private final UserForceElement element;
   private final TreeGeometry tree;
   private final Mechanism mechanism;
 
-  /** What was asked for, in the order of the numbers given out. */
+  /** Declared points, in the order of the indices returned. */
   final List<BodyPoint> bodyPoints = new ArrayList<>();
 
   final List<DeclaredPoint> points = new ArrayList<>();

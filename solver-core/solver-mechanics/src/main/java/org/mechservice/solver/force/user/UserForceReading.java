@@ -8,8 +8,8 @@ import org.mechservice.solver.force.applied.TreeCoordinate;
 import org.mechservice.solver.kinematics.TreeMotion;
 
 /**
- * What a user force reads and what it adds. The readings are copies, so that differences can change
- * them one by one.
+ * Readings and loads of a user force. The readings are copies, so that differences can change them
+ * one by one.
  */
 final class UserForceReading implements ForceState, ForceLoads {
   private final DeclaredPoint[] points;
@@ -18,13 +18,13 @@ final class UserForceReading implements ForceState, ForceLoads {
   private final double[] parameterValues;
   private double time;
 
-  /** Readings of the coordinates, and what was added to them. */
+  /** Readings of the coordinates, and their loads. */
   final double[] position;
 
   final double[] rate;
   final double[] jointForce;
 
-  /** Values put out. */
+  /** Output values. */
   final double[] values;
 
   UserForceReading(UserForceNames names, int modelParameters) {
@@ -42,7 +42,7 @@ final class UserForceReading implements ForceState, ForceLoads {
     System.arraycopy(all, 0, parameterValues, 0, parameterValues.length);
   }
 
-  /** Takes all readings from a swept motion. */
+  /** Sets all readings from a swept motion. */
   void read(double t, TreeMotion motion) {
     time = t;
     for (DeclaredPoint point : points) {
@@ -55,7 +55,7 @@ final class UserForceReading implements ForceState, ForceLoads {
     }
   }
 
-  /** Sets everything that is added to zero. */
+  /** Sets all loads to zero. */
   void clear() {
     for (DeclaredPoint point : points) {
       Arrays.fill(point.load, 0);

@@ -6,7 +6,10 @@ import static org.mechservice.solver.spatial.Blocks.rotationAbout;
 import org.mechservice.solver.force.formula.LeafInput;
 import org.mechservice.solver.spatial.SinCos;
 
-/** One number that a user force reads: it can be shifted, and knows what it depends on. */
+/**
+ * One number that a user force reads. It can be shifted, and has a gradient by links and
+ * coordinates.
+ */
 final class UserForceSensor {
   final LeafInput input;
   private final double[] readings;
@@ -17,7 +20,7 @@ final class UserForceSensor {
   private final double[] turn = new double[9];
   private final double[] turned = new double[9];
 
-  /** A number among readings. */
+  /** Returns the sensor of a number among the readings. */
   UserForceSensor(LeafInput input, double[] readings, int index) {
     this(input, readings, index, false);
   }
@@ -32,14 +35,14 @@ final class UserForceSensor {
     }
   }
 
-  /** A small rotation of a rotation matrix about a world axis. */
+  /** Returns the sensor of a small rotation of a rotation matrix about a world axis. */
   static UserForceSensor rotation(LeafInput input, double[] matrix, int axis) {
     return new UserForceSensor(input, matrix, axis, true);
   }
 
   /**
-   * Returns a step for central differences: where truncation and rounding are about equal, for a
-   * function that changes over a unit or over the number's own size.
+   * Returns a step for central differences, at which truncation and rounding errors are about equal
+   * for a function that changes over one unit or over the number's own size.
    */
   double step() {
     double size = isRotation ? 1 : Math.max(1, Math.abs(readings[index]));

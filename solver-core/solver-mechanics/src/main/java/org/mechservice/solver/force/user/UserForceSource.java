@@ -3,9 +3,9 @@ package org.mechservice.solver.force.user;
 import org.mechservice.solver.api.UserForce;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 
-/** Makes the user's forces of a model: loads their classes, where that is allowed. */
+/** Creates the user forces of a model; loads their classes if that is permitted. */
 public interface UserForceSource {
-  /** Makes none. */
+  /** A source that creates no forces. */
   UserForceSource NONE =
       element -> {
         throw new IllegalArgumentException(
@@ -17,7 +17,7 @@ public interface UserForceSource {
       };
 
   /**
-   * Returns a new force that nobody else uses.
+   * Returns a new force.
    *
    * @throws IllegalArgumentException if its class cannot be loaded or is no user force
    */

@@ -1,14 +1,14 @@
 /**
- * Forces that a user gives as a class.
+ * Forces that a user writes as Java classes.
  *
- * <p>A {@link org.mechservice.solver.api.UserForce} declares which bodies, points and joints it
- * reads and loads. {@link org.mechservice.solver.force.user.UserForceReading} and {@link
- * org.mechservice.solver.force.user.UserForceSensor} give it the declared quantities of a state,
- * and {@link org.mechservice.solver.force.user.AppliedUserForce} applies what it answers and takes
- * its derivatives by differences where the class gives none. Names that do not exist are refused
+ * <p>A {@link org.mechservice.solver.api.UserForce} declares the points and joints that it reads
+ * and on which it acts. {@link org.mechservice.solver.force.user.UserForceReading} and {@link
+ * org.mechservice.solver.force.user.UserForceSensor} give it the declared quantities of a state.
+ * {@link org.mechservice.solver.force.user.AppliedUserForce} applies its loads, and takes
+ * derivatives by central differences if the class has none. Names that do not exist are rejected
  * before the run.
  *
- * <p>{@link org.mechservice.solver.force.user.UserForceSource} makes the instances; it differs
- * between a run in the server's worker, a downloaded model and a standalone JAR.
+ * <p>{@link org.mechservice.solver.force.user.UserForceSource} creates the instances; a server's
+ * worker process, a downloaded model and a standalone JAR each have their own source.
  */
 package org.mechservice.solver.force.user;

@@ -3,7 +3,8 @@ package org.mechservice.solver.kinematics.pair;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * Two vectors, one fixed in either body, whose product β = x · R y says how the bodies are turned.
+ * Two vectors, one fixed in each body, whose product β = x · R y depends on their relative
+ * orientation.
  *
  * @param inA x in A's axes
  * @param inB y in B's axes

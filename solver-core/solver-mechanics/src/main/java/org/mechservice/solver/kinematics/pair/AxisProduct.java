@@ -6,7 +6,9 @@ import static org.mechservice.solver.spatial.Blocks.dot;
 
 import org.mechservice.solver.spatial.Vector3;
 
-/** β = x · R y of a vector x fixed in A and a vector y fixed in B: the stuff of all angles. */
+/**
+ * β = x · R y of a vector x fixed in A and a vector y fixed in B, from which all angles are formed.
+ */
 final class AxisProduct {
   /** x and y. */
   final AxisPair axes;

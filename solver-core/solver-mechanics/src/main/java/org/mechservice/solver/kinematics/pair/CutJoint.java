@@ -14,8 +14,8 @@ import org.mechservice.solver.spatial.EulerParameters;
 import org.mechservice.solver.spatial.Rotation;
 
 /**
- * A joint that is not in the tree: what it forbids, and its coordinates, from the poses of its two
- * bodies. A is the file's body 1, B its body 2. Workspace of one thread.
+ * A cut joint, which is not in the tree: its constraint functions and its coordinates from the
+ * poses of its two bodies. A is the file's body 1, B its body 2. Workspace of one thread.
  */
 public final class CutJoint {
   private final Joint joint;
@@ -38,7 +38,7 @@ public final class CutJoint {
     functions = JointFunctions.of(joint, zero);
   }
 
-  /** Whether the description's child is the file's body 1. */
+  /** Returns whether the description's child is the file's body 1. */
   private static boolean runsBackwards(Joint joint) {
     return (joint instanceof Universal u && u.fileBody2IsParent())
         || (joint instanceof Planar p && p.fileBody2IsParent())
@@ -66,14 +66,14 @@ public final class CutJoint {
     return relative;
   }
 
-  /** Returns what is zero in every pose the joint allows. */
+  /** Returns the constraint functions, which are zero in every pose that the joint allows. */
   public List<PairFunction> forbidden() {
     return functions.forbidden();
   }
 
   /**
-   * Returns the function whose rate is a velocity of the joint. Of an angular velocity in a joint
-   * with Euler parameters there is a rate, gradient and curvature, but no value.
+   * Returns the function whose rate is a velocity of the joint. The function of an angular velocity
+   * in a joint with Euler parameters has a rate, a gradient and a curvature, but no value.
    *
    * @param component among the joint's velocities
    */
@@ -82,8 +82,7 @@ public final class CutJoint {
   }
 
   /**
-   * Returns what is zero when body 2 is turned relative to body 1 as Euler parameters say: three
-   * rotations.
+   * Returns three functions that are zero if body 2 has a given orientation relative to body 1.
    *
    * @param e Euler parameters from {@code at}; not modified
    */
@@ -95,7 +94,7 @@ public final class CutJoint {
   }
 
   /**
-   * Writes the joint's positions and velocities, as they would be put out: angles from −π to π,
+   * Writes the joint's positions and velocities in the form of the output: angles from −π to π,
    * Euler parameters with e0 ≥ 0.
    *
    * @param motion after a sweep

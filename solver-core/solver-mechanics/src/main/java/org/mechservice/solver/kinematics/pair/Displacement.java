@@ -3,7 +3,7 @@ package org.mechservice.solver.kinematics.pair;
 import org.mechservice.solver.spatial.Blocks;
 import org.mechservice.solver.spatial.Vector3;
 
-/** How far B's point lies from A's point along a vector fixed in A. */
+/** The displacement of B's point from A's point along a vector fixed in A. */
 final class Displacement extends PairFunction {
   private final Vector3 direction;
   private final double[] axis;
@@ -25,7 +25,7 @@ final class Displacement extends PairFunction {
     return Blocks.dot(axis, 0, r.position, 0);
   }
 
-  /** {@inheritDoc} There is none: A's observer turns with the vector. */
+  /** {@inheritDoc} The curvature is zero, because the vector is constant for an observer on A. */
   @Override
   public void addCurvature(RelativeMotion r, double factor, double[] c) {}
 }

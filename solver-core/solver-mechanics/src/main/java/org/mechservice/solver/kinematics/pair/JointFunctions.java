@@ -14,11 +14,11 @@ import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * What a joint forbids and what its coordinates are, as functions of the pose of the file's body 2
- * (B) seen from its body 1 (A), by the definitions of MECHML §4. What is forbidden is smooth,
- * without Euler parameters, and zero in the joint's own poses only.
+ * The constraint functions and coordinates of a joint, as functions of the pose of the file's body
+ * 2 (B) relative to its body 1 (A), by the definitions of MECHML §4. The constraint functions are
+ * smooth, free of Euler parameters, and zero only in poses of the joint. @param forbidden
+ * constraint functions, zero in every pose that the joint allows; 6 minus its degrees of freedom
  *
- * @param forbidden zero in every pose the joint allows; 6 less its freedoms
  * @param coordinates one per velocity: the coordinate it is the rate of, or a component of angular
  *     velocity in joints with Euler parameters
  */
@@ -91,8 +91,8 @@ record JointFunctions(List<PairFunction> forbidden, List<PairFunction> coordinat
   }
 
   /**
-   * Axis 2, carried by body 2, turns about axis 1, and axis 1 seen from body 2 about axis 2; the
-   * angle between the axes stays.
+   * Returns the functions of a universal joint: axis 2, fixed in body 2, rotates about axis 1, and
+   * axis 1, seen from body 2, about axis 2; the angle between the axes is constant.
    */
   private static JointFunctions universal(Universal joint, Rotation zero) {
     Vector3 axis1 = joint.axis1();
@@ -136,7 +136,7 @@ record JointFunctions(List<PairFunction> forbidden, List<PairFunction> coordinat
     return displacements;
   }
 
-  /** Returns what is zero when body 2 is turned relative to body 1 by a given rotation. */
+  /** Returns functions that are zero if body 2 has a given orientation relative to body 1. */
   static List<PairFunction> rotations(Rotation zero) {
     Vector3[] axes = {X, Y, Z};
     Rotation toB = zero.transposed();
@@ -161,7 +161,7 @@ record JointFunctions(List<PairFunction> forbidden, List<PairFunction> coordinat
     return String.format(Locale.ROOT, "(%.4g, %.4g, %.4g)", axis.x(), axis.y(), axis.z());
   }
 
-  /** An axis a common to both bodies, with normals b and c = a × b in A and their images in B. */
+  /** A common axis a of both bodies, with normals b and c = a × b in A and their images in B. */
   private static final class Frame {
     final Vector3 a;
     final Vector3 b;

@@ -4,10 +4,9 @@ import java.util.List;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * The forms that functions of the relative pose have, for those who evaluate them in another way:
- * with ρ B's point from A's point and R the rotation of B, both in A's axes.
- *
- * @param <T> what becomes of a function
+ * Visitor of the kinds of functions of the relative pose, for other representations such as
+ * generated code. ρ is B's point from A's point and R the rotation of B, both in A's axes. @param
+ * <T> representation of a function
  */
 public interface PairForms<T> {
   /** ρ · axis. */
@@ -36,6 +35,6 @@ public interface PairForms<T> {
   /** (|ρ|² − d²) / (2d). */
   T distance(double d);
 
-  /** A component of the relative angular velocity: there is no value. */
+  /** A component of the relative angular velocity, which has no value as a position. */
   T angularVelocity(int axis);
 }

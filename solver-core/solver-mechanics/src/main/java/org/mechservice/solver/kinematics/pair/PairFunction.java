@@ -5,9 +5,9 @@ import java.util.List;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * A smooth function of the pose of body B seen from body A, such as a joint's coordinate or what a
- * joint forbids. With δ = [δθ; δρ] the small rotation and displacement of B in A's axes, its change
- * is gradientᵀ δ; the gradient changes by C δ, C being the curvature.
+ * A smooth function of the pose of body B relative to body A, such as a joint's coordinate or
+ * constraint. With δ = [δθ; δρ] the small rotation and displacement of B in A's axes, its change is
+ * gradientᵀ δ; the gradient changes by C δ, C being the curvature.
  *
  * <p>The gradient is also the moment and force on B, at B's point in A's axes, of a unit multiplier
  * of the function; A feels the opposite.
@@ -22,14 +22,14 @@ public abstract class PairFunction {
   private final double[] rate = new double[6];
 
   /**
-   * @param label what it measures, for messages
+   * @param label name of the measured quantity, for messages
    */
   PairFunction(String label) {
     this.label = label;
   }
 
   /**
-   * Returns how far B's point lies from A's along a vector fixed in A.
+   * Returns the displacement of B's point from A's along a vector fixed in A.
    *
    * @param axis unit vector in A's axes
    */
@@ -38,7 +38,7 @@ public abstract class PairFunction {
   }
 
   /**
-   * Returns how far B's point lies from a line through A's point, in two directions normal to it.
+   * Returns the two displacements of B's point from a line through A's point, normal to the line.
    *
    * @param direction unit vector along the line, in A's axes
    */
@@ -49,20 +49,20 @@ public abstract class PairFunction {
         new Displacement("displacement across the line, second normal", direction.cross(first)));
   }
 
-  /** Returns (|ρ|² − d²) / (2d), which is zero where the points are d apart, m. */
+  /** Returns (|ρ|² − d²) / (2d), m, which is zero if the distance of the points is d. */
   public static PairFunction distance(double d) {
     return new Distance(d);
   }
 
-  /** Returns what the function measures. */
+  /** Returns the name of the measured quantity. */
   public final String label() {
     return label;
   }
 
-  /** Returns what the function becomes for those who evaluate it in another way. */
+  /** Returns another representation of the function. */
   public abstract <T> T as(PairForms<T> forms);
 
-  /** Returns the value at a pose, rad or m, and keeps the gradient. */
+  /** Evaluates {@link #gradient} at a pose and returns the value, rad or m. */
   public abstract double evaluate(RelativeMotion r);
 
   /**
@@ -72,12 +72,12 @@ public abstract class PairFunction {
    */
   public abstract void addCurvature(RelativeMotion r, double factor, double[] c);
 
-  /** Returns how far a value is from a wanted one; of angles, to the nearest whole turn. */
+  /** Returns the difference of a value from a wanted one; for angles, to the nearest whole turn. */
   public double difference(double value, double wanted) {
     return value - wanted;
   }
 
-  /** Returns the rate of change; {@link #evaluate} comes before. */
+  /** Returns the rate of change, after {@link #evaluate}. */
   public final double rate(RelativeMotion r) {
     double sum = 0;
     for (int i = 0; i < 3; i++) {
@@ -86,7 +86,7 @@ public abstract class PairFunction {
     return sum;
   }
 
-  /** Returns the second derivative by time; {@link #evaluate} comes before. */
+  /** Returns the second derivative by time, after {@link #evaluate}. */
   public final double acceleration(RelativeMotion r) {
     double sum = 0;
     for (int i = 0; i < 3; i++) {

@@ -4,8 +4,8 @@ import java.util.Arrays;
 import org.mechservice.solver.kinematics.TreeGeometry;
 
 /**
- * How the two wrenches of a moment and force between bodies change when the bodies move. Workspace
- * of one thread.
+ * Derivatives of the two wrenches of a moment and force between bodies by motions of the bodies.
+ * Workspace of one thread.
  *
  * <p>With g = [m; f] on B at its point in A's axes, small twists t = [φ; x] of the links in their
  * own axes make δ = [δθ; δρ] = D_A t_A + D_B t_B, and the wrenches are D_Aᵀ g and D_Bᵀ g. Then
@@ -26,14 +26,14 @@ public final class PairLinearisation {
   private final double[] block = new double[36];
   private final double[] r = new double[3];
 
-  /** Takes the change of the wrench on one link by the twist of one, 6 × 6 row by row. */
+  /** Receives the derivative of the wrench on one link by the twist of a link, 6 × 6 row by row. */
   public interface Sink {
-    /** Adds a block; the array changes afterwards. */
+    /** Adds a block; the array is reused afterwards. */
     void add(int on, int by, double[] byTwist);
   }
 
   /**
-   * Gives all blocks that are not on or by the root.
+   * Passes on all blocks that do not involve the root.
    *
    * @param gradient g; not modified
    * @param curvature C = ∂g/∂δ, 6 × 6; not modified

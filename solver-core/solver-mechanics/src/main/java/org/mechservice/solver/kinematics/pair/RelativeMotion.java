@@ -12,8 +12,8 @@ import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 
 /**
- * Pose, velocity and acceleration of a point and the axes of body B as an observer on body A sees
- * them, in A's axes. Workspace of one thread.
+ * Pose, velocity and acceleration of a point and the axes of body B relative to body A, in A's
+ * axes. Workspace of one thread.
  */
 public final class RelativeMotion {
   private static final int ROOT = TreeGeometry.ROOT;
@@ -21,7 +21,7 @@ public final class RelativeMotion {
   final int linkA;
   final int linkB;
 
-  /** Last link common to the ways from the root to A and to B: nothing further in matters. */
+  /** Nearest common ancestor of A and B; joints between it and the root have no influence. */
   final int ancestor;
 
   /** Points on A and B from the reference points of their links, in link axes, m. */
@@ -50,8 +50,7 @@ public final class RelativeMotion {
   private final double[] wrenchB = new double[6];
 
   /**
-   * @param a point of the body that observes
-   * @param b point of the body observed
+   * @param a point of body A @param b point of body B
    */
   public RelativeMotion(TreeGeometry tree, BodyPoint a, BodyPoint b) {
     this.tree = tree;
@@ -72,7 +71,9 @@ public final class RelativeMotion {
     return linkB;
   }
 
-  /** Adds the links whose joints move B relative to A: those from either to the common ancestor. */
+  /**
+   * Adds the links whose joints move B relative to A: those between either and the common ancestor.
+   */
   public void addWays(BitSet links) {
     addWay(linkA, links);
     addWay(linkB, links);
@@ -84,7 +85,7 @@ public final class RelativeMotion {
     }
   }
 
-  /** Takes rotation and position from places in the world. */
+  /** Computes rotation and position from poses in the world. */
   public void place(TreeMotion motion) {
     double[] axesA = linkA == ROOT ? tree.rootRotation : motion.worldRotation;
     double[] axesB = linkB == ROOT ? tree.rootRotation : motion.worldRotation;
@@ -102,7 +103,7 @@ public final class RelativeMotion {
     motion.fromWorld(linkA, first, 0, position, 0);
   }
 
-  /** Takes velocities too; {@link #place} comes before. */
+  /** Computes velocities, after {@link #place}. */
   public void move(TreeMotion motion) {
     motion.points.velocity(linkA, pointA, 0, first, 0);
     motion.points.velocity(linkB, pointB, 0, second, 0);
@@ -121,7 +122,7 @@ public final class RelativeMotion {
     }
   }
 
-  /** Takes accelerations too, those of the last acceleration sweep; {@link #move} comes before. */
+  /** Computes accelerations from the last acceleration sweep, after {@link #move}. */
   public void accelerate(TreeMotion motion) {
     motion.points.acceleration(linkA, pointA, 0, first, 0);
     motion.points.acceleration(linkB, pointB, 0, second, 0);
@@ -164,7 +165,7 @@ public final class RelativeMotion {
   }
 
   /**
-   * Writes what a moment and a force on B at B's point, and the opposite on A, are at the reference
+   * Transfers a moment and a force on B at B's point, and the opposite on A, to the reference
    * points of the two links.
    *
    * @param gradient [moment; force] on B at its point, in A's axes; not modified
@@ -186,8 +187,8 @@ public final class RelativeMotion {
   }
 
   /**
-   * Adds the row that a gradient makes: its product with the derivative of the relative velocity by
-   * the extended velocities.
+   * Adds the product of a gradient with the derivative of the relative velocity by the extended
+   * velocities.
    *
    * @param row one number per extended velocity, from {@code at}; added to
    */
@@ -197,7 +198,9 @@ public final class RelativeMotion {
     addRow(motion, linkB, wrenchB, factor, row, at);
   }
 
-  /** Sᵀ w on every link from one to the ancestor; what lies further in cancels and is left out. */
+  /**
+   * Adds Sᵀ w for every link from one to the ancestor; contributions beyond the ancestor cancel.
+   */
   private void addRow(
       TreeMotion motion, int link, double[] wrench, double factor, double[] row, int at) {
     for (int i = link; i != ancestor; i = tree.parent[i]) {
@@ -214,8 +217,8 @@ public final class RelativeMotion {
   }
 
   /**
-   * Adds bounds of the elements of a row: what they would be at most if the motions of the joints
-   * were aligned with the gradient. A row far below them is zero but for rounding.
+   * Adds upper bounds of the elements of a row, reached if the joint motions are aligned with the
+   * gradient. A row far below them consists of rounding errors.
    *
    * @param bounds one number per extended velocity, from {@code at}; added to
    */
@@ -240,7 +243,7 @@ public final class RelativeMotion {
   }
 
   /**
-   * Adds what a gradient with a factor is as a wrench on either link.
+   * Adds the wrenches of a gradient times a factor on both links.
    *
    * @param wrench [moment; force] 6 per link, in link axes at the reference point; added to
    */

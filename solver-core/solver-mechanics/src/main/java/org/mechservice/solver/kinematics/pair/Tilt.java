@@ -6,8 +6,8 @@ import org.mechservice.solver.spatial.Vector3;
 
 /**
  * 2 N / D with N a sum of products of axes and D = 1 + such a sum: 2 tan(φ/2) times a direction. It
- * vanishes where the axes agree and nowhere else, since it grows without bound towards half a turn;
- * near zero it is the small angle itself.
+ * is zero only if the axes agree, and grows without bound towards half a turn; near zero it equals
+ * the small angle.
  */
 final class Tilt extends PairFunction {
   private final AxisProduct[] above;
@@ -26,7 +26,7 @@ final class Tilt extends PairFunction {
   }
 
   /**
-   * Returns how far an axis of B leans from one of A, in the direction of a normal of the latter.
+   * Returns the tilt of an axis of B from one of A, in the direction of a normal of the latter.
    *
    * @param axisA unit vector in A's axes
    * @param normal unit vector normal to it, in A's axes
@@ -41,8 +41,8 @@ final class Tilt extends PairFunction {
   }
 
   /**
-   * Returns how far B is turned about an axis of a frame common to both at zero: 2 tan(φ/2) u · k
-   * for a rotation by φ about u.
+   * Returns the rotation of B about an axis of a frame common to both at zero: 2 tan(φ/2) u · k for
+   * a rotation by φ about u.
    *
    * @param a right-handed axes of the frame in A's axes, k the first
    * @param b the same axes in B's axes

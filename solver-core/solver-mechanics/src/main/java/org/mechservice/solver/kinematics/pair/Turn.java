@@ -2,7 +2,7 @@ package org.mechservice.solver.kinematics.pair;
 
 /**
  * The angle whose sine and cosine are in the ratio of two products of axes, from −π to π; its
- * gradient and curvature know nothing of whole turns.
+ * gradient and curvature do not depend on whole turns.
  */
 final class Turn extends PairFunction {
   private final AxisProduct sine;

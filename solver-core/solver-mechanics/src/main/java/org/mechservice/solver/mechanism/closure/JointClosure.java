@@ -8,12 +8,11 @@ import org.mechservice.solver.mechanism.Origin;
 import org.mechservice.solver.mechanism.StartRole;
 
 /**
- * A joint of any kind that was cut to open a loop: it takes the freedoms it does not have from the
- * motion between its two bodies (MECHML §4). Its coordinates are no states; they follow from the
- * pose of the two bodies.
+ * A joint of any type that was cut to open a loop: it constrains the relative motion of its two
+ * bodies (MECHML §4). Its coordinates are not states; they follow from the poses of the two bodies.
  *
- * @param joint the joint; either of its bodies may be the root. Its start values are wishes
- * @param startRole whether assembly must keep the start values, should, or need not
+ * @param joint the joint; either of its bodies may be the root. Its start values are not part of
+ *     the state @param startRole freedom of assembly to change the start values
  * @param motion prescribed motion: one expression of time per coordinate, rad or m; empty if the
  *     joint moves freely
  */
@@ -21,8 +20,8 @@ public record JointClosure(Joint joint, StartRole startRole, List<Expression> mo
     implements LoopClosure {
 
   /**
-   * @throws IllegalArgumentException if there are some motions but not one per coordinate, or the
-   *     joint's position is not a list of independent coordinates (S, F)
+   * @throws IllegalArgumentException if the number of motions is neither zero nor one per
+   *     coordinate, or the joint has Euler parameters (S, F)
    */
   public JointClosure {
     motion = List.copyOf(motion);
@@ -58,7 +57,7 @@ public record JointClosure(Joint joint, StartRole startRole, List<Expression> mo
                 + " motions");
   }
 
-  /** A joint that moves freely and starts near the values it was given. */
+  /** A joint without prescribed motion that starts near its start values. */
   public JointClosure(Joint joint) {
     this(joint, StartRole.PREFERRED, List.of());
   }

@@ -3,8 +3,8 @@ package org.mechservice.solver.mechanism.closure;
 import org.mechservice.solver.mechanism.Origin;
 
 /**
- * A condition between bodies, or between coordinates, that the tree does not hold by itself. Any
- * number of them may depend on each other.
+ * A constraint between bodies or between coordinates, in addition to the joints of the tree.
+ * Constraints may be redundant.
  */
 public sealed interface LoopClosure
     permits JointClosure,
@@ -15,6 +15,6 @@ public sealed interface LoopClosure
   /** Returns the name in the model file. */
   String name();
 
-  /** Returns where it was written down. */
+  /** Returns its position in the model file. */
   Origin origin();
 }

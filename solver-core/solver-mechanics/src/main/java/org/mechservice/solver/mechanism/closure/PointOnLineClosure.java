@@ -11,7 +11,7 @@ import org.mechservice.solver.spatial.Vector3;
  * @param point the point
  * @param line a point of the line on the body that carries it
  * @param direction unit vector along the line, in the axes of the body that carries it
- * @param origin where it was written down
+ * @param origin position in the model file
  */
 public record PointOnLineClosure(
     String name, BodyPoint point, BodyPoint line, Vector3 direction, Origin origin)

@@ -11,7 +11,7 @@ import org.mechservice.solver.spatial.Vector3;
  * @param point the point
  * @param plane a point of the plane on the body that carries it
  * @param normal unit vector normal to the plane, in the axes of the body that carries it
- * @param origin where it was written down
+ * @param origin position in the model file
  */
 public record PointOnPlaneClosure(
     String name, BodyPoint point, BodyPoint plane, Vector3 normal, Origin origin)

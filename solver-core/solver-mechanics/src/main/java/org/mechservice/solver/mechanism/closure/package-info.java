@@ -1,6 +1,17 @@
 /**
- * What closes the loops of a mechanism: joints that were cut, constant distances with or without a
- * rod's mass, couplings of coordinates, points on planes and lines. Immutable descriptions; package
- * {@code org.mechservice.solver.closure} computes with them.
+ * The closures of a mechanism's loops: cut joints, constant distances with or without a rod's mass,
+ * couplings of coordinates, points on planes and lines.
+ *
+ * <p>{@link org.mechservice.solver.mechanism.closure.LoopClosure} is a sealed family of immutable
+ * records. The tree of a {@link org.mechservice.solver.mechanism.Mechanism} contains one joint per
+ * body; every further joint of the model file is a {@link
+ * org.mechservice.solver.mechanism.closure.JointClosure}. {@link
+ * org.mechservice.solver.mechanism.closure.DistanceClosure} may carry the mass of a uniform rod,
+ * {@link org.mechservice.solver.mechanism.closure.CoordinateClosure} couples coordinates by an
+ * expression. The author of a model may write redundant closures.
+ *
+ * <p>Package {@code org.mechservice.solver.closure} turns the closures into the equations Φ(q, t) =
+ * 0, finds their rank and solves the equations of motion under them; {@code sim.equations.loop}
+ * generates code for the same equations. Definitions: MECHML §4 and §5.
  */
 package org.mechservice.solver.mechanism.closure;

@@ -13,22 +13,22 @@ import org.mechservice.solver.mechanism.Origin;
  * An elastic joint: forces and moments from the displacement and rotation of a frame of body 2
  * relative to a frame of body 1.
  *
- * <p>Everything is measured in the axes of frame 1, as an observer on body 1 sees it: r, the origin
- * of frame 2 from that of frame 1; φ, the rotation vector (axis times angle, |φ| &lt; π) that turns
- * frame 1 into frame 2; their rates r′ and φ′; the angular velocity ω of frame 2. Stiffness and
- * damping are 6 × 6, displacements before rotations. On body 2, at the origin of frame 2, act
+ * <p>All quantities are relative to body 1, in the axes of frame 1: r, the origin of frame 2 from
+ * that of frame 1; φ, the rotation vector (axis times angle, |φ| &lt; π) that turns frame 1 into
+ * frame 2; their rates r′ and φ′; the angular velocity ω of frame 2. Stiffness and damping are 6 ×
+ * 6, displacements before rotations. The load on body 2 at the origin of frame 2 is
  *
  * <ul>
  *   <li>{@code ENERGY}: the force f and the moment m that belong to [f; m̂] = preload − K [r; φ] −
  *       C [r′; φ′] by their power, m · ω = m̂ · φ′. With symmetric K it is conservative: energy ½
  *       [r; φ]ᵀ K [r; φ] − preloadᵀ [r; φ];
- *   <li>{@code LINEAR}: [f; m] = preload − K [r; φ] − C [r′; ω] as they stand. The two agree to
- *       first order in φ; this one has an energy only if K does not resist rotation.
+ *   <li>{@code LINEAR}: [f; m] = preload − K [r; φ] − C [r′; ω] without conversion. The two laws
+ *       agree to first order in φ; this one has an energy only if K has no rotational stiffness.
  * </ul>
  *
- * On body 1 act the opposite force on the same line and the opposite moment, so that nothing is
- * left over. Power lost: [r′; φ′]ᵀ C [r′; φ′], with ω for φ′ in {@code LINEAR}. A rotation of half
- * a turn ends the run with a message naming the force.
+ * The load on body 1 is the opposite force on the same line and the opposite moment. Power lost:
+ * [r′; φ′]ᵀ C [r′; φ′], with ω for φ′ in {@code LINEAR}. A rotation of half a turn ends the run
+ * with a message naming the force.
  *
  * @param name name in the model file
  * @param frame1 on body 1; its axes carry K and C
@@ -36,8 +36,7 @@ import org.mechservice.solver.mechanism.Origin;
  * @param stiffness K row by row, 36: N/m, N/rad, N·m/m, N·m/rad
  * @param damping C row by row, 36: N·s/m, N·s/rad, N·s, N·m·s/rad
  * @param preload force and moment on body 2 at rest, 6: N, N·m
- * @param law how a moment belongs to a rotation
- * @param origin where it was written down
+ * @param law relation of moment and rotation vector @param origin position in the model file
  */
 public record Bushing(
     String name,
@@ -50,11 +49,11 @@ public record Bushing(
     Origin origin)
     implements ForceElement {
 
-  /** How a moment belongs to a rotation vector. */
+  /** Relation of the moment and the rotation vector. */
   public enum Law {
-    /** By its power: conservative for a symmetric K. */
+    /** The moment follows from its power; conservative for a symmetric K. */
     ENERGY,
-    /** The numbers are the moment itself. */
+    /** The moment equals the components directly. */
     LINEAR
   }
 

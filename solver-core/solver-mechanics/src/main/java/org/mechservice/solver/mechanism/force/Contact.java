@@ -11,24 +11,24 @@ import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Origin;
 
 /**
- * A sphere, or a point, pressed against a surface that pushes and never pulls.
+ * Contact of a sphere or a point with a surface, which exerts a push but no pull.
  *
- * <p>The surface is carried by a frame: a height h above the frame's x-y plane (z points out of the
- * ground), zero for a plane, or a profile h(s) along x that is the same for every y. With the
- * centre (x, y, z) of the sphere in the frame, the penetration is d = radius + h(x) − z, measured
- * along z. The push along z on the sphere is
+ * <p>A frame carries the surface: its height h above the frame's x-y plane (z points out of the
+ * ground) is zero for a plane, or a profile h(x) that does not depend on y. With the centre (x, y,
+ * z) of the sphere in the frame, the penetration is d = radius + h(x) − z, measured along z. The
+ * push along z on the sphere is
  *
  * <p>N = k pos(d)ⁿ + c d′ pos′(d),
  *
- * <p>and the surface pushes across itself, (−N h′, 0, N) on the centre. Friction acts at the lowest
- * point of the sphere (radius below the centre, along z): −friction · N · u / √(|u|² +
+ * <p>and the normal force of the surface on the centre is (−N h′, 0, N). Friction acts at the
+ * lowest point of the sphere (radius below the centre, along z): −friction · N · u / √(|u|² +
  * frictionSpeed²), u the velocity along x and y of the body's point there relative to the surface.
- * The carrier of the surface feels the opposite at the same places. A steep profile needs a small
- * radius: distances are taken along z, not across the slope.
+ * The opposite forces act on the body of the surface at the same points. A steep profile needs a
+ * small radius, because distances are measured along z, not normal to the slope.
  *
  * <p>Energy: k ∫ posⁿ (zero at d = 0 for n = 1, at d = −∞ for n &gt; 1); power lost: c d′² pos′(d)
- * and the work of friction. A damper can pull for an instant while the sphere leaves; friction
- * follows the sign of N, so that all forces stay smooth.
+ * and the work of friction. The damper can pull for an instant while the sphere leaves; friction
+ * has the sign of N, so that all forces stay smooth.
  *
  * @param name name in the model file
  * @param center centre of the sphere, or the point
@@ -42,7 +42,7 @@ import org.mechservice.solver.mechanism.Origin;
  * @param smoothing ε of pos, m, not negative
  * @param friction coefficient, not negative
  * @param frictionSpeed sliding speed at which friction has 1/√2 of its full force, m/s, positive
- * @param origin where it was written down
+ * @param origin position in the model file
  */
 public record Contact(
     String name,

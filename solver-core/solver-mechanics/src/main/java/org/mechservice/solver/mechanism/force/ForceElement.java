@@ -7,7 +7,7 @@ import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Origin;
 
-/** Something that acts on the bodies or joints of a mechanism. Gravity is not among them. */
+/** An applied force on the bodies or joints of a mechanism. Gravity is not a force element. */
 public sealed interface ForceElement
     permits SpringDamper,
         JointSpringDamper,
@@ -20,11 +20,11 @@ public sealed interface ForceElement
   /** Returns the name in the model file. */
   String name();
 
-  /** Returns where it was written down. */
+  /** Returns its position in the model file. */
   Origin origin();
 
   /**
-   * Returns the values it can put out, with their names after the force's ({@code length} for the
+   * Returns its output values, with their names after the force's name ({@code length} for the
    * column {@code f1.length}) and their SI units. A user force declares its own, so its list is
    * empty here.
    *

@@ -10,25 +10,23 @@ import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Origin;
 
 /**
- * A force at a point of a body and a torque on the body, given by expressions. Nothing reacts: they
- * come from outside the mechanism. They have no energy.
+ * A force at a point of a body and a torque on the body, given by expressions. They are external
+ * loads without a reaction on the mechanism and without potential energy. @param name name in the
+ * model file @param point point of application @param axes axes of the components
  *
- * @param name name in the model file
- * @param point where the force acts
- * @param axes whose components the expressions give
  * @param components three of the force, N, then three of the torque, N·m; of t, parameters and the
  *     state
- * @param origin where it was written down
+ * @param origin position in the model file
  */
 public record ForceTorque(
     String name, BodyPoint point, Axes axes, List<Expression> components, Origin origin)
     implements ForceElement {
 
-  /** Whose axes the components refer to. */
+  /** Axes of the components. */
   public enum Axes {
-    /** The world's. */
+    /** World axes. */
     WORLD,
-    /** The body's, turning with it. */
+    /** Axes fixed in the body. */
     BODY
   }
 
@@ -40,7 +38,7 @@ public record ForceTorque(
     }
   }
 
-  /** {@inheritDoc} Components in the axes the expressions are given in. */
+  /** {@inheritDoc} Components in the axes of the expressions. */
   @Override
   public List<Variable> values(Function<Coordinate, Joint> jointOf) {
     return List.of(

@@ -9,13 +9,13 @@ import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Origin;
 
 /**
- * A force in a joint, given by an expression. Positive drives the coordinate upwards, so its power
- * is force · v. It has no energy.
+ * A force in a joint, given by an expression. A positive force increases the coordinate, so its
+ * power is force · v. It has no potential energy.
  *
  * @param name name in the model file
  * @param coordinate component counts velocities
  * @param force of t, parameters and the state, N·m or N
- * @param origin where it was written down
+ * @param origin position in the model file
  */
 public record JointForce(String name, Coordinate coordinate, Expression force, Origin origin)
     implements ForceElement {

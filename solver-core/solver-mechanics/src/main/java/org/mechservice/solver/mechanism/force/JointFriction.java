@@ -12,15 +12,15 @@ import org.mechservice.solver.mechanism.Origin;
  * Dry and viscous friction in a joint: τ = −coulomb · v / √(v² + speed²) − viscous · v.
  *
  * <p>The dry part is smooth, so it does not hold a load at rest: the joint creeps at about speed ·
- * load / coulomb. It does not know the joint's reaction; {@code coulomb} is the friction force
- * itself. Power lost: −τ v ≥ 0; no energy.
+ * load / coulomb. It does not depend on the joint's reaction; {@code coulomb} is the friction
+ * force. Power lost: −τ v ≥ 0; no energy.
  *
  * @param name name in the model file
  * @param coordinate component counts velocities
  * @param coulomb dry friction force far above {@code speed}, N·m or N, not negative
  * @param viscous N·m·s/rad or N·s/m, not negative
  * @param speed velocity at which dry friction has 1/√2 of its full force, rad/s or m/s, positive
- * @param origin where it was written down
+ * @param origin position in the model file
  */
 public record JointFriction(
     String name,

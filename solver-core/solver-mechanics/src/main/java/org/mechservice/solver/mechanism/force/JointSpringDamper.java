@@ -12,7 +12,7 @@ import org.mechservice.solver.mechanism.Origin;
 /**
  * A spring and a damper in a joint, or a stop of its motion.
  *
- * <p>With x = q − position0, the force on the coordinate (positive drives it upwards) is
+ * <p>With x = q − position0, the force on the coordinate (positive increases it) is
  *
  * <ul>
  *   <li>{@code BOTH}: τ = force0 − k x − c v;
@@ -31,9 +31,9 @@ import org.mechservice.solver.mechanism.Origin;
  * @param position0 position of the unloaded spring, rad or m
  * @param force0 force at {@code position0} on the coordinate, N·m or N; zero unless {@code side} is
  *     {@code BOTH}
- * @param side where it acts
+ * @param side side on which it acts
  * @param smoothing ε of pos, rad or m, not negative; not used for {@code BOTH}
- * @param origin where it was written down
+ * @param origin position in the model file
  */
 public record JointSpringDamper(
     String name,

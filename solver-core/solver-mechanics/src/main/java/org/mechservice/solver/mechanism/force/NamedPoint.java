@@ -7,6 +7,6 @@ import org.mechservice.solver.expression.BodyPoint;
  *
  * @param body name of its body or of the root
  * @param name name of the point
- * @param point where it is
+ * @param point its position
  */
 public record NamedPoint(String body, String name, BodyPoint point) {}

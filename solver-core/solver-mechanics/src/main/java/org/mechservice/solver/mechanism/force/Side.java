@@ -1,11 +1,11 @@
 package org.mechservice.solver.mechanism.force;
 
-/** On which side of its rest position a spring acts. */
+/** The side of its rest position on which a spring acts. */
 public enum Side {
-  /** On both. */
+  /** Both sides. */
   BOTH,
-  /** Only when its length or coordinate is above the rest value: a rope, an upper stop. */
+  /** Only above the rest value of length or coordinate: a rope, an upper stop. */
   ABOVE,
-  /** Only when it is below: a buffer, a lower stop. */
+  /** Only below the rest value: a buffer, a lower stop. */
   BELOW
 }

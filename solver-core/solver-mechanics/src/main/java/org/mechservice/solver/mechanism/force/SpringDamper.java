@@ -21,9 +21,9 @@ import org.mechservice.solver.mechanism.Origin;
  *   <li>{@code BELOW}: T = −(k pos(y) + c y′ pos′(y)) with y = −x, a buffer.
  * </ul>
  *
- * Energy: ½ k x² + force0 x, or k ∫ pos with its zero at x = 0; power lost: c x′², times pos′.
- * Where the points coincide the line has no direction: a run ends there with a message naming the
- * force, unless the tension is exactly zero.
+ * Energy: ½ k x² + force0 x, or k ∫ pos with its zero at x = 0; power lost: c x′², times pos′. The
+ * line has no direction if the points coincide; the run then ends with a message naming the force,
+ * unless the tension is exactly zero.
  *
  * @param name name in the model file
  * @param point1 one end
@@ -32,9 +32,9 @@ import org.mechservice.solver.mechanism.Origin;
  * @param damping c, N·s/m
  * @param length0 length of the unstretched spring, m
  * @param force0 tension at {@code length0}, N; zero unless {@code side} is {@code BOTH}
- * @param side where it acts
+ * @param side side on which it acts
  * @param smoothing ε of pos, m, not negative; not used for {@code BOTH}
- * @param origin where it was written down
+ * @param origin position in the model file
  */
 public record SpringDamper(
     String name,

@@ -8,15 +8,15 @@ import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Origin;
 
 /**
- * A force that a user has written as a class, see {@code org.mechservice.solver.api.UserForce}.
+ * A user force class, see {@code org.mechservice.solver.api.UserForce}.
  *
- * <p>This describes which class and what it may ask for by name; the class itself is loaded only
- * where the model runs.
+ * <p>This record describes the class and the names that it may use; the class is loaded only in the
+ * process that runs the model.
  *
  * @param name name in the model file
  * @param className fully qualified name of the class
- * @param points every point of the model file, so that the class can ask for them
- * @param origin where it was written down
+ * @param points every point of the model file, for use by the class @param origin position in the
+ *     model file
  */
 public record UserForceElement(
     String name, String className, List<NamedPoint> points, Origin origin) implements ForceElement {

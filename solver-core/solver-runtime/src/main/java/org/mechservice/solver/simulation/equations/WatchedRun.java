@@ -184,7 +184,7 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   private static Failure motionJumps(double t, String joint) {
     return new Failure(
         MessageCode.DRIVEN_POSITION_JUMPS,
-        "The position prescribed for a driven joint jumps, and no mechanism can follow.",
+        "The position prescribed for a driven joint jumps, which no mechanism can follow.",
         t,
         0,
         0,
