@@ -10,6 +10,8 @@ import org.mechservice.mechml.SimulationTask;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.compact.CompactModel;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.closure.JointClosure;
 
 /**
  * Column groups of a model: those that it can output, those that its results show, and those
@@ -70,6 +72,7 @@ public final class ModelColumns {
             case FORCES -> !hasForces;
             case OUTPUTS -> !model.outputs().isEmpty();
             case MOMENTUM -> model.settings().task() instanceof SimulationTask.Dynamic;
+            case DRIVES -> isDriven(model.mechanism());
             case JOINTS, ACCELERATIONS, BODIES, ENERGY -> false;
           };
       if (some && options.columns().contains(group)) {
@@ -77,6 +80,12 @@ public final class ModelColumns {
       }
     }
     return groups;
+  }
+
+  private static boolean isDriven(Mechanism mechanism) {
+    return !mechanism.motions().isEmpty()
+        || mechanism.closures().stream()
+            .anyMatch(closure -> closure instanceof JointClosure cut && cut.isDriven());
   }
 
   /** Returns the mechanism as data, with the outputs if they are requested. */

@@ -23,7 +23,8 @@ final class ColumnClasses {
           entry(FOLDER + "ReactionColumns.class", ColumnGroup.REACTIONS),
           entry(FOLDER + "ForceColumns.class", ColumnGroup.FORCES),
           entry(FOLDER + "OutputColumns.class", ColumnGroup.OUTPUTS),
-          entry(FOLDER + "MomentumColumns.class", ColumnGroup.MOMENTUM));
+          entry(FOLDER + "MomentumColumns.class", ColumnGroup.MOMENTUM),
+          entry(FOLDER + "DriveColumns.class", ColumnGroup.DRIVES));
 
   private ColumnClasses() {}
 
