@@ -7,6 +7,7 @@ import org.mechservice.cli.model.BuildCommand;
 import org.mechservice.cli.model.CheckCommand;
 import org.mechservice.cli.model.ImportCommand;
 import org.mechservice.cli.model.VerifyCommand;
+import org.mechservice.cli.picture.PlotCommand;
 import org.mechservice.cli.service.KeysCommand;
 import org.mechservice.cli.service.ServerCommand;
 import org.mechservice.cli.service.SimhostCommand;
@@ -46,6 +47,7 @@ public final class Mech {
           SimulateCommand.class,
           SweepCommand.class,
           FetchCommand.class,
+          PlotCommand.class,
           CheckCommand.class,
           BuildCommand.class,
           ImportCommand.class,

@@ -30,7 +30,9 @@ public enum ColumnGroup {
   /** What the user asked for by expression ({@link ResultColumns}). */
   OUTPUTS,
   /** Momentum of the whole and the impulse that has acted on it ({@link MomentumBalance}). */
-  MOMENTUM;
+  MOMENTUM,
+  /** Motion and power of driven joints, which have no states ({@link ResultColumns}). */
+  DRIVES;
 
   /** Returns the group's name on the command line. */
   public String label() {
