@@ -3,12 +3,15 @@ package org.mechservice.library;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
@@ -90,7 +93,10 @@ class MechModelTest {
   void aJarRunsByItself() throws Exception {
     Path jar = folder.resolve("pendulum.jar");
     pendulum().until(0.1).writeJar(jar);
-    assertThat(jar).isNotEmptyFile();
+    Model loaded = ModelSource.load(jar).model();
+    assertThat(loaded.description().name()).isEqualTo("FiveBarPendulum");
+    Path noJar = Files.writeString(folder.resolve("no.jar"), "text");
+    assertThatThrownBy(() -> ModelSource.load(noJar)).isInstanceOf(IOException.class);
   }
 
   @Test
