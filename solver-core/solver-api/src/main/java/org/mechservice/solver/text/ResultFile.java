@@ -36,8 +36,9 @@ public final class ResultFile implements ResultSink, Closeable {
   /**
    * Opens the file under its temporary name.
    *
-   * @param target final name of the results @throws IOException if the folder does not exist or
-   *     cannot be written to, or the name is that of a folder or a device
+   * @param target final name of the results
+   * @throws IOException if the folder does not exist or cannot be written to, or the name is that
+   *     of a folder or a device
    */
   public ResultFile(Path target) throws IOException {
     this.target = target.toAbsolutePath();
