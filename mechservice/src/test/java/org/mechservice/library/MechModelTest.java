@@ -33,6 +33,9 @@ class MechModelTest {
     pendulum().simulate(csv);
     List<String> lines = Files.readAllLines(csv);
     Trajectory rows = pendulum().simulate();
+    Path again = folder.resolve("again.csv");
+    rows.writeCsv(again);
+    assertThat(again).hasSameBinaryContentAs(csv);
     assertThat(rows.rows()).isEqualTo(lines.size() - 1);
     List<String> names = rows.columns().stream().map(Variable::name).toList();
     assertThat(String.join(",", names)).isEqualTo(lines.get(0));

@@ -20,7 +20,7 @@ import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.UserException;
 
-/** Pulls the rows of a remote run in blocks and hands them over in order and none twice. */
+/** Pulls the rows of a remote run in blocks and passes each on once, in order. */
 public final class RowCursor implements AutoCloseable {
   private final RemoteCalls calls;
   private final ResultCursor cursor;
@@ -31,7 +31,7 @@ public final class RowCursor implements AutoCloseable {
   private long taken;
   private boolean lastPulled;
 
-  /** The block pulled last; the rows in it from row {@link #taken} on wait to be handed over. */
+  /** The block pulled last; the rows in it from row {@link #taken} on wait to be passed on. */
   private double[] block = {};
 
   private RowCursor(
@@ -44,13 +44,13 @@ public final class RowCursor implements AutoCloseable {
     rowsPerBlock = Math.max(1, MAX_BLOCK_DOUBLES.value / Math.max(1, columns.size()));
   }
 
-  /** Opens a cursor over all columns the simulation was created with. */
+  /** Opens a cursor over all columns of the simulation. */
   static RowCursor open(RemoteCalls calls, LeaseRenewal leases, IMechSimRemote simulation) {
     ResultCursor cursor = calls.get(() -> simulation.openResults(new String[0]));
     return over(calls, leases, cursor, calls.get(cursor::channels));
   }
 
-  /** Takes over a cursor that was opened, with its columns. */
+  /** Wraps an open cursor with its columns. */
   public static RowCursor over(
       RemoteCalls calls, LeaseRenewal leases, ResultCursor cursor, Channel[] channels) {
     return new RowCursor(calls, cursor, leases.hold(cursor), channels);
@@ -60,12 +60,12 @@ public final class RowCursor implements AutoCloseable {
     return columns;
   }
 
-  /** Returns whether the last row was handed over. */
+  /** Returns whether the last row was passed on. */
   boolean ended() {
     return lastPulled && taken == pulled;
   }
 
-  /** Returns how many rows were handed over. */
+  /** Returns the number of rows passed on. */
   long taken() {
     return taken;
   }
@@ -85,7 +85,7 @@ public final class RowCursor implements AutoCloseable {
     return Optional.of(row);
   }
 
-  /** Hands over the rows that are there, or come within the wait. */
+  /** Passes on the rows that are available or arrive within the wait. */
   void drainTo(ResultSink sink, Duration wait) throws IOException {
     if (taken == pulled) {
       pull((int) wait.toMillis());
@@ -130,9 +130,9 @@ public final class RowCursor implements AutoCloseable {
   }
 
   /**
-   * Pulls a block, over a new connection if the present one is cut. A block that was under way then
-   * is lost and the server's cursor behind it, so this goes back to the first row that did not
-   * come.
+   * Pulls a block, over a new connection if the present one is cut. A block that was in transit is
+   * lost and the server's cursor is after it, so this method moves the cursor back to the first row
+   * not received.
    */
   private ResultBlock pulled(int waitMillis) {
     try {
