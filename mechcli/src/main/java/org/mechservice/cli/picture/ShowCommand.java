@@ -27,7 +27,7 @@ import picocli.CommandLine.Parameters;
 public final class ShowCommand implements Callable<Integer> {
   private static final List<String> FORMATS = List.of(PictureFile.SVG, PictureFile.PNG);
 
-  @Parameters(paramLabel = "MODEL.xml", description = "Model in MechML.")
+  @Parameters(paramLabel = "MODEL.xml|urdf", description = "Model in MechML, or robot in URDF.")
   private Path model = Path.of("");
 
   @Option(

@@ -58,6 +58,16 @@ class ShowCommandTest {
   }
 
   @Test
+  void robotIsDrawnFromItsUrdf() throws IOException {
+    String arm = EXAMPLES + "robot/arm.urdf";
+    assertThat(show(arm, "m.svg")).isEqualTo(ExitStatus.DONE);
+    assertThat(folder.resolve("m.svg")).content().contains("degrees of freedom", "revolute joint");
+
+    assertThat(show(arm, "n.svg", "--set", "a=1")).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(err.toString()).contains("URDF");
+  }
+
+  @Test
   void viewIsChosenByName() throws IOException {
     assertThat(show(PENDULUM, "xz.svg", "--view", "xz")).isEqualTo(ExitStatus.DONE);
     assertThat(show(PENDULUM, "iso.svg", "--view", "iso")).isEqualTo(ExitStatus.DONE);

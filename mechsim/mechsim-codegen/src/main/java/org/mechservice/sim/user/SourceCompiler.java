@@ -12,6 +12,7 @@ import java.util.regex.Pattern;
 import javax.tools.Diagnostic;
 import javax.tools.JavaFileObject;
 import org.mechservice.sim.compile.Compilation;
+import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.solver.api.UserForce;
 import org.mechservice.solver.catalogue.MessageCode;
 
@@ -69,6 +70,12 @@ final class SourceCompiler {
         return done.classFiles();
       }
       report(done);
+    } catch (ModelBuildException e) {
+      findings.add(
+          e.code(),
+          first(),
+          "this source must be compiled, and the server's Java is a run time without compiler; give"
+              + " the class file instead, or start the server with a JDK");
     } catch (IllegalStateException | StackOverflowError e) {
       giveUp();
     }

@@ -24,15 +24,14 @@ public final class CsvWriter implements ResultSink, Closeable {
   private int filled;
 
   /**
-   * @param out takes the bytes; closed with this writer
+   * @param out receives the bytes; closed with this writer
    */
   public CsvWriter(OutputStream out) {
     this.out = out;
   }
 
   /**
-   * Returns the units of the columns as a JSON object, name to unit, for the file beside the
-   * results.
+   * Returns the units of the columns as a JSON object, name to unit, for the units file.
    *
    * @param columns the columns of the results
    */
@@ -79,7 +78,7 @@ public final class CsvWriter implements ResultSink, Closeable {
     filled = 0;
   }
 
-  /** Hands everything written so far to the stream. */
+  /** Passes all bytes written so far to the stream. */
   public void flush() throws IOException {
     drain();
     out.flush();

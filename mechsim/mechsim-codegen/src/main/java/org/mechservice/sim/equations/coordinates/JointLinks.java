@@ -27,7 +27,9 @@ public final class JointLinks {
     return mechanism.mechanism().joints().get(coordinate.joint()).type();
   }
 
-  /** Returns the difference between the numbers of positions and velocities before a coordinate. */
+  /**
+   * Returns the difference between the numbers of positions and velocities of a coordinate's joint.
+   */
   private int surplus(JointCoordinate coordinate) {
     return type(coordinate).positionCount() - type(coordinate).velocityCount();
   }
