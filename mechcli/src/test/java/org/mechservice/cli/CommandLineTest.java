@@ -45,7 +45,7 @@ class CommandLineTest {
             + " help simulate lists what there is)",
         "simulate m.xml --columns colours | S-041 --columns: \"colours\" is no column group; there"
             + " are joints, accelerations, bodies, energy, constraints, reactions, forces, outputs,"
-            + " momentum, and all",
+            + " momentum, drives, and all",
         "simulate m.xml --out r.xls | S-044 --out r.xls: results are written to files whose names"
             + " end in .csv, .tsv, .mat, .json, .parquet, or as CSV to - (standard output)",
         "simulate m.xml --out r.csv --out ./r.csv | S-044 --out ./r.csv is given twice",

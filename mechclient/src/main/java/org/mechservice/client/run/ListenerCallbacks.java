@@ -24,17 +24,17 @@ public final class ListenerCallbacks implements IMechClientOperations {
 
   @Override
   public void onStatus(String simId, SimState state, String text) {
-    tell(user -> user.onStatus(RunState.of(state), text));
+    report(user -> user.onStatus(RunState.of(state), text));
   }
 
   @Override
   public void onProgress(Progress info) {
-    tell(user -> user.onProgress(RunProgress.of(info)));
+    report(user -> user.onProgress(RunProgress.of(info)));
   }
 
   @Override
   public void onMessages(String simId, Diagnostic[] messages) {
-    tell(user -> user.onMessages(ModelMessage.listOf(messages)));
+    report(user -> user.onMessages(ModelMessage.listOf(messages)));
   }
 
   @Override
@@ -42,10 +42,10 @@ public final class ListenerCallbacks implements IMechClientOperations {
 
   /** Tells the listener something that this client knows. */
   public void say(ModelMessage message) {
-    tell(user -> user.onMessages(List.of(message)));
+    report(user -> user.onMessages(List.of(message)));
   }
 
-  private synchronized void tell(Consumer<RunListener> message) {
+  private synchronized void report(Consumer<RunListener> message) {
     try {
       message.accept(listener);
     } catch (RuntimeException e) {

@@ -221,8 +221,8 @@ public final class ModelPhases implements Phases {
   }
 
   @Override
-  public void goOn(double t) {
-    events.goOn(t);
+  public void continueFrom(double t) {
+    events.continueFrom(t);
     passBreaks(t);
   }
 
@@ -241,6 +241,6 @@ public final class ModelPhases implements Phases {
     if (behindBreaks < breaks.length && in >= breaks[behindBreaks]) {
       in = Math.nextDown(breaks[behindBreaks]);
     }
-    return events.beside(in);
+    return events.evaluationTime(in);
   }
 }

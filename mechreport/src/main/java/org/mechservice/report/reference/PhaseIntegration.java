@@ -236,7 +236,7 @@ final class PhaseIntegration {
   }
 
   private Reached beginPhase(double t) {
-    phases.goOn(t);
+    phases.continueFrom(t);
     h = Math.min(h, FIRST_STEP * (t - began));
     began = t;
     boolean goes = state.settle(problem, t) && passages.begin(t, state.y, end - t);

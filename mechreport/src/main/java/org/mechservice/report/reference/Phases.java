@@ -39,7 +39,7 @@ public interface Phases {
         }
 
         @Override
-        public void goOn(double t) {}
+        public void continueFrom(double t) {}
       };
 
   /** Returns the number of functions. */
@@ -73,5 +73,5 @@ public interface Phases {
   boolean change(boolean[] passed, double t, double[] y);
 
   /** Notes that a new phase begins at {@code t}. */
-  void goOn(double t);
+  void continueFrom(double t);
 }

@@ -18,7 +18,7 @@ import org.objectweb.asm.MethodVisitor;
 import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.Type;
 
-/** Checks, without loading it, that a class is a force and has a constructor to make it with. */
+/** Checks, without loading it, that a class is a force and has a usable constructor. */
 final class ForceClassCheck {
   private static final Set<String> FORCES =
       Set.of(
@@ -32,11 +32,7 @@ final class ForceClassCheck {
     this.findings = findings;
   }
 
-  /**
-   * Adds to the findings why the class cannot be the force.
-   *
-   * @param who the force, for the message
-   */
+  /** Adds a finding if the class cannot be the force. @param who the force, for the message */
   void check(UserForceElement force, String who) {
     byte[] bytes = given.getOrDefault(force.className(), new byte[0]);
     String why = why(bytes);
@@ -63,7 +59,7 @@ final class ForceClassCheck {
     return head.constructor ? "" : "has no public constructor without parameters";
   }
 
-  /** Follows the classes given upwards. */
+  /** Returns whether a class or one of its superclasses is a force. */
   private boolean isForce(byte[] bytes) {
     Set<String> seen = new HashSet<>();
     Deque<byte[]> open = new ArrayDeque<>();

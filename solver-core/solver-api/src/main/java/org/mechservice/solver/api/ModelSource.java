@@ -6,7 +6,10 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 import org.mechservice.solver.catalogue.MessageCode;
 
-/** A class of a model JAR that makes the model instead of being it: the compact form is such. */
+/**
+ * A class of a model JAR that creates the model, such as the compact form, instead of implementing
+ * it.
+ */
 public interface ModelSource {
   /** Returns a new model, for one run. */
   Model model();

@@ -23,7 +23,7 @@ public final class CsvWriter implements ResultWriter {
   private int filled;
 
   /**
-   * @param out takes the bytes; closed with this writer
+   * @param out receives the bytes; closed with this writer
    */
   public CsvWriter(OutputStream out) {
     this(out, ',');
@@ -39,8 +39,7 @@ public final class CsvWriter implements ResultWriter {
   }
 
   /**
-   * Returns the units of the columns as a JSON object, name to unit, for the file beside the
-   * results.
+   * Returns the units of the columns as a JSON object, name to unit, for the units file.
    *
    * @param columns the columns of the results
    */
@@ -90,7 +89,7 @@ public final class CsvWriter implements ResultWriter {
     filled = 0;
   }
 
-  /** Hands everything written so far to the stream. */
+  /** Passes all bytes written so far to the stream. */
   public void flush() throws IOException {
     drain();
     out.flush();

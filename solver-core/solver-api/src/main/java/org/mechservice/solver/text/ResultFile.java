@@ -18,9 +18,12 @@ import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * A file of results, by default CSV with its units beside it ({@code r.csv}, {@code r.units.json}).
- * It grows under another name in the same folder and takes its place only when it is {@linkplain
- * #keep kept}, so that no half-written file is ever found under the name asked for.
+ * <<<<<<< HEAD A file of results, by default CSV with its units beside it ({@code r.csv}, {@code
+ * r.units.json}). It grows under another name in the same folder and takes its place only when it
+ * is {@linkplain #keep kept}, so that no half-written file is ever found under the name asked for.
+ * ======= A CSV file of results with its units beside it ({@code r.csv}, {@code r.units.json}).
+ * Rows are written to a temporary file in the same folder, which {@link #keep} renames to the
+ * requested name. A file of that name is therefore always complete. >>>>>>> main
  */
 public final class ResultFile implements ResultSink, Closeable {
   /** A file format of results. */
@@ -88,10 +91,14 @@ public final class ResultFile implements ResultSink, Closeable {
   /**
    * Opens the file under its temporary name.
    *
+   * <p><<<<<<< HEAD
+   *
    * @param target name the results will have
    * @param format how they are written
    * @throws IOException if the folder does not exist or cannot be written to, or the name is that
-   *     of a folder or a device, whose place no file may take
+   *     of a folder or a device, whose place no file may take =======
+   * @param target final name of the results @throws IOException if the folder does not exist or
+   *     cannot be written to, or the name is that of a folder or a device >>>>>>> main
    */
   public ResultFile(Path target, Format format) throws IOException {
     this.format = format;
@@ -105,7 +112,7 @@ public final class ResultFile implements ResultSink, Closeable {
       throw new IOException(
           MessageCode.RESULTS_NOT_WRITTEN + " there is no folder " + folder + " for the results");
     }
-    // Not a temporary file of the JDK's making: those are readable for their owner only.
+    // Files.createTempFile is not used: it makes files that only their owner can read.
     growing = folder.resolve("." + this.target.getFileName() + "-" + UUID.randomUUID() + ".part");
     digest = Sha256.digest();
     OutputStream out = new DigestOutputStream(new BufferedOutputStream(open(growing)), digest);
@@ -153,8 +160,9 @@ public final class ResultFile implements ResultSink, Closeable {
   }
 
   /**
-   * What was computed is not lost with a full disk: it stays under the temporary name, if it can be
-   * read there.
+   * <<<<<<< HEAD What was computed is not lost with a full disk: it stays under the temporary name,
+   * if it can be read there. ======= Returns the error with the name of the temporary file, which
+   * is kept, for example when the disk is full. >>>>>>> main
    */
   private IOException stopped(IOException e) {
     kept = format.readableUnfinished() || finished();
@@ -182,7 +190,7 @@ public final class ResultFile implements ResultSink, Closeable {
   }
 
   /**
-   * Puts the file in its place, replacing one of that name, and writes the units beside it.
+   * Renames the file to its final name, replacing an existing file, and writes the units file.
    *
    * @return the SHA-256 of the file, lower-case hexadecimal
    * @throws IOException if the file cannot be completed; its message says where the rows are
@@ -205,8 +213,9 @@ public final class ResultFile implements ResultSink, Closeable {
   }
 
   /**
-   * Returns where the units are written, if the format has no place for them: beside the results,
-   * {@code .csv} replaced by {@code .units.json}.
+   * <<<<<<< HEAD Returns where the units are written, if the format has no place for them: beside
+   * the results, {@code .csv} replaced by {@code .units.json}. ======= Returns the path of the
+   * units file: that of the results with {@code .csv} replaced by {@code .units.json}. >>>>>>> main
    */
   public Path unitsFile() {
     String name = String.valueOf(target.getFileName());
@@ -217,7 +226,9 @@ public final class ResultFile implements ResultSink, Closeable {
     return target.resolveSibling(stem + ".units.json");
   }
 
-  /** Closes the file; what was not {@linkplain #keep kept} is deleted, unless writing failed. */
+  /**
+   * Closes the file and deletes it if it was not {@linkplain #keep kept}, unless writing failed.
+   */
   @Override
   public void close() throws IOException {
     try {

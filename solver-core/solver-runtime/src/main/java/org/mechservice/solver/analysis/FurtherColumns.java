@@ -23,7 +23,8 @@ import org.mechservice.solver.force.user.UserForceSource;
  */
 public final class FurtherColumns implements ResultColumns {
   private static final Set<ColumnGroup> NEED_BALANCE =
-      EnumSet.of(ColumnGroup.CONSTRAINTS, ColumnGroup.REACTIONS, ColumnGroup.FORCES);
+      EnumSet.of(
+          ColumnGroup.CONSTRAINTS, ColumnGroup.REACTIONS, ColumnGroup.FORCES, ColumnGroup.DRIVES);
 
   private final ExplicitModel model;
   private final EquationsOfMotion equations;
@@ -38,7 +39,7 @@ public final class FurtherColumns implements ResultColumns {
    *
    * @param model gives the accelerations, and the groups that are not asked for here
    * @param data its mechanism and outputs
-   * @param asked groups among constraints, reactions, forces, outputs and momentum
+   * @param asked groups among constraints, reactions, forces, outputs, momentum and drives
    * @param userForces makes the forces that users have written
    * @param code evaluates the outputs, if it was written for them
    */
@@ -71,6 +72,7 @@ public final class FurtherColumns implements ResultColumns {
       case FORCES -> new ForceColumns(equations);
       case OUTPUTS -> new OutputColumns(equations.motion, data.outputs());
       case MOMENTUM -> new MomentumColumns(model, equations.motion);
+      case DRIVES -> new DriveColumns(equations);
       default -> throw new IllegalArgumentException(group + " are columns of the model itself");
     };
   }

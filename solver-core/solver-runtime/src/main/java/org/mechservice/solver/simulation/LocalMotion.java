@@ -84,7 +84,7 @@ record LocalMotion(double damping, double stiffness) {
     double[] slope = new double[y.length];
     boolean known =
         equations.closeLoops(t, closed)
-            && equations.model().derivative(equations.beside(t), closed, slope)
+            && equations.model().derivative(equations.evaluationTime(t), closed, slope)
                 == ExplicitModel.REGULAR;
     if (!known) {
       Arrays.fill(slope, Double.NaN);

@@ -31,7 +31,8 @@ final class RowLayout {
           ColumnGroup.REACTIONS,
           ColumnGroup.FORCES,
           ColumnGroup.OUTPUTS,
-          ColumnGroup.MOMENTUM);
+          ColumnGroup.MOMENTUM,
+          ColumnGroup.DRIVES);
 
   /** Offset of a group that is not put out. */
   static final int ABSENT = -1;

@@ -158,7 +158,7 @@ public final class Simulation implements Solver {
       momentum =
           request.columns().contains(ColumnGroup.MOMENTUM) ? further.momentum() : Optional.empty();
       momentum.ifPresent(MomentumBalance::begin);
-      momentum.ifPresent(events::tell);
+      momentum.ifPresent(events::setMomentumBalance);
       work =
           new WorkMeter(
               equations, integrator, model, rows.measuresWork(), momentum, settings.tStart());
@@ -281,7 +281,7 @@ public final class Simulation implements Solver {
         if (strict && notes.firstWarning().isPresent()) {
           return failures.ofWarning(notes.firstWarning().get());
         }
-        work.add(events.takeWork());
+        work.add(events.workOfEvents());
         if (!proceed(result == StepResult.ADVANCED)) {
           return new Outcome.Stopped();
         }
@@ -314,7 +314,7 @@ public final class Simulation implements Solver {
         if (!equations.closeLoops(t, y) || !work.advance(t)) {
           return RunFailures.LOOPS_OPEN;
         }
-        int badColumn = rows.write(t, equations.beside(t), y, work.work(), work.turnover());
+        int badColumn = rows.write(t, equations.evaluationTime(t), y, work.work(), work.turnover());
         if (badColumn != RowWriter.ALL_FINITE) {
           return badColumn;
         }

@@ -110,7 +110,7 @@ public final class Standalone {
           public void row(double[] values) {}
         };
     RunReport report = solver.run(model, options.request(), nowhere, new RunControl());
-    return tell(options, report, new LinkedHashMap<>(report.asMap()));
+    return printReport(options, report, new LinkedHashMap<>(report.asMap()));
   }
 
   private int runIntoFile(Model model, StandaloneOptions options) throws IOException {
@@ -118,11 +118,11 @@ public final class Standalone {
       RunReport report = solver.run(model, options.request(), file, new RunControl());
       Map<String, Object> facts = new LinkedHashMap<>(report.asMap());
       facts.put("resultsSha256", file.keep());
-      return tell(options, report, facts);
+      return printReport(options, report, facts);
     }
   }
 
-  private int tell(StandaloneOptions options, RunReport report, Map<String, Object> facts) {
+  private int printReport(StandaloneOptions options, RunReport report, Map<String, Object> facts) {
     if (!options.parameters().isEmpty()) {
       facts.put("parameters", options.parameters().toString());
     }

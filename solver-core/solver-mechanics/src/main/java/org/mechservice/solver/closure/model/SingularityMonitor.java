@@ -137,7 +137,7 @@ final class SingularityMonitor {
    * Returns whether ever shorter steps approach a singular position without reaching it, so that
    * the run cannot continue.
    */
-  boolean creeps() {
+  boolean stallsAtSingularity() {
     return closer >= CREEPING;
   }
 

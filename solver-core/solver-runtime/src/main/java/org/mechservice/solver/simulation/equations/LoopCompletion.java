@@ -9,7 +9,7 @@ interface LoopCompletion extends CompletedSystem {
   DependentStates loops();
 
   /** Returns where to evaluate instead of at {@code t}. */
-  double beside(double t);
+  double evaluationTime(double t);
 
   @Override
   default boolean independent(int component) {
@@ -18,11 +18,11 @@ interface LoopCompletion extends CompletedSystem {
 
   @Override
   default boolean complete(double t, double[] y) {
-    return loops().complete(beside(t), y);
+    return loops().complete(evaluationTime(t), y);
   }
 
   @Override
   default boolean accepted(double t, double[] y) {
-    return loops().accepted(beside(t), y);
+    return loops().accepted(evaluationTime(t), y);
   }
 }

@@ -124,9 +124,9 @@ public abstract class ModelEquations implements UnitNormGroups, PiecewiseSystem,
    */
   public final boolean closeLoops(double t, double[] y) {
     if (model instanceof DependentStates loops) {
-      return loops.complete(beside(t), y);
+      return loops.complete(evaluationTime(t), y);
     }
-    return !(model instanceof ProjectedStates loops) || loops.project(beside(t), y);
+    return !(model instanceof ProjectedStates loops) || loops.project(evaluationTime(t), y);
   }
 
   /**
@@ -146,8 +146,8 @@ public abstract class ModelEquations implements UnitNormGroups, PiecewiseSystem,
   }
 
   /** Returns where to evaluate instead of at {@code t}, at which a prescribed motion may jump. */
-  public final double beside(double t) {
-    return events.beside(t);
+  public final double evaluationTime(double t) {
+    return events.evaluationTime(t);
   }
 
   /** Takes the times at which the equations jump. */

@@ -114,7 +114,7 @@ public final class ResidualForm implements EquationForm {
 
     @Override
     public boolean project(double t, double[] y) {
-      return loops.project(beside(t), y);
+      return loops.project(evaluationTime(t), y);
     }
 
     @Override

@@ -27,17 +27,17 @@ public class RunEvents {
   public void rowWritten() {}
 
   /** Returns the energy that changes of the state have put in since this was asked last, J. */
-  public double takeWork() {
+  public double workOfEvents() {
     return 0;
   }
 
   /** Returns where to evaluate instead of at {@code t}, at which a prescribed motion may jump. */
-  double beside(double t) {
+  double evaluationTime(double t) {
     return t;
   }
 
   /** Takes the balance of momentum, which is told what changes of the state do to it. */
-  public void tell(MomentumBalance momentum) {}
+  public void setMomentumBalance(MomentumBalance momentum) {}
 
   /** Returns what happened, for the report. */
   public List<Note> notes() {

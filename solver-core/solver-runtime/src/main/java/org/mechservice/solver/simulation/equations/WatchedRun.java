@@ -130,7 +130,7 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
 
   /** Changes the state and closes loops again; returns false if that cannot be done. */
   private boolean change(double t, double[] y, boolean[] occurred) {
-    double tBefore = events.beside(t);
+    double tBefore = events.evaluationTime(t);
     double tAfter = events.after(occurred, t);
     double before = energy(tBefore, y);
     double[] from = momentum.isPresent() ? y.clone() : y;
@@ -205,13 +205,13 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   }
 
   @Override
-  double beside(double t) {
-    return events.beside(t);
+  double evaluationTime(double t) {
+    return events.evaluationTime(t);
   }
 
   @Override
   public void restarting(double t) {
-    events.goOn(t);
+    events.continueFrom(t);
   }
 
   @Override
@@ -225,14 +225,14 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   }
 
   @Override
-  public double takeWork() {
+  public double workOfEvents() {
     double taken = work;
     work = 0;
     return taken;
   }
 
   @Override
-  public void tell(MomentumBalance balance) {
+  public void setMomentumBalance(MomentumBalance balance) {
     momentum = Optional.of(balance);
   }
 
