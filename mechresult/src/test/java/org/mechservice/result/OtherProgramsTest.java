@@ -113,14 +113,7 @@ class OtherProgramsTest {
     ExampleRows.write(file, ExampleRows.rows());
 
     String printed =
-        output(
-            StandardCharsets.UTF_8,
-            PYTHON,
-            "-X",
-            "utf8",
-            "-c",
-            READERS.get(library) + PRINT,
-            file.toString());
+        output(PYTHON, "-X", "utf8", "-c", READERS.get(library) + PRINT, file.toString());
 
     assertThat(printed.lines().toList()).isEqualTo(expected());
   }
@@ -150,7 +143,8 @@ class OtherProgramsTest {
             .toList();
 
     List<String> expected = expected();
-    expected.set(0, letters(expected.get(0)));
+    // Of a letter outside ASCII Octave keeps the first byte of its UTF-8 form.
+    expected.set(0, letters(expected.get(0).replace('ä', '\u00c3')));
     expected.set(1, letters(expected.get(1)));
     assertThat(printed).isEqualTo(expected);
   }

@@ -18,12 +18,9 @@ import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * <<<<<<< HEAD A file of results, by default CSV with its units beside it ({@code r.csv}, {@code
- * r.units.json}). It grows under another name in the same folder and takes its place only when it
- * is {@linkplain #keep kept}, so that no half-written file is ever found under the name asked for.
- * ======= A CSV file of results with its units beside it ({@code r.csv}, {@code r.units.json}).
+ * A file of results, by default CSV with its units beside it ({@code r.csv}, {@code r.units.json}).
  * Rows are written to a temporary file in the same folder, which {@link #keep} renames to the
- * requested name. A file of that name is therefore always complete. >>>>>>> main
+ * requested name. A file of that name is therefore always complete.
  */
 public final class ResultFile implements ResultSink, Closeable {
   /** A file format of results. */
@@ -91,14 +88,10 @@ public final class ResultFile implements ResultSink, Closeable {
   /**
    * Opens the file under its temporary name.
    *
-   * <p><<<<<<< HEAD
-   *
-   * @param target name the results will have
+   * @param target final name of the results
    * @param format how they are written
    * @throws IOException if the folder does not exist or cannot be written to, or the name is that
-   *     of a folder or a device, whose place no file may take =======
-   * @param target final name of the results @throws IOException if the folder does not exist or
-   *     cannot be written to, or the name is that of a folder or a device >>>>>>> main
+   *     of a folder or a device
    */
   public ResultFile(Path target, Format format) throws IOException {
     this.format = format;
@@ -160,9 +153,8 @@ public final class ResultFile implements ResultSink, Closeable {
   }
 
   /**
-   * <<<<<<< HEAD What was computed is not lost with a full disk: it stays under the temporary name,
-   * if it can be read there. ======= Returns the error with the name of the temporary file, which
-   * is kept, for example when the disk is full. >>>>>>> main
+   * Returns the error with the name of the temporary file, which is kept if it can be read, for
+   * example when the disk is full.
    */
   private IOException stopped(IOException e) {
     kept = format.readableUnfinished() || finished();
@@ -213,9 +205,8 @@ public final class ResultFile implements ResultSink, Closeable {
   }
 
   /**
-   * <<<<<<< HEAD Returns where the units are written, if the format has no place for them: beside
-   * the results, {@code .csv} replaced by {@code .units.json}. ======= Returns the path of the
-   * units file: that of the results with {@code .csv} replaced by {@code .units.json}. >>>>>>> main
+   * Returns the name of the units file, for formats that have no place for units: that of the
+   * results with {@code .csv} replaced by {@code .units.json}.
    */
   public Path unitsFile() {
     String name = String.valueOf(target.getFileName());
