@@ -12,7 +12,7 @@ import org.mechservice.solver.catalogue.MessageCode;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Hands the server's callbacks to the user's listener; what that throws stays here. */
+/** Passes the server's callbacks to the user's listener and logs its exceptions. */
 public final class ListenerCallbacks implements IMechClientOperations {
   private static final Logger LOG = LoggerFactory.getLogger(ListenerCallbacks.class);
 
@@ -40,7 +40,7 @@ public final class ListenerCallbacks implements IMechClientOperations {
   @Override
   public void heartbeat() {}
 
-  /** Tells the listener something that this client knows. */
+  /** Passes a message of this client to the listener. */
   public void say(ModelMessage message) {
     report(user -> user.onMessages(List.of(message)));
   }

@@ -20,7 +20,7 @@ import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.UserException;
 
-/** Pulls the rows of a remote run, in order and none twice. */
+/** Pulls the rows of a remote run, in order and each once. */
 public final class RowCursor implements AutoCloseable {
   private final RemoteCalls calls;
   private final ResultCursor cursor;
@@ -40,13 +40,13 @@ public final class RowCursor implements AutoCloseable {
     rowsPerBlock = Math.max(1, MAX_BLOCK_DOUBLES.value / Math.max(1, columns.size()));
   }
 
-  /** Opens a cursor over all columns the simulation was created with. */
+  /** Opens a cursor over all columns of the simulation. */
   static RowCursor open(RemoteCalls calls, LeaseRenewal leases, IMechSimRemote simulation) {
     ResultCursor cursor = calls.get(() -> simulation.openResults(new String[0]));
     return over(calls, leases, cursor, calls.get(cursor::channels));
   }
 
-  /** Takes over a cursor that was opened, with its columns. */
+  /** Wraps an open cursor with its columns. */
   public static RowCursor over(
       RemoteCalls calls, LeaseRenewal leases, ResultCursor cursor, Channel[] channels) {
     return new RowCursor(calls, cursor, leases.hold(cursor), channels);
@@ -60,7 +60,7 @@ public final class RowCursor implements AutoCloseable {
     return ended;
   }
 
-  /** Returns how many rows were taken. */
+  /** Returns the number of rows taken. */
   long taken() {
     return taken;
   }
@@ -80,7 +80,7 @@ public final class RowCursor implements AutoCloseable {
     }
   }
 
-  /** Hands over the rows that are there, or come within the wait. */
+  /** Passes on the rows that are available or arrive within the wait. */
   void drainTo(ResultSink sink, Duration wait) throws IOException {
     ResultBlock block = pull(rowsPerBlock, (int) wait.toMillis());
     double[] row = new double[columns.size()];
@@ -117,8 +117,9 @@ public final class RowCursor implements AutoCloseable {
   }
 
   /**
-   * Pulls a block, over a new connection if the present one is cut. A block that was under way then
-   * is lost and the server's cursor behind it, so this goes back to the first row not taken.
+   * Pulls a block, over a new connection if the present one is cut. A block that was in transit is
+   * lost and the server's cursor is after it, so this method moves the cursor back to the first row
+   * not taken.
    */
   private ResultBlock pulled(int maxRows, int waitMillis) {
     try {

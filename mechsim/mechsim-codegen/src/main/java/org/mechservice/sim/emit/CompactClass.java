@@ -25,11 +25,14 @@ import org.objectweb.asm.Type;
 
 /**
  * A model's class in compact form. It holds the mechanism as data for the solver's data-driven
- * formulations, or it adds columns computed from data to a generated model. @param model the
- * data @param columns groups of columns computed from the data, separated by commas; empty for
- * none @param generated the generated class that is extended by columns; empty for a data-driven
- * model @param values the generated class of triggers and assignments of events and of outputs, if
- * there is one @param task the analysis, if the model is not integrated in time
+ * formulations, or it adds columns computed from data to a generated model.
+ *
+ * @param model the data
+ * @param columns groups of columns computed from the data, separated by commas; empty for none
+ * @param generated the generated class that is extended by columns; empty for a data-driven model
+ * @param values the generated class of triggers and assignments of events and of outputs, if there
+ *     is one
+ * @param task the analysis, if the model is not integrated in time
  */
 public record CompactClass(
     CompactModel model,

@@ -52,10 +52,12 @@ public final class MainClass {
   /**
    * Returns the class file of a model that is integrated.
    *
-   * @param className its own fully qualified name @param model fully qualified name of the class of
-   *     the model @param integrator fully qualified name of the class of the integrator @param form
-   *     form of the equations for the integrator @param built labels of the column groups of the
-   *     model, separated by commas @param shown labels of the groups of the default output
+   * @param className its own fully qualified name
+   * @param model fully qualified name of the class of the model
+   * @param integrator fully qualified name of the class of the integrator
+   * @param form form of the equations for the integrator
+   * @param built labels of the column groups of the model, separated by commas
+   * @param shown labels of the groups of the default output
    */
   public static byte[] of(
       String className,

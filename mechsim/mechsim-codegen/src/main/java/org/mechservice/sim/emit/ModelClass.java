@@ -20,13 +20,15 @@ import org.mechservice.solver.mechanism.force.UserForceElement;
  * @param mechanism the model
  * @param description its description
  * @param derivative program from [q; v] to [q'; v']
- * @param residual program from [q; v] and [q'; v'] to the residual, if the formulation has
- *     one @param derivatives derivatives of the residual, if the formulation has them
+ * @param residual program from [q; v] and [q'; v'] to the residual, if the formulation has one
+ * @param derivatives derivatives of the residual, if the formulation has them
  * @param energy program from [q; v] to kinetic and potential energy
- * @param poses program from [q; v] to the poses of the bodies, if they are requested @param power
- *     program from [q; v] to the power of forces without potential energy, if there are any @param
- *     forces values of forces, if they are requested @param formulas subexpressions of the formulas
- *     of forces, if any can be undefined @param notes further paragraphs of the class comment
+ * @param poses program from [q; v] to the poses of the bodies, if they are requested
+ * @param power program from [q; v] to the power of forces without potential energy, if there are
+ *     any
+ * @param forces values of forces, if they are requested
+ * @param formulas subexpressions of the formulas of forces, if any can be undefined
+ * @param notes further paragraphs of the class comment
  */
 public record ModelClass(
     Mechanism mechanism,
@@ -49,9 +51,9 @@ public record ModelClass(
   public record ForceValues(List<Variable> columns, Program program) {}
 
   /**
-   * Subexpressions of the formulas of forces, to find the one without a value after a
-   * failure. @param lines descriptions of the values
+   * Subexpressions of the formulas of forces, to find the one without a value after a failure.
    *
+   * @param lines descriptions of the values
    * @param count of the values
    * @param program from [q; v] to the values
    */

@@ -53,7 +53,8 @@ public final class ModelPlan implements GeneratedClass {
   /**
    * A program with the method that runs it.
    *
-   * @param head the method @param plan plan of its code
+   * @param head the method
+   * @param plan plan of its code
    */
   record Part(MethodSignature head, ProgramPlan plan) {}
 
@@ -226,7 +227,12 @@ public final class ModelPlan implements GeneratedClass {
     return slots;
   }
 
-  /** The superclass. @param type the class @param arguments texts for its constructor */
+  /**
+   * The superclass.
+   *
+   * @param type the class
+   * @param arguments texts for its constructor
+   */
   record Base(Class<?> type, List<String> arguments) {}
 
   /** Returns the superclass. */

@@ -34,8 +34,8 @@ final class ProgramsClass implements GeneratedClass {
 
   /**
    * @param documentation lines of the class comment
-   * @param interfaces interfaces that the class implements @param hasUserForces whether it receives
-   *     loads of user forces
+   * @param interfaces interfaces that the class implements
+   * @param hasUserForces whether it receives loads of user forces
    */
   ProgramsClass(
       String simpleName,

@@ -8,15 +8,16 @@ import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MethodNames;
 
 /**
- * Options for building a model. @param formulation {@code auto}, {@code DTR}, {@code DSR}, {@code
- * RR} or {@code RR-JF}
+ * Options for building a model.
  *
- * @param closure closure of loops: {@code auto}, {@code projection} or {@code penalty} @param
- *     compact whether the model consists of data instead of generated code @param form layout of
- *     generated code @param columns column groups that the model can output @param settings default
- *     settings of the model, with {@code auto} already resolved @param integratorReason reason for
- *     the integrator that {@code auto} chose; empty if the integrator was requested by name, or is
- *     chosen during the run
+ * @param formulation {@code auto}, {@code DTR}, {@code DSR}, {@code RR} or {@code RR-JF}
+ * @param closure closure of loops: {@code auto}, {@code projection} or {@code penalty}
+ * @param compact whether the model consists of data instead of generated code
+ * @param form layout of generated code
+ * @param columns column groups that the model can output
+ * @param settings default settings of the model, with {@code auto} already resolved
+ * @param integratorReason reason for the integrator that {@code auto} chose; empty if the
+ *     integrator was requested by name, or is chosen during the run
  */
 public record BuildOptions(
     String formulation,

@@ -24,9 +24,11 @@ public final class CompiledModel {
   private final Constructor<?> describing;
 
   /**
-   * Loads the class of a model. @param source model file that it was generated from @param
-   * generated facts about its code @param options options of the build
+   * Loads the class of a model.
    *
+   * @param source model file that it was generated from
+   * @param generated facts about its code
+   * @param options options of the build
    * @param classFiles class file bytes by binary class name; not modified
    * @param userClasses the classes of its users' forces
    */
@@ -124,7 +126,9 @@ public final class CompiledModel {
 
   /**
    * Returns a new instance of the model, for one run. Its classes, including user classes, are
-   * loaded once. @throws IllegalArgumentException S-068 if a user class cannot be used
+   * loaded once.
+   *
+   * @throws IllegalArgumentException S-068 if a user class cannot be used
    */
   public Model newInstance() {
     return instances().model();

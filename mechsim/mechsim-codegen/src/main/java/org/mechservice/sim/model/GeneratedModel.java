@@ -23,14 +23,15 @@ public final class GeneratedModel {
   private final GeneratedFacts facts;
 
   /**
-   * @param written class of the equations @param columns class that adds columns computed from
-   *     data @param values class of triggers and assignments of events and of outputs
+   * @param written class of the equations
+   * @param columns class that adds columns computed from data
+   * @param values class of triggers and assignments of events and of outputs
    * @param modelName the model's name in its file
-   * @param formulation formulation of its equations @param formulationReason reason for the
-   *     formulation
+   * @param formulation formulation of its equations
+   * @param formulationReason reason for the formulation
    * @param operations additions, multiplications and divisions of one evaluation of the derivative
-   * @param leftOut parts that the scene does not need @param fromData parts computed from data in
-   *     addition to the code
+   * @param leftOut parts that the scene does not need
+   * @param fromData parts computed from data in addition to the code
    */
   GeneratedModel(
       GeneratedClass written,

@@ -138,9 +138,9 @@ final class ModelAssembly {
   }
 
   /**
-   * @param further columns that are computed from the data @param generated class of the equations;
-   *     empty for a data-driven model @param values class of triggers and assignments of events and
-   *     of outputs, if they are code
+   * @param further columns that are computed from the data
+   * @param generated class of the equations; empty for a data-driven model
+   * @param values class of triggers and assignments of events and of outputs, if they are code
    */
   private CompactClass data(
       Set<ColumnGroup> further,

@@ -59,8 +59,9 @@ public final class ModelColumns {
 
   /**
    * Returns the requested groups that are computed from data: those that the code does not compute
-   * and that have columns in this scene. @param hasForces whether the code computes the values of
-   * forces
+   * and that have columns in this scene.
+   *
+   * @param hasForces whether the code computes the values of forces
    */
   static Set<ColumnGroup> fromData(MechmlModel model, BuildOptions options, boolean hasForces) {
     Set<ColumnGroup> groups = EnumSet.noneOf(ColumnGroup.class);

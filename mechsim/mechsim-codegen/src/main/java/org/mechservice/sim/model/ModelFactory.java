@@ -50,8 +50,9 @@ public final class ModelFactory {
 
   /**
    * Writes the class file of a generated model and loads it; user classes are loaded with the first
-   * instance. @param userClasses classes of the model's user forces
+   * instance.
    *
+   * @param userClasses classes of the model's user forces
    * @throws org.mechservice.sim.scene.ModelBuildException (an {@link IllegalArgumentException}) if
    *     the class is too large (S-085)
    */

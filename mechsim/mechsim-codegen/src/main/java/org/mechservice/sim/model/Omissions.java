@@ -41,9 +41,11 @@ final class Omissions {
   }
 
   /**
-   * Lists the parts that the scene does not need. @param model the model file @param links its
-   * mechanism in computing frames @param options options of the build
+   * Lists the parts that the scene does not need.
    *
+   * @param model the model file
+   * @param links its mechanism in computing frames
+   * @param options options of the build
    * @param derivative its equations
    */
   static List<Omission> unneeded(
@@ -62,10 +64,12 @@ final class Omissions {
   }
 
   /**
-   * Lists the parts that the model computes from data in addition to its code. @param further
-   * groups of columns computed from data @param values reason why events and outputs are not code;
-   * empty if they are @param derivatives reason why derivatives of the residual are not code; empty
-   * if they are code or the formulation has none
+   * Lists the parts that the model computes from data in addition to its code.
+   *
+   * @param further groups of columns computed from data
+   * @param values reason why events and outputs are not code; empty if they are
+   * @param derivatives reason why derivatives of the residual are not code; empty if they are code
+   *     or the formulation has none
    */
   static List<Omission> fromData(
       MechmlModel model,

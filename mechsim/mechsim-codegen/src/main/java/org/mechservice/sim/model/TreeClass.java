@@ -35,9 +35,9 @@ final class TreeClass {
   /**
    * Derives the further programs that a formulation and the requested columns need.
    *
-   * @param derivative program of the derivative of the state @param derivatives program of the
-   *     derivatives of the residual, if the formulation has them @param leftOut parts that the
-   *     scene does not need, for the class comment
+   * @param derivative program of the derivative of the state
+   * @param derivatives program of the derivatives of the residual, if the formulation has them
+   * @param leftOut parts that the scene does not need, for the class comment
    */
   static ModelClass derive(
       Links links,

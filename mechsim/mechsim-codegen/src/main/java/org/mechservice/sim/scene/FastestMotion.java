@@ -29,8 +29,10 @@ import org.mechservice.solver.mechanism.force.UserForceElement;
  * ch. 9); the pair is the spectrum of the companion matrix [a b; 1 0]. Least squares and spectrum
  * are those of Commons Math.
  *
- * @param swings whether it oscillates @param modulus |λ|, rad/s @param real Re λ, 1/s @param joint
- *     the joint with the largest velocity in it
+ * @param swings whether it oscillates
+ * @param modulus |λ|, rad/s
+ * @param real Re λ, 1/s
+ * @param joint the joint with the largest velocity in it
  */
 record FastestMotion(boolean swings, double modulus, double real, Joint joint) {
   /** Smallest damping ratio at which a motion decays before a method must follow it. */

@@ -64,9 +64,11 @@ public final class GenerationLimits {
   }
 
   /**
-   * Returns the part that data evaluate at least as fast as code, if there is one. @param
-   * formulation formulation of the equations @param operations number of operations of the
-   * derivative of the state; with loops, of their terms
+   * Returns the part that data evaluate at least as fast as code, if there is one.
+   *
+   * @param formulation formulation of the equations
+   * @param operations number of operations of the derivative of the state; with loops, of their
+   *     terms
    */
   public static List<String> noFaster(String formulation, int operations) {
     return noFaster(formulation, operations, "it has " + operations);

@@ -23,8 +23,10 @@ import org.mechservice.solver.mechanism.force.SpringDamper;
  * linear: springs, dampers, bushings and drives that are linear in joint coordinates have constant
  * coefficients, whereas stiffness at the start from contacts, friction and other formulas may
  * vanish later. A larger chain gets {@code ode15sR}, which has derivatives by recursion and solves
- * for half as many unknowns. @param integrator its name @param reason the reason as a clause; empty
- * if {@code switching} decides during the run
+ * for half as many unknowns.
+ *
+ * @param integrator its name
+ * @param reason the reason as a clause; empty if {@code switching} decides during the run
  */
 public record IntegratorSelection(String integrator, Optional<String> reason) {
   private static final String SWITCHING = IntegrationMethod.SWITCHING.label();
@@ -48,8 +50,8 @@ public record IntegratorSelection(String integrator, Optional<String> reason) {
   /**
    * Chooses.
    *
-   * @param formulation requested formulation, {@code auto} or a name @param settings settings of
-   *     the run: start and end
+   * @param formulation requested formulation, {@code auto} or a name
+   * @param settings settings of the run: start and end
    */
   public static IntegratorSelection of(
       String formulation, Mechanism mechanism, RunSettings settings) {

@@ -15,9 +15,12 @@ import org.mechservice.solver.mechanism.closure.LoopClosure;
 
 /**
  * The loops of a mechanism: their constraints, their residuals at the start and the rank of their
- * equations. @param loops constraints in the mechanism's order @param equations number of all their
- * equations @param independent number of independent equations; −1 if unknown @param findings
- * findings for the author of the model
+ * equations.
+ *
+ * @param loops constraints in the mechanism's order
+ * @param equations number of all their equations
+ * @param independent number of independent equations; −1 if unknown
+ * @param findings findings for the author of the model
  */
 public record LoopAnalysis(
     List<LoopEntry> loops, int equations, int independent, List<Finding> findings) {

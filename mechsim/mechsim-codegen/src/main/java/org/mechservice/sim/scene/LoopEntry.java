@@ -3,13 +3,15 @@ package org.mechservice.sim.scene;
 import java.util.List;
 
 /**
- * A constraint of a mechanism, with its residuals at the start. @param name the constraint's or cut
- * joint's name @param kind its kind, such as {@code distance} or {@code joint R} @param bodies the
- * two bodies that it connects; empty for a coupling of coordinates @param path joints of the tree
- * on the path between the two bodies @param equations number of its equations @param
- * positionResidual largest residual at the start, in {@code unit} @param velocityResidual largest
- * residual of its rate, per s
+ * A constraint of a mechanism, with its residuals at the start.
  *
+ * @param name the constraint's or cut joint's name
+ * @param kind its kind, such as {@code distance} or {@code joint R}
+ * @param bodies the two bodies that it connects; empty for a coupling of coordinates
+ * @param path joints of the tree on the path between the two bodies
+ * @param equations number of its equations
+ * @param positionResidual largest residual at the start, in {@code unit}
+ * @param velocityResidual largest residual of its rate, per s
  * @param unit SI unit of the residual: {@code m}, {@code rad} or {@code 1}
  */
 public record LoopEntry(

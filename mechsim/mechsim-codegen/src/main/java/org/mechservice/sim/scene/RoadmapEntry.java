@@ -3,8 +3,10 @@ package org.mechservice.sim.scene;
 import org.mechservice.solver.api.JointType;
 
 /**
- * The position of a joint in the state. @param joint the joint's name @param type its type
+ * The position of a joint in the state.
  *
+ * @param joint the joint's name
+ * @param type its type
  * @param axis its unit vector in the axes of its inner body (of the file's body 1 for a universal
  *     or planar joint), components separated by blanks; empty if it has none
  * @param positionUnit SI units of its coordinates, separated by blanks

@@ -19,8 +19,9 @@ public final class RunForecast {
   }
 
   /**
-   * Returns the findings: causes of a long run, and events that a step may miss. @param formulation
-   * requested formulation, {@code auto} or a name
+   * Returns the findings: causes of a long run, and events that a step may miss.
+   *
+   * @param formulation requested formulation, {@code auto} or a name
    */
   public static List<Finding> of(Mechanism mechanism, String formulation, RunSettings settings) {
     List<Finding> findings = new ArrayList<>();

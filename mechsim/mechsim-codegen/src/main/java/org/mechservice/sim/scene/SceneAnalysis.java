@@ -21,9 +21,12 @@ import org.mechservice.solver.text.ShortestDecimal;
 
 /**
  * The structure of a mechanism: its tree, its degrees of freedom, the layout of its state, and
- * suspicious data. @param mechanism the mechanism @param roadmap joints in state order @param
- * massless names of the bodies without mass and inertia @param findings suspicious data, outwards
- * from the root
+ * suspicious data.
+ *
+ * @param mechanism the mechanism
+ * @param roadmap joints in state order
+ * @param massless names of the bodies without mass and inertia
+ * @param findings suspicious data, outwards from the root
  */
 public record SceneAnalysis(
     Mechanism mechanism,

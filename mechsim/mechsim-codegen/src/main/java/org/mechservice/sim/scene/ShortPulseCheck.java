@@ -59,9 +59,11 @@ public final class ShortPulseCheck {
   }
 
   /**
-   * Finds a short pulse. @param settings settings of the run: start, end and largest step @return
-   * the warning; empty if there is no short pulse, or the largest step is shorter than it. User
-   * forces are not examined
+   * Finds a short pulse.
+   *
+   * @param settings settings of the run: start, end and largest step
+   * @return the warning; empty if there is no short pulse, or the largest step is shorter than it.
+   *     User forces are not examined
    */
   public static Optional<Finding> of(Mechanism mechanism, RunSettings settings) {
     boolean user = mechanism.forces().stream().anyMatch(UserForceElement.class::isInstance);

@@ -23,9 +23,10 @@ public final class StiffnessForecast {
   /**
    * Forecasts a run.
    *
-   * @param settings settings of the run, with its integrator @return the warning; empty if the run
-   *     does not need very many steps, if its integrator is implicit, or if no forecast is
-   *     possible: with user forces, or if the equations have no derivative
+   * @param settings settings of the run, with its integrator
+   * @return the warning; empty if the run does not need very many steps, if its integrator is
+   *     implicit, or if no forecast is possible: with user forces, or if the equations have no
+   *     derivative
    */
   public static Optional<Finding> of(Mechanism mechanism, RunSettings settings) {
     return FastestMotion.of(mechanism, settings)

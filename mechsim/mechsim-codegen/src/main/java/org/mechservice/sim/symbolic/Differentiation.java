@@ -15,8 +15,10 @@ public final class Differentiation {
   private final Map<Scalar, Scalar> rates;
 
   /**
-   * Creates the derivatives along a direction. @param rates rates of inputs or of other nodes; a
-   * node that is not in it, and none of whose operands changes, has rate 0; not modified
+   * Creates the derivatives along a direction.
+   *
+   * @param rates rates of inputs or of other nodes; a node that is not in it, and none of whose
+   *     operands changes, has rate 0; not modified
    */
   public Differentiation(Expressions expressions, Map<Scalar, Scalar> rates) {
     this.expressions = expressions;

@@ -21,9 +21,9 @@ public final class Program {
   public static final int TIME = Integer.MAX_VALUE;
 
   /**
-   * A part of the program. @param title what it computes, with the equation; several lines are
-   * separated by line feeds
+   * A part of the program.
    *
+   * @param title what it computes, with the equation; several lines are separated by line feeds
    * @param subject short name of its subject; part of the names of values without a name
    * @param firstNode first node made in it
    * @param outputs its outputs, in order
@@ -39,7 +39,12 @@ public final class Program {
       List<Guard> guards,
       boolean readsAnew) {}
 
-  /** An output. @param index index of the output @param value its value */
+  /**
+   * An output.
+   *
+   * @param index index of the output
+   * @param value its value
+   */
   public record Output(int index, Scalar value) {}
 
   /**

@@ -32,7 +32,11 @@ final class ForceClassCheck {
     this.findings = findings;
   }
 
-  /** Adds a finding if the class cannot be the force. @param who the force, for the message */
+  /**
+   * Adds a finding if the class cannot be the force.
+   *
+   * @param who the force, for the message
+   */
   void check(UserForceElement force, String who) {
     byte[] bytes = given.getOrDefault(force.className(), new byte[0]);
     String why = why(bytes);

@@ -25,10 +25,11 @@ public final class UserClasses {
 
   /**
    * Admits the files that came with a model. Sources are compiled without annotation processors,
-   * against Java and the force interface only. No class is loaded. @param mechanism mechanism with
-   * the forces @param files files that came with the model; those that no force needs are
-   * ignored @param compile whether sources may be compiled here
+   * against Java and the force interface only. No class is loaded.
    *
+   * @param mechanism mechanism with the forces
+   * @param files files that came with the model; those that no force needs are ignored
+   * @param compile whether sources may be compiled here
    * @throws MechmlException if a class is missing (S-121), a source may not (S-120) or cannot
    *     (S-123) be compiled, a class file cannot be used (S-124), a class is no force (S-068)
    */

@@ -25,8 +25,9 @@ final class UserCodeFindings {
   }
 
   /**
-   * Adds a missing class. The message names its file, so that a client knows which file to
-   * send. @param who element that names it, such as {@code force "Road" (car.xml:12) is}
+   * Adds a missing class. The message names its file, so that a client knows which file to send.
+   *
+   * @param who element that names it, such as {@code force "Road" (car.xml:12) is}
    */
   void missing(String className, String who) {
     String simple = className.substring(className.lastIndexOf('.') + 1);

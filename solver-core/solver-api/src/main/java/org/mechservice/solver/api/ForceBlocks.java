@@ -17,10 +17,13 @@ public interface ForceBlocks {
   }
 
   /**
-   * Adds a derivative by a reading of a point. @param load the differentiated load @param on point
-   * or coordinate of the load @param by the reading, which must have been declared @param point
-   * point of the reading @param block 3 × 3 row by row, or 3 numbers for a joint force; not
-   * modified
+   * Adds a derivative by a reading of a point.
+   *
+   * @param load the differentiated load
+   * @param on point or coordinate of the load
+   * @param by the reading, which must have been declared
+   * @param point point of the reading
+   * @param block 3 × 3 row by row, or 3 numbers for a joint force; not modified
    */
   void byPoint(Load load, int on, ForceDeclaration.Reads by, int point, double[] block);
 

@@ -18,11 +18,12 @@ public interface ForceDeclaration {
   }
 
   /**
-   * Declares a point to read or to act on. @param body name of the body, or of the root @param
-   * point name of the point @param reads quantities that will be read; reading others is an error,
-   * and difference quotients are cheaper with fewer quantities. Empty for a point that is only
-   * acted on
+   * Declares a point to read or to act on.
    *
+   * @param body name of the body, or of the root
+   * @param point name of the point
+   * @param reads quantities that will be read; reading others is an error, and difference quotients
+   *     are cheaper with fewer quantities. Empty for a point that is only acted on
    * @throws IllegalArgumentException if there is no such body or point
    */
   int point(String body, String point, Reads... reads);
@@ -38,9 +39,10 @@ public interface ForceDeclaration {
   int pointAt(String body, double x, double y, double z, Reads... reads);
 
   /**
-   * Declares a coordinate of a joint to read or to act on. @param joint name of a joint of the
-   * tree @param component index among the joint's velocities, from 0
+   * Declares a coordinate of a joint to read or to act on.
    *
+   * @param joint name of a joint of the tree
+   * @param component index among the joint's velocities, from 0
    * @throws IllegalArgumentException if there is no such joint or component
    */
   int coordinate(String joint, int component);

@@ -6,9 +6,10 @@ import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.RunSettings;
 
 /**
- * The description of a model. @param name the model's name in its file @param formulation the
- * formulation of its equations, such as {@code DTR}
+ * The description of a model.
  *
+ * @param name the model's name in its file
+ * @param formulation the formulation of its equations, such as {@code DTR}
  * @param joints the joints that have states, in state order
  * @param defaults the settings of the model's file
  */

@@ -17,11 +17,13 @@ public interface Solver {
    *
    * @param model the model; its workspace is used, so it must not be in another run
    * @param request interval, tolerances, columns
-   * @param sink receives the rows @param control controls and monitors the run from other
-   *     threads @return the report; expected failures are outcomes, not exceptions
+   * @param sink receives the rows
+   * @param control controls and monitors the run from other threads
+   * @return the report; expected failures are outcomes, not exceptions
    * @throws IllegalArgumentException if the request does not fit the model (unknown integrator,
    *     columns it was built without, tolerances out of range); the message names the cause and the
-   *     remedy @throws IOException if the sink could not store a row
+   *     remedy
+   * @throws IOException if the sink could not store a row
    */
   RunReport run(Model model, RunRequest request, ResultSink sink, RunControl control)
       throws IOException;
@@ -29,11 +31,13 @@ public interface Solver {
   /**
    * Runs a model as {@link #run(Model, RunRequest, ResultSink, RunControl)} does, and writes
    * checkpoints, or resumes from one. A resumed run passes the remaining rows to the sink; they and
-   * the report's counts equal those of an uninterrupted run. @throws IllegalArgumentException also
-   * if the checkpoint is damaged, or belongs to another model, solver version or request; or if the
-   * model has an internal state that it cannot save @throws IOException also if a checkpoint could
-   * not be stored @throws UnsupportedOperationException if a checkpoint is given and this solver
-   * does not support checkpoints; such a solver writes none either
+   * the report's counts equal those of an uninterrupted run.
+   *
+   * @throws IllegalArgumentException also if the checkpoint is damaged, or belongs to another
+   *     model, solver version or request; or if the model has an internal state that it cannot save
+   * @throws IOException also if a checkpoint could not be stored
+   * @throws UnsupportedOperationException if a checkpoint is given and this solver does not support
+   *     checkpoints; such a solver writes none either
    */
   default RunReport run(
       Model model, RunRequest request, ResultSink sink, RunControl control, Checkpoints checkpoints)

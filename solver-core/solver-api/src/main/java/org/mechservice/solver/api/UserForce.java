@@ -37,14 +37,18 @@ package org.mechservice.solver.api;
  * }</pre>
  */
 public interface UserForce {
-  /** Declares everything that the force reads and acts on. @param model resolves names */
+  /**
+   * Declares everything that the force reads and acts on.
+   *
+   * @param model resolves names
+   */
   void declare(ForceDeclaration model);
 
   /**
    * Evaluates the force.
    *
-   * @param state declared quantities; world axes, SI units @param loads receives forces, torques
-   *     and values
+   * @param state declared quantities; world axes, SI units
+   * @param loads receives forces, torques and values
    */
   void apply(ForceState state, ForceLoads loads);
 

@@ -78,7 +78,7 @@ public final class ResultFile implements ResultSink, Closeable {
   /**
    * Opens a CSV file under its temporary name.
    *
-   * @param target name the results will have
+   * @param target final name of the results
    * @throws IOException as {@link #ResultFile(Path, Format)}
    */
   public ResultFile(Path target) throws IOException {

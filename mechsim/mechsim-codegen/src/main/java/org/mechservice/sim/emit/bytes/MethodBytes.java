@@ -27,7 +27,8 @@ final class MethodBytes implements StackCode.Machine {
   private final int workspace;
 
   /**
-   * @param head names of the program's inputs and outputs @param parameters slots of the method
+   * @param head names of the program's inputs and outputs
+   * @param parameters slots of the method
    */
   MethodBytes(
       MethodVisitor code, MethodSignature head, ParameterSlots parameters, LocalSlots locals) {

@@ -19,8 +19,10 @@ public final class MethodSizes {
   }
 
   /**
-   * Rejects a class that would run slowly. @throws ModelBuildException S-085 if a method is too
-   * long for compilation by the virtual machine
+   * Rejects a class that would run slowly.
+   *
+   * @throws ModelBuildException S-085 if a method is too long for compilation by the virtual
+   *     machine
    */
   public static void requireCompilable(byte[] classFile) {
     int longest = longest(classFile);

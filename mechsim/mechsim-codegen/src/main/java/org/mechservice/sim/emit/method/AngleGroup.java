@@ -7,8 +7,11 @@ import org.mechservice.sim.symbolic.ScalarOperation;
 
 /**
  * Angles whose sines and cosines are computed together: a single one, or several in a loop, whose
- * angles are consecutive inputs or the same multiple of consecutive inputs. @param start index of
- * the first among the program's angles @param count number of angles @param angle the first angle
+ * angles are consecutive inputs or the same multiple of consecutive inputs.
+ *
+ * @param start index of the first among the program's angles
+ * @param count number of angles
+ * @param angle the first angle
  */
 public record AngleGroup(int start, int count, Scalar angle) {
   /** Smallest number of consecutive angles for a loop. */

@@ -11,7 +11,8 @@ import org.mechservice.sim.symbolic.ScalarOperation;
  * signs, so the bits are the same but for the sign of a zero difference.
  *
  * @param operation addition, subtraction, multiplication or division
- * @param first first written operand @param second second written operand
+ * @param first first written operand
+ * @param second second written operand
  */
 public record BinaryForm(ScalarOperation operation, Term first, Term second) {
   /**
@@ -23,8 +24,9 @@ public record BinaryForm(ScalarOperation operation, Term first, Term second) {
   public record Term(Scalar value, boolean opposite) {}
 
   /**
-   * Returns the written form of an operation on two values. @param places locations of values that
-   * are not written out
+   * Returns the written form of an operation on two values.
+   *
+   * @param places locations of values that are not written out
    */
   public static BinaryForm of(Scalar node, Map<Scalar, ValueLocation> places) {
     Scalar a = node.first();

@@ -5,8 +5,10 @@ import java.util.Collections;
 import java.util.List;
 
 /**
- * Consecutive calls of methods, once or repeated. @param calls the calls in order @param count
- * number of repetitions
+ * Consecutive calls of methods, once or repeated.
+ *
+ * @param calls the calls in order
+ * @param count number of repetitions
  */
 public record CallSequence(List<Call> calls, int count) {
   /** Smallest number of repetitions for a loop. */
@@ -16,8 +18,11 @@ public record CallSequence(List<Call> calls, int count) {
   private static final int LONGEST_ROW = 4;
 
   /**
-   * A call. @param method index among the plan's methods @param numbers integer arguments of the
-   * first repetition @param strides increment of each per repetition
+   * A call.
+   *
+   * @param method index among the plan's methods
+   * @param numbers integer arguments of the first repetition
+   * @param strides increment of each per repetition
    */
   public record Call(int method, List<Integer> numbers, List<Integer> strides) {
     /** A call that is not repeated. */

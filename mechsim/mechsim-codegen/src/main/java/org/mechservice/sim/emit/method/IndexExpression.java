@@ -1,8 +1,11 @@
 package org.mechservice.sim.emit.method;
 
 /**
- * An index, or another integer, in a planned method. @param parameter index of the method's integer
- * parameter to which the offset is added; {@link #NONE} for none @param offset constant offset
+ * An index, or another integer, in a planned method.
+ *
+ * @param parameter index of the method's integer parameter to which the offset is added; {@link
+ *     #NONE} for none
+ * @param offset constant offset
  */
 public record IndexExpression(int parameter, int offset) {
   public static final int NONE = -1;

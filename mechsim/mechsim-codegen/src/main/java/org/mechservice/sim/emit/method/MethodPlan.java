@@ -5,11 +5,13 @@ import java.util.Map;
 import org.mechservice.sim.symbolic.Scalar;
 
 /**
- * The plan of one method, for one part of a program or for several equal parts. @param statements
- * its statements, in order @param places locations of values in it @param originals for a method
- * shared by several parts, the program's values that correspond to its values in the first part and
- * name them; empty if its values are the program's own @param parameters number of its integer
- * parameters
+ * The plan of one method, for one part of a program or for several equal parts.
+ *
+ * @param statements its statements, in order
+ * @param places locations of values in it
+ * @param originals for a method shared by several parts, the program's values that correspond to
+ *     its values in the first part and name them; empty if its values are the program's own
+ * @param parameters number of its integer parameters
  */
 public record MethodPlan(
     List<Statement> statements,

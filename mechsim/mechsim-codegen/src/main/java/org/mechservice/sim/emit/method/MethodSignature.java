@@ -6,8 +6,8 @@ import org.mechservice.sim.symbolic.Program;
 /**
  * The method of a model that runs a program.
  *
- * @param name its name, and the prefix of the names of its parts @param arguments parameters that
- *     hold the program's inputs, in order
+ * @param name its name, and the prefix of the names of its parts
+ * @param arguments parameters that hold the program's inputs, in order
  * @param output name of the last parameter, the array of outputs
  * @param returnsResult whether the method returns the result of the guard that failed
  * @param isPublic whether it is a method of the model's interfaces
@@ -15,8 +15,11 @@ import org.mechservice.sim.symbolic.Program;
 public record MethodSignature(
     String name, List<Argument> arguments, String output, boolean returnsResult, boolean isPublic) {
   /**
-   * A parameter. @param name its name @param isArray whether it is an array of numbers, otherwise a
-   * number @param first index of the program's input that it, or its first element, holds
+   * A parameter.
+   *
+   * @param name its name
+   * @param isArray whether it is an array of numbers, otherwise a number
+   * @param first index of the program's input that it, or its first element, holds
    */
   public record Argument(String name, boolean isArray, int first) {}
 

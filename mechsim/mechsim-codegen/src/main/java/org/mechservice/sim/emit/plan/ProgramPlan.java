@@ -21,9 +21,11 @@ import org.mechservice.sim.symbolic.ScalarOperation;
  * The code of a program, planned.
  *
  * @param program the program
- * @param usage uses of its values @param methods methods that the steps call @param steps steps
- *     after the sines and cosines, in order @param slots required length of the workspace @param
- *     remark reason for the layout; empty if it needs none
+ * @param usage uses of its values
+ * @param methods methods that the steps call
+ * @param steps steps after the sines and cosines, in order
+ * @param slots required length of the workspace
+ * @param remark reason for the layout; empty if it needs none
  */
 public record ProgramPlan(
     Program program,

@@ -33,8 +33,9 @@ final class StraightLinePlanner {
   }
 
   /**
-   * Plans for ever shorter methods until none is too long. @param planner plans methods for a given
-   * number of bytes; longer sections are divided
+   * Plans for ever shorter methods until none is too long.
+   *
+   * @param planner plans methods for a given number of bytes; longer sections are divided
    */
   static ProgramPlan within(IntFunction<ProgramPlan> planner) {
     int limit = METHOD_BYTES;

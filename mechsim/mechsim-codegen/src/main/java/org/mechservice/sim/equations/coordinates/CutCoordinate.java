@@ -8,10 +8,12 @@ import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarVector;
 
 /**
- * A coordinate of a cut joint, computed from the poses of its two bodies. @param frames the frames
- * on the two bodies @param term the coordinate with its derivatives @param position its value, rad
- * or m, an angle unwrapped; undefined and never used for an angular velocity in a joint with Euler
- * parameters
+ * A coordinate of a cut joint, computed from the poses of its two bodies.
+ *
+ * @param frames the frames on the two bodies
+ * @param term the coordinate with its derivatives
+ * @param position its value, rad or m, an angle unwrapped; undefined and never used for an angular
+ *     velocity in a joint with Euler parameters
  */
 public record CutCoordinate(RelativeFrameMotion frames, PairTerm term, Scalar position) {
   /** Returns its rate, rad/s or m/s. */

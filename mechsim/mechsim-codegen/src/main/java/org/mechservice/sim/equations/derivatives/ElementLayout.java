@@ -16,8 +16,9 @@ sealed interface ElementLayout {
   int byPosition(int row, int column);
 
   /**
-   * The sparse layout of {@link org.mechservice.solver.dynamics.TreeStepModel}. @param pattern
-   * pattern of the elements that may differ from zero
+   * The sparse layout of {@link org.mechservice.solver.dynamics.TreeStepModel}.
+   *
+   * @param pattern pattern of the elements that may differ from zero
    */
   record OfTree(TreePattern pattern) implements ElementLayout {
     @Override
@@ -43,9 +44,9 @@ sealed interface ElementLayout {
   }
 
   /**
-   * The dense layout of {@link
-   * org.mechservice.solver.closure.equations.LoopTerms.OfDerivatives}. @param places order of the
-   * velocities
+   * The dense layout of {@link org.mechservice.solver.closure.equations.LoopTerms.OfDerivatives}.
+   *
+   * @param places order of the velocities
    */
   record Dense(TreeOrder places) implements ElementLayout {
     @Override

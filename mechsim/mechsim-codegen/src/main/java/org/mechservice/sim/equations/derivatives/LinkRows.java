@@ -49,8 +49,8 @@ final class LinkRows {
    * Derives the elements of the next link.
    *
    * @param own its columns; empty if it has no velocities in the state
-   * @param composite the link with all links beyond it @param force their inertia wrench, about the
-   *     link's origin
+   * @param composite the link with all links beyond it
+   * @param force their inertia wrench, about the link's origin
    */
   void derive(List<JointColumns.Column> own, RigidComposite composite, Wrench force) {
     columns.add(own);

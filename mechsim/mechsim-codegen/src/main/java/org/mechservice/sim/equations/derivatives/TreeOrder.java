@@ -15,8 +15,9 @@ final class TreeOrder {
    * A place.
    *
    * @param link the link
-   * @param component index among its degrees of freedom, as in the state @param velocity index of
-   *     the velocity in v @param parent the parent place; −1 for none
+   * @param component index among its degrees of freedom, as in the state
+   * @param velocity index of the velocity in v
+   * @param parent the parent place; −1 for none
    */
   record Place(int link, int component, int velocity, int parent) {}
 

@@ -90,7 +90,11 @@ final class BushingTerm implements ForceTerm {
     return e.function(MathFunction.CHOOSE, a, b, first, second);
   }
 
-  /** Returns γ = (1 − θ/2 cot θ/2) / θ². @param turn θ if it is not zero */
+  /**
+   * Returns γ = (1 − θ/2 cot θ/2) / θ².
+   *
+   * @param turn θ if it is not zero
+   */
   private Scalar gamma(Scalar theta, Scalar turn, Scalar cotangent) {
     Scalar z = theta.squared();
     Scalar series =

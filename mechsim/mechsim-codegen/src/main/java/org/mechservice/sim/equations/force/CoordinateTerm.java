@@ -7,9 +7,11 @@ import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.solver.expression.Coordinate;
 
 /**
- * A force on one coordinate of a joint. @param joints coordinates of all joints @param coordinate
- * component among velocities @param force force, positive if it increases the coordinate, N·m or N
+ * A force on one coordinate of a joint.
  *
+ * @param joints coordinates of all joints
+ * @param coordinate component among velocities
+ * @param force force, positive if it increases the coordinate, N·m or N
  * @param potential its potential energy, J
  * @param power power of the part without potential energy, W
  */

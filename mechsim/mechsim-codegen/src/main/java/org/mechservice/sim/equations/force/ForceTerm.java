@@ -18,8 +18,10 @@ interface ForceTerm {
   }
 
   /**
-   * Condition {@code size > least} for a force to have a direction. @param size checked
-   * value @param least largest value without a direction
+   * Condition {@code size > least} for a force to have a direction.
+   *
+   * @param size checked value
+   * @param least largest value without a direction
    */
   record Direction(Scalar size, double least) {}
 

@@ -18,7 +18,11 @@ public final class JointOutputs {
     this.coordinates = coordinates;
   }
 
-  /** Outputs the values. @param ofLink values of each link's degrees of freedom, by axis */
+  /**
+   * Outputs the values.
+   *
+   * @param ofLink values of each link's degrees of freedom, by axis
+   */
   public void putOut(ScalarVector[] ofLink, Program program) {
     putOut(ofLink, program, 0);
   }

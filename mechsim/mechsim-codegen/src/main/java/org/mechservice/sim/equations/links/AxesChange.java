@@ -14,8 +14,8 @@ import org.mechservice.solver.spatial.Vector3;
  * of the axes, which needs no operation, followed by rotations about coordinate axes. One such
  * rotation suffices for a rotation about a coordinate axis, three for any rotation.
  *
- * @param permuted signed permutation from child axes to the first intermediate axes @param turns
- *     the rotations that follow, in order
+ * @param permuted signed permutation from child axes to the first intermediate axes
+ * @param turns the rotations that follow, in order
  */
 public record AxesChange(Rotation permuted, List<Turn> turns) {
   /**

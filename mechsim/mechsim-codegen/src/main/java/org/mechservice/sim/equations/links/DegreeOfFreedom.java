@@ -6,8 +6,11 @@ import org.mechservice.sim.symbolic.ScalarVector;
 
 /**
  * One degree of freedom of a link: a rotation about a coordinate axis of its computing frame, a
- * displacement along z, or both in proportion. @param axis 0, 1, 2 for x, y, z @param turns whether
- * it rotates @param way displacement along the axis per coordinate
+ * displacement along z, or both in proportion.
+ *
+ * @param axis 0, 1, 2 for x, y, z
+ * @param turns whether it rotates
+ * @param way displacement along the axis per coordinate
  */
 public record DegreeOfFreedom(int axis, boolean turns, double way) {
 

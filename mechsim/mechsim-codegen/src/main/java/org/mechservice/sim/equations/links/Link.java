@@ -25,7 +25,8 @@ import org.mechservice.solver.spatial.Vector3;
  * @param velocity index of its first velocity in the state [q; v]; −1 for a driven link
  * @param motion its coordinate as a function of time, if it is driven
  * @param way displacement along z per coordinate: 1 for a slide, the pitch of a screw in m/rad,
- *     otherwise 0 @param inverse whether Euler parameters turn the parent relative to the link
+ *     otherwise 0
+ * @param inverse whether Euler parameters turn the parent relative to the link
  * @param offset from the parent's computing origin to the joint's point, in parent computing axes,
  *     m
  * @param axes from this link's computing axes to the parent's at q = 0

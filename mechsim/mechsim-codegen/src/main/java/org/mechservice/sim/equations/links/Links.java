@@ -5,10 +5,11 @@ import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * A mechanism in computing frames. @param mechanism the mechanism @param links moving links from
- * the root outwards: parents come before their children @param bodies placement of each body, in
- * the mechanism's order
+ * A mechanism in computing frames.
  *
+ * @param mechanism the mechanism
+ * @param links moving links from the root outwards: parents come before their children
+ * @param bodies placement of each body, in the mechanism's order
  * @param positionCount number of positions in the state
  * @param velocityCount number of velocities in the state
  * @param gravity acceleration of free fall in root axes, m/s²

@@ -8,9 +8,9 @@ import org.mechservice.sim.symbolic.Scalar;
  *
  * @param value Φ, m or rad
  * @param rate Φ'
- * @param offset γ: Φ'' with zero accelerations of all joints that are not driven @param jacobian
- *     derivatives by the velocities of the state, in their order @param size the size of the
- *     measured quantity if it changes, m or 1 rad
+ * @param offset γ: Φ'' with zero accelerations of all joints that are not driven
+ * @param jacobian derivatives by the velocities of the state, in their order
+ * @param size the size of the measured quantity if it changes, m or 1 rad
  */
 @SuppressWarnings("ArrayRecordComponent") // made once, read once
 record LoopRow(

@@ -29,9 +29,11 @@ import org.mechservice.solver.expression.JointCoordinate;
 /** A coupling of joint positions as an equation of a loop. */
 final class RelationRow extends Formulas {
   /**
-   * A position on which the coupling depends. @param stand the placeholder input for it while the
-   * coupling is differentiated @param rate the placeholder for its rate, for cut joints only @param
-   * second the placeholder for its second derivative
+   * A position on which the coupling depends.
+   *
+   * @param stand the placeholder input for it while the coupling is differentiated
+   * @param rate the placeholder for its rate, for cut joints only
+   * @param second the placeholder for its second derivative
    */
   private record Leaf(Coordinate coordinate, Scalar stand, Scalar rate, Scalar second) {}
 
@@ -45,8 +47,8 @@ final class RelationRow extends Formulas {
   private final List<Leaf> leaves = new ArrayList<>();
 
   /**
-   * @param length length scale that makes displacements comparable with angles, m @param sweep
-   *     accelerations of the links with zero joint accelerations, if γ is requested
+   * @param length length scale that makes displacements comparable with angles, m
+   * @param sweep accelerations of the links with zero joint accelerations, if γ is requested
    */
   RelationRow(
       Expressions expressions,

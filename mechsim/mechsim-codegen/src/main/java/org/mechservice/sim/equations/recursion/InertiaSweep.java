@@ -33,8 +33,8 @@ public final class InertiaSweep {
   private final List<List<Scalar>> atRest = new ArrayList<>();
 
   /**
-   * @param wrenches inertia wrench of each body; overwritten with the sum over all bodies beyond
-   *     it @param jointForces applied joint forces
+   * @param wrenches inertia wrench of each body; overwritten with the sum over all bodies beyond it
+   * @param jointForces applied joint forces
    * @param checked whether the program checks pivots
    */
   public InertiaSweep(

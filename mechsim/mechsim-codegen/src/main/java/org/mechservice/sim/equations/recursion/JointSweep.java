@@ -28,9 +28,9 @@ public final class JointSweep {
   /**
    * Sweeps from the leaves to the root.
    *
-   * @param wrenches inertia wrench of each body; overwritten with the sum over all bodies beyond
-   *     it @param applied applied joint forces @return forces along each link's degrees of freedom,
-   *     by axis
+   * @param wrenches inertia wrench of each body; overwritten with the sum over all bodies beyond it
+   * @param applied applied joint forces
+   * @return forces along each link's degrees of freedom, by axis
    */
   public ScalarVector[] sweep(Wrench[] wrenches, JointForces applied) {
     ScalarVector[] borne = new ScalarVector[wrenches.length];

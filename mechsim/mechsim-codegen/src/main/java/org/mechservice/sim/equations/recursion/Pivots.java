@@ -45,7 +45,11 @@ public final class Pivots {
     this.boundsAtStart = InertiaBound.of(expressions, links, this::slidAtStart);
   }
 
-  /** Adds a check of a pivot that can be zero. @return whether it is always zero */
+  /**
+   * Adds a check of a pivot that can be zero.
+   *
+   * @return whether it is always zero
+   */
   public boolean guarded(int i, DegreeOfFreedom freedom, Scalar pivot) {
     Link link = links.get(i);
     Scalar all = bounds[i].along(link);

@@ -8,8 +8,9 @@ public interface AlgebraicModel extends ExplicitModel, Defects {
   /**
    * Finds the state at an output time.
    *
-   * @param t time, s; not before the time of the last call @param y overwritten with the state [q;
-   *     v]; {@link #derivative} is valid for it until the next call
+   * @param t time, s; not before the time of the last call
+   * @param y overwritten with the state [q; v]; {@link #derivative} is valid for it until the next
+   *     call
    * @return {@link #REGULAR}, or {@link Defects#DEFECT} if there is none
    */
   int find(double t, double[] y);

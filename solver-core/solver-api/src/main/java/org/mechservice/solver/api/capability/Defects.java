@@ -28,10 +28,10 @@ public interface Defects {
 
   /**
    * Returns the force whose formula has no finite value near the last state of a failed run.
-   * Evaluations do not check for the root of a negative number, a division by zero or an
-   * overflow. @param t time that the run has reached, s @param y state [q; v] there, possibly
-   * followed by multipliers; may be changed and restored
+   * Evaluations do not check for the root of a negative number, a division by zero or an overflow.
    *
+   * @param t time that the run has reached, s
+   * @param y state [q; v] there, possibly followed by multipliers; may be changed and restored
    * @param yDot its derivative; not used if no step was tried; not modified
    * @param tried the last steps
    */
@@ -44,8 +44,9 @@ public interface Defects {
    * Why a model cannot be evaluated.
    *
    * @param code entry of the error catalogue, such as {@code N-030}
-   * @param part the joint, body, force or constraint concerned @param cause the cause in one
-   *     sentence, with numbers and units @param advice the remedy
+   * @param part the joint, body, force or constraint concerned
+   * @param cause the cause in one sentence, with numbers and units
+   * @param advice the remedy
    */
   record Defect(MessageCode code, String part, String cause, String advice) {}
 }

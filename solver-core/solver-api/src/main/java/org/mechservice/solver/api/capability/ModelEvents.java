@@ -8,9 +8,10 @@ import java.util.List;
  */
 public interface ModelEvents {
   /**
-   * Begins a run: finds the jumps at known times. @param from start of the run, s @param to its
-   * end, s
+   * Begins a run: finds the jumps at known times.
    *
+   * @param from start of the run, s
+   * @param to its end, s
    * @return the times at which the equations jump
    */
   List<Double> begin(double from, double to);
@@ -85,7 +86,8 @@ public interface ModelEvents {
    * An event.
    *
    * @param name name in the model file, of the event or of the driven joint
-   * @param direction direction of the crossings that count @param action the action
+   * @param direction direction of the crossings that count
+   * @param action the action
    */
   record Kind(String name, Direction direction, Action action) {}
 }

@@ -14,8 +14,9 @@ public interface MomentumBalance extends ModelState {
   void begin();
 
   /**
-   * Adds the impulse of an interval by quadrature. @param seconds quadrature weight of the state, s
+   * Adds the impulse of an interval by quadrature.
    *
+   * @param seconds quadrature weight of the state, s
    * @param t time of the state, s
    * @param y state [q; v], in which loops are closed; not modified
    */

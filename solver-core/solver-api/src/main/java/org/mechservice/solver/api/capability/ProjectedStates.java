@@ -4,8 +4,11 @@ package org.mechservice.solver.api.capability;
 public interface ProjectedStates {
   /**
    * Projects a state onto the constraints, positions before velocities, by the least change in the
-   * metric of the mass matrix. @param t time, s @param y state; overwritten @return false if the
-   * loops cannot be closed
+   * metric of the mass matrix.
+   *
+   * @param t time, s
+   * @param y state; overwritten
+   * @return false if the loops cannot be closed
    */
   boolean project(double t, double[] y);
 

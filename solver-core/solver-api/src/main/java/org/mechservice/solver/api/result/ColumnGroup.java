@@ -37,8 +37,10 @@ public enum ColumnGroup {
   }
 
   /**
-   * Returns the groups with the given labels, and that of the joints. @param labels separated by
-   * commas @throws IllegalArgumentException if there is no group with one of the labels
+   * Returns the groups with the given labels, and that of the joints.
+   *
+   * @param labels separated by commas
+   * @throws IllegalArgumentException if there is no group with one of the labels
    */
   public static Set<ColumnGroup> of(String labels) {
     Set<ColumnGroup> groups = EnumSet.of(JOINTS);

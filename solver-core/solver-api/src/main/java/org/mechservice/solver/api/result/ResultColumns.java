@@ -29,8 +29,8 @@ public interface ResultColumns {
    *
    * @param t time, s
    * @param y state [q; v]; not modified
-   * @param values one number per column of {@link #columns}, from {@code at}; overwritten @param at
-   *     index of the first
+   * @param values one number per column of {@link #columns}, from {@code at}; overwritten
+   * @param at index of the first
    */
   void values(ColumnGroup group, double t, double[] y, double[] values, int at);
 

@@ -43,7 +43,9 @@ public interface Checkpoints {
 
   /**
    * Stores a checkpoint in place of the previous one. All rows before it have been passed to the
-   * sink. @throws IOException if it cannot be stored
+   * sink.
+   *
+   * @throws IOException if it cannot be stored
    */
   void keep(byte[] checkpoint) throws IOException;
 }

@@ -4,12 +4,16 @@ import java.util.List;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * The reason why a run could not continue. @param code entry of the error catalogue, such as {@code
- * N-001} @param cause the cause in one sentence @param time simulated time of the failure, s @param
- * stepSize attempted step, s; 0 before the first step @param order order of the attempted method; 0
- * before the first step @param part the joint, body or state concerned; empty if none can be
- * named @param advice the remedy @param lastSteps last attempted steps, in order of time; empty if
- * the failure was not in a step
+ * The reason why a run could not continue.
+ *
+ * @param code entry of the error catalogue, such as {@code N-001}
+ * @param cause the cause in one sentence
+ * @param time simulated time of the failure, s
+ * @param stepSize attempted step, s; 0 before the first step
+ * @param order order of the attempted method; 0 before the first step
+ * @param part the joint, body or state concerned; empty if none can be named
+ * @param advice the remedy
+ * @param lastSteps last attempted steps, in order of time; empty if the failure was not in a step
  */
 public record Failure(
     MessageCode code,
@@ -38,12 +42,13 @@ public record Failure(
   }
 
   /**
-   * An attempted step. @param time simulated time of its start, s
+   * An attempted step.
    *
+   * @param time simulated time of its start, s
    * @param stepSize s
    * @param order order of the method
-   * @param error estimated error divided by the permitted one; NaN if it was not computed @param
-   *     result outcome of the step, such as {@code accepted}
+   * @param error estimated error divided by the permitted one; NaN if it was not computed
+   * @param result outcome of the step, such as {@code accepted}
    */
   public record Step(double time, double stepSize, int order, double error, String result) {
     /** Result of a step whose implicit equations were not solved. */

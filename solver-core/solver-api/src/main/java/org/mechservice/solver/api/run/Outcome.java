@@ -8,6 +8,10 @@ public sealed interface Outcome {
   /** The run was stopped on request; the rows up to then are valid. */
   record Stopped() implements Outcome {}
 
-  /** The run could not continue; the rows up to then are valid. @param failure the reason */
+  /**
+   * The run could not continue; the rows up to then are valid.
+   *
+   * @param failure the reason
+   */
   record Failed(Failure failure) implements Outcome {}
 }

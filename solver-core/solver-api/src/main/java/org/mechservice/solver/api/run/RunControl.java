@@ -14,7 +14,11 @@ import java.util.OptionalDouble;
 public class RunControl {
   /** Source of the state of a run between two steps, in the thread of the run. */
   public interface StateSource {
-    /** Copies the present state. @param state as in the rows, without time; overwritten */
+    /**
+     * Copies the present state.
+     *
+     * @param state as in the rows, without time; overwritten
+     */
     void copyState(double[] state);
   }
 
@@ -109,8 +113,9 @@ public class RunControl {
   }
 
   /**
-   * For the solver: sets the source of the state. @param source called only in the thread of the
-   * run, between two steps; empty for none
+   * For the solver: sets the source of the state.
+   *
+   * @param source called only in the thread of the run, between two steps; empty for none
    */
   public final synchronized void giveStates(Optional<StateSource> source) {
     states = source;
@@ -119,9 +124,12 @@ public class RunControl {
 
   /**
    * Reads the state at the last step, also while the run is held. Only one thread may call this at
-   * a time. @param state overwritten if available @param millis longest wait for the end of a step,
-   * ms @return the time of the state, s; empty if the run has no source of states, or no step has
-   * ended in time
+   * a time.
+   *
+   * @param state overwritten if available
+   * @param millis longest wait for the end of a step, ms
+   * @return the time of the state, s; empty if the run has no source of states, or no step has
+   *     ended in time
    */
   public final synchronized OptionalDouble state(double[] state, long millis)
       throws InterruptedException {

@@ -16,7 +16,8 @@ public interface RunNotes {
    *
    * @param code entry of the error catalogue, such as {@code N-031}
    * @param time simulated time, s
-   * @param warning whether it is a warning @param text one sentence with names, numbers and units
+   * @param warning whether it is a warning
+   * @param text one sentence with names, numbers and units
    */
   record Note(MessageCode code, double time, boolean warning, String text) {
     /** Returns the note as one message. */

@@ -7,25 +7,27 @@ import java.util.OptionalDouble;
 import org.mechservice.solver.catalogue.Accuracy;
 
 /**
- * The report of a run: its outcome, its counts and its notes. @param outcome its outcome
+ * The report of a run: its outcome, its counts and its notes.
  *
+ * @param outcome its outcome
  * @param model name of the model
  * @param formulation formulation of the equations, such as {@code DTR}
  * @param settings the settings used, with all automatic choices resolved
  * @param steps accepted steps
  * @param rejectedSteps steps that failed the error test
  * @param evaluations evaluations of the right-hand side
- * @param rows result rows written @param timeReached simulated time at the end of the run, s
+ * @param rows result rows written
+ * @param timeReached simulated time at the end of the run, s
  * @param wallTime wall-clock time of the run, s
  * @param energyDrift largest |E(t) − E(0)| at the output times, J; empty if the energy is not
  *     constant or not known
  * @param energyScale the largest of kinetic energy, change of potential energy, and the mean of
  *     added and removed energy, J; the reference of the drift
- * @param stiffnessSuspected whether stability, not accuracy, kept many successive steps
- *     small @param jacobians Jacobians formed; 0, like the next, for explicit integrators
+ * @param stiffnessSuspected whether stability, not accuracy, kept many successive steps small
+ * @param jacobians Jacobians formed; 0, like the next, for explicit integrators
  * @param factorisations matrices factored
- * @param limits states that caused rejected steps, most frequent first @param notes notes about the
- *     run
+ * @param limits states that caused rejected steps, most frequent first
+ * @param notes notes about the run
  * @param solverVersion version of the solver that ran
  */
 public record RunReport(
@@ -57,9 +59,12 @@ public record RunReport(
   }
 
   /**
-   * Number of steps rejected because of a state. @param state its name @param inaccurate number of
-   * steps in which its error was the largest @param unsolved number of steps in which the implicit
-   * equations failed because of it, or it was not finite
+   * Number of steps rejected because of a state.
+   *
+   * @param state its name
+   * @param inaccurate number of steps in which its error was the largest
+   * @param unsolved number of steps in which the implicit equations failed because of it, or it was
+   *     not finite
    */
   public record Limit(String state, long inaccurate, long unsolved) {
     @Override

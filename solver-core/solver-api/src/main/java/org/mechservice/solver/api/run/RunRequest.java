@@ -5,9 +5,10 @@ import java.util.Set;
 import org.mechservice.solver.api.result.ColumnGroup;
 
 /**
- * The request of one run. @param settings interval, output distance, integrator and
- * tolerances @param columns column groups besides time and the joints' states
+ * The request of one run.
  *
+ * @param settings interval, output distance, integrator and tolerances
+ * @param columns column groups besides time and the joints' states
  * @param strict whether the first warning of the model ends the run
  * @param maxDrift drift of the energy balance over the energy scale, both as in {@link RunReport},
  *     above which the run ends as failed; empty if it is not monitored

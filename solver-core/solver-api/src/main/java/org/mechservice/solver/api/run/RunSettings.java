@@ -4,9 +4,9 @@ import java.util.List;
 import org.mechservice.solver.catalogue.Accuracy;
 
 /**
- * The interval of a run, the times of its rows, its integrator and its tolerances. @param tStart
- * start, s
+ * The interval of a run, the times of its rows, its integrator and its tolerances.
  *
+ * @param tStart start, s
  * @param tEnd end, s; at or after the start
  * @param tStep distance of the output rows, s; positive. The end is a row even if the distance does
  *     not divide the interval

@@ -5,10 +5,13 @@ import org.mechservice.solver.api.run.RunNotes.Note;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * A finding about a mechanism's loops for its user. @param kind kind of finding @param part the
- * constraint or constraints and their equations; empty if none can be named @param amount residual
- * or other number, in {@code unit} @param unit SI unit of the amount @param time time of the
- * finding, s
+ * A finding about a mechanism's loops for its user.
+ *
+ * @param kind kind of finding
+ * @param part the constraint or constraints and their equations; empty if none can be named
+ * @param amount residual or other number, in {@code unit}
+ * @param unit SI unit of the amount
+ * @param time time of the finding, s
  */
 public record LoopFinding(Kind kind, String part, double amount, String unit, double time) {
 

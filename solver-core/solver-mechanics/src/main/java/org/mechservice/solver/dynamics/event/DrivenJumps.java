@@ -151,7 +151,9 @@ final class DrivenJumps {
 
   /**
    * Changes free velocities by the impulses of jumps of driven ones; sets NaN if one has no
-   * inertia. @param at index of the first jump in {@code occurred}
+   * inertia.
+   *
+   * @param at index of the first jump in {@code occurred}
    */
   void change(boolean[] occurred, int at, double t, double[] y) {
     int free = held.length;

@@ -30,8 +30,9 @@ public final class StateEvents implements ModelEvents {
   /**
    * Prepares the events of a mechanism.
    *
-   * @param code generated code for their expressions, if any @throws IllegalArgumentException if an
-   *     expression refers to an element that the mechanism does not have
+   * @param code generated code for their expressions, if any
+   * @throws IllegalArgumentException if an expression refers to an element that the mechanism does
+   *     not have
    */
   public StateEvents(Mechanism mechanism, Optional<WrittenValues> code) {
     this.mechanism = mechanism;

@@ -60,8 +60,10 @@ final class FormulaFinding {
 
   /**
    * Finds the force that changes most between neighbouring states, if it jumps or is nearly
-   * vertical. @param here values at {@code t}; not modified @param beside values at a state that
-   * differs slightly in one component; not modified
+   * vertical.
+   *
+   * @param here values at {@code t}; not modified
+   * @param beside values at a state that differs slightly in one component; not modified
    */
   static Optional<Defect> tooSteep(double t, String lines, double[] here, double[] beside) {
     return fastest(lines, here, beside, STEEP)
