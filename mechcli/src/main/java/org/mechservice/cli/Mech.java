@@ -20,6 +20,7 @@ import org.mechservice.cli.shell.MechVersion;
 import org.mechservice.cli.shell.SafeWriter;
 import org.mechservice.cli.shell.StandardOutput;
 import org.mechservice.cli.shell.UsageReport;
+import org.mechservice.cli.simulate.CompareCommand;
 import org.mechservice.cli.simulate.FetchCommand;
 import org.mechservice.cli.simulate.SimulateCommand;
 import org.mechservice.cli.sweep.SweepCommand;
@@ -56,6 +57,7 @@ public final class Mech {
           SimulateCommand.class,
           SweepCommand.class,
           FetchCommand.class,
+          CompareCommand.class,
           PlotCommand.class,
           CheckCommand.class,
           BuildCommand.class,
