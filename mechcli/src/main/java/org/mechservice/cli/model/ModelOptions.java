@@ -66,6 +66,11 @@ public final class ModelOptions {
               + " or all.")
   private List<String> columns = List.of();
 
+  /** Returns whether another simulation of the file than the first may be meant. */
+  public boolean choosesSimulation() {
+    return !simulation.isEmpty();
+  }
+
   /** Returns the options given with these added. */
   public SimulationOptions addTo(SimulationOptions options) {
     SimulationOptions all = simulation.isEmpty() ? options : options.simulation(simulation);

@@ -247,7 +247,9 @@ public enum MessageCode {
   WRONG_SWEEP_JOURNAL("S-165"),
   ENERGY_BALANCE_NOT_WATCHED("S-166"),
   NOT_THE_OWNER("S-167"),
-  NO_CONFINEMENT("S-168");
+  NO_CONFINEMENT("S-168"),
+  RESULT_TOO_LARGE("S-176"),
+  RESULT_UNREADABLE("S-177");
 
   private final String code;
   private final Severity severity;

@@ -42,7 +42,7 @@ record StandaloneOptions(
                        velocities, angular velocities
         --accuracy A   standard, or strict: smaller errors at the same tolerances
         --set P=V      value of a tunable parameter, in its unit; once for each
-        --out FILE     write the rows as CSV, and their units beside it
+        --out FILE.csv write the rows as CSV, and their units beside it
         --columns C    column groups besides joints, separated by commas, or all
         --strict       let the first warning end the run
         --max-drift R  end the run where its energy balance drifts by more than R times the
@@ -122,7 +122,7 @@ record StandaloneOptions(
         case "--atol" -> atol = tolerances(value(option, inline));
         case "--accuracy" -> accuracy = Optional.of(accuracy(value(option, inline)));
         case "--set" -> set(value(option, inline));
-        case "--out" -> out = value(option, inline);
+        case "--out" -> out = csv(value(option, inline));
         case "--columns" -> columns = groups(value(option, inline));
         case "--strict" -> strict = true;
         case "--max-drift" -> maxDrift = OptionalDouble.of(positive(option, inline));
@@ -149,6 +149,18 @@ record StandaloneOptions(
         throw new OptionException(
             MessageCode.STANDALONE_USAGE + " --set names parameter \"" + name + "\" twice");
       }
+    }
+
+    private static String csv(String file) throws OptionException {
+      if (!file.toLowerCase(Locale.ROOT).endsWith(".csv")) {
+        throw new OptionException(
+            MessageCode.STANDALONE_USAGE
+                + " --out "
+                + file
+                + ": a JAR of a model writes .csv files only; mech simulate writes the other"
+                + " formats");
+      }
+      return file;
     }
 
     private String value(String option, String inline) throws OptionException {
