@@ -10,6 +10,7 @@ import org.mechservice.cli.model.ImportCommand;
 import org.mechservice.cli.model.NewCommand;
 import org.mechservice.cli.model.VerifyCommand;
 import org.mechservice.cli.picture.PlotCommand;
+import org.mechservice.cli.picture.ShowCommand;
 import org.mechservice.cli.service.KeysCommand;
 import org.mechservice.cli.service.ServerCommand;
 import org.mechservice.cli.service.SimhostCommand;
@@ -60,6 +61,7 @@ public final class Mech {
           CompareCommand.class,
           PlotCommand.class,
           CheckCommand.class,
+          ShowCommand.class,
           BuildCommand.class,
           ImportCommand.class,
           ReportCommand.class,

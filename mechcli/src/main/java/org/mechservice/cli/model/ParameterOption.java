@@ -1,6 +1,8 @@
 package org.mechservice.cli.model;
 
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import org.mechservice.cli.shell.UsageException;
 import org.mechservice.client.SimulationOptions;
 import org.mechservice.solver.catalogue.MessageCode;
@@ -22,17 +24,28 @@ public final class ParameterOption {
    */
   public SimulationOptions addTo(SimulationOptions options) {
     SimulationOptions all = options;
-    List<String> names = assignments.stream().map(ParameterOption::nameIn).toList();
-    for (int i = 0; i < names.size(); i++) {
-      String name = names.get(i);
-      if (names.indexOf(name) < i) {
+    for (Map.Entry<String, String> assignment : values().entrySet()) {
+      all = all.parameter(assignment.getKey(), assignment.getValue());
+    }
+    return all;
+  }
+
+  /**
+   * Returns the values by the names of their parameters, in the order of the options.
+   *
+   * @throws UsageException if an assignment is none, or a parameter is set twice
+   */
+  public Map<String, String> values() {
+    Map<String, String> values = new LinkedHashMap<>();
+    for (String assignment : assignments) {
+      String name = nameIn(assignment);
+      String value = assignment.substring(assignment.indexOf('=') + 1).strip();
+      if (values.put(name, value) != null) {
         throw new UsageException(
             MessageCode.OPTION_UNUSABLE + " --set names parameter \"" + name + "\" twice");
       }
-      String assignment = assignments.get(i);
-      all = all.parameter(name, assignment.substring(assignment.indexOf('=') + 1).strip());
     }
-    return all;
+    return values;
   }
 
   private static String nameIn(String assignment) {

@@ -50,6 +50,9 @@ public final class FreePlaces {
           fewest = crossed;
           best = label;
         }
+        if (crossed == 0) {
+          break;
+        }
       }
     }
     if (best != null) {

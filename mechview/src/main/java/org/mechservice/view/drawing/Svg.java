@@ -75,24 +75,31 @@ public final class Svg {
     }
     StringBuilder css = new StringBuilder("<style>@media (prefers-color-scheme:dark){");
     for (Ink ink : filled) {
-      css.append(".f").append(ink.ordinal()).append("{fill:").append(ink.hex(Theme.DARK));
+      css.append(".").append(styleName("fill", ink)).append("{fill:").append(ink.hex(Theme.DARK));
       css.append('}');
     }
     for (Ink ink : stroked) {
-      css.append(".s").append(ink.ordinal()).append("{stroke:").append(ink.hex(Theme.DARK));
+      css.append(".")
+          .append(styleName("stroke", ink))
+          .append("{stroke:")
+          .append(ink.hex(Theme.DARK));
       css.append('}');
     }
     return css.append("}</style>\n").toString();
   }
 
+  private static String styleName(String kind, Ink ink) {
+    return kind + "-" + ink.name().toLowerCase(Locale.ROOT).replace('_', '-');
+  }
+
   private String fill(Ink ink) {
     filled.add(ink);
-    return "class=\"f" + ink.ordinal() + "\" fill=\"" + ink.hex(theme) + "\"";
+    return "class=\"" + styleName("fill", ink) + "\" fill=\"" + ink.hex(theme) + "\"";
   }
 
   private String stroke(Ink ink) {
     stroked.add(ink);
-    return "class=\"s" + ink.ordinal() + "\" stroke=\"" + ink.hex(theme) + "\"";
+    return "class=\"" + styleName("stroke", ink) + "\" stroke=\"" + ink.hex(theme) + "\"";
   }
 
   private void write(Mark mark) {
