@@ -1,10 +1,13 @@
 package org.mechservice.library;
 
+import java.io.IOException;
 import java.nio.DoubleBuffer;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Collectors;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.RunReport;
+import org.mechservice.solver.text.ResultFile;
 
 /** The rows of a run, or of an analysis, with the names and units of their columns. */
 public final class Trajectory {
@@ -84,6 +87,25 @@ public final class Trajectory {
    */
   public DoubleBuffer values() {
     return table.values();
+  }
+
+  /**
+   * Writes the rows to a CSV file, and the units beside it in a file that ends in {@code
+   * .units.json}, as {@code mech simulate} writes them.
+   *
+   * @throws IOException if it cannot be written
+   */
+  public void writeCsv(Path csv) throws IOException {
+    try (ResultFile file = new ResultFile(csv)) {
+      file.begin(columns());
+      double[] row = new double[columns().size()];
+      DoubleBuffer values = values();
+      while (values.hasRemaining()) {
+        values.get(row);
+        file.row(row);
+      }
+      file.keep();
+    }
   }
 
   /** Returns what happened: how it ended, its steps, its energy balance. */

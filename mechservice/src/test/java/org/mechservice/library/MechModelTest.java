@@ -3,12 +3,15 @@ package org.mechservice.library;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
@@ -30,6 +33,9 @@ class MechModelTest {
     pendulum().simulate(csv);
     List<String> lines = Files.readAllLines(csv);
     Trajectory rows = pendulum().simulate();
+    Path again = folder.resolve("again.csv");
+    rows.writeCsv(again);
+    assertThat(again).hasSameBinaryContentAs(csv);
     assertThat(rows.rows()).isEqualTo(lines.size() - 1);
     List<String> names = rows.columns().stream().map(Variable::name).toList();
     assertThat(String.join(",", names)).isEqualTo(lines.get(0));
@@ -90,7 +96,10 @@ class MechModelTest {
   void aJarRunsByItself() throws Exception {
     Path jar = folder.resolve("pendulum.jar");
     pendulum().until(0.1).writeJar(jar);
-    assertThat(jar).isNotEmptyFile();
+    Model loaded = ModelSource.load(jar).model();
+    assertThat(loaded.description().name()).isEqualTo("FiveBarPendulum");
+    Path noJar = Files.writeString(folder.resolve("no.jar"), "text");
+    assertThatThrownBy(() -> ModelSource.load(noJar)).isInstanceOf(IOException.class);
   }
 
   @Test
