@@ -31,7 +31,7 @@ final class Drives {
   }
 
   /**
-   * Where motion and force of a coordinate of a cut joint come from.
+   * Source of motion and force of a coordinate of a cut joint.
    *
    * @param motion index of its joint's motion
    * @param row equation of the loops whose multiplier is the opposite of its force

@@ -4,9 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.solver.api.result.Variable;
 
-/**
- * Values of the applied forces, and the forces that driven joints take, those of the tree first.
- */
+/** Values of the applied forces, then the driving forces, those of tree joints first. */
 final class ForceColumns implements ColumnValues {
   private final EquationsOfMotion equations;
   private final Drives drives;

@@ -17,9 +17,9 @@ import org.mechservice.solver.dynamics.event.WrittenValues;
 import org.mechservice.solver.force.user.UserForceSource;
 
 /**
- * Result columns that a model does not have of itself: residuals and multipliers of constraints,
- * reactions in joints, values of forces, outputs by expression. They follow from its accelerations
- * by one sweep over the mechanism, the same for every formulation.
+ * Result columns that a model does not compute itself: residuals and multipliers of constraints,
+ * joint reactions, values of forces, outputs by expression. One sweep over the mechanism computes
+ * them from the accelerations, for all formulations.
  */
 public final class FurtherColumns implements ResultColumns {
   private static final Set<ColumnGroup> NEED_BALANCE =
@@ -40,7 +40,7 @@ public final class FurtherColumns implements ResultColumns {
    * @param model gives the accelerations, and the groups that are not asked for here
    * @param data its mechanism and outputs
    * @param asked groups among constraints, reactions, forces, outputs, momentum and drives
-   * @param userForces makes the forces that users have written
+   * @param userForces creates the user forces
    * @param code evaluates the outputs, if it was written for them
    */
   public FurtherColumns(

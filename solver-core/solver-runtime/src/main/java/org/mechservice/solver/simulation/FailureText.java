@@ -14,9 +14,9 @@ import org.mechservice.solver.ode.IntegrationFailure;
 import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.TrialOutcome;
 
-/** Says in the words of mechanics why a run could not go on. */
+/** Words the failures of runs in terms of mechanics. */
 final class FailureText {
-  /** Where times lie farther apart than this, s, steps cannot be short. */
+  /** Spacing of floating-point times, s, above which steps cannot be short. */
   private static final double COARSE = 1e-10;
 
   private FailureText() {}
@@ -27,7 +27,7 @@ final class FailureText {
    * @param singularJoint joint at which the inertia was singular in the last evaluation, or {@link
    *     ExplicitModel#REGULAR}
    * @param event the event it may lie at; empty if none can be named
-   * @param motion of the state that keeps steps short, with a space behind it; empty if not known
+   * @param motion motion of the state that keeps steps short, followed by a space; empty if unknown
    */
   static Failure of(
       IntegrationFailure failure,
@@ -131,7 +131,7 @@ final class FailureText {
     };
   }
 
-  /** Returns the steps that were tried last. */
+  /** Returns the last attempted steps. */
   static List<Failure.Step> steps(IntegrationFailure failure) {
     return failure.lastSteps().stream()
         .map(s -> new Failure.Step(s.time(), s.stepSize(), s.order(), s.error(), told(s.attempt())))
@@ -150,7 +150,7 @@ final class FailureText {
     };
   }
 
-  /** Returns whether steps had become too short, or were to the last. */
+  /** Returns whether the steps were short until the failure. */
   static boolean staysShort(IntegrationFailure.Cause cause) {
     return switch (cause) {
       case STEP_TOO_SMALL, NO_CONVERGENCE, TOO_MANY_STEPS -> true;
@@ -232,7 +232,7 @@ final class FailureText {
             + ". A force that jumps needs an event, or a smaller largest step.");
   }
 
-  /** Repeats what the model itself had to say. */
+  /** Words a defect of the model. */
   static Failure of(Defects.Defect defect, double t, double stepSize, int order) {
     return new Failure(
         defect.code(), defect.cause(), t, stepSize, order, defect.part(), defect.advice());

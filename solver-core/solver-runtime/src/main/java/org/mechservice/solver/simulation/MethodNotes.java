@@ -7,13 +7,13 @@ import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.MethodChange;
 
-/** Says in the run report where the integrator changed its method, and why. */
+/** Notes of the run report on changes of the integration method. */
 final class MethodNotes {
   private static final MessageCode CODE = MessageCode.METHOD_SWITCHED;
 
   private MethodNotes() {}
 
-  /** Returns a note of each change that is remembered, and how many there were besides. */
+  /** Returns a note for each recorded change, and the number of further ones. */
   static List<RunNotes.Note> of(Integrator integrator) {
     List<RunNotes.Note> notes = new ArrayList<>();
     List<MethodChange> changes = integrator.methodChanges();

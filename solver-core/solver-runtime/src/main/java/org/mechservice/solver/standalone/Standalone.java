@@ -22,7 +22,7 @@ import org.mechservice.solver.text.JsonText;
 import org.mechservice.solver.text.ReportText;
 import org.mechservice.solver.text.ResultFile;
 
-/** What {@code java -jar model.jar} does: one run of one model. */
+/** The command line of {@code java -jar model.jar}: one run of one model. */
 public final class Standalone {
   private static final int DONE = 0;
   private static final int SIMULATION_FAILED = 1;
@@ -55,10 +55,9 @@ public final class Standalone {
   }
 
   /**
-   * Runs a model as its command line says, printing to the standard streams.
+   * Runs a model with the options of its command line, printing to the standard streams. @param
+   * source creates the model @param solver runs it
    *
-   * @param source makes the model
-   * @param solver runs it
    * @param built labels of the column groups the model was built with, separated by commas
    * @param shown labels of those put out where nothing else is asked for
    * @param args command line; {@code --help} lists the options
@@ -89,7 +88,7 @@ public final class Standalone {
     }
   }
 
-  /** Lists what {@code --set} takes. */
+  /** Lists the parameters for {@code --set}. */
   private String parameters() {
     StringBuilder list = new StringBuilder();
     for (TunableParameter parameter : source.parameters()) {

@@ -18,9 +18,8 @@ import org.mechservice.solver.catalogue.MessageCode;
 /**
  * The command line of a model's own JAR.
  *
- * @param request the run asked for
- * @param parameters values of parameters by their names
- * @param out CSV file to write; empty: none
+ * @param request the requested run @param parameters values of parameters by their names
+ * @param out CSV file to write; empty for none
  * @param quiet print nothing but errors
  * @param json print the report as JSON
  * @param help print the options and do nothing
@@ -59,8 +58,7 @@ record StandaloneOptions(
    *
    * @param args the words of the command line
    * @param defaults settings the model was built with
-   * @param available column groups the model was built with
-   * @param shown those of them put out where nothing else is asked for
+   * @param available column groups of the model @param shown default groups among them
    * @throws OptionException if an option is unknown, lacks its value, or has one that cannot be
    *     used
    */

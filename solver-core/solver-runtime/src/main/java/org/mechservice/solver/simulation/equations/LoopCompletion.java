@@ -3,12 +3,12 @@ package org.mechservice.solver.simulation.equations;
 import org.mechservice.solver.api.capability.DependentStates;
 import org.mechservice.solver.ode.CompletedSystem;
 
-/** What a model knows of its dependent states, in the integrator's words. */
+/** Adapter of a model's dependent states to the integrator's interface. */
 interface LoopCompletion extends CompletedSystem {
-  /** Returns what the model knows. */
+  /** Returns the model's dependent states. */
   DependentStates loops();
 
-  /** Returns where to evaluate instead of at {@code t}. */
+  /** Returns the time for evaluations at {@code t}. */
   double evaluationTime(double t);
 
   @Override

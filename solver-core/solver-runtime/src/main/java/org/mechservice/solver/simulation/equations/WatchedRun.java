@@ -18,14 +18,14 @@ import org.mechservice.solver.ode.SavedSystem;
 import org.mechservice.solver.ode.events.EventFunctions;
 import org.mechservice.solver.ode.events.EventIntegration;
 
-/** The events of a model in a run: they are looked for, done and remembered. */
+/** The events of a model in a run: it locates them, applies their actions and records them. */
 final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem {
-  /** Events told one by one; of those after them only the number is. */
+  /** Largest number of events with their own note; only the number of the others is reported. */
   private static final int MOST_TOLD = 200;
 
   /**
-   * How far a component that an event sets may be off when loops have been closed, relative to its
-   * size or one.
+   * Largest change by closing the loops of a component that an event sets, relative to its size or
+   * one.
    */
   private static final double KEPT = 1e-8;
 
@@ -56,11 +56,9 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   }
 
   /**
-   * An event that has happened.
-   *
-   * @param energy by which it has changed the energy, with those at the same time, J; NaN if there
-   *     is nothing to say
-   * @param byLoops the part of that which closing the loops again has changed, J; likewise
+   * An event that has occurred. @param energy change of the energy by it and by events at the same
+   * time, J; NaN if there is none @param byLoops part of that change due to closing the loops, J;
+   * likewise
    */
   private record Occurrence(int event, double time, double energy, double byLoops) {}
 
@@ -128,7 +126,7 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
     }
   }
 
-  /** Changes the state and closes loops again; returns false if that cannot be done. */
+  /** Changes the state and closes the loops; returns false on failure. */
   private boolean change(double t, double[] y, boolean[] occurred) {
     double tBefore = events.evaluationTime(t);
     double tAfter = events.after(occurred, t);
@@ -158,12 +156,12 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
     momentum.ifPresent(balance -> balance.jump(tBefore, from, tAfter, y));
     double after = energy(tAfter, y);
     work += after - before;
-    tellEnergy(after - before, Arrays.equals(y, wanted) ? Double.NaN : after - open);
+    recordEnergy(after - before, Arrays.equals(y, wanted) ? Double.NaN : after - open);
     return true;
   }
 
-  /** Adds to the event told last what it did to the energy. */
-  private void tellEnergy(double change, double byLoops) {
+  /** Adds the change of energy to the last recorded event. */
+  private void recordEnergy(double change, double byLoops) {
     int last = told.size() - 1;
     if (count == told.size() && equations.model() instanceof Energies) {
       Occurrence one = told.get(last);
