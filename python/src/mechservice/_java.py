@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import shutil
+from functools import lru_cache
 from pathlib import Path
 from typing import Any, List, Optional
 
@@ -60,12 +61,14 @@ def _known() -> bool:
         return False
 
 
+@lru_cache(maxsize=None)
 def java_class(name: str) -> Any:
     """Returns a class of the library."""
     start()
     return jpype.JClass(name)
 
 
+@lru_cache(maxsize=None)
 def java_exception() -> Any:
     """Returns the type of all exceptions of Java."""
     start()

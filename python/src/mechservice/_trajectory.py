@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import html
-from typing import Any, Dict, List, Optional
+from functools import cached_property
+from typing import Any, Dict, List, Optional, Tuple
 
 import numpy as np
 
@@ -17,12 +18,18 @@ class Trajectory:
 
     def __init__(self, java: Any) -> None:
         self._java = java
-        self._columns = [(str(c.name()), str(c.unit())) for c in java.columns()]
-        self._index = {name: i for i, (name, _) in enumerate(self._columns)}
         rows = int(java.rows())
         view = np.asarray(memoryview(java.values())) if rows else np.empty(0)
-        self.values: np.ndarray = view.reshape(rows, len(self._columns))
+        self.values: np.ndarray = view.reshape(rows, int(java.columns().size()))
         self.values.flags.writeable = False
+
+    @cached_property
+    def _columns(self) -> List[Tuple[str, str]]:
+        return [(str(c.name()), str(c.unit())) for c in self._java.columns()]
+
+    @cached_property
+    def _index(self) -> Dict[str, int]:
+        return {name: i for i, (name, _) in enumerate(self._columns)}
 
     @property
     def columns(self) -> List[str]:
