@@ -82,8 +82,8 @@ final class StaticEquilibrium {
   private double worstPart;
 
   /**
-   * @param tolerance largest residual force relative to the largest force @param most largest
-   *     number of corrections
+   * @param tolerance largest residual force relative to the largest force
+   * @param most largest number of corrections
    */
   StaticEquilibrium(Mechanism mechanism, UserForceSource userForces, double tolerance, int most) {
     this.mechanism = mechanism;
@@ -297,8 +297,10 @@ final class StaticEquilibrium {
   }
 
   /**
-   * Moves along z if that is downhill. @return the work of the forces divided by the prediction of
-   * K; NaN if the loops cannot be closed there or a force has no value
+   * Moves along z if that is downhill.
+   *
+   * @return the work of the forces divided by the prediction of K; NaN if the loops cannot be
+   *     closed there or a force has no value
    */
   private double move(double t, Linearisation linear, double[] z) {
     double[] xi = new double[equations.nv];
