@@ -342,8 +342,9 @@ final class StaticEquilibrium {
             new Defect(
                 MessageCode.NO_EQUILIBRIUM,
                 worst < 0 ? "" : names.part(worst),
-                "No equilibrium was found: on the way to it the loops cannot be closed.",
-                "Start nearer to the equilibrium; the mechanism locks on the way."));
+                "No equilibrium was found: the loops cannot be closed between the start and the"
+                    + " equilibrium.",
+                "Start nearer to the equilibrium; the mechanism locks before it."));
     return false;
   }
 
@@ -359,8 +360,8 @@ final class StaticEquilibrium {
                         + " %.3g of those in play.",
                     iterations,
                     worstPart),
-                "Hold what nothing holds, start nearer to the equilibrium, or allow more"
-                    + " corrections with maxIterations."));
+                "Add a restoring force to free motions, start nearer to the equilibrium, or allow"
+                    + " more corrections with maxIterations."));
     return false;
   }
 

@@ -274,7 +274,9 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
       case RECORD -> "Event " + name + " is recorded";
       case SET -> "Event " + name + " changes the state";
       case IMPULSE ->
-          "The velocity of driven joint " + name + " jumps, and the others take the impulse";
+          "The velocity of driven joint "
+              + name
+              + " jumps, and the other velocities change by the impulse";
       case BREAK -> "The position of driven joint " + name + " jumps";
     };
   }
