@@ -21,6 +21,7 @@ import org.mechservice.cli.shell.MechVersion;
 import org.mechservice.cli.shell.SafeWriter;
 import org.mechservice.cli.shell.StandardOutput;
 import org.mechservice.cli.shell.UsageReport;
+import org.mechservice.cli.simulate.CompareCommand;
 import org.mechservice.cli.simulate.FetchCommand;
 import org.mechservice.cli.simulate.SimulateCommand;
 import org.mechservice.cli.sweep.SweepCommand;
@@ -57,6 +58,7 @@ public final class Mech {
           SimulateCommand.class,
           SweepCommand.class,
           FetchCommand.class,
+          CompareCommand.class,
           PlotCommand.class,
           CheckCommand.class,
           ShowCommand.class,

@@ -192,7 +192,7 @@ final class MatWriter implements ResultWriter {
           while (part.hasRemaining()) {
             scratch.read(part, at + part.position());
           }
-          sink.writeBytes(part.array(), 0, part.capacity());
+          sink.writeBytes(part.array(), part.arrayOffset(), part.capacity());
         }
       }
       Mat5Type.Double.writePadding(getNumElements(), sink);

@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.mechservice.solver.api.result.Variable;
 
 /**
@@ -57,7 +58,7 @@ final class ParquetReader {
     return new SignalTable(columns, values);
   }
 
-  private static Map<String, String> units(Map<Integer, Object> footer) {
+  private static Map<String, String> units(Map<Integer, Object> footer) throws IOException {
     if (footer.containsKey(5)) {
       for (Object pair : list(footer, 5)) {
         if ("units".equals(struct(pair).get(1))) {
@@ -129,16 +130,29 @@ final class ParquetReader {
   }
 
   @SuppressWarnings("unchecked") // the reader of structures makes no other maps
-  private static Map<Integer, Object> struct(Object value) {
-    return (Map<Integer, Object>) value;
+  private static Map<Integer, Object> struct(@Nullable Object value) throws IOException {
+    if (value instanceof Map<?, ?>) {
+      return (Map<Integer, Object>) value;
+    }
+    throw damaged();
   }
 
   @SuppressWarnings("unchecked") // the reader of structures makes no other lists
-  private static List<Object> list(Map<Integer, Object> struct, int field) {
-    return (List<Object>) struct.get(field);
+  private static List<Object> list(Map<Integer, Object> struct, int field) throws IOException {
+    if (struct.get(field) instanceof List<?> list) {
+      return (List<Object>) list;
+    }
+    throw damaged();
   }
 
-  private static long number(Map<Integer, Object> struct, int field) {
-    return (Long) struct.get(field);
+  private static long number(Map<Integer, Object> struct, int field) throws IOException {
+    if (struct.get(field) instanceof Long number) {
+      return number;
+    }
+    throw damaged();
+  }
+
+  private static IOException damaged() {
+    return new IOException("its description of the columns is damaged");
   }
 }

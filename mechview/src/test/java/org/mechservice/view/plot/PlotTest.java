@@ -130,7 +130,7 @@ class PlotTest {
     String path = curve.substring(curve.indexOf(" d=\"") + 4).split("\"", 2)[0];
     // Lines join rows 0 to 2, and 7 and 8; row 5 stands alone and is a dot.
     assertThat(path.chars().filter(c -> c == 'M').count()).isEqualTo(2);
-    assertThat(curve).containsPattern("<path class=\"f\\d+\"");
+    assertThat(curve).containsPattern("<path class=\"fill-[a-z0-9-]+\"");
   }
 
   @Test
