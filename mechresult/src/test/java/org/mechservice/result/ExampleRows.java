@@ -26,7 +26,7 @@ final class ExampleRows {
     Double.MAX_VALUE,
     1e-300,
     5e22,
-    9007199254740993.0,
+    9007199254740992.0,
     Math.PI,
     -1e17,
     123456.0
