@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 import org.mechservice.solver.api.result.Variable;
 
 /**
@@ -57,7 +58,7 @@ final class ParquetReader {
     return new SignalTable(columns, values);
   }
 
-  private static Map<String, String> units(Map<Integer, Object> footer) {
+  private static Map<String, String> units(Map<Integer, Object> footer) throws IOException {
     if (footer.containsKey(5)) {
       for (Object pair : list(footer, 5)) {
         if ("units".equals(struct(pair).get(1))) {
@@ -129,16 +130,23 @@ final class ParquetReader {
   }
 
   @SuppressWarnings("unchecked") // the reader of structures makes no other maps
-  private static Map<Integer, Object> struct(Object value) {
-    return (Map<Integer, Object>) value;
+  private static Map<Integer, Object> struct(@Nullable Object value) throws IOException {
+    return (Map<Integer, Object>) present(value);
   }
 
   @SuppressWarnings("unchecked") // the reader of structures makes no other lists
-  private static List<Object> list(Map<Integer, Object> struct, int field) {
-    return (List<Object>) struct.get(field);
+  private static List<Object> list(Map<Integer, Object> struct, int field) throws IOException {
+    return (List<Object>) present(struct.get(field));
   }
 
-  private static long number(Map<Integer, Object> struct, int field) {
-    return (Long) struct.get(field);
+  private static long number(Map<Integer, Object> struct, int field) throws IOException {
+    return (Long) present(struct.get(field));
+  }
+
+  private static Object present(@Nullable Object value) throws IOException {
+    if (value == null) {
+      throw new IOException("its footer or a page lacks what the format demands");
+    }
+    return value;
   }
 }

@@ -57,7 +57,7 @@ final class ThriftWriter {
   /** Begins a list; its elements follow. */
   ThriftWriter list(int field, int type, int size) {
     header(field, LIST);
-    bytes.write(Math.min(size, SHORT_LIST) << 4 | type);
+    bytes.write((Math.min(size, SHORT_LIST) << 4) | type);
     return size < SHORT_LIST ? this : varint(size);
   }
 
@@ -75,19 +75,19 @@ final class ThriftWriter {
   }
 
   private ThriftWriter header(int field, int type) {
-    bytes.write(field - last << 4 | type);
+    bytes.write(((field - last) << 4) | type);
     last = field;
     return this;
   }
 
   private static long zigzag(long value) {
-    return value << 1 ^ value >> 63;
+    return (value << 1) ^ (value >> 63);
   }
 
   private ThriftWriter varint(long value) {
     long rest = value;
     while ((rest & ~0x7FL) != 0) {
-      bytes.write((int) (rest & 0x7F | 0x80));
+      bytes.write((int) ((rest & 0x7F) | 0x80));
       rest >>>= 7;
     }
     bytes.write((int) rest);
