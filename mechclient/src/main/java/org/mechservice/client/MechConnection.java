@@ -125,8 +125,9 @@ public final class MechConnection implements AutoCloseable {
   }
 
   /**
-   * Opens a session on any host with a free place. @throws LimitExceededException if the server
-   * takes no more sessions
+   * Opens a session on any host with a free place.
+   *
+   * @throws LimitExceededException if the server takes no more sessions
    */
   public MechSession openSession() {
     return openSession("");
@@ -164,8 +165,9 @@ public final class MechConnection implements AutoCloseable {
 
   /**
    * Opens a session for a run that leaves its host: at the server in use or, if that has no free
-   * place or is lost, at the next server of this connection. @throws ServiceException if none has a
-   * free place; the refusal of the first server
+   * place or is lost, at the next server of this connection.
+   *
+   * @throws ServiceException if none has a free place; the refusal of the first server
    */
   MechSession openSessionAnywhere() {
     Stopwatch watch = new Stopwatch();
@@ -227,8 +229,8 @@ public final class MechConnection implements AutoCloseable {
    *
    * @param file a robot in URDF
    * @throws IOException if the file cannot be read
-   * @throws InvalidModelException if it cannot be used; the messages name the places @throws
-   *     NotAvailableException if the server does not support its format
+   * @throws InvalidModelException if it cannot be used; the messages name the places
+   * @throws NotAvailableException if the server does not support its format
    */
   public ImportedModel importModel(Path file) throws IOException {
     String name = String.valueOf(file.getFileName());

@@ -71,7 +71,8 @@ public final class MechSession implements AutoCloseable {
   private ServerTimes soFar = ServerTimes.NONE;
 
   /**
-   * @param service the server that opened it @param openSeconds time to open it, s
+   * @param service the server that opened it
+   * @param openSeconds time to open it, s
    */
   MechSession(
       MechConnection connection,
@@ -108,10 +109,13 @@ public final class MechSession implements AutoCloseable {
   }
 
   /**
-   * Sends a model to the server, which reads and checks it, and its user force classes. @param file
-   * MechML file @param userCode folder of classes that are not beside the file @return warnings, in
-   * the order of the file @throws IOException if the file cannot be read @throws
-   * InvalidModelException if the model cannot be used; the messages name the places
+   * Sends a model to the server, which reads and checks it, and its user force classes.
+   *
+   * @param file MechML file
+   * @param userCode folder of classes that are not beside the file
+   * @return warnings, in the order of the file
+   * @throws IOException if the file cannot be read
+   * @throws InvalidModelException if the model cannot be used; the messages name the places
    */
   public List<ModelMessage> loadModel(Path file, Optional<Path> userCode) throws IOException {
     byte[] content = NamedFile.of(file);
@@ -211,9 +215,9 @@ public final class MechSession implements AutoCloseable {
   }
 
   /**
-   * Returns the server's report about the model: topology, degrees of freedom, suspicious
-   * values. @param asJson whether as one JSON object instead of text
+   * Returns the server's report about the model: topology, degrees of freedom, suspicious values.
    *
+   * @param asJson whether as one JSON object instead of text
    * @throws InvalidStateException if no model is loaded
    */
   public String checkReport(boolean asJson) {

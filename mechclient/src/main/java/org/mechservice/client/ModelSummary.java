@@ -16,8 +16,9 @@ import org.mechservice.solver.api.result.Variable;
  * @param name the model's name in its file
  * @param sha256 hash of the file
  * @param settings the file's settings, in the keys of options
- * @param formulation formulation that {@code auto} chooses @param formulationReason reason of the
- *     choice @param states names and units of the states, positions first
+ * @param formulation formulation that {@code auto} chooses
+ * @param formulationReason reason of the choice
+ * @param states names and units of the states, positions first
  * @param warnings warnings of the reader
  */
 public record ModelSummary(

@@ -18,8 +18,12 @@ import org.mechservice.solver.catalogue.MessageCode;
  */
 final class ServerSelection {
   /**
-   * A server that answered. @param index its index among the addresses @param server its
-   * object @param calls calls that name its address in messages @param description its description
+   * A server that answered.
+   *
+   * @param index its index among the addresses
+   * @param server its object
+   * @param calls calls that name its address in messages
+   * @param description its description
    */
   record Chosen(int index, MechServer server, RemoteCalls calls, ServiceDescription description) {}
 
@@ -52,8 +56,9 @@ final class ServerSelection {
   }
 
   /**
-   * Returns another server in place of a lost one. @param lost exception of the lost server
+   * Returns another server in place of a lost one.
    *
+   * @param lost exception of the lost server
    * @throws ServerLostException if no other answers
    */
   @SuppressWarnings("ReferenceEquality") // The same server may have been chosen again meanwhile.

@@ -6,8 +6,9 @@ import org.mechservice.idl.OPT_CONTINUES;
 import org.mechservice.idl.ServerInfo;
 
 /**
- * The description of a server. @param name the server's name
+ * The description of a server.
  *
+ * @param name the server's name
  * @param apiVersion version of the service's contract, such as {@code 1.0}
  * @param version version of the server
  * @param startedAt when it was started

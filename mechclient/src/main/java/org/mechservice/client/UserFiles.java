@@ -48,9 +48,9 @@ final class UserFiles {
   }
 
   /**
-   * Searches for the files that the server misses. @return whether a file was found that the server
-   * does not have
+   * Searches for the files that the server misses.
    *
+   * @return whether a file was found that the server does not have
    * @throws InvalidModelException S-122 if a class is in several files
    * @throws IOException if a file cannot be read
    */

@@ -131,22 +131,28 @@ final class ParquetReader {
 
   @SuppressWarnings("unchecked") // the reader of structures makes no other maps
   private static Map<Integer, Object> struct(@Nullable Object value) throws IOException {
-    return (Map<Integer, Object>) present(value);
+    if (value instanceof Map<?, ?>) {
+      return (Map<Integer, Object>) value;
+    }
+    throw damaged();
   }
 
   @SuppressWarnings("unchecked") // the reader of structures makes no other lists
   private static List<Object> list(Map<Integer, Object> struct, int field) throws IOException {
-    return (List<Object>) present(struct.get(field));
+    if (struct.get(field) instanceof List<?> list) {
+      return (List<Object>) list;
+    }
+    throw damaged();
   }
 
   private static long number(Map<Integer, Object> struct, int field) throws IOException {
-    return (Long) present(struct.get(field));
+    if (struct.get(field) instanceof Long number) {
+      return number;
+    }
+    throw damaged();
   }
 
-  private static Object present(@Nullable Object value) throws IOException {
-    if (value == null) {
-      throw new IOException("its footer or a page lacks what the format demands");
-    }
-    return value;
+  private static IOException damaged() {
+    return new IOException("its description of the columns is damaged");
   }
 }

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import org.mechservice.solver.api.result.Variable;
 
 /**
@@ -92,31 +93,32 @@ public final class ResultComparison {
   }
 
   private void compareColumns(SignalTable first, SignalTable second) {
-    Map<String, String> ofFirst = unitsByName(first);
-    Map<String, String> ofSecond = unitsByName(second);
-    for (Map.Entry<String, String> column : ofFirst.entrySet()) {
-      String name = column.getKey();
-      if (!ofSecond.containsKey(name)) {
+    Map<String, Variable> ofFirst = byName(first);
+    Map<String, Variable> ofSecond = byName(second);
+    for (Variable column : new TreeMap<>(ofFirst).values()) {
+      String name = column.name();
+      Variable counterpart = ofSecond.get(name);
+      if (counterpart == null) {
         remarks.add("column " + name + " is in the first result only");
         continue;
       }
-      String unit = column.getValue();
-      String other = ofSecond.getOrDefault(name, "");
+      String unit = column.unit();
+      String other = counterpart.unit();
       if (!unit.isEmpty() && !other.isEmpty() && !unit.equals(other)) {
         remarks.add("column " + name + " is in " + unit + " and in " + other);
       }
     }
-    for (String name : ofSecond.keySet()) {
+    for (String name : new TreeSet<>(ofSecond.keySet())) {
       if (!ofFirst.containsKey(name)) {
         remarks.add("column " + name + " is in the second result only");
       }
     }
   }
 
-  private static Map<String, String> unitsByName(SignalTable table) {
-    Map<String, String> units = new TreeMap<>();
-    table.columns().forEach(column -> units.put(column.name(), column.unit()));
-    return units;
+  private static Map<String, Variable> byName(SignalTable table) {
+    Map<String, Variable> columns = new HashMap<>();
+    table.columns().forEach(column -> columns.put(column.name(), column));
+    return columns;
   }
 
   private void compareIntervals(double[] first, double[] second) {
@@ -132,9 +134,9 @@ public final class ResultComparison {
   }
 
   private void compareSignals(SignalTable first, SignalTable second) {
-    Map<String, double[]> others = new HashMap<>();
+    Map<String, Integer> places = new HashMap<>();
     for (int i = 1; i < second.columns().size(); i++) {
-      others.put(second.columns().get(i).name(), second.values().get(i));
+      places.put(second.columns().get(i).name(), i);
     }
     Map<String, Double> largest = new HashMap<>();
     for (int i = 1; i < first.columns().size(); i++) {
@@ -143,9 +145,9 @@ public final class ResultComparison {
     }
     for (int i = 1; i < first.columns().size(); i++) {
       Variable column = first.columns().get(i);
-      double[] its = others.get(column.name());
-      if (its != null) {
+      if (places.containsKey(column.name())) {
         double[] mine = first.values().get(i);
+        double[] its = second.values().get(places.get(column.name()));
         double rounding = ROUNDING * largest.getOrDefault(column.unit(), 0.0);
         double size = Math.max(rounding, size(mine, its));
         signals.add(compare(column, first.time(), mine, second.time(), its, size));

@@ -5,8 +5,9 @@ import java.util.List;
 import org.mechservice.idl.Diagnostic;
 
 /**
- * A message of the server about a model. @param severity its severity
+ * A message of the server about a model.
  *
+ * @param severity its severity
  * @param code entry of the error catalogue, such as {@code M-014}
  * @param text what was found, what was expected, and what to write instead
  * @param fileName the file it is about; empty if none

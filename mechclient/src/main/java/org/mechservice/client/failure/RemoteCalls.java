@@ -69,8 +69,9 @@ public record RemoteCalls(String address) {
   }
 
   /**
-   * Repeats a call that was lost with its connection. @param first exception of the lost call
+   * Repeats a call that was lost with its connection.
    *
+   * @param first exception of the lost call
    * @throws ServiceException if the server refuses this one or stays lost
    */
   public <T> T again(ServerLostException first, Call<T> call) {

@@ -36,7 +36,9 @@ public record BuiltJar(
   }
 
   /**
-   * Checks a received JAR against the announced hash. @throws JarRefusedException if they differ
+   * Checks a received JAR against the announced hash.
+   *
+   * @throws JarRefusedException if they differ
    */
   static BuiltJar verified(byte[] bytes, JarInfo info) {
     return new BuiltJar(

@@ -16,7 +16,8 @@ import org.mechservice.idl.RuntimeInfo;
  *
  * @param calls to the session's host
  * @param session the session
- * @param cache stores the solver @param origin checks that a JAR comes from the host
+ * @param cache stores the solver
+ * @param origin checks that a JAR comes from the host
  */
 public record JarFetch(RemoteCalls calls, MechSim session, JarCache cache, JarOrigin origin) {
 

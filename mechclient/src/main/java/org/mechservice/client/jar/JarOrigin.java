@@ -8,9 +8,10 @@ import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * Checks that a JAR comes from the host of the connection. Over TLS the host has a certificate, and
- * its JARs are signed with the same key. @param encrypted whether the connection is encrypted;
- * otherwise only the hash of a JAR is checked @param key public key of the host; empty if it has
- * shown none
+ * its JARs are signed with the same key.
+ *
+ * @param encrypted whether the connection is encrypted; otherwise only the hash of a JAR is checked
+ * @param key public key of the host; empty if it has shown none
  */
 public record JarOrigin(boolean encrypted, Optional<PublicKey> key) {
   /**

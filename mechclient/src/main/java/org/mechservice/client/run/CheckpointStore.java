@@ -30,7 +30,9 @@ public interface CheckpointStore {
 
   /**
    * Stores a checkpoint in place of the previous one. All rows before it have been passed to the
-   * sink. @throws IOException if it cannot be stored
+   * sink.
+   *
+   * @throws IOException if it cannot be stored
    */
   void keep(byte[] checkpoint) throws IOException;
 }

@@ -17,9 +17,10 @@ import org.mechservice.idl.NameValue;
  * @param hostName the host's name
  * @param session the run's session there
  * @param simulation the run
- * @param hold keeps it alive @param rows cursor over its rows on that host @param facts facts of
- *     its set-up, for the report @param own a session that ends with the run; empty if the user
- *     ends the session
+ * @param hold keeps it alive
+ * @param rows cursor over its rows on that host
+ * @param facts facts of its set-up, for the report
+ * @param own a session that ends with the run; empty if the user ends the session
  */
 public record HostedRun(
     RemoteCalls calls,
@@ -35,9 +36,9 @@ public record HostedRun(
   /** Opens a run on another host. */
   public interface Opening {
     /**
-     * Sets up the run on any host with a free place, in a session that ends with it. @param
-     * earlierIds its ids on other hosts, by which it can still be found
+     * Sets up the run on any host with a free place, in a session that ends with it.
      *
+     * @param earlierIds its ids on other hosts, by which it can still be found
      * @throws ServiceException if no host takes it
      */
     HostedRun open(List<String> earlierIds);

@@ -30,10 +30,11 @@ public sealed interface PreparedRun extends AutoCloseable permits RemoteRun, Loc
   void setParameters(Map<String, String> values);
 
   /**
-   * Runs to the end and passes each row on when it is computed. @param sink receives the
-   * rows @return outcome and report of the run @throws IOException if the sink cannot store a row;
-   * the run is then cancelled
+   * Runs to the end and passes each row on when it is computed.
    *
+   * @param sink receives the rows
+   * @return outcome and report of the run
+   * @throws IOException if the sink cannot store a row; the run is then cancelled
    * @throws ServiceException if the server is lost or refuses the run; the sink has the rows up to
    *     then
    */
@@ -43,9 +44,9 @@ public sealed interface PreparedRun extends AutoCloseable permits RemoteRun, Loc
 
   /**
    * Runs to the end as {@link #toEnd(ResultSink)} does, and writes checkpoints during the run and
-   * when it is stopped, or resumes from one, with only the rows after it. @param store stores the
-   * checkpoints
+   * when it is stopped, or resumes from one, with only the rows after it.
    *
+   * @param store stores the checkpoints
    * @throws InvalidOptionException also if the checkpoint is damaged, or of another model, solver
    *     version or request
    * @throws NotAvailableException if checkpoints are wanted and the model cannot be saved
@@ -60,7 +61,11 @@ public sealed interface PreparedRun extends AutoCloseable permits RemoteRun, Loc
    */
   void cancel();
 
-  /** Returns the progress of the run. @throws ServiceException if the server is lost */
+  /**
+   * Returns the progress of the run.
+   *
+   * @throws ServiceException if the server is lost
+   */
   RunProgress progress();
 
   /** Releases the objects of the run. */

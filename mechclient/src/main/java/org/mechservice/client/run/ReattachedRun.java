@@ -48,15 +48,20 @@ public final class ReattachedRun implements AutoCloseable {
     return rows.columns();
   }
 
-  /** Returns the progress of the run. @throws ServiceException if the server is lost */
+  /**
+   * Returns the progress of the run.
+   *
+   * @throws ServiceException if the server is lost
+   */
   public RunProgress progress() {
     return RunProgress.of(calls.read(simulation::getProgress));
   }
 
   /**
-   * Passes on all rows from the first one, and waits for further rows. @return outcome of the run;
-   * a run that was cut off has failed @throws IOException if the sink cannot store a row
+   * Passes on all rows from the first one, and waits for further rows.
    *
+   * @return outcome of the run; a run that was cut off has failed
+   * @throws IOException if the sink cannot store a row
    * @throws ServiceException if the server is lost; the sink has the rows up to then
    */
   public RunResult toEnd(ResultSink sink) throws IOException {

@@ -70,8 +70,9 @@ public final class RemoteRun implements PreparedRun {
   private double until = Double.POSITIVE_INFINITY;
 
   /**
-   * @param place its first host @param elsewhere opens the run on another host when the host is
-   *     being drained @param listener receives messages about moves
+   * @param place its first host
+   * @param elsewhere opens the run on another host when the host is being drained
+   * @param listener receives messages about moves
    */
   public RemoteRun(HostedRun place, HostedRun.Opening elsewhere, Consumer<ModelMessage> listener) {
     this.place = place;

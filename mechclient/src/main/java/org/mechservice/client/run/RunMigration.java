@@ -26,10 +26,12 @@ final class RunMigration {
   }
 
   /**
-   * Pauses a run and passes its checkpoint to the new host. @param parameters parameters set before
-   * its start @param until simulated time of the next pause, s; infinite for none @return empty if
-   * the run cannot be saved at present; it then continues @throws ServiceException if one of the
-   * hosts refuses; the run then continues on its host
+   * Pauses a run and passes its checkpoint to the new host.
+   *
+   * @param parameters parameters set before its start
+   * @param until simulated time of the next pause, s; infinite for none
+   * @return empty if the run cannot be saved at present; it then continues
+   * @throws ServiceException if one of the hosts refuses; the run then continues on its host
    */
   static Optional<RunMigration> begin(
       HostedRun from, HostedRun to, Map<String, String> parameters, double until) {
@@ -85,8 +87,9 @@ final class RunMigration {
   }
 
   /**
-   * Resumes the run on the new host. @return false if it would have to wait there, or cannot be
-   * resumed
+   * Resumes the run on the new host.
+   *
+   * @return false if it would have to wait there, or cannot be resumed
    */
   boolean goesOn(double until) {
     if (Double.isInfinite(until)) {

@@ -4,9 +4,10 @@ import org.mechservice.client.failure.RunState;
 import org.mechservice.idl.Progress;
 
 /**
- * Progress of a run. @param state its state @param queuePosition position in the host's queue, from
- * 1; 0 if it is not queued
+ * Progress of a run.
  *
+ * @param state its state
+ * @param queuePosition position in the host's queue, from 1; 0 if it is not queued
  * @param time simulated time reached, s
  * @param startTime start of the run, s
  * @param endTime end of the run, s

@@ -48,8 +48,9 @@ public final class Sweep {
 
   /**
    * @param model MechML file
-   * @param userCode folder of classes that are not beside the file @param options options of every
-   *     run, without the parameters of the grid @param atMost largest number of runs at once
+   * @param userCode folder of classes that are not beside the file
+   * @param options options of every run, without the parameters of the grid
+   * @param atMost largest number of runs at once
    */
   public Sweep(
       MechConnection connection,
@@ -69,7 +70,8 @@ public final class Sweep {
   /**
    * Runs until every point is finished.
    *
-   * @param done points to leave out @param listener receives the rows of all other points
+   * @param done points to leave out
+   * @param listener receives the rows of all other points
    * @throws IOException if the model cannot be read, or the listener ended the sweep
    * @throws ServiceException if the model or an option cannot be used, the model has no parameter
    *     of such a name, or no host is left

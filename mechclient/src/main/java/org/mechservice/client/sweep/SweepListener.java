@@ -19,8 +19,8 @@ public interface SweepListener {
   /**
    * A point is finished.
    *
-   * @param running number of other runs in progress @throws IOException if the row cannot be
-   *     stored; the sweep then ends
+   * @param running number of other runs in progress
+   * @throws IOException if the row cannot be stored; the sweep then ends
    */
   void finished(SweepRow row, int running) throws IOException;
 }

@@ -110,7 +110,8 @@ public final class MechanismPicture {
         new Place(
             WIDTH / 2 - scale * (left + right) / 2,
             TOP + fieldHeight / 2 + scale * (low + high) / 2);
-    size = w + h > 0 ? Math.max(0.3, Math.min(1, typicalDistance() / ROOMY)) : ALONE;
+    double least = scene.joints().size() > MANY ? 0.3 : 0.6;
+    size = w + h > 0 ? Math.max(least, Math.min(1, typicalDistance() / ROOMY)) : ALONE;
     double legend = (LINE + 4) * legendRows().size() + (colourWords().isEmpty() ? 0 : LINE);
     canvas =
         new Canvas(

@@ -9,9 +9,10 @@ final class EquilibriumModel extends AnalysisModel {
   private final StaticEquilibrium equilibrium;
 
   /**
-   * @param data the model with its motions held constant @param tolerance largest residual force
-   *     relative to the largest force @param most largest number of corrections @param userForces
-   *     creates the user forces
+   * @param data the model with its motions held constant
+   * @param tolerance largest residual force relative to the largest force
+   * @param most largest number of corrections
+   * @param userForces creates the user forces
    */
   EquilibriumModel(CompactModel data, double tolerance, int most, UserForceSource userForces) {
     super(data, userForces);

@@ -41,7 +41,8 @@ final class Linearisation {
   /**
    * Linearises.
    *
-   * @param equations placed by this constructor @param t time, s
+   * @param equations placed by this constructor
+   * @param t time, s
    * @param y state that closes the loops; not modified
    * @param a accelerations that fit the state; not modified
    * @throws NotLinearised if a force has no derivative there

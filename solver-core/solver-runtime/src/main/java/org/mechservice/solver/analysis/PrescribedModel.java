@@ -198,7 +198,8 @@ final class PrescribedModel extends AnalysisModel {
         where,
         "The mechanism comes to a singular position: the prescribed motion does not determine how"
             + " it goes on.",
-        "Drive another joint, or end before this position; begin beyond it to go on.");
+        "Drive another joint, or end the run before this position; a second run can start beyond"
+            + " it.");
   }
 
   private Defect stuck(double t, double[] predicted) {
@@ -222,8 +223,8 @@ final class PrescribedModel extends AnalysisModel {
             "No position fits the prescribed motion: this constraint stays open by %.1e %s.",
             amount,
             unit),
-        "Look at the range of the motion: the mechanism is stretched to its end there, or joints"
-            + " are driven against each other.");
+        "Check the range of the motion: the mechanism is fully stretched there, or drives of joints"
+            + " contradict each other.");
   }
 
   @Override

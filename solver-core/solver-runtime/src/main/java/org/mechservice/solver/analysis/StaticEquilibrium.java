@@ -82,8 +82,8 @@ final class StaticEquilibrium {
   private double worstPart;
 
   /**
-   * @param tolerance largest residual force relative to the largest force @param most largest
-   *     number of corrections
+   * @param tolerance largest residual force relative to the largest force
+   * @param most largest number of corrections
    */
   StaticEquilibrium(Mechanism mechanism, UserForceSource userForces, double tolerance, int most) {
     this.mechanism = mechanism;
@@ -297,8 +297,10 @@ final class StaticEquilibrium {
   }
 
   /**
-   * Moves along z if that is downhill. @return the work of the forces divided by the prediction of
-   * K; NaN if the loops cannot be closed there or a force has no value
+   * Moves along z if that is downhill.
+   *
+   * @return the work of the forces divided by the prediction of K; NaN if the loops cannot be
+   *     closed there or a force has no value
    */
   private double move(double t, Linearisation linear, double[] z) {
     double[] xi = new double[equations.nv];
@@ -340,8 +342,9 @@ final class StaticEquilibrium {
             new Defect(
                 MessageCode.NO_EQUILIBRIUM,
                 worst < 0 ? "" : names.part(worst),
-                "No equilibrium was found: on the way to it the loops cannot be closed.",
-                "Start nearer to the equilibrium; the mechanism locks on the way."));
+                "No equilibrium was found: the loops cannot be closed between the start and the"
+                    + " equilibrium.",
+                "Start nearer to the equilibrium; the mechanism locks before it."));
     return false;
   }
 
@@ -357,8 +360,8 @@ final class StaticEquilibrium {
                         + " %.3g of those in play.",
                     iterations,
                     worstPart),
-                "Hold what nothing holds, start nearer to the equilibrium, or allow more"
-                    + " corrections with maxIterations."));
+                "Add a restoring force to free motions, start nearer to the equilibrium, or allow"
+                    + " more corrections with maxIterations."));
     return false;
   }
 

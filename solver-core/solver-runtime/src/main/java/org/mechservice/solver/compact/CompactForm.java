@@ -35,8 +35,9 @@ public final class CompactForm {
   }
 
   /**
-   * Returns the mechanism of bytes. @param bytes bytes from {@link #write}; not modified
+   * Returns the mechanism of bytes.
    *
+   * @param bytes bytes from {@link #write}; not modified
    * @throws IllegalArgumentException S-067 if they are damaged or of another version
    */
   public static Mechanism read(byte[] bytes) {

@@ -24,7 +24,8 @@ import org.mechservice.solver.mechanism.Parameter;
  * @param mechanism the mechanism
  * @param formulation {@code DTR}, {@code DSR}, {@code RR} or {@code RR-JF}
  * @param closure {@code none}, {@code projection} or {@code penalty}
- * @param settings default settings of the model @param outputs user-defined output columns
+ * @param settings default settings of the model
+ * @param outputs user-defined output columns
  */
 public record CompactModel(
     Mechanism mechanism,
@@ -67,8 +68,9 @@ public record CompactModel(
   }
 
   /**
-   * Returns the model of texts. @param texts texts from {@link #texts}
+   * Returns the model of texts.
    *
+   * @param texts texts from {@link #texts}
    * @throws IllegalArgumentException S-067 if they are damaged or of another version
    */
   @SuppressWarnings("unchecked") // What the list holds is looked at by whoever puts it out.
@@ -111,9 +113,10 @@ public record CompactModel(
   }
 
   /**
-   * Returns the equations of motion, driven by the data. @param userForces creates the user
-   * forces @throws IllegalArgumentException if the formulation or the closure does not fit the
-   * mechanism
+   * Returns the equations of motion, driven by the data.
+   *
+   * @param userForces creates the user forces
+   * @throws IllegalArgumentException if the formulation or the closure does not fit the mechanism
    */
   public Model model(UserForceSource userForces) {
     return watched(DataDriven.model(this, userForces), Optional.empty());
@@ -121,9 +124,10 @@ public record CompactModel(
 
   /**
    * Returns the equations of motion of a mechanism with loops, with terms evaluated by generated
-   * code. @param userForces creates the user forces @param code code of the terms, for this model
-   * only
+   * code.
    *
+   * @param userForces creates the user forces
+   * @param code code of the terms, for this model only
    * @param values as for {@link #watched}
    */
   public Model model(UserForceSource userForces, LoopTerms code, Optional<WrittenValues> values) {

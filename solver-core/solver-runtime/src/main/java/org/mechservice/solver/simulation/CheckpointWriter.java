@@ -48,7 +48,9 @@ final class CheckpointWriter {
   }
 
   /**
-   * Restores a checkpoint. @throws IllegalArgumentException S-071 if it does not belong to this run
+   * Restores a checkpoint.
+   *
+   * @throws IllegalArgumentException S-071 if it does not belong to this run
    */
   void restore(byte[] saved, SavedState.Part run) {
     try {
@@ -59,8 +61,10 @@ final class CheckpointWriter {
   }
 
   /**
-   * Stores a checkpoint if it is due. @param stands whether the run ends or is paused here and may
-   * be resumed later @return whether it was due
+   * Stores a checkpoint if it is due.
+   *
+   * @param stands whether the run ends or is paused here and may be resumed later
+   * @return whether it was due
    */
   boolean keepIfDue(boolean stands, SavedState.Part run) throws IOException {
     double distance = store.secondsBetween();

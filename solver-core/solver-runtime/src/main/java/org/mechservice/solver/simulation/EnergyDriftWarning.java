@@ -42,7 +42,7 @@ final class EnergyDriftWarning {
         true,
         "The energy balance is off by "
             + (float) drift
-            + " of the energy scale: the integrator has gone past a jump, a corner or a brief push,"
+            + " of the energy scale: the integrator has missed a jump, a corner or a short pulse,"
             + " or the tolerances are too loose. Give the integrator a maxStep, or tighten them.");
   }
 }

@@ -32,8 +32,9 @@ final class EnergyMonitor {
   private boolean workUnknown;
 
   /**
-   * Rejects models without an energy balance. @throws IllegalArgumentException S-166 with the
-   * reason
+   * Rejects models without an energy balance.
+   *
+   * @throws IllegalArgumentException S-166 with the reason
    */
   static void requireBalance(Model model) {
     if (!(model instanceof Energies)) {
@@ -56,9 +57,10 @@ final class EnergyMonitor {
   }
 
   /**
-   * Records the energy at a state. @param work work since the start, J @param turnover sum of added
-   * and removed energy since the start, J
+   * Records the energy at a state.
    *
+   * @param work work since the start, J
+   * @param turnover sum of added and removed energy since the start, J
    * @param unmeasured whether work is done that is not in {@code work}
    */
   void observe(

@@ -49,26 +49,27 @@ final class FailureText {
       case STEP_TOO_SMALL ->
           failure(
               MessageCode.STEP_TOO_SMALL,
-              "The error test fails however small the step.",
+              "The error test fails at every step size.",
               failure,
               state(model, failure.worstComponent()),
               Math.ulp(failure.time()) > COARSE
-                  ? "Times this large lie too far apart for steps: begin the run near t = 0."
+                  ? "The spacing of numbers near this time is too coarse for steps: start the run"
+                        + " near t = 0."
                   : motion
-                      + "The motion is singular or very stiff there; take ode15s, loosen the"
-                      + " tolerances, or check the values that act on this joint.");
+                      + "The motion is singular or very stiff there; use ode15s, loosen the"
+                      + " tolerances, or check the forces on this joint.");
       case UNBOUNDED ->
           failure(
               MessageCode.STEP_TOO_SMALL,
               "The solution grows beyond every bound within the next step.",
               failure,
               state(model, failure.worstComponent()),
-              "Something that acts there is divided by what becomes zero; end the run earlier, or"
-                  + " bound what acts on this joint.");
+              "A force is divided by a quantity that becomes zero; end the run earlier, or bound"
+                  + " the forces on this joint.");
       case TOLERANCE_TOO_TIGHT ->
           failure(
               MessageCode.TOLERANCE_TOO_TIGHT,
-              "The tolerances ask for more digits than double precision has.",
+              "The tolerances require more digits than double precision has.",
               failure,
               state(model, failure.worstComponent()),
               "Loosen the relative or the absolute tolerance.");
@@ -87,19 +88,19 @@ final class FailureText {
               "The matrix of an implicit step is singular at every step size.",
               failure,
               state(model, failure.worstComponent()),
-              "Check the values that act on this joint for huge ones.");
+              "Check the stiffness and damping of the forces on this joint.");
       case INCONSISTENT_START ->
           failure(
               MessageCode.NO_CONSISTENT_INITIAL_VALUES,
-              "No accelerations and multipliers were found that obey the equations at the start.",
+              "No accelerations and multipliers satisfy the equations at the start.",
               failure,
               state(model, failure.worstComponent()),
-              "Check the initial state, masses and inertias, and constraints that contradict.");
+              "Check the initial state, masses and inertias, and contradictory constraints.");
       case NOT_COMPLETED ->
           failure(
               MessageCode.LOOPS_NOT_CLOSED,
-              "The loops cannot be closed at any step size: no position fits the independent"
-                  + " coordinates.",
+              "The loops cannot be closed at any step size: there is no position for the"
+                  + " independent coordinates.",
               failure,
               "",
               "The mechanism locks or branches there; check its dimensions, or end the run"
@@ -107,11 +108,11 @@ final class FailureText {
       case EVENTS_ACCUMULATE ->
           failure(
               MessageCode.EVENTS_ACCUMULATE,
-              "Events follow each other ever closer.",
+              "The intervals between events become ever shorter.",
               failure,
               event,
-              "End the run before, or let the state that changes come to rest: a bounce below a"
-                  + " certain speed, a switch without play.");
+              "End the run before, or stop the changes of the state: a bounce below a certain"
+                  + " speed, a switch without hysteresis.");
       case EVENT_NOT_FINITE ->
           failure(
               MessageCode.EVENT_FUNCTION_NOT_FINITE,
@@ -122,12 +123,12 @@ final class FailureText {
       case TOO_MANY_STEPS ->
           failure(
               MessageCode.TOO_MANY_STEPS,
-              "The steps allowed are used up: the end is more than 1e11 steps away.",
+              "The number of steps is exhausted: the end is more than 1e11 steps away.",
               failure,
               state(model, failure.worstComponent()),
               motion
-                  + "Lower the stiffness or frequency that acts on this joint, give it damping and"
-                  + " take ode15s, allow longer steps, or end the run earlier.");
+                  + "Lower the stiffness or frequency of the forces on this joint, add damping and"
+                  + " use ode15s, allow longer steps, or end the run earlier.");
     };
   }
 
@@ -145,7 +146,7 @@ final class FailureText {
       case NOT_CONVERGING -> Failure.Step.UNSOLVED;
       case SINGULAR_MATRIX -> "its matrix was singular";
       case NOT_COMPLETED -> "the loops could not be closed";
-      case NOT_FINITE -> "something was not finite";
+      case NOT_FINITE -> "a value was not finite";
       case STOPPED -> "stopped";
     };
   }
@@ -194,7 +195,8 @@ final class FailureText {
         0,
         0,
         "",
-        "The run is strict, so this ends it; leave out --strict to go on all the same.");
+        "The run is strict, so this warning ends it; leave out --strict to continue in spite of"
+            + " warnings.");
   }
 
   /**
@@ -259,13 +261,13 @@ final class FailureText {
       double t, double stepSize, int order, ModelDescription model, int joint) {
     return new Failure(
         MessageCode.SINGULAR_INERTIA,
-        "The inertia is singular: nothing beyond this joint resists its motion.",
+        "The inertia is singular: no body beyond this joint has inertia about its axis.",
         t,
         stepSize,
         order,
         "joint \"" + model.joints().get(joint).name() + "\"",
-        "Give a body beyond it mass or inertia, or remove the joint; two turning axes that coincide"
-            + " do this too.");
+        "Give a body beyond it mass or inertia, or remove the joint; two axes that coincide are"
+            + " another cause.");
   }
 
   private static Failure failure(

@@ -24,8 +24,9 @@ record LocalMotion(double damping, double stiffness) {
 
   /**
    * Returns the motion of a state, by differences; NaN if the equations have no value or the state
-   * is not an independent coordinate. @param unknown unknown of the equations
+   * is not an independent coordinate.
    *
+   * @param unknown unknown of the equations
    * @param y state; not modified
    */
   static LocalMotion of(ModelEquations equations, int unknown, double t, double[] y) {

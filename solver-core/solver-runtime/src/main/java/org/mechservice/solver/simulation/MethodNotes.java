@@ -31,11 +31,11 @@ final class MethodNotes {
   private static String text(MethodChange change) {
     float size = (float) Math.abs(change.stepSize());
     return change.stiff()
-        ? "ode15s takes over from ode113: the motion has become stiff; stability, not accuracy,"
-            + " held the step at "
+        ? "The method changes from ode113 to ode15s: the motion has become stiff; stability, not"
+              + " accuracy, limited the step to "
             + size
             + " s."
-        : "ode113 takes over from ode15s: the motion is no longer stiff; at a step of "
+        : "The method changes from ode15s to ode113: the motion is no longer stiff; at a step of "
             + size
             + " s it costs less.";
   }

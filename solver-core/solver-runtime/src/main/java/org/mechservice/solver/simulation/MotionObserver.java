@@ -85,8 +85,8 @@ final class MotionObserver implements ResultSink {
     String unit = states.get(state).unit();
     return String.format(
         Locale.ROOT,
-        "The absolute tolerance, %.1e %s, is larger than all that moves: the largest motion seen is"
-            + " %.1e %s, of \"%s\". Steps may have passed over it; write absTol=\"%.0e\".",
+        "The absolute tolerance, %.1e %s, is larger than every motion: the largest motion is"
+            + " %.1e %s, of \"%s\". Steps may have missed it; write absTol=\"%.0e\".",
         settings.absoluteTolerance(unit),
         unit,
         motion[state],

@@ -56,13 +56,15 @@ final class RowWriter {
   }
 
   /**
-   * Writes the row of one state. @param time time in the row, s @param t time of the evaluation:
-   * the same, except at jumps of a prescribed motion
+   * Writes the row of one state.
    *
+   * @param time time in the row, s
+   * @param t time of the evaluation: the same, except at jumps of a prescribed motion
    * @param y state, which multipliers may follow; not modified
-   * @param work work of forces without potential energy, J @param turnover sum of added and removed
-   *     energy, J @return {@link #ALL_FINITE}, or the column of the first number that is not
-   *     finite; the row is then not written
+   * @param work work of forces without potential energy, J
+   * @param turnover sum of added and removed energy, J
+   * @return {@link #ALL_FINITE}, or the column of the first number that is not finite; the row is
+   *     then not written
    * @throws IOException if the sink cannot keep the row
    */
   int write(double time, double t, double[] y, double work, double turnover) throws IOException {

@@ -118,8 +118,9 @@ final class RunFailures {
   }
 
   /**
-   * Explains why there is no row. @param column column that is not finite, or a value instead of
-   * one
+   * Explains why there is no row.
+   *
+   * @param column column that is not finite, or a value instead of one
    */
   Outcome ofRow(double t, int column) {
     return failed(

@@ -41,7 +41,8 @@ public final class Simulation implements Solver {
   private final EquationForm form;
 
   /**
-   * @param integrators creates the integrator of each run @param form form of the equations for it
+   * @param integrators creates the integrator of each run
+   * @param form form of the equations for it
    */
   public Simulation(IntegratorFactory integrators, EquationForm form) {
     this.integrators = integrators;
@@ -49,9 +50,9 @@ public final class Simulation implements Solver {
   }
 
   /**
-   * Returns the columns of a run, in order; the first is time. @param groups column groups besides
-   * time and the joints' states
+   * Returns the columns of a run, in order; the first is time.
    *
+   * @param groups column groups besides time and the joints' states
    * @throws IllegalArgumentException if the model was built without one of the groups, or has no
    *     explicit form (S-061)
    */
@@ -84,8 +85,9 @@ public final class Simulation implements Solver {
   }
 
   /**
-   * Rejects a bound on the energy drift of a model that has no energy balance. @throws
-   * IllegalArgumentException S-166 with the reason
+   * Rejects a bound on the energy drift of a model that has no energy balance.
+   *
+   * @throws IllegalArgumentException S-166 with the reason
    */
   public static void requireBalance(Model model, RunRequest request) {
     if (request.maxDrift().isPresent()) {

@@ -38,7 +38,8 @@ final class WorkMeter {
 
   /**
    * @param wanted whether the work is measured; otherwise, or if the model does no such work, it
-   *     stays zero @param momentum balance of momentum to which impulses are added, if any
+   *     stays zero
+   * @param momentum balance of momentum to which impulses are added, if any
    */
   WorkMeter(
       ModelEquations equations,

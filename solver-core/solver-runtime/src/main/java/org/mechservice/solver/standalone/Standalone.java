@@ -55,9 +55,10 @@ public final class Standalone {
   }
 
   /**
-   * Runs a model with the options of its command line, printing to the standard streams. @param
-   * source creates the model @param solver runs it
+   * Runs a model with the options of its command line, printing to the standard streams.
    *
+   * @param source creates the model
+   * @param solver runs it
    * @param built labels of the column groups the model was built with, separated by commas
    * @param shown labels of those put out where nothing else is asked for
    * @param args command line; {@code --help} lists the options

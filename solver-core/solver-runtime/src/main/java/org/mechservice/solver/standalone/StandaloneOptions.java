@@ -18,7 +18,8 @@ import org.mechservice.solver.catalogue.MessageCode;
 /**
  * The command line of a model's own JAR.
  *
- * @param request the requested run @param parameters values of parameters by their names
+ * @param request the requested run
+ * @param parameters values of parameters by their names
  * @param out CSV file to write; empty for none
  * @param quiet print nothing but errors
  * @param json print the report as JSON
@@ -58,7 +59,8 @@ record StandaloneOptions(
    *
    * @param args the words of the command line
    * @param defaults settings the model was built with
-   * @param available column groups of the model @param shown default groups among them
+   * @param available column groups of the model
+   * @param shown default groups among them
    * @throws OptionException if an option is unknown, lacks its value, or has one that cannot be
    *     used
    */

@@ -52,8 +52,7 @@ final class FormulaFinding {
             changed ->
                 changed.defect(
                     MessageCode.STEP_TOO_SMALL,
-                    "The error test fails however small the step: "
-                        + changed.says(" within one", t),
+                    "The error test fails at every step size: " + changed.says(" within one", t),
                     "A pole, an overflow or a jump lies there: give the formula a bounded value"
                         + " and slope, make the jump an event, or end the run before."));
   }

@@ -18,8 +18,10 @@ public interface EquationForm {
   ModelEquations of(Model equations);
 
   /**
-   * Returns the events of a run of a model. @param of its equations @param settings settings of the
-   * run
+   * Returns the events of a run of a model.
+   *
+   * @param of its equations
+   * @param settings settings of the run
    */
   default RunEvents events(ModelParts model, ModelEquations of, RunSettings settings) {
     return new RunEvents();

@@ -24,10 +24,10 @@ final class EventFailures {
   static Failure eventOpensLoops(double t, String event, Optional<Defects.Defect> why) {
     return atEvent(
         MessageCode.EVENT_BREAKS_LOOPS,
-        "The loops cannot be closed after what the event sets.",
+        "The loops cannot be closed with the values that the event sets.",
         t,
         why.map(defect -> event + ", " + defect.part()).orElse(event),
-        "Set values that the mechanism can take.");
+        "Set values that are possible for the mechanism.");
   }
 
   /** Explains an event that sets a state to a value that contradicts the loops. */

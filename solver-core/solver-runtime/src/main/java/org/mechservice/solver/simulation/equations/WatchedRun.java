@@ -56,9 +56,11 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   }
 
   /**
-   * An event that has occurred. @param energy change of the energy by it and by events at the same
-   * time, J; NaN if there is none @param byLoops part of that change due to closing the loops, J;
-   * likewise
+   * An event that has occurred.
+   *
+   * @param energy change of the energy by it and by events at the same time, J; NaN if there is
+   *     none
+   * @param byLoops part of that change due to closing the loops, J; likewise
    */
   private record Occurrence(int event, double time, double energy, double byLoops) {}
 
@@ -272,7 +274,9 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
       case RECORD -> "Event " + name + " is recorded";
       case SET -> "Event " + name + " changes the state";
       case IMPULSE ->
-          "The velocity of driven joint " + name + " jumps, and the others take the impulse";
+          "The velocity of driven joint "
+              + name
+              + " jumps, and the other velocities change by the impulse";
       case BREAK -> "The position of driven joint " + name + " jumps";
     };
   }
