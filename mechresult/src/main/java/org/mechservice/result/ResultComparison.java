@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import org.mechservice.solver.api.result.Variable;
 
@@ -94,13 +95,15 @@ public final class ResultComparison {
   private void compareColumns(SignalTable first, SignalTable second) {
     Map<String, Variable> ofFirst = byName(first);
     Map<String, Variable> ofSecond = byName(second);
-    for (String name : new TreeSet<>(ofFirst.keySet())) {
-      if (!ofSecond.containsKey(name)) {
+    for (Variable column : new TreeMap<>(ofFirst).values()) {
+      String name = column.name();
+      Variable counterpart = ofSecond.get(name);
+      if (counterpart == null) {
         remarks.add("column " + name + " is in the first result only");
         continue;
       }
-      String unit = ofFirst.get(name).unit();
-      String other = ofSecond.get(name).unit();
+      String unit = column.unit();
+      String other = counterpart.unit();
       if (!unit.isEmpty() && !other.isEmpty() && !unit.equals(other)) {
         remarks.add("column " + name + " is in " + unit + " and in " + other);
       }
