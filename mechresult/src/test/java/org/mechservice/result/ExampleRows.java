@@ -25,7 +25,7 @@ final class ExampleRows {
     -Double.MIN_NORMAL,
     Double.MAX_VALUE,
     1e-300,
-    5e22,
+    2251799813685249.5,
     9007199254740992.0,
     Math.PI,
     -1e17,
