@@ -80,7 +80,7 @@ final class ThriftReader {
 
   private long integer() {
     long value = varint();
-    return value >>> 1 ^ -(value & 1);
+    return (value >>> 1) ^ -(value & 1);
   }
 
   private long varint() {

@@ -57,7 +57,7 @@ final class ThriftWriter {
   /** Begins a list; its elements follow. */
   ThriftWriter list(int field, int type, int size) {
     header(field, LIST);
-    bytes.write(Math.min(size, SHORT_LIST) << 4 | type);
+    bytes.write((Math.min(size, SHORT_LIST) << 4) | type);
     return size < SHORT_LIST ? this : varint(size);
   }
 

@@ -25,8 +25,8 @@ final class ExampleRows {
     -Double.MIN_NORMAL,
     Double.MAX_VALUE,
     1e-300,
-    5e22,
-    9007199254740993.0,
+    2251799813685249.5,
+    9007199254740992.0,
     Math.PI,
     -1e17,
     123456.0

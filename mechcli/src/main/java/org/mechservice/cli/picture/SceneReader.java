@@ -14,10 +14,10 @@ import org.mechservice.mechml.document.Document;
 import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.mechml.urdf.UrdfImport;
 import org.mechservice.sim.check.CheckReport;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.assembly.ClosedStart;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.view.scene.SceneDescription;
 import org.mechservice.view.scene.SceneVerdict;
 

@@ -160,7 +160,8 @@ public record PlotRequest(List<Path> files, List<String> columns, Optional<Strin
       return List.of();
     }
     StringBuilder regex = new StringBuilder();
-    for (char c : pattern.toCharArray()) {
+    for (int i = 0; i < pattern.length(); i++) {
+      char c = pattern.charAt(i);
       regex.append(c == '*' ? ".*" : c == '?' ? "." : Pattern.quote(String.valueOf(c)));
     }
     Pattern matcher = Pattern.compile(regex.toString());

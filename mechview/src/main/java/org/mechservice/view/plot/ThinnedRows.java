@@ -2,6 +2,7 @@ package org.mechservice.view.plot;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.function.Consumer;
 
@@ -13,7 +14,15 @@ import java.util.function.Consumer;
  */
 final class ThinnedRows implements Consumer<double[]> {
   /** A row and its place in the file. */
-  private record Row(long at, double[] values) {}
+  private static final class Row {
+    private final long at;
+    private final double[] values;
+
+    Row(long at, double[] values) {
+      this.at = at;
+      this.values = values;
+    }
+  }
 
   /** Rows that follow each other. */
   private static final class Bucket {
@@ -27,7 +36,7 @@ final class ThinnedRows implements Consumer<double[]> {
     Bucket(Row row) {
       first = row;
       last = row;
-      int columns = row.values().length;
+      int columns = row.values.length;
       least = new Row[columns];
       greatest = new Row[columns];
       gap = new Row[columns];
@@ -43,34 +52,34 @@ final class ThinnedRows implements Consumer<double[]> {
       count += next.count;
       for (int c = 0; c < least.length; c++) {
         // Comparisons with NaN are false: a number takes the place of a gap.
-        if (!(least[c].values()[c] <= next.least[c].values()[c])
-            && !Double.isNaN(next.least[c].values()[c])) {
+        if (!(least[c].values[c] <= next.least[c].values[c])
+            && !Double.isNaN(next.least[c].values[c])) {
           least[c] = next.least[c];
         }
-        if (!(greatest[c].values()[c] >= next.greatest[c].values()[c])
-            && !Double.isNaN(next.greatest[c].values()[c])) {
+        if (!(greatest[c].values[c] >= next.greatest[c].values[c])
+            && !Double.isNaN(next.greatest[c].values[c])) {
           greatest[c] = next.greatest[c];
         }
-        if (!Double.isNaN(gap[c].values()[c])) {
+        if (!Double.isNaN(gap[c].values[c])) {
           gap[c] = next.gap[c];
         }
       }
     }
 
-    void collect(TreeMap<Long, double[]> rows) {
+    void collect(SortedMap<Long, double[]> rows) {
       put(rows, first);
       put(rows, last);
       for (int c = 0; c < least.length; c++) {
         put(rows, least[c]);
         put(rows, greatest[c]);
-        if (Double.isNaN(gap[c].values()[c])) {
+        if (Double.isNaN(gap[c].values[c])) {
           put(rows, gap[c]);
         }
       }
     }
 
-    private static void put(TreeMap<Long, double[]> rows, Row row) {
-      rows.put(row.at(), row.values());
+    private static void put(SortedMap<Long, double[]> rows, Row row) {
+      rows.put(row.at, row.values);
     }
   }
 
@@ -119,7 +128,7 @@ final class ThinnedRows implements Consumer<double[]> {
 
   /** Returns the rows that are kept, in their order. */
   List<double[]> rows() {
-    TreeMap<Long, double[]> rows = new TreeMap<>();
+    SortedMap<Long, double[]> rows = new TreeMap<>();
     buckets.forEach(bucket -> bucket.collect(rows));
     return List.copyOf(rows.values());
   }

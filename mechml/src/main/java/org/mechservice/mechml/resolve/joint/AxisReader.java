@@ -139,7 +139,7 @@ final class AxisReader {
               input.type().name().equals("W")
                   ? "%s names vector2 but no vector"
                   : "%s names a vector; a joint of type %s has none: the axes of its bodies are"
-                        + " parallel if its Euler parameters are 1;0;0;0",
+                      + " parallel if its Euler parameters are 1;0;0;0",
               end.element().role(),
               input.type()));
     }

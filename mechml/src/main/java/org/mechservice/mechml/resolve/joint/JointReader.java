@@ -114,7 +114,7 @@ final class JointReader {
           element,
           pitch
               ? "pitch (length per radian) and lead (length per turn) define the same quantity;"
-                    + " give only one"
+                  + " give only one"
               : "a screw needs its pitch (length per radian) or its lead (length per turn)");
       return OptionalDouble.empty();
     }

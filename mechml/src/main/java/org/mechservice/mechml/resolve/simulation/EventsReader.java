@@ -98,7 +98,7 @@ public final class EventsReader {
           set,
           joint.get().cut()
               ? "the joint is cut, so its coordinates follow from those of other joints; set those"
-                    + " instead"
+                  + " instead"
               : "the joint is driven, so its coordinates cannot be set");
       return Optional.empty();
     }

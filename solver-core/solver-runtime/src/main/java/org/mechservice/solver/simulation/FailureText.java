@@ -54,7 +54,7 @@ final class FailureText {
               state(model, failure.worstComponent()),
               Math.ulp(failure.time()) > COARSE
                   ? "The spacing of numbers near this time is too coarse for steps: start the run"
-                        + " near t = 0."
+                      + " near t = 0."
                   : motion
                       + "The motion is singular or very stiff there; use ode15s, loosen the"
                       + " tolerances, or check the forces on this joint.");

@@ -32,7 +32,7 @@ final class MethodNotes {
     float size = (float) Math.abs(change.stepSize());
     return change.stiff()
         ? "The method changes from ode113 to ode15s: the motion has become stiff; stability, not"
-              + " accuracy, limited the step to "
+            + " accuracy, limited the step to "
             + size
             + " s."
         : "The method changes from ode15s to ode113: the motion is no longer stiff; at a step of "
