@@ -27,6 +27,7 @@ class DocumentedCommandsIT {
   @ValueSource(
       strings = {
         "README.md",
+        "docs/curves.md",
         "examples/embedding/README.md",
         "examples/pendulum/README.md",
         "examples/robot/README.md",

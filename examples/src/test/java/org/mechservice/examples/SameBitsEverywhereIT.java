@@ -133,7 +133,7 @@ class SameBitsEverywhereIT {
   void methodsThatChangeOnTheWayGiveTheSameBitsRemoteLocalAndStandalone() {
     assertThat(stiff("simulate", "--out", "stiff-remote.csv").stdout())
         .contains("N-015")
-        .contains("ode15s takes over from ode113");
+        .contains("The method changes from ode113 to ode15s");
     stiff("simulate", "--mode", "local", "--out", "stiff-local.csv");
     stiff("build", "-o", "stiff.jar", "--standalone");
     terminal.run("java", "-jar", "stiff.jar", "--out", "stiff-alone.csv").orFail();

@@ -69,6 +69,7 @@ public final class ServiceOrb implements AutoCloseable {
 
   private ServiceOrb(Properties properties, boolean orderedCalls, Peers peers) {
     this.peers = peers;
+    OrbLog.quieten();
     orb = threads.call(() -> ORB.init(new String[0], properties));
     boolean opened = false;
     try {

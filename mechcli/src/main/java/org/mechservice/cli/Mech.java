@@ -2,21 +2,30 @@ package org.mechservice.cli;
 
 import java.io.PrintWriter;
 import java.util.List;
+import java.util.Set;
 import org.mechservice.cli.admin.AdminCommand;
 import org.mechservice.cli.model.BuildCommand;
 import org.mechservice.cli.model.CheckCommand;
 import org.mechservice.cli.model.ImportCommand;
+import org.mechservice.cli.model.NewCommand;
 import org.mechservice.cli.model.VerifyCommand;
+<<<<<<< HEAD
 import org.mechservice.cli.picture.ViewCommand;
+=======
+import org.mechservice.cli.picture.PlotCommand;
+import org.mechservice.cli.picture.ShowCommand;
+>>>>>>> main
 import org.mechservice.cli.service.KeysCommand;
 import org.mechservice.cli.service.ServerCommand;
 import org.mechservice.cli.service.SimhostCommand;
+import org.mechservice.cli.shell.CompletionCommand;
 import org.mechservice.cli.shell.ExitStatus;
 import org.mechservice.cli.shell.FailureReport;
 import org.mechservice.cli.shell.MechVersion;
 import org.mechservice.cli.shell.SafeWriter;
 import org.mechservice.cli.shell.StandardOutput;
 import org.mechservice.cli.shell.UsageReport;
+import org.mechservice.cli.simulate.CompareCommand;
 import org.mechservice.cli.simulate.FetchCommand;
 import org.mechservice.cli.simulate.SimulateCommand;
 import org.mechservice.cli.sweep.SweepCommand;
@@ -36,19 +45,31 @@ import picocli.CommandLine.Command;
       "0:done",
       "1:the simulation failed; results up to the failure are written",
       "2:bad usage or bad input",
-      "3:server or network"
+      "3:server or network",
+      "130:interrupted by Ctrl-C; results so far are written",
+      "143:ended by a termination signal; results so far are written"
     })
 public final class Mech {
   private static final String HELP = "help";
 
+  /** Commands that tell of all others. */
+  private static final Set<String> ALL_COMMANDS = Set.of(HELP, "completion");
+
   /** In the order in which help lists them. */
   private static final List<Class<?>> COMMANDS =
       List.of(
+          NewCommand.class,
           SimulateCommand.class,
           SweepCommand.class,
           FetchCommand.class,
+<<<<<<< HEAD
           ViewCommand.class,
+=======
+          CompareCommand.class,
+          PlotCommand.class,
+>>>>>>> main
           CheckCommand.class,
+          ShowCommand.class,
           BuildCommand.class,
           ImportCommand.class,
           ReportCommand.class,
@@ -58,6 +79,7 @@ public final class Mech {
           AdminCommand.class,
           KeysCommand.class,
           VerifyCommand.class,
+          CompletionCommand.class,
           CommandLine.HelpCommand.class);
 
   /** Runs a command and ends the process with its exit status. */
@@ -102,7 +124,7 @@ public final class Mech {
    */
   private static List<Class<?>> asked(String word) {
     return COMMANDS.stream()
-        .filter(type -> !word.equals(HELP) && word.equals(nameOf(type)))
+        .filter(type -> !ALL_COMMANDS.contains(word) && word.equals(nameOf(type)))
         .findFirst()
         .<List<Class<?>>>map(List::of)
         .orElse(COMMANDS);

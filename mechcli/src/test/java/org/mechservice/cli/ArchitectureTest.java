@@ -73,6 +73,7 @@ class ArchitectureTest {
           entry("mechclient", List.of("client")),
           entry("mechadmin", List.of("admin")),
           entry("mechreport", List.of("report")),
+          entry("mechresult", List.of("result")),
           entry("mechservice", List.of("library")),
           entry("mechview", List.of("view")),
           entry("mechcli", List.of("cli")));
@@ -101,6 +102,7 @@ class ArchitectureTest {
     "mechclient, idl solver-api",
     "mechadmin, idl solver-api",
     "mechreport, mechclient solver-runtime solver-api solver-ode",
+    "mechresult, solver-api",
     "mechservice, mechsim-codegen mechml solver-runtime solver-api solver-ode solver-mechanics",
     "mechview, mechclient solver-api",
   })

@@ -45,8 +45,9 @@ class CommandLineTest {
             + " help simulate lists what there is)",
         "simulate m.xml --columns colours | S-041 --columns: \"colours\" is no column group; there"
             + " are joints, accelerations, bodies, energy, constraints, reactions, forces, outputs,"
-            + " momentum, and all",
-        "simulate m.xml --out r.mat | S-044 --out r.mat: results are written to .csv files",
+            + " momentum, drives, and all",
+        "simulate m.xml --out r.xls | S-044 --out r.xls: results are written to files whose names"
+            + " end in .csv, .tsv, .mat, .json, .parquet, or as CSV to - (standard output)",
         "simulate m.xml --out r.csv --out ./r.csv | S-044 --out ./r.csv is given twice",
         "simulate m.xml --json --quiet=maybe | S-041 --quiet takes no value (mech help simulate"
             + " lists what there is)",

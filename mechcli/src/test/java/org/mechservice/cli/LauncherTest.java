@@ -162,19 +162,26 @@ class LauncherTest {
   @Test
   void saysWhatIsMissingWithoutJava() throws Exception {
     Files.delete(bin.resolve("java"));
-    assertRefuses("S-049 mech needs a JDK 17 or newer, and there is no java.");
+    assertRefuses("S-049 mech needs Java 17 or newer, and there is no java.");
   }
 
   @Test
   void refusesAnOldJavaByItsVersion() throws Exception {
     program("java", "#!/bin/sh\necho 'openjdk version \"11.0.2\"' >&2\n");
-    assertRefuses("S-049 mech needs a JDK 17 or newer; " + bin.resolve("java") + " is version 11.");
+    assertRefuses("S-049 mech needs Java 17 or newer; " + bin.resolve("java") + " is version 11.");
   }
 
   @Test
-  void refusesARuntimeWithoutCompiler() throws Exception {
+  void refusesToBuildWithARuntimeWithoutCompiler() throws Exception {
     program("java", JDK.replace("; echo 'jdk.compiler@17'", ""));
-    assertRefuses("is a runtime without compiler");
+    assertRefuses("is a run time without compiler");
+  }
+
+  @Test
+  void startsWhatIsBuiltOnARuntimeWithoutCompiler() throws Exception {
+    start(house.resolve("mech"));
+    program("java", JDK.replace("; echo 'jdk.compiler@17'", ""));
+    assertThat(start(house.resolve("mech"), "check", "m.xml").out).startsWith("started");
   }
 
   @Test

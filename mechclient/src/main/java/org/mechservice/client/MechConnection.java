@@ -11,7 +11,6 @@ import org.mechservice.client.failure.InvalidModelException;
 import org.mechservice.client.failure.InvalidOptionException;
 import org.mechservice.client.failure.LimitExceededException;
 import org.mechservice.client.failure.ModelMessage;
-import org.mechservice.client.failure.NotAvailableException;
 import org.mechservice.client.failure.NotFoundException;
 import org.mechservice.client.failure.RemoteCalls;
 import org.mechservice.client.failure.ServerLostException;
@@ -94,8 +93,8 @@ public final class MechConnection implements AutoCloseable {
    *
    * @param address {@code host:port} or a URL, or several
    * @param cache keeps fetched JARs
-   * @param identity who the client is, over TLS; JARs are then taken only with the server's
-   *     signature. Empty: without encryption
+   * @param identity identity of the client for TLS; JARs are then accepted only with the server's
+   *     signature. Empty for a connection without encryption
    * @throws ServerLostException if nobody answers there, or something else than a MechService
    * @throws InvalidOptionException if the address is none
    */
@@ -110,13 +109,13 @@ public final class MechConnection implements AutoCloseable {
     }
   }
 
-  /** Returns what the server that is used said of itself when the connection was made. */
+  /** Returns the description that the server in use gave when the connection was made. */
   public ServiceDescription service() {
     return servers.chosen().description();
   }
 
   /**
-   * Asks how many simulations the hosts of the server run at once.
+   * Returns the number of simulations that the hosts of the server run at once.
    *
    * @throws ServerLostException if the server is lost
    */
@@ -126,7 +125,7 @@ public final class MechConnection implements AutoCloseable {
   }
 
   /**
-   * Opens a session wherever there is room.
+   * Opens a session on any host with a free place.
    *
    * @throws LimitExceededException if the server takes no more sessions
    */
@@ -137,7 +136,7 @@ public final class MechConnection implements AutoCloseable {
   /**
    * Opens a session on a host.
    *
-   * @param hostName the host's name at the server; empty: wherever there is room
+   * @param hostName the host's name at the server; empty for any host with a free place
    * @throws NotFoundException if the server knows no such host
    * @throws LimitExceededException if the server takes no more sessions
    */
@@ -150,7 +149,7 @@ public final class MechConnection implements AutoCloseable {
         });
   }
 
-  /** Asks the server that is used, or the next one if that is gone. */
+  /** Calls the server in use, or the next one if that server is lost. */
   private <T> T asked(Function<ServerSelection.Chosen, T> question) {
     ServerSelection.Chosen server = servers.chosen();
     try {
@@ -165,10 +164,10 @@ public final class MechConnection implements AutoCloseable {
   }
 
   /**
-   * Opens a session for a run that leaves its host: at the server that is used or, if that has no
-   * room or is lost, at the next of those this connection knows.
+   * Opens a session for a run that leaves its host: at the server in use or, if that has no free
+   * place or is lost, at the next server of this connection.
    *
-   * @throws ServiceException if none has room; what the first one said
+   * @throws ServiceException if none has a free place; the refusal of the first server
    */
   MechSession openSessionAnywhere() {
     Stopwatch watch = new Stopwatch();
@@ -188,11 +187,11 @@ public final class MechConnection implements AutoCloseable {
   }
 
   /**
-   * Takes up a run again by its id, on whichever host of whichever server it is: one that goes on,
-   * or that has ended and is kept. A run that has moved is found by the ids it had, too.
+   * Attaches to a run by its id, on any host of any server: a run in progress, or one that has
+   * ended and is kept. A run that has moved is also found by its earlier ids.
    *
    * @param simId the run's {@linkplain RemoteRun#id identity}
-   * @throws NotFoundException if there is no such run, or not any more
+   * @throws NotFoundException if there is no such run, or it is no longer kept
    * @throws LimitExceededException if the host takes no more sessions
    */
   public ReattachedRun reattach(String simId) {
@@ -200,7 +199,10 @@ public final class MechConnection implements AutoCloseable {
     return new ReattachedRun(callsTo(found.run(), found.by()), leases, found.run());
   }
 
-  /** A run and the server that has found it, which may live while the host of the run does not. */
+  /**
+   * A run and the server that has found it; the server may be reachable when the host of the run is
+   * not.
+   */
   private record Found(ServerSelection.Chosen by, IMechSimRemote run) {}
 
   private Found findAnywhere(ServerSelection.Chosen first, String simId) {
@@ -227,8 +229,8 @@ public final class MechConnection implements AutoCloseable {
    *
    * @param file a robot in URDF
    * @throws IOException if the file cannot be read
-   * @throws InvalidModelException if it cannot be used; says what and where
-   * @throws NotAvailableException if the server does not know its format
+   * @throws InvalidModelException if it cannot be used; the messages name the places
+   * @throws NotAvailableException if the server does not support its format
    */
   public ImportedModel importModel(Path file) throws IOException {
     String name = String.valueOf(file.getFileName());
@@ -246,7 +248,7 @@ public final class MechConnection implements AutoCloseable {
     }
   }
 
-  /** The server only knows the file's name; the user wrote a path. */
+  /** Replaces the file's name in messages, which the server knows, by the user's path. */
   private static List<ModelMessage> located(List<ModelMessage> said, String name, Path file) {
     return said.stream()
         .map(m -> m.fileName().equals(name) ? m.inFile(file.toString()) : m)
@@ -258,7 +260,9 @@ public final class MechConnection implements AutoCloseable {
     return server.calls().get(() -> server.server().createSession(user, hostName, null));
   }
 
-  /** A session may live on a host of its own; messages then name that address. */
+  /**
+   * Returns the calls to a session, whose host may have its own address, which messages then name.
+   */
   private RemoteCalls callsTo(org.omg.CORBA.Object object, ServerSelection.Chosen server) {
     Endpoint place = orb.endpointOf(object);
     return place.equals(orb.endpointOf(server.server()))
@@ -266,7 +270,7 @@ public final class MechConnection implements AutoCloseable {
         : new RemoteCalls(place.toString());
   }
 
-  /** Returns what makes sure that a JAR comes from the host of a session. */
+  /** Returns the check that a JAR comes from the host of a session. */
   JarOrigin originOf(MechSim session) {
     return new JarOrigin(
         orb.identity().isPresent(),
@@ -285,9 +289,7 @@ public final class MechConnection implements AutoCloseable {
     return orb.export(listener);
   }
 
-  /**
-   * Ends the connection. Sessions left open are given up by the server when their lease is over.
-   */
+  /** Ends the connection. The server destroys open sessions when their leases expire. */
   @Override
   public void close() {
     leases.close();

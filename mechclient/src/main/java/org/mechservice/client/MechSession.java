@@ -45,11 +45,13 @@ import org.mechservice.orb.connection.LimitedBuffers;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * One model at a server: load it once, then check it, run it there, fetch it and run it here, or
- * build a JAR of it. The session is kept alive until it is closed. For one thread.
+ * One model at a server: load it once, then check it, run it at the server, fetch it and run it on
+ * this machine, or build a JAR of it. The session is kept alive until it is closed. For one thread.
  */
 public final class MechSession implements AutoCloseable {
-  /** A message with names and other arguments around it is within the bound of the ORB. */
+  /**
+   * Largest model text, such that the message with all arguments is within the bound of the ORB.
+   */
   private static final int MOST_SENT_BYTES = LimitedBuffers.MAX_MESSAGE_BYTES - (1 << 20);
 
   private final RemoteCalls calls;
@@ -65,12 +67,12 @@ public final class MechSession implements AutoCloseable {
   private List<ModelMessage> warningsOfFile = List.of();
   private List<ModelMessage> warnings = List.of();
 
-  /** What the session has cost the server when a run was set up last. */
+  /** Server times of the session at the last set-up of a run. */
   private ServerTimes soFar = ServerTimes.NONE;
 
   /**
    * @param service the server that opened it
-   * @param openSeconds what opening it took, s
+   * @param openSeconds time to open it, s
    */
   MechSession(
       MechConnection connection,
@@ -91,14 +93,14 @@ public final class MechSession implements AutoCloseable {
     return calls.get(session::sessionId);
   }
 
-  /** Returns the name of the host the session lives on. */
+  /** Returns the name of the session's host. */
   public String hostName() {
     return calls.get(session::hostName);
   }
 
   /**
-   * Sends a model to the server, which reads and checks it. Classes that its forces name are sought
-   * in the model's folder and sent too.
+   * Sends a model to the server, which reads and checks it. User force classes are searched for in
+   * the model's folder and sent too.
    *
    * @see #loadModel(Path, Optional)
    */
@@ -107,13 +109,13 @@ public final class MechSession implements AutoCloseable {
   }
 
   /**
-   * Sends a model to the server, which reads and checks it, and the classes that its forces name.
+   * Sends a model to the server, which reads and checks it, and its user force classes.
    *
    * @param file MechML file
-   * @param userCode where to look for classes that are not beside the file
+   * @param userCode folder of classes that are not beside the file
    * @return warnings, in the order of the file
    * @throws IOException if the file cannot be read
-   * @throws InvalidModelException if the model cannot be used; says what and where
+   * @throws InvalidModelException if the model cannot be used; the messages name the places
    */
   public List<ModelMessage> loadModel(Path file, Optional<Path> userCode) throws IOException {
     byte[] content = NamedFile.of(file);
@@ -155,8 +157,8 @@ public final class MechSession implements AutoCloseable {
   }
 
   /**
-   * Returns the warnings of the run prepared last, as it will be: one with another integrator or
-   * end than its file may have others. Before, those of the file.
+   * Returns the warnings of the run prepared last, which depend on its options such as integrator
+   * and end time; before the first run, those of the file.
    */
   public List<ModelMessage> warnings() {
     return warnings;
@@ -187,7 +189,7 @@ public final class MechSession implements AutoCloseable {
     return warnings;
   }
 
-  /** No server takes what does not fit into a message; it would close the connection. */
+  /** Rejects files that do not fit into a message; a server would close the connection. */
   private static void requireSendable(ModelFile model, ModelFile[] classes) throws LimitExceeded {
     long bytes = model.content.length;
     for (ModelFile file : classes) {
@@ -204,7 +206,7 @@ public final class MechSession implements AutoCloseable {
   }
 
   /**
-   * Returns what the server knows of the model.
+   * Returns the server's summary of the model.
    *
    * @throws InvalidStateException if none is loaded
    */
@@ -213,10 +215,9 @@ public final class MechSession implements AutoCloseable {
   }
 
   /**
-   * Returns what the server found out about the model: topology, degrees of freedom, suspicious
-   * values.
+   * Returns the server's report about the model: topology, degrees of freedom, suspicious values.
    *
-   * @param asJson as one JSON object instead of text
+   * @param asJson whether as one JSON object instead of text
    * @throws InvalidStateException if no model is loaded
    */
   public String checkReport(boolean asJson) {
@@ -224,8 +225,8 @@ public final class MechSession implements AutoCloseable {
   }
 
   /**
-   * Returns the Java classes the server generates for the model, that of the equations first;
-   * compiled together they are the model.
+   * Returns the Java classes that the server generates for the model, the equations first; together
+   * they compile to the model.
    *
    * @throws InvalidOptionException if an option cannot be used
    */
@@ -254,7 +255,7 @@ public final class MechSession implements AutoCloseable {
   /**
    * Prepares a run at the server.
    *
-   * @param listener hears of the run while it goes on
+   * @param listener receives state, progress and messages of the run
    * @throws InvalidOptionException if an option cannot be used
    * @throws LimitExceededException if the host takes no more runs
    */
@@ -273,7 +274,7 @@ public final class MechSession implements AutoCloseable {
         listener);
   }
 
-  /** Sets a run up in a session of its own, on whichever host of whichever server has room. */
+  /** Sets up a run in a new session, on any host of any server with a free place. */
   private HostedRun elsewhere(
       ModelFile model,
       ModelFile[] classes,
@@ -318,7 +319,7 @@ public final class MechSession implements AutoCloseable {
         Optional.empty());
   }
 
-  /** Returns what a run has cost the server, and begins anew. */
+  /** Returns the server times since the last call. */
   private ServerTimes timesOfRun(NameValue[] facts) {
     ServerTimes now =
         ServerTimes.of(
@@ -393,7 +394,7 @@ public final class MechSession implements AutoCloseable {
   /**
    * Builds a JAR of the model.
    *
-   * @param standalone whether it carries the solver classes it needs and starts with {@code java
+   * @param standalone whether it contains the necessary solver classes and starts with {@code java
    *     -jar}
    * @throws InvalidOptionException if an option cannot be used
    * @throws JarRefusedException if what arrives is not what was announced
@@ -413,7 +414,7 @@ public final class MechSession implements AutoCloseable {
     return runtime.sizeBytes;
   }
 
-  /** Destroys the session and what it owns at the server. */
+  /** Destroys the session and its objects at the server. */
   @Override
   public void close() {
     hold.close();

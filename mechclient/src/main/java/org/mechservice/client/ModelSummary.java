@@ -11,15 +11,15 @@ import org.mechservice.idl.ModelInfo;
 import org.mechservice.solver.api.result.Variable;
 
 /**
- * What the server says of a loaded model.
+ * The server's summary of a loaded model.
  *
  * @param name the model's name in its file
  * @param sha256 hash of the file
  * @param settings the file's settings, in the keys of options
- * @param formulation what {@code auto} means for this model
- * @param formulationReason why
+ * @param formulation formulation that {@code auto} chooses
+ * @param formulationReason reason of the choice
  * @param states names and units of the states, positions first
- * @param warnings what the server noticed while reading it
+ * @param warnings warnings of the reader
  */
 public record ModelSummary(
     String name,

@@ -12,7 +12,8 @@ final class NamedFile {
   /**
    * Returns the bytes of a file.
    *
-   * @throws FileSystemException if it cannot be read; names it, which Java does not do for folders
+   * @throws FileSystemException if it cannot be read; the message names the file, which Java omits
+   *     for folders
    */
   static byte[] of(Path file) throws IOException {
     if (Files.isDirectory(file)) {

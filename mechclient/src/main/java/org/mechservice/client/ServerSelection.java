@@ -14,16 +14,16 @@ import org.mechservice.orb.ServiceUnreachableException;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * The servers a client may use, in the order of its preference, and the one it uses. Thread-safe.
+ * The servers that a client may use, in the order of preference, and the one in use. Thread-safe.
  */
 final class ServerSelection {
   /**
    * A server that answered.
    *
-   * @param index its place among the addresses
+   * @param index its index among the addresses
    * @param server its object
-   * @param calls names its address in messages
-   * @param description what it said of itself
+   * @param calls calls that name its address in messages
+   * @param description its description
    */
   record Chosen(int index, MechServer server, RemoteCalls calls, ServiceDescription description) {}
 
@@ -56,12 +56,12 @@ final class ServerSelection {
   }
 
   /**
-   * Returns another server than one that is lost.
+   * Returns another server in place of a lost one.
    *
-   * @param lost what was thrown when it was used
+   * @param lost exception of the lost server
    * @throws ServerLostException if no other answers
    */
-  @SuppressWarnings("ReferenceEquality") // The same server may have been chosen anew since.
+  @SuppressWarnings("ReferenceEquality") // The same server may have been chosen again meanwhile.
   synchronized Chosen instead(Chosen gone, ServerLostException lost) {
     if (addresses.size() == 1) {
       throw lost;
@@ -72,7 +72,7 @@ final class ServerSelection {
     return chosen;
   }
 
-  /** Returns the servers beside one that answer, without using them from now on. */
+  /** Returns the other servers that answer, without changing the server in use. */
   List<Chosen> others(Chosen beside) {
     List<Chosen> others = new ArrayList<>();
     for (int i = 1; i < addresses.size(); i++) {

@@ -7,7 +7,7 @@ import org.mechservice.idl.NameValue;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * What a session has cost the server so far.
+ * Times that a session has taken at the server so far.
  *
  * @param treating reading and checking the model and generating its class (t1s), s
  * @param compiling compiling generated classes (tcc), s

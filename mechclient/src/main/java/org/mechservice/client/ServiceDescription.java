@@ -6,13 +6,13 @@ import org.mechservice.idl.OPT_CONTINUES;
 import org.mechservice.idl.ServerInfo;
 
 /**
- * What a server says of itself.
+ * The description of a server.
  *
  * @param name the server's name
  * @param apiVersion version of the service's contract, such as {@code 1.0}
  * @param version version of the server
  * @param startedAt when it was started
- * @param capabilities formulations, integrators and formats it offers
+ * @param capabilities supported formulations, integrators and formats
  */
 public record ServiceDescription(
     String name, String apiVersion, String version, Instant startedAt, List<String> capabilities) {
@@ -22,7 +22,7 @@ public record ServiceDescription(
     capabilities = List.copyOf(capabilities);
   }
 
-  /** Returns how many simulations the server's hosts run at once; 1 if it does not say. */
+  /** Returns the number of simulations that the server's hosts run at once; 1 if unknown. */
   int places() {
     return capabilities.stream()
         .filter(capability -> capability.matches(PLACES + "\\d{1,6}"))
@@ -31,7 +31,7 @@ public record ServiceDescription(
         .orElse(1);
   }
 
-  /** Returns whether runs can be found under the ids of those that they go on from. */
+  /** Returns whether a run that has moved can be found by its earlier ids. */
   boolean findsMovedRuns() {
     return capabilities.contains("option=" + OPT_CONTINUES.value);
   }

@@ -61,7 +61,9 @@ final class SetUpReport {
     return times;
   }
 
-  /** Clocks of two machines do not tick alike to the last microsecond. */
+  /**
+   * Returns a difference of times of two machines, at least 0, since their clocks differ slightly.
+   */
   private static double notNegative(double seconds) {
     return Math.max(0, seconds);
   }

@@ -9,14 +9,16 @@ import java.util.stream.Collectors;
 import org.mechservice.client.failure.ModelMessage;
 import org.mechservice.idl.NameValue;
 
-/** What a server says of a run before it begins, among the facts of its set-up. */
+/** Warnings of the server about a run before it begins, among the facts of its set-up. */
 final class SetUpWarnings {
   /** Code, file, line, column, path and text. */
   private static final int FIELDS = 6;
 
   private SetUpWarnings() {}
 
-  /** Returns all warnings of the run; empty if those of its file hold, or the server knows none. */
+  /**
+   * Returns all warnings of the run; empty if they are those of its file, or the server sends none.
+   */
   static Optional<List<ModelMessage>> in(NameValue[] facts) {
     Map<String, String> said =
         Arrays.stream(facts)

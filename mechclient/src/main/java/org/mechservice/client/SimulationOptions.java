@@ -34,14 +34,14 @@ import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.catalogue.Accuracy;
 
 /**
- * How a model is to be simulated, where that differs from what its file says. Immutable: every
- * method returns a new value.
+ * Options of a simulation that differ from the model's file. Immutable: every method returns a new
+ * value.
  *
  * <pre>{@code
  * SimulationOptions.asInFile().relativeTolerance(1e-9).endTime(10)
  * }</pre>
  *
- * <p>The server checks the values and refuses what it does not know or cannot use with {@link
+ * <p>The server checks the values and rejects unknown or unusable ones with {@link
  * InvalidOptionException}.
  */
 public final class SimulationOptions {
@@ -96,20 +96,20 @@ public final class SimulationOptions {
   }
 
   /**
-   * Chooses how loops are closed: {@code auto}, {@code projection} or {@code penalty}, with numbers
-   * of its own {@code penalty:alpha=1e7,omega=10,mu=1}.
+   * Chooses the closure of loops: {@code auto}, {@code projection} or {@code penalty}, with
+   * parameters {@code penalty:alpha=1e7,omega=10,mu=1}.
    */
   public SimulationOptions closure(String name) {
     return with(OPT_CLOSURE.value, name);
   }
 
-  /** Lets the model carry data instead of generated code. */
+  /** Builds the model from data instead of generated code. */
   public SimulationOptions compact() {
     return with(OPT_COMPACT.value, "true");
   }
 
   /**
-   * Chooses how generated code is laid out, which changes its size and speed and no result: {@code
+   * Chooses the layout of generated code, which changes its size and speed but no result: {@code
    * auto}, {@code straight} (every operation written out) or {@code shared} (one method for bodies
    * that are alike).
    */
@@ -117,14 +117,14 @@ public final class SimulationOptions {
     return with(OPT_CODE.value, form);
   }
 
-  /** Asks for another class of the model than that of its equations, from 1. */
+  /** Requests another class of the model than that of its equations, from 1. */
   SimulationOptions sourcePart(int part) {
     return with(OPT_SOURCE_PART.value, Integer.toString(part));
   }
 
   /**
    * Chooses the integrator: {@code auto}, {@code ode113}, {@code DE}, {@code ode15s}, {@code
-   * ode15sR}, or {@code switching}, which is ode113 and, where the motion is stiff, ode15s.
+   * ode15sR}, or {@code switching}, which is ode113 and, while the motion is stiff, ode15s.
    */
   public SimulationOptions integrator(String name) {
     return with(OPT_INTEGRATOR.value, name);
@@ -149,8 +149,8 @@ public final class SimulationOptions {
   }
 
   /**
-   * Chooses how closely the error at the end keeps to the tolerances: {@code standard}, or {@code
-   * strict}, which makes errors smaller at the same tolerances and costs more evaluations.
+   * Chooses the relation of the final error to the tolerances: {@code standard}, or {@code strict},
+   * which makes errors smaller at the same tolerances and costs more evaluations.
    */
   public SimulationOptions accuracy(String name) {
     return with(Accuracy.OPTION, name);
@@ -178,7 +178,10 @@ public final class SimulationOptions {
         sorted.stream().map(ColumnGroup::label).collect(Collectors.joining(",")));
   }
 
-  /** Takes warnings for errors: those of the model's file refuse it, the first of a run ends it. */
+  /**
+   * Treats warnings as errors: a warning about the model's file rejects it, and the first warning
+   * of a run ends it.
+   */
   public SimulationOptions strict() {
     return with(OPT_STRICT.value, "true");
   }
@@ -188,8 +191,8 @@ public final class SimulationOptions {
   }
 
   /**
-   * Ends the run as failed (N-016) where its energy balance, what the mechanism has less the work
-   * put in, drifts by more than this times the energy scale of the report.
+   * Ends the run as failed (N-016) if its energy balance, the energy minus the work of forces,
+   * drifts by more than this times the energy scale of the report.
    */
   public SimulationOptions maxDrift(double relative) {
     return with(OPT_MAX_DRIFT.value, Double.toString(relative));
@@ -213,7 +216,7 @@ public final class SimulationOptions {
     return new SimulationOptions(more, parameters, tunable);
   }
 
-  /** Returns the column groups asked for; empty if that is left to the file. */
+  /** Returns the requested column groups; empty if the file decides. */
   Optional<Set<ColumnGroup>> columnGroups() {
     return Optional.ofNullable(texts.get(OPT_COLUMNS.value))
         .map(

@@ -1,6 +1,6 @@
 package org.mechservice.client;
 
-/** Adds up the wall-clock time of stretches of work. */
+/** Measures the wall-clock time of successive pieces of work. */
 final class Stopwatch {
   private static final double SECONDS = 1e-9;
 

@@ -17,8 +17,8 @@ import org.mechservice.idl.ModelFile;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * Classes that users have written for the forces of a model, as files: sought beside the model and
- * in the folder the user names, nowhere else, and only those that the server asks for.
+ * Files of user force classes. Only classes that the server requests are searched for, beside the
+ * model and in the folder that the user names.
  */
 final class UserFiles {
   /** Code of a message that names a file of a class which the server needs. */
@@ -42,15 +42,15 @@ final class UserFiles {
     }
   }
 
-  /** Returns what was found so far. */
+  /** Returns the files found so far. */
   ModelFile[] files() {
     return found.values().toArray(ModelFile[]::new);
   }
 
   /**
-   * Seeks what the server says is missing.
+   * Searches for the files that the server misses.
    *
-   * @return whether anything was found that the server does not have
+   * @return whether a file was found that the server does not have
    * @throws InvalidModelException S-122 if a class is in several files
    * @throws IOException if a file cannot be read
    */
@@ -91,7 +91,7 @@ final class UserFiles {
     }
   }
 
-  /** A link that leads out of the folder leads to nothing. */
+  /** Adds a file that was found; a link that leads out of the folder is ignored. */
   private static void addHit(Path folder, String name, Set<Path> hits) throws IOException {
     Path file = folder.resolve(name);
     if (Files.isRegularFile(file)) {

@@ -90,6 +90,28 @@ class ClientContractTest {
   }
 
   @Test
+  void rowsOneByOneTakeNoCallEach() {
+    RemoteRun run = session.prepareRemoteRun(SimulationOptions.asInFile());
+    run.start();
+    int rows = 0;
+    while (!run.ended()) {
+      rows += run.nextRow(Duration.ofSeconds(1)).isPresent() ? 1 : 0;
+    }
+    assertThat(rows).isEqualTo(ScriptedServer.ROWS);
+    assertThat(server.blocksSent).hasValue(3);
+  }
+
+  @Test
+  void rowsTakenOneByOneAreNotPutOutAgain() throws IOException {
+    RemoteRun run = session.prepareRemoteRun(SimulationOptions.asInFile());
+    run.start();
+    assertThat(run.nextRow(Duration.ofSeconds(1))).hasValue(new double[] {0, 0});
+    Rows rest = new Rows();
+    run.toEnd(rest);
+    assertThat(rest.rows).hasSize(ScriptedServer.ROWS - 1).first().isEqualTo(new double[] {1, 1});
+  }
+
+  @Test
   void localRunGivesTheRowsOfTheServersSolver() throws IOException {
     Rows rows = new Rows();
     RunResult result = session.prepareLocalRun(SimulationOptions.asInFile()).toEnd(rows);

@@ -64,6 +64,7 @@ final class ScriptedServer implements AutoCloseable {
 
   final List<String> happened = new CopyOnWriteArrayList<>();
   final AtomicInteger runtimeFetches = new AtomicInteger();
+  final AtomicInteger blocksSent = new AtomicInteger();
   volatile String failureCode = "N-001";
 
   /** What the script may be told to do differently. */
@@ -369,6 +370,7 @@ final class ScriptedServer implements AutoCloseable {
       if (next >= diesAtRow) {
         Runtime.getRuntime().halt(9);
       }
+      blocksSent.incrementAndGet();
       int first = next;
       next = Math.min(ROWS, first + Math.min(maxRows, 10));
       double[] values = new double[2 * (next - first)];

@@ -39,7 +39,8 @@ public record SimulationSettings(
           "reactions",
           "forces",
           "outputs",
-          "momentum");
+          "momentum",
+          "drives");
 
   public SimulationSettings {
     columns = List.copyOf(columns);

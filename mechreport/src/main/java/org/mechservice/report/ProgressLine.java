@@ -5,8 +5,8 @@ import java.util.Locale;
 import org.mechservice.report.measure.ReportProgress;
 
 /**
- * How far a report is: one line that is written over on a terminal; elsewhere a line for every
- * tenth of the way.
+ * Progress of a report: one line that is overwritten on a terminal; elsewhere a line for every
+ * tenth of the work.
  */
 public final class ProgressLine implements ReportProgress, AutoCloseable {
   private static final boolean TERMINAL = Boolean.getBoolean("mech.terminal");

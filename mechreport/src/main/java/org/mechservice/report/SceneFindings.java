@@ -22,9 +22,9 @@ import org.mechservice.report.method.SimulationMethod;
  * @param states number of states
  * @param freedoms number of independent velocities
  * @param endOfFile end of the run in the file, s
- * @param methods that fit, in order
- * @param leftOut that do not
- * @param judge of the errors
+ * @param methods methods that fit, in order
+ * @param leftOut methods that do not fit
+ * @param judge reference of the errors
  * @param points all methods at all tolerances; none without a reference
  * @param spectrum along the run
  * @param shares of time, by method name
@@ -63,7 +63,7 @@ public record SceneFindings(
     return points.stream().filter(point -> point.first().method().equals(method)).toList();
   }
 
-  /** Returns the floor below which errors mean nothing. */
+  /** Returns the floor below which errors have no meaning. */
   public double floor() {
     return judge.reference().map(reference -> reference.worstFloor()).orElse(Double.NaN);
   }

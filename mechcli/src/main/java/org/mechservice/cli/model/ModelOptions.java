@@ -62,8 +62,14 @@ public final class ModelOptions {
       hideParamSyntax = true,
       description =
           "Columns of the results besides time and joints: joints, accelerations, bodies, energy,"
-              + " constraints, reactions, forces, outputs, momentum, separated by commas, or all.")
+              + " constraints, reactions, forces, outputs, momentum, drives, separated by commas,"
+              + " or all.")
   private List<String> columns = List.of();
+
+  /** Returns whether another simulation of the file than the first may be meant. */
+  public boolean choosesSimulation() {
+    return !simulation.isEmpty();
+  }
 
   /** Returns the options given with these added. */
   public SimulationOptions addTo(SimulationOptions options) {

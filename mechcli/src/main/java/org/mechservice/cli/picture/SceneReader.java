@@ -4,13 +4,17 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
+import java.util.Locale;
 import java.util.Map;
 import org.mechservice.cli.shell.UsageException;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.ReadOptions;
 import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.mechml.document.Document;
 import org.mechservice.mechml.resolve.MechmlReader;
+import org.mechservice.mechml.urdf.UrdfImport;
 import org.mechservice.sim.check.CheckReport;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.assembly.ClosedStart;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -19,32 +23,45 @@ import org.mechservice.view.scene.SceneVerdict;
 
 /** Reads model files as scenes for pictures: poses at the start, with closed loops. */
 public final class SceneReader {
+  private static final String ROBOT = ".urdf";
+
   private SceneReader() {}
 
   /**
    * Reads a model file.
    *
-   * @param file a MechML file
+   * @param file a MechML file, or a robot in URDF if its name ends in {@code .urdf}
    * @param options the simulation whose start is shown, and values of parameters
    * @throws IOException if the file cannot be read
-   * @throws UsageException with the messages of the reader if it is no valid model
+   * @throws UsageException with the messages of the reader if it is no valid model; if options are
+   *     given for a robot, which has neither simulations nor parameters
    */
   public static SceneDescription read(Path file, ReadOptions options) throws IOException {
     byte[] content = Files.readAllBytes(file);
     String fileName = String.valueOf(file.getFileName());
     try {
+      if (fileName.toLowerCase(Locale.ROOT).endsWith(ROBOT)) {
+        if (!options.equals(ReadOptions.NONE)) {
+          throw new UsageException(
+              MessageCode.OPTION_UNUSABLE
+                  + " "
+                  + file
+                  + " is a robot in URDF, which has no parameters and simulations to choose");
+        }
+        UrdfImport robot = UrdfImport.of(fileName, content);
+        return scene(robot.model(), geometries(robot.document()));
+      }
       MechmlModel model = MechmlReader.read(fileName, content, options);
-      return scene(model, geometries(fileName, content));
+      return scene(model, geometries(MechmlReader.document(fileName, content)));
     } catch (MechmlException e) {
       throw new UsageException(String.valueOf(e.getMessage()));
     }
   }
 
   /** Returns the geometry files of the bodies that name one. */
-  private static Map<String, String> geometries(String fileName, byte[] content)
-      throws MechmlException {
+  private static Map<String, String> geometries(Document document) {
     Map<String, String> geometries = new HashMap<>();
-    MechmlReader.document(fileName, content).root().children("MBSmodel").stream()
+    document.root().children("MBSmodel").stream()
         .flatMap(model -> model.children("Bodies").stream())
         .flatMap(bodies -> bodies.children("body").stream())
         .forEach(

@@ -2,6 +2,7 @@ package org.mechservice.cli.simulate;
 
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.util.OptionalLong;
 import java.util.concurrent.Callable;
 import org.mechservice.cli.shell.ExitStatus;
 import org.mechservice.cli.shell.MechVersion;
@@ -44,7 +45,7 @@ public final class FetchCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException {
-    ResultFiles.requireUsableNames(results.files());
+    results.requireUsable();
     if (server.address().isEmpty()) {
       throw new UsageException(
           MessageCode.OPTION_UNUSABLE
@@ -53,7 +54,7 @@ public final class FetchCommand implements Callable<Integer> {
     try (MechConnection connection =
             MechConnection.open(server.address(), JarCache.ofUser(), server.identity());
         ReattachedRun run = connection.reattach(id);
-        ResultFiles files = ResultFiles.open(results.files())) {
+        ResultFiles files = results.open(OptionalLong.empty())) {
       return fetch(run, files);
     }
   }

@@ -1,31 +1,49 @@
 package org.mechservice.cli.simulate;
 
 import java.io.IOException;
+import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.security.DigestOutputStream;
+import java.security.MessageDigest;
 import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.HexFormat;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.mechservice.cli.shell.UsageException;
+import org.mechservice.result.ResultFormat;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.text.CsvWriter;
 import org.mechservice.solver.text.ResultFile;
+import org.mechservice.solver.text.Sha256;
 
-/** The files that take the rows of one run; there may be none. */
+/** The files that take the rows of one run, and standard output if it does; there may be none. */
 public final class ResultFiles implements ResultSink, AutoCloseable {
+  /** The name that stands for standard output, which takes CSV. */
+  static final Path STANDARD_OUTPUT = Path.of("-");
+
   private final List<Path> targets;
-  private final List<ResultFile> files;
+  private final List<ResultFile> files = new ArrayList<>();
+  private final Optional<CsvWriter> printed;
+  private final MessageDigest printedDigest = Sha256.digest();
+  private final OptionalLong expectedRows;
   private long rows;
   private double time;
 
-  private ResultFiles(List<Path> targets, List<ResultFile> files) {
-    this.targets = targets;
-    this.files = files;
+  private ResultFiles(List<Path> targets, PrintWriter terminal, OptionalLong expectedRows) {
+    this.targets = List.copyOf(targets);
+    this.expectedRows = expectedRows;
+    printed =
+        targets.contains(STANDARD_OUTPUT)
+            ? Optional.of(
+                new CsvWriter(new DigestOutputStream(new PrintedRows(terminal), printedDigest)))
+            : Optional.empty();
   }
 
   /**
@@ -37,22 +55,8 @@ public final class ResultFiles implements ResultSink, AutoCloseable {
   public static void requireUsableNames(List<Path> targets) {
     Set<Path> seen = new HashSet<>();
     for (Path target : targets) {
-      if (!target.toString().toLowerCase(Locale.ROOT).endsWith(".csv")) {
-        throw new UsageException(
-            MessageCode.RESULT_FILE_NAME
-                + " --out "
-                + target
-                + ": results are written to .csv files");
-      }
-      Path folder = target.toAbsolutePath().getParent();
-      if (folder == null || !Files.isDirectory(folder)) {
-        throw new UsageException(
-            MessageCode.RESULT_FILE_NAME
-                + " --out "
-                + target
-                + ": the folder "
-                + folder
-                + " does not exist; make it first");
+      if (!target.equals(STANDARD_OUTPUT)) {
+        requireUsableName(target);
       }
       if (!seen.add(target.toAbsolutePath().normalize())) {
         throw new UsageException(
@@ -61,16 +65,44 @@ public final class ResultFiles implements ResultSink, AutoCloseable {
     }
   }
 
+  /** The endings of animations, when they are written, are checked here too. */
+  private static void requireUsableName(Path target) {
+    if (ResultFormat.of(target).isEmpty()) {
+      throw new UsageException(
+          MessageCode.RESULT_FILE_NAME
+              + " --out "
+              + target
+              + ": results are written to files whose names end in "
+              + ResultFormat.endings()
+              + ", or as CSV to - (standard output)");
+    }
+    Path folder = target.toAbsolutePath().getParent();
+    if (folder == null || !Files.isDirectory(folder)) {
+      throw new UsageException(
+          MessageCode.RESULT_FILE_NAME
+              + " --out "
+              + target
+              + ": the folder "
+              + folder
+              + " does not exist; make it first");
+    }
+  }
+
   /**
    * Opens the files under temporary names.
    *
+   * @param terminal standard output
+   * @param expectedRows number of rows that the settings of the run give; empty: not known
    * @throws IOException if one cannot be written
    */
-  static ResultFiles open(List<Path> targets) throws IOException {
-    ResultFiles files = new ResultFiles(List.copyOf(targets), new ArrayList<>());
+  static ResultFiles open(List<Path> targets, PrintWriter terminal, OptionalLong expectedRows)
+      throws IOException {
+    ResultFiles files = new ResultFiles(targets, terminal, expectedRows);
     try {
       for (Path target : targets) {
-        files.files.add(new ResultFile(target));
+        if (!target.equals(STANDARD_OUTPUT)) {
+          files.files.add(new ResultFile(target, format(target)));
+        }
       }
     } catch (IOException e) {
       files.close();
@@ -79,15 +111,50 @@ public final class ResultFiles implements ResultSink, AutoCloseable {
     return files;
   }
 
+  private static ResultFormat format(Path target) {
+    return ResultFormat.of(target).orElseThrow();
+  }
+
+  /**
+   * {@inheritDoc}
+   *
+   * @throws UsageException S-176 if a file cannot hold so many rows and columns
+   */
   @Override
   public void begin(List<Variable> columns) throws IOException {
+    if (expectedRows.isPresent()) {
+      requireRoom(expectedRows.getAsLong(), columns.size());
+    }
+    if (printed.isPresent()) {
+      printed.get().begin(columns);
+    }
     for (ResultFile file : files) {
       file.begin(columns);
     }
   }
 
+  private void requireRoom(long rowsToCome, int columns) {
+    for (Path target : targets) {
+      Optional<String> refusal =
+          ResultFormat.of(target).flatMap(format -> format.refusal(rowsToCome, columns));
+      if (refusal.isPresent()) {
+        throw new UsageException(
+            MessageCode.RESULT_TOO_LARGE
+                + " --out "
+                + target
+                + " cannot hold the "
+                + rowsToCome
+                + " rows of this run: "
+                + refusal.get());
+      }
+    }
+  }
+
   @Override
   public void row(double[] values) throws IOException {
+    if (printed.isPresent()) {
+      printed.get().row(values);
+    }
     for (ResultFile file : files) {
       file.row(values);
     }
@@ -107,21 +174,37 @@ public final class ResultFiles implements ResultSink, AutoCloseable {
 
   /** Returns a sentence that names the files, or nothing if there are no rows in any. */
   String whereRowsAre() {
-    return files.isEmpty() || rows == 0 ? "" : " Rows up to there are in " + this + ".";
+    return targets.isEmpty() || rows == 0 ? "" : " Rows up to there are in " + this + ".";
   }
 
   /**
    * Puts the files in their places.
    *
-   * @return SHA-256 of the rows as CSV; empty if there are no files
+   * @return SHA-256 of the first one, or else of what was printed; empty if there is neither
    * @throws IOException if a file cannot be completed
    */
   Optional<String> keep() throws IOException {
-    Optional<String> hash = Optional.empty();
+    List<String> hashes = new ArrayList<>();
     for (ResultFile file : files) {
-      hash = Optional.of(file.keep());
+      hashes.add(file.keep());
     }
-    return hash;
+    if (printed.isPresent()) {
+      printed.get().finish();
+      hashes.add(HexFormat.of().formatHex(printedDigest.digest()));
+    }
+    return hashes.stream().findFirst();
+  }
+
+  /** Returns whether a file takes a limited number of rows only. */
+  static boolean haveLimit(List<Path> targets) {
+    return targets.stream()
+        .flatMap(target -> ResultFormat.of(target).stream())
+        .anyMatch(ResultFormat::isLimited);
+  }
+
+  /** Returns whether the rows go to standard output, which then takes nothing else. */
+  static boolean arePrinted(List<Path> targets) {
+    return targets.contains(STANDARD_OUTPUT);
   }
 
   /** Deletes the files that were not kept. */
@@ -134,6 +217,8 @@ public final class ResultFiles implements ResultSink, AutoCloseable {
 
   @Override
   public String toString() {
-    return targets.stream().map(Path::toString).collect(Collectors.joining(", "));
+    return targets.stream()
+        .map(target -> target.equals(STANDARD_OUTPUT) ? "standard output" : target.toString())
+        .collect(Collectors.joining(", "));
   }
 }

@@ -6,7 +6,9 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalLong;
 import org.mechservice.cli.shell.ExitStatus;
+import org.mechservice.cli.shell.UsageException;
 import org.mechservice.client.run.RunResult;
 import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.catalogue.MessageCode;
@@ -23,8 +25,12 @@ import picocli.CommandLine.Spec;
 final class ResultOptions {
   @Option(
       names = "--out",
-      paramLabel = "FILE.csv",
-      description = "Write the rows here, and their units beside it; may be given several times.")
+      paramLabel = "FILE",
+      description = {
+        "Write the rows here; may be given several times. The name ends in .csv or .tsv (units"
+            + " beside it), .json, .mat or .parquet (units inside).",
+        "With - the rows go to standard output as CSV, and the report to standard error."
+      })
   private List<Path> out = List.of();
 
   @Option(names = "--quiet", description = "Print nothing but errors.")
@@ -35,6 +41,31 @@ final class ResultOptions {
 
   @Spec(Spec.Target.MIXEE)
   private CommandSpec command = CommandSpec.create();
+
+  /**
+   * Checks the options before anything is computed.
+   *
+   * @throws UsageException S-044 if a file has a name that cannot be used, S-041 if both the rows
+   *     and the JSON object would go to standard output
+   */
+  void requireUsable() {
+    ResultFiles.requireUsableNames(out);
+    if (json && ResultFiles.arePrinted(out)) {
+      throw new UsageException(
+          MessageCode.OPTION_UNUSABLE
+              + " --json and --out - both write to standard output; give --out a file");
+    }
+  }
+
+  /**
+   * Opens the files for the rows.
+   *
+   * @param expectedRows number of rows that the settings of the run give; empty: not known
+   * @throws IOException if one cannot be written
+   */
+  ResultFiles open(OptionalLong expectedRows) throws IOException {
+    return ResultFiles.open(out, command.commandLine().getOut(), expectedRows);
+  }
 
   /** Returns the files for the rows. */
   List<Path> files() {
@@ -60,7 +91,10 @@ final class ResultOptions {
     if (files.rows() > 0) {
       files.keep().ifPresent(hash -> report.put("resultsSha256", hash));
     }
-    PrintWriter terminal = command.commandLine().getOut();
+    PrintWriter terminal =
+        ResultFiles.arePrinted(out)
+            ? command.commandLine().getErr()
+            : command.commandLine().getOut();
     if (json) {
       terminal.println(JsonText.write(report));
     } else if (!quiet) {

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.OptionalLong;
 import java.util.concurrent.Callable;
 import org.mechservice.cli.model.ModelOptions;
 import org.mechservice.cli.model.ParameterOption;
@@ -19,7 +20,9 @@ import org.mechservice.client.failure.ServiceException;
 import org.mechservice.client.run.CheckpointStore;
 import org.mechservice.client.run.PreparedRun;
 import org.mechservice.client.run.RemoteRun;
+import org.mechservice.client.run.RunProgress;
 import org.mechservice.client.run.RunResult;
+import org.mechservice.idl.OPT_T_STEP;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -83,7 +86,7 @@ public final class SimulateCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException {
-    ResultFiles.requireUsableNames(results.files());
+    results.requireUsable();
     checkpoints.requireUsable(results.files());
     CheckpointStore store = checkpoints.open(lost -> err().println(lost));
     SimulationOptions options = options();
@@ -93,7 +96,7 @@ public final class SimulateCommand implements Callable<Integer> {
       session.loadModel(model, userCode.folder());
       RunFollower news = new RunFollower(this::tell);
       try (PreparedRun run = prepare(session, options, news);
-          ResultFiles files = ResultFiles.open(results.files())) {
+          ResultFiles files = results.open(expectedRows(session, run))) {
         interrupt.cancels(run);
         tellIdentity(run);
         return simulate(run, news, files, store);
@@ -138,6 +141,23 @@ public final class SimulateCommand implements Callable<Integer> {
         run.addTo(method.addTo(parameters.addTo(SimulationOptions.asInFile())));
     SimulationOptions watched = maxDrift.map(options::maxDrift).orElse(options);
     return strict ? watched.strict() : watched;
+  }
+
+  /**
+   * Returns how many rows the run puts out, if a file has a limit and the number is known before
+   * the run. The server tells the distance of the rows of the file's first simulation only.
+   */
+  private OptionalLong expectedRows(MechSession session, PreparedRun prepared) {
+    boolean known = run.outputStep().isPresent() || !method.choosesSimulation();
+    if (!known || !ResultFiles.haveLimit(results.files())) {
+      return OptionalLong.empty();
+    }
+    double step =
+        run.outputStep()
+            .orElseGet(() -> Double.valueOf(session.model().settings().get(OPT_T_STEP.value)));
+    RunProgress interval = prepared.progress();
+    double steps = (interval.endTime() - interval.startTime()) / step;
+    return OptionalLong.of(1 + (long) Math.ceil(steps));
   }
 
   private int simulate(PreparedRun run, RunFollower news, ResultFiles files, CheckpointStore store)

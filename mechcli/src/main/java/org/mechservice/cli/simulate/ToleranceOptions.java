@@ -31,6 +31,11 @@ public final class ToleranceOptions {
   @Option(names = "--t-step", paramLabel = "H", description = "Distance of the rows, s.")
   private Optional<Double> outputStep = Optional.empty();
 
+  /** Returns the distance of the rows, s; empty if it is left to the file. */
+  Optional<Double> outputStep() {
+    return outputStep;
+  }
+
   /** Returns the options given with these added. */
   public SimulationOptions addTo(SimulationOptions options) {
     SimulationOptions all = relativeTolerance.map(options::relativeTolerance).orElse(options);

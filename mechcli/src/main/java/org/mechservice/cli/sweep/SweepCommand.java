@@ -14,6 +14,7 @@ import java.security.NoSuchAlgorithmException;
 import java.util.Collection;
 import java.util.HexFormat;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
@@ -133,11 +134,23 @@ public final class SweepCommand implements Callable<Integer> {
     if (out == null) {
       return sweep(grid, options, Optional.empty());
     }
-    ResultFiles.requireUsableNames(List.of(out));
+    requireCsv(out);
     OutputFile.requireUsable(out);
     try (SweepJournal journal = SweepJournal.open(part(out), identity(options))) {
       return sweep(grid, options, Optional.of(journal));
     }
+  }
+
+  /** The table of a sweep has words in it, which the other formats of results have no place for. */
+  private static void requireCsv(Path file) {
+    if (!file.toString().toLowerCase(Locale.ROOT).endsWith(".csv")) {
+      throw new UsageException(
+          MessageCode.RESULT_FILE_NAME
+              + " --out "
+              + file
+              + ": the table of a sweep is written to a .csv file; without --out it is printed");
+    }
+    ResultFiles.requireUsableNames(List.of(file));
   }
 
   private SweepGrid grid() {

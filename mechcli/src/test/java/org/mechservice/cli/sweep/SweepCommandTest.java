@@ -157,7 +157,7 @@ class SweepCommandTest {
         .containsExactly("completed", "failed", "failed", "completed", "failed");
     assertThat(rows.get(2).get(2)).startsWith("M-");
     assertThat(rows.get(3).get(2)).startsWith("M-022");
-    assertThat(Files.readString(file)).contains("stands for nothing here");
+    assertThat(Files.readString(file)).contains("is not a known name here");
     assertThat(rows.get(5).get(2)).startsWith("N-");
     assertThat(err.toString()).contains("3 of 5 points failed, the first at {damping=1/0}");
   }

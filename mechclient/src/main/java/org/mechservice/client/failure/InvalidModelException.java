@@ -3,7 +3,7 @@ package org.mechservice.client.failure;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** The server cannot use the model; carries everything it found. */
+/** The server cannot use the model; carries all its messages. */
 public final class InvalidModelException extends ServiceException {
   private static final long serialVersionUID = 1L;
 
@@ -18,7 +18,7 @@ public final class InvalidModelException extends ServiceException {
     return messages.stream().map(ModelMessage::toString).collect(Collectors.joining("\n"));
   }
 
-  /** Returns what the server found, in the order of the file; empty if it only gave a text. */
+  /** Returns the messages of the server, in the order of the file; empty if it gave only a text. */
   public List<ModelMessage> messages() {
     return messages;
   }

@@ -1,6 +1,6 @@
 package org.mechservice.client.failure;
 
-/** The call does not fit what the simulation or session has done so far. */
+/** The call is not permitted in the present state of the simulation or session. */
 public final class InvalidStateException extends ServiceException {
   private static final long serialVersionUID = 1L;
 
@@ -11,7 +11,7 @@ public final class InvalidStateException extends ServiceException {
     this.state = state;
   }
 
-  /** Returns the state the simulation was in. */
+  /** Returns the state of the simulation. */
   public RunState state() {
     return state;
   }

@@ -1,8 +1,8 @@
 package org.mechservice.client.failure;
 
 /**
- * A JAR that came from the server is not the one it announced, or does not fit this client; nothing
- * of it was loaded.
+ * A JAR from the server is not the announced one, or does not fit this client; no class of it was
+ * loaded.
  */
 public final class JarRefusedException extends ServiceException {
   private static final long serialVersionUID = 1L;

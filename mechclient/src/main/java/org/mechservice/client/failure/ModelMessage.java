@@ -5,9 +5,9 @@ import java.util.List;
 import org.mechservice.idl.Diagnostic;
 
 /**
- * Something the server has to say about a model.
+ * A message of the server about a model.
  *
- * @param severity how much it matters
+ * @param severity its severity
  * @param code entry of the error catalogue, such as {@code M-014}
  * @param text what was found, what was expected, and what to write instead
  * @param fileName the file it is about; empty if none
@@ -24,11 +24,11 @@ public record ModelMessage(
     int column,
     String path) {
 
-  /** How much a message matters. */
+  /** Severity of a message. */
   public enum Severity {
-    /** Worth knowing. */
+    /** Information. */
     INFO,
-    /** Probably not meant; the model is used all the same. */
+    /** Probable mistake; the model is used nevertheless. */
     WARNING,
     /** The model cannot be used. */
     ERROR
@@ -49,12 +49,12 @@ public record ModelMessage(
         said.path);
   }
 
-  /** Returns the same message about a file the client knows by another name. */
+  /** Returns the same message with another name of the file. */
   public ModelMessage inFile(String name) {
     return new ModelMessage(severity, code, text, name, line, column, path);
   }
 
-  /** Returns {@code file:line:column: code text}, as much of the place as is known. */
+  /** Returns {@code file:line:column: code text}, with the known parts of the position. */
   @Override
   public String toString() {
     String place =

@@ -1,6 +1,6 @@
 package org.mechservice.client.failure;
 
-/** The server does not allow this client to do what it asked for. */
+/** The server does not permit this client the requested operation. */
 public final class NotAuthorizedException extends ServiceException {
   private static final long serialVersionUID = 1L;
 

@@ -1,6 +1,6 @@
 package org.mechservice.client.failure;
 
-/** This version of the server does not offer what was asked for. */
+/** This version of the server does not support the requested operation. */
 public final class NotAvailableException extends ServiceException {
   private static final long serialVersionUID = 1L;
 

@@ -1,6 +1,6 @@
 package org.mechservice.client.failure;
 
-/** What was asked for by name or identity does not exist at the server. */
+/** The server has no object of the given name or id. */
 public final class NotFoundException extends ServiceException {
   private static final long serialVersionUID = 1L;
 

@@ -22,12 +22,12 @@ import org.omg.CORBA.TRANSIENT;
 import org.omg.CORBA.UserException;
 
 /**
- * Calls to one server: what CORBA reports becomes a {@link ServiceException}.
+ * Calls to one server; errors of CORBA become {@link ServiceException}s.
  *
  * @param address the server's address, as messages name it
  */
 public record RemoteCalls(String address) {
-  /** Before a connection that was cut is tried again, ms; after the last, the server is lost. */
+  /** Pauses before the retries of a cut connection, ms; after the last, the server is lost. */
   private static final long[] PAUSES_MILLIS = {0, 200, 800};
 
   /** A call that returns something. */
@@ -69,9 +69,9 @@ public record RemoteCalls(String address) {
   }
 
   /**
-   * Makes up for a call that was lost with its connection.
+   * Repeats a call that was lost with its connection.
    *
-   * @param first what became of that call
+   * @param first exception of the lost call
    * @throws ServiceException if the server refuses this one or stays lost
    */
   public <T> T again(ServerLostException first, Call<T> call) {

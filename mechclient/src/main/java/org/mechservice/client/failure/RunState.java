@@ -2,19 +2,19 @@ package org.mechservice.client.failure;
 
 import org.mechservice.idl.SimState;
 
-/** Where a simulation is in its life. */
+/** State of a simulation. */
 public enum RunState {
   /** Ready to start. */
   CREATED,
-  /** Waiting for room on the host. */
+  /** Waiting for a free place on the host. */
   QUEUED,
   /** Computing. */
   RUNNING,
-  /** Held after a step until it is told to go on. */
+  /** Paused after a step until it is resumed. */
   PAUSED,
   /** Reached its end. */
   DONE,
-  /** Could not go on. */
+  /** Could not continue. */
   FAILED,
   /** Stopped on request. */
   CANCELLED;
@@ -23,7 +23,7 @@ public enum RunState {
     return values()[state.value()];
   }
 
-  /** Returns whether no further row will come. */
+  /** Returns whether the run has ended and no further row follows. */
   public boolean ended() {
     return this == DONE || this == FAILED || this == CANCELLED;
   }

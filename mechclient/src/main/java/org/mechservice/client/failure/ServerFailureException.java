@@ -1,6 +1,6 @@
 package org.mechservice.client.failure;
 
-/** Something went wrong inside the server; its operator finds the details under the incident. */
+/** An internal error of the server; its operator finds the details by the incident's id. */
 public final class ServerFailureException extends ServiceException {
   private static final long serialVersionUID = 1L;
 
@@ -11,7 +11,7 @@ public final class ServerFailureException extends ServiceException {
     this.incident = incident;
   }
 
-  /** Returns the identity under which the server logged what happened; may be empty. */
+  /** Returns the id of the incident in the server's log; may be empty. */
   public String incident() {
     return incident;
   }

@@ -2,7 +2,7 @@ package org.mechservice.client.failure;
 
 import org.mechservice.solver.catalogue.MessageCode;
 
-/** The server cannot be reached, does not answer any more, or has forgotten the session. */
+/** The server cannot be reached, no longer answers, or no longer has the session. */
 public final class ServerLostException extends ServiceException {
   private static final long serialVersionUID = 1L;
 
@@ -14,13 +14,13 @@ public final class ServerLostException extends ServiceException {
   }
 
   /**
-   * Returns whether the connection was cut, or there is none; the server may be there all the same.
+   * Returns whether the connection was cut or could not be made; the server may still be running.
    */
   boolean isConnectionCut() {
     return code().equals(MessageCode.CONNECTION_LOST.code());
   }
 
-  /** Returns the address that was asked. */
+  /** Returns the address of the server. */
   public String address() {
     return address;
   }

@@ -4,8 +4,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * The service refused a call, or could not be reached. Every case has a stable code and one message
- * for people; the kinds are closed, so a {@code switch} over them is complete.
+ * The service refused a call, or could not be reached. Every case has a stable code and one
+ * message; the hierarchy is sealed, so a {@code switch} over it is complete.
  */
 public abstract sealed class ServiceException extends RuntimeException
     permits InvalidModelException,

@@ -1,5 +1,5 @@
 /**
- * Calls to the server and the errors they end with.
+ * Calls to the server and their errors.
  *
  * <p>{@link org.mechservice.client.failure.ServiceException} is the sealed base of ten exceptions;
  * each has a code of the error catalogue and one message. Nine are refusals, with the text of the
@@ -13,7 +13,7 @@
  * of the contract into these types, and repeats calls that may be made twice when the connection is
  * cut. Programs do not use it.
  *
- * <p>The package depends on the contract alone; all other packages of the library stand on it.
+ * <p>The package depends only on the contract; all other packages of the library depend on it.
  */
 @NullMarked
 package org.mechservice.client.failure;

@@ -21,7 +21,7 @@ import org.mechservice.solver.text.Sha256;
  * @param signature detached signature by the server's key; empty: it has none
  * @param manifest formulation, integrator, what was left out and why
  */
-@SuppressWarnings("ArrayRecordComponent") // a file's bytes: handed on, never changed
+@SuppressWarnings("ArrayRecordComponent") // a file's bytes, never changed
 public record BuiltJar(
     String fileName,
     byte[] bytes,
@@ -36,7 +36,7 @@ public record BuiltJar(
   }
 
   /**
-   * Checks what arrived against what was announced.
+   * Checks a received JAR against the announced hash.
    *
    * @throws JarRefusedException if they differ
    */
@@ -53,7 +53,7 @@ public record BuiltJar(
   }
 
   /**
-   * Returns the bytes if they have the hash announced.
+   * Returns the bytes if they have the announced hash.
    *
    * @param what the JAR's name in messages
    * @throws JarRefusedException if they do not

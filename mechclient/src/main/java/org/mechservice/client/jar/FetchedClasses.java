@@ -17,9 +17,8 @@ import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.text.Sha256;
 
 /**
- * Loads classes from fetched JARs. Of the client they see the artifact {@code solver-api}, whose
- * types the client and the solver exchange, and nothing else: the solver is the server's, bit for
- * bit.
+ * Loads classes from fetched JARs. They share only the artifact {@code solver-api} with the client,
+ * whose types client and solver exchange; the solver is the server's, bit for bit.
  */
 final class FetchedClasses extends ClassLoader {
   /** The packages of artifact {@code solver-api}; the ones below them belong to it too. */

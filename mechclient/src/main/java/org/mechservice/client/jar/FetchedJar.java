@@ -22,7 +22,7 @@ import org.mechservice.solver.catalogue.MessageCode;
  *
  * <p>{@link JarFile} reads files only and {@code JarInputStream} inflates every entry, most of
  * which a run does not need. So this class reads the table of contents itself (PKWARE APPNOTE
- * 4.3.12 and 4.3.16) and inflates an entry when it is wanted.
+ * 4.3.12 and 4.3.16) and inflates an entry on request.
  */
 final class FetchedJar {
   private static final String API_VERSION_ATTRIBUTE = "Mech-Api-Version";

@@ -18,12 +18,12 @@ import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.text.Sha256;
 
 /**
- * A model and the solver it came with, loaded apart from the client's own classes.
+ * A model and the solver that came with it, loaded separately from the client's own classes.
  *
  * @param modelClass a {@link Model} or a {@link ModelSource}
  * @param solver the server's solver
  * @param sha256 of the model's JAR
- * @param formulationReason why the model was generated in its formulation; empty if not said
+ * @param formulationReason reason for the model's formulation; empty if unknown
  * @param shown column groups its file selects
  */
 public record FetchedModel(

@@ -13,9 +13,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Keeps fetched runtime JARs by their SHA-256, so that each is fetched once. Every JAR is checked
- * against its hash before it is returned: a file that was changed is fetched again, a download that
- * does not fit is refused and not kept.
+ * Stores fetched runtime JARs by their SHA-256, so that each is fetched once. Every JAR is checked
+ * against its hash before it is returned: a changed file is fetched again; a download with another
+ * hash is rejected and not stored.
  */
 public final class JarCache {
   private static final Logger LOG = LoggerFactory.getLogger(JarCache.class);

@@ -11,12 +11,13 @@ import org.mechservice.idl.NameValueSeqHolder;
 import org.mechservice.idl.RuntimeInfo;
 
 /**
- * Fetches the JARs of a session's model, and takes only what was announced and, over TLS, signed.
+ * Fetches the JARs of a session's model, and accepts only JARs with the announced hash and, over
+ * TLS, a valid signature.
  *
  * @param calls to the session's host
  * @param session the session
- * @param cache keeps the solver
- * @param origin makes sure that a JAR comes from the host
+ * @param cache stores the solver
+ * @param origin checks that a JAR comes from the host
  */
 public record JarFetch(RemoteCalls calls, MechSim session, JarCache cache, JarOrigin origin) {
 

@@ -7,16 +7,15 @@ import org.mechservice.orb.tls.DetachedSignature;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * Makes sure that a JAR comes from the host a client is connected with. Over TLS the host has shown
- * its certificate, and what it sends is signed with the same key.
+ * Checks that a JAR comes from the host of the connection. Over TLS the host has a certificate, and
+ * its JARs are signed with the same key.
  *
- * @param encrypted whether the connection is encrypted; if not, nobody has a key, and the hash of a
- *     JAR is all there is
- * @param key the host's; empty: it has shown none
+ * @param encrypted whether the connection is encrypted; otherwise only the hash of a JAR is checked
+ * @param key public key of the host; empty if it has shown none
  */
 public record JarOrigin(boolean encrypted, Optional<PublicKey> key) {
   /**
-   * Returns a JAR whose signature fits.
+   * Returns a JAR if its signature is valid.
    *
    * @param what names it in the message
    * @throws JarRefusedException with code S-154 if it does not

@@ -4,8 +4,8 @@ import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.Solver;
 
 /**
- * A model fetched with the solver it came with, for callers that run it themselves, many times.
- * Needs the server no more.
+ * A fetched model with its solver, for callers that run it themselves, any number of times. It no
+ * longer needs the server.
  */
 public final class LocalModel {
   private final BuiltJar modelJar;

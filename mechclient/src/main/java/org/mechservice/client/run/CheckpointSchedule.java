@@ -3,7 +3,7 @@ package org.mechservice.client.run;
 import java.io.IOException;
 import java.util.Optional;
 
-/** Tells when the next checkpoint of a run is due. */
+/** Schedule of the checkpoints of a run. */
 final class CheckpointSchedule {
   private static final double NANOSECONDS = 1e9;
 
@@ -22,7 +22,7 @@ final class CheckpointSchedule {
     return isWanted() && System.nanoTime() - lastAt >= store.secondsBetween() * NANOSECONDS;
   }
 
-  /** Keeps a checkpoint if there is one; without one the next is due as late. */
+  /** Stores a checkpoint if there is one, and schedules the next. */
   void keep(Optional<byte[]> checkpoint) throws IOException {
     if (checkpoint.isPresent()) {
       store.keep(checkpoint.get());

@@ -3,9 +3,9 @@ package org.mechservice.client.run;
 import java.io.IOException;
 import java.util.Optional;
 
-/** Keeps checkpoints of a run on this side, and gives back the one to go on from. */
+/** Stores checkpoints of a run on the client's machine, and returns the one to resume from. */
 public interface CheckpointStore {
-  /** Keeps nothing and begins at the start. */
+  /** Stores nothing; the run begins at its start. */
   CheckpointStore NONE =
       new CheckpointStore() {
         @Override
@@ -22,16 +22,17 @@ public interface CheckpointStore {
         public void keep(byte[] checkpoint) {}
       };
 
-  /** Returns the wall-clock time between two checkpoints, s; infinite: none are wanted. */
+  /** Returns the wall-clock time between two checkpoints, s; infinite for none. */
   double secondsBetween();
 
-  /** Returns the checkpoint to go on from; empty: the run begins at the start. */
+  /** Returns the checkpoint to resume from; empty if the run begins at its start. */
   Optional<byte[]> saved();
 
   /**
-   * Keeps a checkpoint in place of the one before. All rows before it were handed to the sink.
+   * Stores a checkpoint in place of the previous one. All rows before it have been passed to the
+   * sink.
    *
-   * @throws IOException if it cannot be kept
+   * @throws IOException if it cannot be stored
    */
   void keep(byte[] checkpoint) throws IOException;
 }

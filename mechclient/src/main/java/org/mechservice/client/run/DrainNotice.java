@@ -6,11 +6,11 @@ import org.mechservice.idl.SimEvent;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * Finds out whether the host of a run is being emptied. It asks once a second, so that it costs
- * next to nothing; a callback could be lost.
+ * Checks whether the host of a run is being drained. It queries the host once a second, which costs
+ * little; a callback could be lost.
  */
 final class DrainNotice {
-  /** What a host says of a run that can be saved and go on elsewhere. */
+  /** Message code of a draining host for a run that can continue on another host. */
   private static final String MOVABLE = MessageCode.HOST_DRAINING.code();
 
   private static final long MILLIS_BETWEEN = 1000;
@@ -54,7 +54,7 @@ final class DrainNotice {
     return arrived;
   }
 
-  /** Heeds the notice no more: the run stays. */
+  /** Ignores all further notices: the run stays. */
   void ignore() {
     ignored = true;
   }

@@ -9,7 +9,7 @@ import org.mechservice.idl.StepTried;
 import org.mechservice.solver.api.run.Failure;
 import org.mechservice.solver.catalogue.MessageCode;
 
-/** A failure as a server tells it, put together as a run here would tell it. */
+/** Converts the failure of a run at a server to that of a local run. */
 final class FailureReader {
   private static final String STEPS = "lastSteps";
   private static final String RESULT = ": ";
@@ -19,8 +19,8 @@ final class FailureReader {
   /**
    * Returns the failure with the steps that led to it.
    *
-   * @param report of the same run: it says what became of each step, for which the contract's
-   *     record has numbers alone
+   * @param report report of the same run, which has the outcome of each step in words; the
+   *     contract's record has numbers only
    */
   static Failure of(FailureRecord said, Map<String, Object> report) {
     Optional<MessageCode> known = MessageCode.find(said.code);

@@ -11,16 +11,16 @@ import org.mechservice.idl.MechSim;
 import org.mechservice.idl.NameValue;
 
 /**
- * A run on the host it is on now.
+ * A run on its present host.
  *
  * @param calls to that host
  * @param hostName the host's name
  * @param session the run's session there
  * @param simulation the run
  * @param hold keeps it alive
- * @param rows those it puts out there
- * @param facts of its set-up, for the report
- * @param own a session that ends with the run; empty: the user ends it
+ * @param rows cursor over its rows on that host
+ * @param facts facts of its set-up, for the report
+ * @param own a session that ends with the run; empty if the user ends the session
  */
 public record HostedRun(
     RemoteCalls calls,
@@ -33,18 +33,18 @@ public record HostedRun(
     Optional<LeaseRenewal.Hold> own)
     implements AutoCloseable {
 
-  /** Opens a place for a run on another host. */
+  /** Opens a run on another host. */
   public interface Opening {
     /**
-     * Sets the run up wherever a server has room, in a session that ends with it.
+     * Sets up the run on any host with a free place, in a session that ends with it.
      *
-     * @param earlierIds those it has had on other hosts, under which it shall be found
+     * @param earlierIds its ids on other hosts, by which it can still be found
      * @throws ServiceException if no host takes it
      */
     HostedRun open(List<String> earlierIds);
   }
 
-  /** Returns the same, in a session that ends with the run. */
+  /** Returns the same run with a session that ends with it. */
   public HostedRun endingWith(LeaseRenewal.Hold ended) {
     return new HostedRun(
         calls, hostName, session, simulation, hold, rows, facts, Optional.of(ended));
@@ -66,7 +66,7 @@ public record HostedRun(
     calls.run(() -> simulation.setParameters(all));
   }
 
-  /** Returns a checkpoint of the run as it is now; empty if it takes no step just now. */
+  /** Returns a checkpoint of the present state of the run; empty if it is not between steps. */
   Optional<byte[]> checkpoint() {
     try {
       return Optional.of(calls.get(simulation::checkpoint));
@@ -79,7 +79,7 @@ public record HostedRun(
     calls.run(() -> simulation.restore(checkpoint));
   }
 
-  /** Destroys the run there. */
+  /** Destroys the run on that host. */
   @Override
   public void close() {
     rows.close();

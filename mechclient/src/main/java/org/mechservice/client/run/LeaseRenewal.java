@@ -12,14 +12,14 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Renews in the background what this client holds at the server, each object at a third of the time
- * it was granted. A renewal that fails is tried again every second; the next call of the user finds
- * out whether the server is lost.
+ * Renews the leases of this client's objects at the server in the background, each after a third of
+ * the granted time. A failed renewal is repeated every second; the next call of the user shows
+ * whether the server is lost.
  */
 public final class LeaseRenewal implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(LeaseRenewal.class);
 
-  /** Granted time is only learned by renewing; the first renewal comes this soon. */
+  /** Time of the first renewal, whose answer contains the granted time. */
   private static final long FIRST_MILLIS = 500;
 
   private static final long RETRY_MILLIS = 1000;
@@ -78,7 +78,7 @@ public final class LeaseRenewal implements AutoCloseable {
       }
     }
 
-    /** Stops renewing; the object stays as long as others keep it. */
+    /** Stops renewing; the object lives as long as other clients renew it. */
     public void release() {
       released.set(true);
     }

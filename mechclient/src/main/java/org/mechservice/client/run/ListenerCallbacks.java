@@ -12,7 +12,7 @@ import org.mechservice.solver.catalogue.MessageCode;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** Hands the server's callbacks to the user's listener; what that throws stays here. */
+/** Passes the server's callbacks to the user's listener and logs its exceptions. */
 public final class ListenerCallbacks implements IMechClientOperations {
   private static final Logger LOG = LoggerFactory.getLogger(ListenerCallbacks.class);
 
@@ -24,28 +24,28 @@ public final class ListenerCallbacks implements IMechClientOperations {
 
   @Override
   public void onStatus(String simId, SimState state, String text) {
-    tell(user -> user.onStatus(RunState.of(state), text));
+    report(user -> user.onStatus(RunState.of(state), text));
   }
 
   @Override
   public void onProgress(Progress info) {
-    tell(user -> user.onProgress(RunProgress.of(info)));
+    report(user -> user.onProgress(RunProgress.of(info)));
   }
 
   @Override
   public void onMessages(String simId, Diagnostic[] messages) {
-    tell(user -> user.onMessages(ModelMessage.listOf(messages)));
+    report(user -> user.onMessages(ModelMessage.listOf(messages)));
   }
 
   @Override
   public void heartbeat() {}
 
-  /** Tells the listener something that this client knows. */
+  /** Passes a message of this client to the listener. */
   public void say(ModelMessage message) {
-    tell(user -> user.onMessages(List.of(message)));
+    report(user -> user.onMessages(List.of(message)));
   }
 
-  private synchronized void tell(Consumer<RunListener> message) {
+  private synchronized void report(Consumer<RunListener> message) {
     try {
       message.accept(listener);
     } catch (RuntimeException e) {

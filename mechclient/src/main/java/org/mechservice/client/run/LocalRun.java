@@ -24,8 +24,8 @@ import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * A run on this machine, of the model class and with the solver fetched from the server. It needs
- * the server no more. It runs once.
+ * A run on this machine with the model class and the solver fetched from the server. It no longer
+ * needs the server. It runs once.
  */
 public final class LocalRun implements PreparedRun {
   private final ModelSource source;

@@ -13,7 +13,7 @@ import org.mechservice.solver.api.result.ResultSink;
 /** A run that is ready to start, at the server or on this machine. */
 public sealed interface PreparedRun extends AutoCloseable permits RemoteRun, LocalRun {
   /**
-   * Returns the parameters that may be set before the start, with the values they have.
+   * Returns the parameters that may be set before the start, with their present values.
    *
    * @throws ServiceException if the server is lost
    */
@@ -30,11 +30,11 @@ public sealed interface PreparedRun extends AutoCloseable permits RemoteRun, Loc
   void setParameters(Map<String, String> values);
 
   /**
-   * Runs to the end and puts out the rows as they arise.
+   * Runs to the end and passes each row on when it is computed.
    *
-   * @param sink takes the rows
-   * @return how the run ended and its report
-   * @throws IOException if the sink cannot keep a row; the run is then cancelled
+   * @param sink receives the rows
+   * @return outcome and report of the run
+   * @throws IOException if the sink cannot store a row; the run is then cancelled
    * @throws ServiceException if the server is lost or refuses the run; the sink has the rows up to
    *     then
    */
@@ -43,32 +43,32 @@ public sealed interface PreparedRun extends AutoCloseable permits RemoteRun, Loc
   }
 
   /**
-   * Runs to the end as {@link #toEnd(ResultSink)} does, leaving checkpoints on its way and when it
-   * is stopped, or going on from one: then only the rows after it are put out.
+   * Runs to the end as {@link #toEnd(ResultSink)} does, and writes checkpoints during the run and
+   * when it is stopped, or resumes from one, with only the rows after it.
    *
-   * @param store keeps the checkpoints
+   * @param store stores the checkpoints
    * @throws InvalidOptionException also if the checkpoint is damaged, or of another model, solver
    *     version or request
    * @throws NotAvailableException if checkpoints are wanted and the model cannot be saved
-   * @throws IOException also if a checkpoint cannot be kept
+   * @throws IOException also if a checkpoint cannot be stored
    */
   RunResult toEnd(ResultSink sink, CheckpointStore store) throws IOException;
 
   /**
-   * Asks the run to stop, from any thread; {@link #toEnd} then returns with the rows so far.
+   * Requests the run to stop, from any thread; {@link #toEnd} then returns with the rows so far.
    *
    * @throws ServiceException if the server is lost
    */
   void cancel();
 
   /**
-   * Returns how far the run is.
+   * Returns the progress of the run.
    *
    * @throws ServiceException if the server is lost
    */
   RunProgress progress();
 
-  /** Gives up what the run holds. */
+  /** Releases the objects of the run. */
   @Override
   void close();
 }

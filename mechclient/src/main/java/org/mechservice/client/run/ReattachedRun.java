@@ -15,9 +15,9 @@ import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.Outcome;
 
 /**
- * A run at the server that somebody else has started, or this client before it was lost. It is kept
- * alive as long as this is open, and stays at the server afterwards: for as long as what started it
- * lives while it goes on, for the server's retention time once it has ended.
+ * A run at the server that another client has started, or this client before a restart. The run is
+ * kept alive as long as this object is open. Afterwards a run in progress lives as long as its own
+ * session, and a run that has ended for the server's retention time.
  */
 public final class ReattachedRun implements AutoCloseable {
   private static final Duration BLOCK_WAIT = Duration.ofMillis(500);
@@ -36,7 +36,9 @@ public final class ReattachedRun implements AutoCloseable {
     hold = leases.hold(simulation);
   }
 
-  /** Returns the run's identity at the server, another than it was found by if it has moved. */
+  /**
+   * Returns the run's id at the server, which differs from the one it was found by if it has moved.
+   */
   public String id() {
     return id;
   }
@@ -47,7 +49,7 @@ public final class ReattachedRun implements AutoCloseable {
   }
 
   /**
-   * Returns how far the run is.
+   * Returns the progress of the run.
    *
    * @throws ServiceException if the server is lost
    */
@@ -56,10 +58,10 @@ public final class ReattachedRun implements AutoCloseable {
   }
 
   /**
-   * Puts out all rows from the first on, waiting for those to come.
+   * Passes on all rows from the first one, and waits for further rows.
    *
-   * @return how the run ended; a run that was cut off has failed
-   * @throws IOException if the sink cannot keep a row
+   * @return outcome of the run; a run that was cut off has failed
+   * @throws IOException if the sink cannot store a row
    * @throws ServiceException if the server is lost; the sink has the rows up to then
    */
   public RunResult toEnd(ResultSink sink) throws IOException {
@@ -91,7 +93,7 @@ public final class ReattachedRun implements AutoCloseable {
     }
   }
 
-  /** Lets the run go; it stays at the server. */
+  /** Detaches from the run, which stays at the server. */
   @Override
   public void close() {
     rows.close();

@@ -32,19 +32,19 @@ import org.omg.CORBA.UserException;
  * #start} and {@link #nextRow}. One thread takes the rows; every other method may be called from
  * any thread.
  *
- * <p>When an operator empties the host, the thread that takes the rows moves the run: it holds and
- * saves it, takes its rows up to then, and lets it go on from the checkpoint on another host of the
- * server, to the same bits. A run that cannot be saved, that its user holds, or that no other host
- * has room for stays where it is.
+ * <p>When an operator drains the host, the thread that takes the rows moves the run: it pauses and
+ * saves it, takes its rows up to then, and resumes it from the checkpoint on another host of the
+ * server, with the same bits. The run stays on its host if it cannot be saved, if its user has
+ * paused it, or if no other host has a free place.
  */
 public final class RemoteRun implements PreparedRun {
   /**
-   * What the solver refuses in the settings of a run, which is no failure of the simulation; that a
-   * limit was reached, or that a worker was lost, is one, and its rows are kept.
+   * Codes of rejected settings, which are not failures of the simulation. A limit that was reached,
+   * or a lost worker, is a failure, and the rows are kept.
    */
   private static final Pattern OF_SETTINGS = Pattern.compile("S-0(08|[67]\\d|81)");
 
-  /** How long one call waits at the server for rows; short enough to notice a lost server soon. */
+  /** Longest wait of one call for rows; short enough to notice a lost server soon. */
   private static final Duration BLOCK_WAIT = Duration.ofMillis(500);
 
   private final HostedRun.Opening elsewhere;
@@ -54,7 +54,7 @@ public final class RemoteRun implements PreparedRun {
   private final List<String> earlierIds = new ArrayList<>();
   private Optional<String> moved = Optional.empty();
 
-  /** Where the run is; only the thread that takes the rows changes it. */
+  /** Present host of the run; only the thread that takes the rows changes it. */
   private volatile HostedRun place;
 
   private volatile boolean cancelled;
@@ -63,16 +63,16 @@ public final class RemoteRun implements PreparedRun {
   private long takenElsewhere;
   private boolean started;
 
-  /** Whether the run may go on by itself; then it may also go on elsewhere. */
+  /** Whether the run continues by itself; only then it may move. */
   private boolean free;
 
-  /** Where the run shall be held, s. */
+  /** Simulated time at which the run pauses, s. */
   private double until = Double.POSITIVE_INFINITY;
 
   /**
-   * @param place where it begins
-   * @param elsewhere opens another place when the host is being emptied
-   * @param listener hears what becomes of it then
+   * @param place its first host
+   * @param elsewhere opens the run on another host when the host is being drained
+   * @param listener receives messages about moves
    */
   public RemoteRun(HostedRun place, HostedRun.Opening elsewhere, Consumer<ModelMessage> listener) {
     this.place = place;
@@ -83,8 +83,8 @@ public final class RemoteRun implements PreparedRun {
   }
 
   /**
-   * Returns the simulation's identity at the server; a run that has moved has a new one, and is
-   * found under those it had, too.
+   * Returns the simulation's id at the server; a run that has moved has a new one, and can also be
+   * found by its earlier ones.
    */
   public String id() {
     return place.id();
@@ -119,12 +119,12 @@ public final class RemoteRun implements PreparedRun {
     steer(IMechSimRemoteOperations::start, true, until);
   }
 
-  /** A call on the simulation that lets it go on, or holds it. */
+  /** A call that resumes or pauses the simulation. */
   private interface Steering {
     void on(IMechSimRemoteOperations simulation) throws UserException;
   }
 
-  /** Who steers a run that is about to move steers it where it is. */
+  /** Makes a control call at the run's present host, also while it is about to move. */
   private void steer(Steering call, boolean goesOnFreely, double heldAt) {
     move.ifPresent(given -> given.to().close());
     move = Optional.empty();
@@ -152,7 +152,7 @@ public final class RemoteRun implements PreparedRun {
     return place.rows().ended();
   }
 
-  /** {@inheritDoc} Starts the run if need be and puts out all rows that were not taken yet. */
+  /** {@inheritDoc} Starts the run if necessary and passes on all rows not taken yet. */
   @Override
   public RunResult toEnd(ResultSink sink, CheckpointStore store) throws IOException {
     sink.begin(columns());
@@ -170,7 +170,7 @@ public final class RemoteRun implements PreparedRun {
     return result();
   }
 
-  /** Refuses what cannot be saved before anything is computed. */
+  /** Rejects a run that cannot be saved before it starts. */
   private void prepare(CheckpointSchedule clock, CheckpointStore store) {
     try {
       if (clock.isWanted()) {
@@ -182,7 +182,7 @@ public final class RemoteRun implements PreparedRun {
     }
   }
 
-  /** Takes the rows; before a checkpoint is kept, those that came before it. */
+  /** Takes the rows; takes all earlier rows before it stores a checkpoint. */
   private void drain(ResultSink sink, CheckpointSchedule clock) throws IOException {
     while (!ended()) {
       follow();
@@ -201,7 +201,9 @@ public final class RemoteRun implements PreparedRun {
     }
   }
 
-  /** Goes on on another host if this one is being emptied: first holds, then moves. */
+  /**
+   * Moves the run if its host is being drained: first pauses it, then resumes it on another host.
+   */
   private void follow() {
     if (ended()) {
       return;
@@ -216,7 +218,7 @@ public final class RemoteRun implements PreparedRun {
     }
   }
 
-  /** What its user holds stays where it is, until it is let go. */
+  /** Leaves the host, unless the user has paused the run. */
   private void leave() {
     RunState state = place.progress().state();
     if (!free || cancelled || (state != RunState.RUNNING && state != RunState.QUEUED)) {
@@ -323,23 +325,23 @@ public final class RemoteRun implements PreparedRun {
     return FailureReader.of(said, report);
   }
 
-  /** Holds the run after its current step. */
+  /** Pauses the run after its current step. */
   public synchronized void pause() {
     steer(IMechSimRemoteOperations::pause, false, until);
   }
 
-  /** Lets a held run go on to its end. */
+  /** Lets a paused run continue to its end. */
   public synchronized void resume() {
     steer(IMechSimRemoteOperations::resume, true, Double.POSITIVE_INFINITY);
   }
 
-  /** Takes one accepted step of the integrator and holds the run again. */
+  /** Takes one accepted step of the integrator and pauses the run again. */
   public synchronized void stepOnce() {
     steer(IMechSimRemoteOperations::stepOnce, false, Double.POSITIVE_INFINITY);
   }
 
   /**
-   * Lets the run go on until a step reaches a time, then holds it.
+   * Lets the run continue until a step reaches a time, then pauses it.
    *
    * @param time simulated time, s
    */
@@ -347,7 +349,7 @@ public final class RemoteRun implements PreparedRun {
     steer(simulation -> simulation.runTo(time), true, time);
   }
 
-  /** {@inheritDoc} Also while the run moves: it is cancelled wherever it is then. */
+  /** {@inheritDoc} A run that is moving is cancelled on its new host. */
   @Override
   public void cancel() {
     cancelled = true;
@@ -360,7 +362,7 @@ public final class RemoteRun implements PreparedRun {
     return place.progress().after(takenElsewhere);
   }
 
-  /** Destroys the run at the server; one that goes on is cancelled by that. */
+  /** Destroys the run at the server; a run in progress is cancelled. */
   @Override
   public synchronized void close() {
     move.ifPresent(given -> given.to().close());

@@ -17,8 +17,8 @@ final class ReportJson {
   private ReportJson() {}
 
   /**
-   * Returns the report's entries in order; numbers written as digits alone, which are counts, as
-   * {@link Long}, others as {@link Double}; null, a number that is none, is left out.
+   * Returns the report's entries in order; numbers of digits only, which are counts, as {@link
+   * Long}, others as {@link Double}; null, which represents NaN, is left out.
    *
    * @throws ServerFailureException if it is not a flat JSON object
    */

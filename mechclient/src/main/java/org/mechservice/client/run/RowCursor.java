@@ -20,15 +20,19 @@ import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.UserException;
 
-/** Pulls the rows of a remote run, in order and none twice. */
+/** Pulls the rows of a remote run in blocks and passes each on once, in order. */
 public final class RowCursor implements AutoCloseable {
   private final RemoteCalls calls;
   private final ResultCursor cursor;
   private final LeaseRenewal.Hold hold;
   private final List<Variable> columns;
   private final int rowsPerBlock;
+  private long pulled;
   private long taken;
-  private boolean ended;
+  private boolean lastPulled;
+
+  /** The block pulled last; the rows in it from row {@link #taken} on wait to be passed on. */
+  private double[] block = {};
 
   private RowCursor(
       RemoteCalls calls, ResultCursor cursor, LeaseRenewal.Hold hold, Channel[] channels) {
@@ -40,13 +44,13 @@ public final class RowCursor implements AutoCloseable {
     rowsPerBlock = Math.max(1, MAX_BLOCK_DOUBLES.value / Math.max(1, columns.size()));
   }
 
-  /** Opens a cursor over all columns the simulation was created with. */
+  /** Opens a cursor over all columns of the simulation. */
   static RowCursor open(RemoteCalls calls, LeaseRenewal leases, IMechSimRemote simulation) {
     ResultCursor cursor = calls.get(() -> simulation.openResults(new String[0]));
     return over(calls, leases, cursor, calls.get(cursor::channels));
   }
 
-  /** Takes over a cursor that was opened, with its columns. */
+  /** Wraps an open cursor with its columns. */
   public static RowCursor over(
       RemoteCalls calls, LeaseRenewal leases, ResultCursor cursor, Channel[] channels) {
     return new RowCursor(calls, cursor, leases.hold(cursor), channels);
@@ -56,11 +60,12 @@ public final class RowCursor implements AutoCloseable {
     return columns;
   }
 
+  /** Returns whether the last row was passed on. */
   boolean ended() {
-    return ended;
+    return lastPulled && taken == pulled;
   }
 
-  /** Returns how many rows were taken. */
+  /** Returns the number of rows passed on. */
   long taken() {
     return taken;
   }
@@ -68,74 +73,83 @@ public final class RowCursor implements AutoCloseable {
   /** Returns the next row; empty if there is none within the wait. */
   Optional<double[]> next(Duration wait) {
     long deadline = System.nanoTime() + wait.toNanos();
-    while (true) {
+    while (taken == pulled) {
       long left = Math.max(0, (deadline - System.nanoTime()) / 1_000_000);
-      ResultBlock block = pull(1, (int) Math.min(left, MAX_WAIT_MILLIS.value));
-      if (block.rowCount > 0) {
-        return Optional.of(block.values);
-      }
-      if (ended || left == 0) {
+      pull((int) Math.min(left, MAX_WAIT_MILLIS.value));
+      if (taken == pulled && (lastPulled || left == 0)) {
         return Optional.empty();
       }
     }
+    double[] row = new double[columns.size()];
+    take(row);
+    return Optional.of(row);
   }
 
-  /** Hands over the rows that are there, or come within the wait. */
+  /** Passes on the rows that are available or arrive within the wait. */
   void drainTo(ResultSink sink, Duration wait) throws IOException {
-    ResultBlock block = pull(rowsPerBlock, (int) wait.toMillis());
+    if (taken == pulled) {
+      pull((int) wait.toMillis());
+    }
     double[] row = new double[columns.size()];
-    for (int i = 0; i < block.rowCount; i++) {
-      System.arraycopy(block.values, i * row.length, row, 0, row.length);
+    while (taken < pulled) {
+      take(row);
       sink.row(row);
     }
   }
 
-  private ResultBlock pull(int maxRows, int waitMillis) {
-    ResultBlock block = pulled(maxRows, waitMillis);
+  private void take(double[] row) {
+    int waiting = (int) (pulled - taken);
+    System.arraycopy(block, block.length - waiting * row.length, row, 0, row.length);
+    taken++;
+  }
+
+  private void pull(int waitMillis) {
+    ResultBlock next = pulled(waitMillis);
     boolean fits =
-        block.values.length == (long) block.rowCount * columns.size()
-            && (block.rowCount == 0 || block.firstRow == taken);
+        next.values.length == (long) next.rowCount * columns.size()
+            && (next.rowCount == 0 || next.firstRow == pulled);
     if (!fits) {
       throw new ServerFailureException(
           MessageCode.ANSWER_NOT_UNDERSTOOD.code(),
           "the server sent "
-              + block.values.length
+              + next.values.length
               + " numbers from row "
-              + block.firstRow
+              + next.firstRow
               + " where "
-              + block.rowCount
+              + next.rowCount
               + " rows of "
               + columns.size()
               + " from row "
-              + taken
+              + pulled
               + " were due",
           "");
     }
-    taken += block.rowCount;
-    ended = block.endOfData;
-    return block;
+    pulled += next.rowCount;
+    lastPulled = next.endOfData;
+    block = next.values;
   }
 
   /**
-   * Pulls a block, over a new connection if the present one is cut. A block that was under way then
-   * is lost and the server's cursor behind it, so this goes back to the first row not taken.
+   * Pulls a block, over a new connection if the present one is cut. A block that was in transit is
+   * lost and the server's cursor is after it, so this method moves the cursor back to the first row
+   * not received.
    */
-  private ResultBlock pulled(int maxRows, int waitMillis) {
+  private ResultBlock pulled(int waitMillis) {
     try {
-      return calls.get(() -> nextBlock(maxRows, waitMillis));
+      return calls.get(() -> nextBlock(waitMillis));
     } catch (ServerLostException cut) {
       return calls.again(
           cut,
           () -> {
-            cursor.seekRow(taken);
-            return nextBlock(maxRows, waitMillis);
+            cursor.seekRow(pulled);
+            return nextBlock(waitMillis);
           });
     }
   }
 
-  private ResultBlock nextBlock(int maxRows, int waitMillis) throws UserException {
+  private ResultBlock nextBlock(int waitMillis) throws UserException {
     ResultBlockHolder holder = new ResultBlockHolder();
-    cursor.nextBlock(maxRows, waitMillis, holder);
+    cursor.nextBlock(rowsPerBlock, waitMillis, holder);
     return holder.value;
   }
 

@@ -5,18 +5,18 @@ import org.mechservice.client.failure.ModelMessage;
 import org.mechservice.client.failure.RunState;
 
 /**
- * Hears of a run while it goes on. The methods are called one after the other, from a thread of the
- * connection or the one that takes the rows; they must be quick and must not call the service,
- * because its next answer comes over the same connection. Progress arrives at most ten times a
- * second.
+ * Receives state, progress and messages of a run. Calls do not overlap; they come from a thread of
+ * the connection or from the one that takes the rows. They must be quick and must not call the
+ * service, because its next answer comes over the same connection. Progress arrives at most ten
+ * times a second.
  */
 public interface RunListener {
-  /** Hears that a simulation has changed its state. */
+  /** Receives a change of the simulation's state. */
   default void onStatus(RunState state, String text) {}
 
-  /** Hears how far a simulation is. */
+  /** Receives the progress of a simulation. */
   default void onProgress(RunProgress progress) {}
 
-  /** Hears what a simulation has to say. */
+  /** Receives messages of a simulation. */
   default void onMessages(List<ModelMessage> messages) {}
 }

@@ -7,9 +7,9 @@ import org.mechservice.client.failure.RunState;
 import org.mechservice.client.failure.ServiceException;
 
 /**
- * A run on its way to another host: held where it was and saved there, to go on elsewhere from its
- * checkpoint as soon as its rows up to then have been taken. The first host keeps the run until it
- * goes on elsewhere, so it can always go on where it was.
+ * The move of a run to another host: the run is paused and saved on its host, and resumes from the
+ * checkpoint on another host as soon as its earlier rows have been taken. The first host keeps the
+ * run until then, so it can always continue there.
  */
 final class RunMigration {
   private static final long BEGIN_MILLIS = 30_000;
@@ -26,12 +26,12 @@ final class RunMigration {
   }
 
   /**
-   * Holds a run and hands what it was saved as to the place where it shall go on.
+   * Pauses a run and passes its checkpoint to the new host.
    *
-   * @param parameters that were set before its start
-   * @param until where it shall be held, s; infinite: nowhere
-   * @return empty if it stands nowhere to be saved just now; it goes on
-   * @throws ServiceException if one of the hosts refuses; the run goes on where it is
+   * @param parameters parameters set before its start
+   * @param until simulated time of the next pause, s; infinite for none
+   * @return empty if the run cannot be saved at present; it then continues
+   * @throws ServiceException if one of the hosts refuses; the run then continues on its host
    */
   static Optional<RunMigration> begin(
       HostedRun from, HostedRun to, Map<String, String> parameters, double until) {
@@ -58,7 +58,7 @@ final class RunMigration {
     }
   }
 
-  /** Lets the run go on where it was, unless it has ended there. */
+  /** Resumes the run on its old host, unless it has ended there. */
   private static void goOnAt(HostedRun place, double until) {
     try {
       if (Double.isInfinite(until)) {
@@ -67,17 +67,17 @@ final class RunMigration {
         place.calls().run(() -> place.simulation().runTo(until));
       }
     } catch (InvalidStateException e) {
-      // It has ended: its rows tell how.
+      // It has ended: its rows contain the outcome.
       return;
     }
   }
 
-  /** Returns how many rows the first host has put out, all of which are to be taken there. */
+  /** Returns the number of rows of the first host, all of which are taken there. */
   long rows() {
     return held.rows();
   }
 
-  /** Returns the simulated time at which the run was held, s. */
+  /** Returns the simulated time at which the run was paused, s. */
   double time() {
     return held.time();
   }
@@ -87,9 +87,9 @@ final class RunMigration {
   }
 
   /**
-   * Lets the run go on elsewhere.
+   * Resumes the run on the new host.
    *
-   * @return whether it does: not if it would have to wait there, or cannot be taken up
+   * @return false if it would have to wait there, or cannot be resumed
    */
   boolean goesOn(double until) {
     if (Double.isInfinite(until)) {
@@ -116,7 +116,7 @@ final class RunMigration {
     return false;
   }
 
-  /** Gives the other place up and lets the run go on where it was. */
+  /** Destroys the run on the new host and resumes it on the old one. */
   void giveUp(double until) {
     to.close();
     goOnAt(from, until);

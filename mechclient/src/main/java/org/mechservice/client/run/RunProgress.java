@@ -4,10 +4,10 @@ import org.mechservice.client.failure.RunState;
 import org.mechservice.idl.Progress;
 
 /**
- * How far a run is.
+ * Progress of a run.
  *
- * @param state where it is in its life
- * @param queuePosition place in the host's queue, from 1; 0 if it is not queued
+ * @param state its state
+ * @param queuePosition position in the host's queue, from 1; 0 if it is not queued
  * @param time simulated time reached, s
  * @param startTime start of the run, s
  * @param endTime end of the run, s
@@ -43,7 +43,7 @@ public record RunProgress(
         info.rowsReady);
   }
 
-  /** Returns the same of a run that has put out rows elsewhere before. */
+  /** Returns the same progress with rows of an earlier host added. */
   RunProgress after(long rowsBefore) {
     return new RunProgress(
         state,
@@ -58,7 +58,7 @@ public record RunProgress(
         rowsBefore + rows);
   }
 
-  /** Returns the part of the interval that is done, between 0 and 1. */
+  /** Returns the completed fraction of the interval, between 0 and 1. */
   public double fraction() {
     double interval = endTime - startTime;
     if (!(interval > 0) || Double.isNaN(time)) {

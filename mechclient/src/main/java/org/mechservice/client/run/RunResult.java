@@ -6,7 +6,7 @@ import java.util.Map;
 import org.mechservice.solver.api.run.Outcome;
 
 /**
- * How a run ended and what it cost.
+ * Outcome and report of a run.
  *
  * @param outcome completed, stopped on request, or failed; the rows up to then are valid
  * @param report the run report as ordered key and value pairs, values being {@link String}, {@link

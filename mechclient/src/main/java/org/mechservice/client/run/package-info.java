@@ -1,5 +1,5 @@
 /**
- * Runs of a model: at the server, on this machine, or taken up again.
+ * Runs of a model: at the server, on this machine, or resumed by another client.
  *
  * <p>The interface: {@link org.mechservice.client.run.PreparedRun} is a run that is ready to start;
  * {@link org.mechservice.client.run.RemoteRun} runs at the server, {@link
@@ -8,10 +8,10 @@
  * org.mechservice.client.run.RunResult} is the outcome and the report, {@link
  * org.mechservice.client.run.RunProgress} an intermediate state, {@link
  * org.mechservice.client.run.RunListener} receives both, and a {@link
- * org.mechservice.client.run.CheckpointStore} keeps checkpoints.
+ * org.mechservice.client.run.CheckpointStore} stores checkpoints.
  *
  * <p>Behind it: a remote run pulls its rows with a {@code RowCursor} from its present host, a
- * {@code HostedRun}. When an operator empties the host, a {@code DrainNotice} reports it and a
+ * {@code HostedRun}. When an operator drains the host, a {@code DrainNotice} reports it and a
  * {@code RunMigration} continues the run from its checkpoint on another host. {@code LeaseRenewal}
  * keeps the objects at the server alive. {@code FailureReader} and {@code ReportJson} translate
  * what the contract carries into the types of {@code solver.api}.

@@ -22,12 +22,17 @@ import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.catalogue.MessageCode;
 
-/** Runs points of a sweep, one after the other in one session; in another where it is lost. */
+/**
+ * Runs points of a sweep, one after the other in one session; opens a new session when one is lost.
+ */
 final class PointRunner implements AutoCloseable {
-  /** The model was read without parameters before, so it is one of the grid's that it lacks. */
+  /**
+   * Code of a missing name. The model was read without parameters before, so the missing name is
+   * one of the grid's parameters.
+   */
   private static final String NO_SUCH_NAME = MessageCode.UNKNOWN_NAME.code();
 
-  /** What is wrong with the model, in a message that says that an option cannot be used. */
+  /** Code of an error in the model, inside a message about an unusable option. */
   private static final Pattern OF_MODEL = Pattern.compile("\\bM-\\d{3}\\b");
 
   private static final long PAUSE_MILLIS = 500;
@@ -40,7 +45,7 @@ final class PointRunner implements AutoCloseable {
     this.session = session;
   }
 
-  /** Keeps the latest row. */
+  /** Stores the latest row. */
   private static final class LastRow implements ResultSink {
     private double[] row = {};
 
@@ -58,7 +63,7 @@ final class PointRunner implements AutoCloseable {
   /**
    * Runs a point.
    *
-   * @return what came of it; empty if the sweep was stopped meanwhile
+   * @return its row; empty if the sweep was stopped meanwhile
    * @throws ServiceException if the service is lost after several attempts, or the model has no
    *     such parameter
    */

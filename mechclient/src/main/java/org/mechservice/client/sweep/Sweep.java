@@ -20,15 +20,15 @@ import org.mechservice.client.run.RemoteRun;
 import org.mechservice.solver.api.result.Variable;
 
 /**
- * Runs a model at every point of a grid, as many at once as the hosts of the server have places.
- * Each run is one that could be made alone, with the same bits. A run that is lost with its host or
- * the connection is made again elsewhere; one that fails by itself is a row that says why.
+ * Runs a model at every point of a grid, with as many runs at once as the hosts of the server have
+ * places. Each run has the same bits as a single run. A run that is lost with its host or the
+ * connection is repeated on another host; a run that fails numerically is a row with the reason.
  */
 public final class Sweep {
-  /** How often it is asked whether there are more places by now. */
+  /** Interval between queries of the number of places. */
   private static final long GROWTH_MILLIS = 2000;
 
-  /** How often a point is tried before it is given up for the service's sake. */
+  /** Largest number of attempts for a point that is lost with its host. */
   private static final int ATTEMPTS = 4;
 
   private final MechConnection connection;
@@ -48,9 +48,9 @@ public final class Sweep {
 
   /**
    * @param model MechML file
-   * @param userCode where to look for classes that are not beside the file
-   * @param options of every run, but for the parameters of the grid
-   * @param atMost most runs at once, however many places there are
+   * @param userCode folder of classes that are not beside the file
+   * @param options options of every run, without the parameters of the grid
+   * @param atMost largest number of runs at once
    */
   public Sweep(
       MechConnection connection,
@@ -71,10 +71,10 @@ public final class Sweep {
    * Runs until every point is finished.
    *
    * @param done points to leave out
-   * @param listener told of every other
+   * @param listener receives the rows of all other points
    * @throws IOException if the model cannot be read, or the listener ended the sweep
    * @throws ServiceException if the model or an option cannot be used, the model has no parameter
-   *     of such a name, or no server and no host is left
+   *     of such a name, or no host is left
    * @throws InterruptedException if the thread is interrupted; all runs are cancelled then
    */
   public void run(Set<Integer> done, SweepListener listener)
@@ -131,7 +131,7 @@ public final class Sweep {
     }
   }
 
-  /** Whether there is something left to do and somebody who does it. */
+  /** Returns whether points and threads are left. */
   private synchronized boolean goesOn() {
     return unfinished > 0 && !stopped && (alive() > 0 || lastLoss == null);
   }
@@ -144,11 +144,14 @@ public final class Sweep {
     try {
       return Math.max(1, connection.places());
     } catch (ServiceException e) {
-      return 1; // whoever works finds out whether the server is lost
+      return 1; // the threads notice a lost server
     }
   }
 
-  /** Lets no run begin and cancels those under way; {@link #run} then returns. Any thread. */
+  /**
+   * Starts no further run and cancels those in progress; {@link #run} then returns. May be called
+   * from any thread.
+   */
   public void stop() {
     synchronized (this) {
       stopped = true;

@@ -12,7 +12,7 @@ import org.mechservice.solver.catalogue.MessageCode;
  * @param parameters one or more, of different names
  */
 public record SweepGrid(List<SweptParameter> parameters) {
-  /** More are no sweep but a mistake. */
+  /** Largest number of points; more are a probable mistake. */
   public static final int MOST_POINTS = 1_000_000;
 
   public SweepGrid {

@@ -5,22 +5,22 @@ import java.util.List;
 import org.mechservice.client.failure.ModelMessage;
 import org.mechservice.solver.api.result.Variable;
 
-/** Hears of a sweep as it goes on; no two calls at once. */
+/** Receives the rows of a sweep; calls do not overlap. */
 public interface SweepListener {
   /**
-   * The model was read and built as it is in its file.
+   * The model was read and built with the values of its file.
    *
    * @param warnings about it
    * @param columns of the runs' rows
-   * @throws IOException if the sweep is not to go on
+   * @throws IOException to end the sweep
    */
   void begins(List<ModelMessage> warnings, List<Variable> columns) throws IOException;
 
   /**
    * A point is finished.
    *
-   * @param running how many others are under way
-   * @throws IOException if the row cannot be kept; the sweep then ends
+   * @param running number of other runs in progress
+   * @throws IOException if the row cannot be stored; the sweep then ends
    */
   void finished(SweepRow row, int running) throws IOException;
 }

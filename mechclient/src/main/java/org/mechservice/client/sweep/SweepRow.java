@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * What came of one point of a grid.
+ * The result of one point of a grid.
  *
  * @param point its number
  * @param outcome {@code completed}, {@code failed} or {@code stopped}
@@ -23,13 +23,13 @@ public record SweepRow(
     String message,
     List<Double> values,
     Map<String, Object> report) {
-  /** Of a run that came to its end. */
+  /** Outcome of a run that reached its end. */
   public static final String COMPLETED = "completed";
 
-  /** Of a run that failed, or could not be begun with these values. */
+  /** Outcome of a run that failed, or could not start with these values. */
   public static final String FAILED = "failed";
 
-  /** Of a run that somebody stopped. */
+  /** Outcome of a run that was stopped on request. */
   public static final String STOPPED = "stopped";
 
   public SweepRow {

@@ -4,7 +4,7 @@ import java.util.List;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * A parameter and the values it takes, one after the other.
+ * A parameter and its values in a sweep.
  *
  * @param name as in the model file
  * @param values expressions, read in the unit that the file gives the parameter; one or more

@@ -69,7 +69,7 @@ final class BundledDtd implements EntityResolver2 {
           MessageCode.REFERS_TO_OTHER_FILE,
           here.position(),
           Phrase.of(
-              "the file refers to %s; only \"MechML.dtd\" may be named, and nothing is fetched",
+              "the file refers to %s; only \"MechML.dtd\" is permitted, and no file is read",
               Quoted.of(systemId)));
     }
     return serve();

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Collectors;
 
 /**
  * Content model of a DTD: the children that an element may have, in their order.
@@ -28,11 +29,26 @@ sealed interface ContentModel {
   Set<String> names();
 
   /**
+   * Returns the children as a sentence lists them, each name once, with "either" and "or" between
+   * groups that exclude each other.
+   *
+   * @param told names that are in the list already; those listed here are added
+   */
+  String listed(Set<String> told);
+
+  /**
    * Returns the model of the children after a child.
    *
    * @param child one of {@link #next()}
    */
   ContentModel after(String child);
+
+  private static String listed(List<ContentModel> models, String separator, Set<String> told) {
+    return models.stream()
+        .map(model -> model.listed(told))
+        .filter(list -> !list.isEmpty())
+        .collect(Collectors.joining(separator));
+  }
 
   private static Set<String> namesOf(List<ContentModel> models) {
     Set<String> names = new LinkedHashSet<>();
@@ -60,6 +76,11 @@ sealed interface ContentModel {
     @Override
     public Set<String> names() {
       return Set.of(name);
+    }
+
+    @Override
+    public String listed(Set<String> told) {
+      return told.add(name) ? "<" + name + ">" : "";
     }
 
     @Override
@@ -97,6 +118,11 @@ sealed interface ContentModel {
     @Override
     public Set<String> names() {
       return namesOf(parts);
+    }
+
+    @Override
+    public String listed(Set<String> told) {
+      return ContentModel.listed(parts, ", ", told);
     }
 
     @Override
@@ -140,6 +166,14 @@ sealed interface ContentModel {
     }
 
     @Override
+    public String listed(Set<String> told) {
+      boolean groups = branches.stream().anyMatch(branch -> branch.names().size() > 1);
+      return groups
+          ? "either " + ContentModel.listed(branches, " or ", told)
+          : ContentModel.listed(branches, ", ", told);
+    }
+
+    @Override
     public ContentModel after(String child) {
       return branches.stream()
           .filter(branch -> branch.next().contains(child))
@@ -175,6 +209,11 @@ sealed interface ContentModel {
     @Override
     public Set<String> names() {
       return part.names();
+    }
+
+    @Override
+    public String listed(Set<String> told) {
+      return part.listed(told);
     }
 
     @Override

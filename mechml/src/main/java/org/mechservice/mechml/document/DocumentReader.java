@@ -86,8 +86,7 @@ public final class DocumentReader {
       diagnostics.error(
           MessageCode.UNREADABLE_TEXT,
           here.position(),
-          "the file is not written in the encoding it claims, UTF-8 if it claims none; save it as"
-              + " UTF-8");
+          "the file is not in the encoding that it declares (UTF-8 by default); save it as UTF-8");
     }
     if (document.isEmpty()) {
       diagnostics.throwIfErrors();

@@ -133,7 +133,7 @@ final class ElementBuilder extends DefaultHandler2 {
       throw tooLarge(element, "the file has more than " + Limits.ELEMENTS + " elements");
     }
     if (open.size() >= Limits.DEPTH) {
-      throw tooLarge(element, "elements are nested more than " + Limits.DEPTH + " deep");
+      throw tooLarge(element, "elements are nested deeper than " + Limits.DEPTH + " levels");
     }
     for (Attribute attribute : element.attributes()) {
       if (attribute.value().length() > Limits.ATTRIBUTE_LENGTH) {
@@ -176,7 +176,7 @@ final class ElementBuilder extends DefaultHandler2 {
         MessageCode.STRAY_TEXT,
         new SourcePosition(line, column, element.position().path()),
         Phrase.of(
-            "%s: text %s stands between tags; values stand in attributes",
+            "%s: text %s is between tags; write values in attributes",
             element.label(), Quoted.of(content)));
   }
 

@@ -164,7 +164,7 @@ final class GrammarCheck {
     String order = allowed.size() > 1 ? ", in this order, " : " ";
     return allowed.isEmpty()
         ? Phrase.of("<%s> is empty", parent.name())
-        : Phrase.of("<%s> holds%s%s", parent.name(), order, tags(allowed, ", "));
+        : Phrase.of("<%s> holds%s%s", parent.name(), order, content.listed(new LinkedHashSet<>()));
   }
 
   private static String tags(Collection<String> names, String separator) {

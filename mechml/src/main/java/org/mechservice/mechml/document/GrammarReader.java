@@ -72,7 +72,7 @@ final class GrammarReader extends DefaultHandler2 {
         MessageCode.REFERS_TO_OTHER_FILE,
         here.position(),
         Phrase.of(
-            "entity %s lies in another file, %s; a model file stands alone, nothing is fetched",
+            "entity %s refers to another file, %s; a model file must not refer to other files",
             Quoted.of(name), Quoted.of(systemId)));
   }
 
@@ -82,8 +82,8 @@ final class GrammarReader extends DefaultHandler2 {
           MessageCode.DOCTYPE_DECLARES,
           here.position(),
           Phrase.of(
-              "the DOCTYPE declares %s of its own; the language is that of mechml.dtd,"
-                  + " only entities may be added",
+              "the DOCTYPE declares %s itself; mechml.dtd defines the language, and a file may add"
+                  + " only entities",
               what));
     }
   }

@@ -85,14 +85,14 @@ final class ParserErrors implements XMLErrorHandler {
 
   private String invalid(String key, XMLParseException exception) {
     return key.startsWith("MSG_CONTENT_IN")
-        ? innermost(" has something between its tags, if only a blank; it must be empty")
+        ? innermost(" has content between its tags, possibly only a blank; it must be empty")
         : ParserMessages.of(key, String.valueOf(exception.getMessage()));
   }
 
   private String notWellFormed(String key, XMLParseException exception) {
     return switch (key) {
-      case "ETagRequired" -> innermost(" is still open here; its end tag must come first");
-      case "MarkupEntityMismatch" -> innermost(" is still open where the file ends");
+      case "ETagRequired" -> innermost(" is not closed; write its end tag before this one");
+      case "MarkupEntityMismatch" -> innermost(" is not closed before the end of the file");
       default -> ParserMessages.of(key, String.valueOf(exception.getMessage()));
     };
   }

@@ -14,10 +14,10 @@ final class ParserMessages {
 
   private static final Map<String, String> REWRITTEN =
       Map.ofEntries(
-          Map.entry("PrematureEOF", "the file ends before a model begins"),
+          Map.entry("PrematureEOF", "the file has no model; write one <MechML> element"),
           Map.entry(
               "MarkupNotRecognizedInContent",
-              "\"<\" must begin a tag; as a sign of its own it is written &lt;"),
+              "\"<\" must begin a tag; write the character itself as &lt;"),
           Map.entry(
               "ContentIllegalInProlog",
               "this is not XML; a model file begins with <?xml version=\"1.0\"?> or <MechML>"),
@@ -26,20 +26,22 @@ final class ParserMessages {
               "this is not XML; a model file begins with <?xml version=\"1.0\"?> or <MechML>"),
           Map.entry(
               "ContentIllegalInTrailingMisc",
-              "something follows the end of the model; a file holds one <MechML> element"),
+              "there is text after the end of the model; a file has one <MechML> element"),
           Map.entry(
               "MarkupNotRecognizedInMisc",
-              "something follows the end of the model; a file holds one <MechML> element"),
+              "there is text after the end of the model; a file has one <MechML> element"),
           Map.entry(
-              "ReservedPITarget", "<?xml ...?> may stand only at the very beginning of the file"),
-          Map.entry("NameRequiredInReference", "the sign \"&\" is written &amp;"),
-          Map.entry("SemicolonRequiredInReference", "the sign \"&\" is written &amp;"),
-          Map.entry("OpenQuoteExpected", "the value of attribute {1} must stand in quotes"),
+              "ReservedPITarget",
+              "<?xml ...?> is permitted only at the very beginning of the file"),
+          Map.entry("NameRequiredInReference", "write the character \"&\" as &amp;"),
+          Map.entry("SemicolonRequiredInReference", "write the character \"&\" as &amp;"),
+          Map.entry("OpenQuoteExpected", "the value of attribute {1} must be in quotes"),
           Map.entry("EqRequiredInAttribute", "attribute {1} of <{2}> has no value"),
-          Map.entry("AttributeNotUnique", "attribute {1} stands twice in <{2}>"),
+          Map.entry("AttributeNotUnique", "attribute {1} occurs twice in <{2}>"),
           Map.entry(
               "LessthanInAttValue",
-              "the sign \"<\" in attribute {1} is written &lt;, if no quote is missing before it"),
+              "the character \"<\" in attribute {1} must be written &lt;, unless a quote is missing"
+                  + " before it"),
           Map.entry("ElementUnterminated", "the tag <{1} lacks its end, \">\" or \"/>\""),
           Map.entry("VersionNotSupported", "only XML 1.0 is read; write <?xml version=\"1.0\"?>"),
           Map.entry("EntityExpansionLimitExceeded", "too many references to entities, over {1}"),
@@ -50,11 +52,11 @@ final class ParserMessages {
           Map.entry("InvalidASCII", "a byte that is not ASCII; save the file as UTF-8"),
           Map.entry(
               "RootElementTypeMustMatchDoctypedecl",
-              "the DOCTYPE announces another element; write"
+              "the DOCTYPE names another element; write"
                   + " <!DOCTYPE MechML SYSTEM \"MechML.dtd\">"),
           Map.entry(
               "MSG_WHITE_SPACE_IN_ELEMENT_CONTENT_WHEN_STANDALONE",
-              "standalone=\"yes\" is not true of a model file; leave it out"));
+              "standalone=\"yes\" does not apply to a model file; leave it out"));
 
   private ParserMessages() {}
 

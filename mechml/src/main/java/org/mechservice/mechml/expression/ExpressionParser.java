@@ -212,9 +212,7 @@ public final class ExpressionParser {
     depth++;
     if (depth > DEEPEST) {
       throw new ExpressionException(
-          MessageCode.EXPRESSION_SYNTAX,
-          token.offset(),
-          "more than " + DEEPEST + " parts nested in each other");
+          MessageCode.EXPRESSION_SYNTAX, token.offset(), "more than " + DEEPEST + " nested parts");
     }
   }
 
@@ -229,12 +227,11 @@ public final class ExpressionParser {
   /** Returns a hint for notations of other languages. */
   private String hint() {
     if (token.is(",") && depth == 0) {
-      return "; decimals have a point, lists are separated by \";\"";
+      return "; write decimals with a point and separate lists by \";\"";
     } else if (token.is("*") && text.startsWith("**", Math.max(0, token.offset() - 1))) {
-      return "; the power of two numbers is written 2^3";
+      return "; write a power as 2^3";
     } else if (UnitSymbols.all().contains(token.text())) {
-      return "; a unit stands in an attribute beside the value's, as unit="
-          + Quoted.of(token.text());
+      return "; write the unit in its own attribute, as unit=" + Quoted.of(token.text());
     }
     return "";
   }

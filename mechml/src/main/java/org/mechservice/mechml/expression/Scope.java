@@ -42,9 +42,9 @@ public interface Scope {
         MessageCode.EXPRESSION_NAME,
         name.offset(),
         Quoted.of(name.text())
-            + " stands for nothing here"
+            + " is not a known name here"
             + (name.text().equals("time")
-                ? "; time is written t"
+                ? "; write time as t"
                 : NearestName.suggestion(name.text(), known)));
   }
 }

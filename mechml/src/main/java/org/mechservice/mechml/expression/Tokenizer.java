@@ -54,9 +54,9 @@ final class Tokenizer {
   private String hint() {
     return switch (text.charAt(position)) {
       case '<', '>', '=', '?', '&', '|', '!' ->
-          "; a choice is written with step, smoothStep, min or max";
-      case ';' -> "; no list may stand here, and arguments are separated by \",\"";
-      case '\u00b0' -> "; degrees are asked for by angleUnits or unit";
+          "; write a case distinction with step, smoothStep, min or max";
+      case ';' -> "; a list is not permitted here, and arguments are separated by \",\"";
+      case '\u00b0' -> "; write angleUnits or unit to use degrees";
       default -> "";
     };
   }

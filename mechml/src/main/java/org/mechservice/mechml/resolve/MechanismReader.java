@@ -130,7 +130,7 @@ final class MechanismReader {
           MessageCode.NOTHING_MOVES,
           model.requiredChild("Bodies").position(),
           Phrase.of(
-              "%s is the only body, and it is the root: nothing moves",
+              "%s is the only body, and it is the root: add a body that moves",
               index.root().element().label()));
     }
   }

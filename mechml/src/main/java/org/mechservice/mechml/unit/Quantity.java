@@ -11,6 +11,7 @@ public enum Quantity {
   TIME(Dimension.TIME, 0),
   ANGLE(Dimension.ANGLE, 0),
   INERTIA(Dimension.INERTIA, 0),
+  DENSITY(new Dimension(1, -3, 0, 0), 0),
   SPEED(new Dimension(0, 1, -1, 0), 0),
   ANGULAR_SPEED(new Dimension(0, 0, -1, 1), 0),
   ACCELERATION(Dimension.ACCELERATION, 0),

@@ -43,8 +43,8 @@ final class MechmlRobot {
             new Comment(
                 " Made from "
                     + fileName.replaceAll("-{2,}|\\p{Cntrl}", "_")
-                    + ". URDF says nothing of gravity, of what a run is like, of the stiffness of"
-                    + " stops and of the speed at which friction sets in: those are ours. "));
+                    + ". URDF does not define gravity, the simulation, the stiffness of stops and"
+                    + " the transition speed of friction: the import has chosen these values. "));
     return new Document(Optional.of("mechml.dtd"), prolog, mechml.element(), List.of());
   }
 

@@ -70,7 +70,7 @@ public record UrdfImport(Document document, List<Diagnostic> losses, MechmlModel
                     MessageCode.NOT_URDF,
                     xacro.position(),
                     Phrase.of(
-                        "<%s> is a macro; let xacro write the URDF file first",
+                        "<%s> is a macro; convert the file to URDF with xacro first",
                         Quoted.plain(xacro.name()))));
     diagnostics.throwIfErrors();
   }

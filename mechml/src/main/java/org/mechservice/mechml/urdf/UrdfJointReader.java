@@ -50,7 +50,10 @@ final class UrdfJointReader {
     Element dynamics = element.child("dynamics").orElse(element);
     boolean single = type.get().isSingle();
     if (!single) {
-      loseAll(element, Set.of("limit", "dynamics", "mimic"), "is for joints of one coordinate");
+      loseAll(
+          element,
+          Set.of("limit", "dynamics", "mimic"),
+          "applies only to joints with one coordinate");
     }
     return Optional.of(
         new Joint(
@@ -139,7 +142,7 @@ final class UrdfJointReader {
     Optional<Element> found = joint.child("limit");
     if (found.isEmpty()) {
       if (type != Freedom.CONTINUOUS) {
-        numbers.missing(joint, "limit, which this type must have");
+        numbers.missing(joint, "limit, which this joint type requires");
       }
       return Optional.empty();
     }
@@ -168,7 +171,10 @@ final class UrdfJointReader {
       limit.attribute(name).ifPresent(value -> lost.add(name + " " + Quoted.of(value)));
     }
     if (!lost.isEmpty()) {
-      losses.add(limit, String.join(" and ", lost) + ", bounds of the motor, cannot be said");
+      losses.add(
+          limit,
+          String.join(" and ", lost)
+              + ", limits of the motor, have no meaning in MechML and are left out");
     }
   }
 

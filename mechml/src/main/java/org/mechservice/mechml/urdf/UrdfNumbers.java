@@ -84,7 +84,7 @@ final class UrdfNumbers {
               element.label(),
               attribute,
               Quoted.of(text),
-              count == 1 ? "a finite number" : count + " finite numbers with blanks between"));
+              count == 1 ? "a finite number" : count + " finite numbers separated by blanks"));
       return List.of(0.0, 0.0, 0.0).subList(0, count);
     }
     return numbers;

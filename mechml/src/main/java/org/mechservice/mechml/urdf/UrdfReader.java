@@ -72,7 +72,9 @@ final class UrdfReader {
       diagnostics.error(
           MessageCode.DUPLICATE_NAME,
           element.position(),
-          Phrase.of("there is another %s %s", element.name(), Quoted.of(name.get())));
+          Phrase.of(
+              "another %s has the name %s; give each its own",
+              element.name(), Quoted.of(name.get())));
       return false;
     }
     return name.isPresent();
@@ -84,7 +86,7 @@ final class UrdfReader {
         .forEach(child -> losses.add(child, "has no meaning in MechML and is left out"));
     List<Element> collisions = element.children("collision");
     if (!collisions.isEmpty()) {
-      losses.add(collisions.get(0), "shapes that bodies hit each other with are left out");
+      losses.add(collisions.get(0), "collision shapes are left out");
     }
     return new Link(element, element.child("inertial").flatMap(this::inertial), mesh(element));
   }
@@ -119,12 +121,12 @@ final class UrdfReader {
     Optional<String> file = mesh.flatMap(m -> m.attribute("filename")).map(String::strip);
     List<String> lost = new ArrayList<>();
     if (file.isEmpty()) {
-      lost.add("a shape that is no mesh");
+      lost.add("a shape other than a mesh");
     } else if (mesh.flatMap(m -> m.attribute("scale")).isPresent()) {
       lost.add("the mesh's scale");
     }
     if (visual.child("origin").map(Element::attributes).filter(a -> !isZero(a)).isPresent()) {
-      lost.add("where it is in the link");
+      lost.add("its pose in the link");
     }
     if (visual.child("material").isPresent()) {
       lost.add("its material");

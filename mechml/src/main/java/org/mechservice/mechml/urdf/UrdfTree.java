@@ -71,7 +71,7 @@ record UrdfTree(String root, Map<String, Double> start) {
               MessageCode.URDF_TREE,
               joint.element(),
               Phrase.of(
-                  "link %s is the child of joint %s already; the links of a robot form a tree",
+                  "link %s is already the child of joint %s; the links of a robot form a tree",
                   Quoted.of(joint.child()), Quoted.of(other.name())));
         }
       }
@@ -81,7 +81,8 @@ record UrdfTree(String root, Map<String, Double> start) {
             MessageCode.URDF_TREE,
             element(roots.get(1)),
             Phrase.of(
-                "no joint has it as its child, nor link %s; a robot has one such link, its root",
+                "neither it nor link %s is the child of a joint; a robot has one such link, its"
+                    + " root",
                 Quoted.of(roots.get(0))));
       }
       links.keySet().forEach(this::requireWayUp);
@@ -147,7 +148,10 @@ record UrdfTree(String root, Map<String, Double> start) {
                 NearestName.suggestion(mimic.joint(), joints.keySet())));
         return 0;
       } else if (!asked.add(joint.name())) {
-        error(MessageCode.URDF_JOINT, mimic.element(), "the joint follows itself in the end");
+        error(
+            MessageCode.URDF_JOINT,
+            mimic.element(),
+            "the joint follows itself through other mimic joints");
         return 0;
       }
       return mimic.multiplier() * position(other, known, asked) + mimic.offset();

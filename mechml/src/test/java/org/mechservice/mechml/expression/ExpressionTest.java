@@ -101,12 +101,12 @@ class ExpressionTest {
         "(-1)^0.5    | 4 | -1.0 ^ 0.5 is not a real number",
         "1e999       | 0 | 1e999 is too large",
         "1e-999      | 0 | 1e-999 is too small",
-        "2*x         | 2 | \"x\" stands for nothing here",
-        "sin(time)   | 4 | \"time\" stands for nothing here; time is written t",
+        "2*x         | 2 | \"x\" is not a known name here",
+        "sin(time)   | 4 | \"time\" is not a known name here; write time as t",
         "sin + 1     | 0 | sin lacks its arguments",
-        "j1.q        | 0 | \"j1.q\" stands for nothing here",
-        "'bar 1'.q   | 0 | \"bar 1.q\" stands for nothing here",
-        "pi          | 0 | \"pi\" stands for nothing here; did you mean \"PI\"?"
+        "j1.q        | 0 | \"j1.q\" is not a known name here",
+        "'bar 1'.q   | 0 | \"bar 1.q\" is not a known name here",
+        "pi          | 0 | \"pi\" is not a known name here; did you mean \"PI\"?"
       })
   void whatHasNoValueSaysWhereAndWhy(String text, int offset, String message) {
     assertThatThrownBy(() -> value(text))
@@ -124,19 +124,19 @@ class ExpressionTest {
         "1+           | 2 | expected a number, a name or \"(\", found the end",
         "(1           | 2 | expected an operator or \")\", found the end",
         "1)           | 1 | expected an operator or the end, found \")\"",
-        "0,5          | 1 | expected an operator or the end, found \",\"; decimals have a point,"
-            + " lists are separated by \";\"",
+        "0,5          | 1 | expected an operator or the end, found \",\"; write decimals with a"
+            + " point and separate lists by \";\"",
         "1e           | 1 | expected an operator or the end, found \"e\"",
         "0x10         | 1 | expected an operator or the end, found \"x10\"",
         "1.2.3        | 3 | expected an operator or the end, found \".3\"",
         "a.           | 2 | expected a name, found the end",
         "1 # 2        | 2 | \"#\" has no meaning here",
-        "max(1;2)     | 5 | \";\" has no meaning here; no list may stand here, and arguments are"
-            + " separated by \",\"",
-        "1>2          | 1 | \">\" has no meaning here; a choice is written with step, smoothStep,"
-            + " min or max",
-        "30\u00b0     | 2 | \"\u00b0\" has no meaning here; degrees are asked for by angleUnits or"
-            + " unit",
+        "max(1;2)     | 5 | \";\" has no meaning here; a list is not permitted here, and arguments"
+            + " are separated by \",\"",
+        "1>2          | 1 | \">\" has no meaning here; write a case distinction with step,"
+            + " smoothStep, min or max",
+        "30\u00b0     | 2 | \"\u00b0\" has no meaning here; write angleUnits or unit to use"
+            + " degrees",
         "sgn(4)       | 0 | there is no function \"sgn\"; here it is \"signum\"",
         "arctan(4)    | 0 | there is no function \"arctan\"; here it is \"atan\"",
         "sin()        | 4 | expected a number, a name or \"(\", found \")\"",
@@ -179,7 +179,7 @@ class ExpressionTest {
     for (String opening : new String[] {"(", "sin(", "2^", "-(", "1+("}) {
       assertThatThrownBy(() -> ExpressionParser.parse(opening.repeat(20_000)))
           .isInstanceOf(ExpressionException.class)
-          .hasMessage("more than 100 parts nested in each other");
+          .hasMessage("more than 100 nested parts");
     }
   }
 

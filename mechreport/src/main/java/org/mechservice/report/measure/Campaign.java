@@ -12,8 +12,8 @@ import java.util.Set;
 import org.mechservice.report.method.Candidate;
 
 /**
- * All methods at all tolerances: first each once, for its error, then timed in rounds, every point
- * once per round, so that whatever slows the machine down hits all alike.
+ * Runs all methods at all tolerances: first each once for its error, then in timed rounds with
+ * every point once per round, so that disturbances of the machine affect all equally.
  *
  * <p>A run is stopped after the effort's limit, and earlier where it takes {@link Effort#SENSELESS}
  * times what the fastest method takes at the same tolerance. Such a point is a failure that says
@@ -67,7 +67,7 @@ public final class Campaign {
           journal.add(first);
         }
         if (first.cause().startsWith(MethodRunner.NOT_FINISHED) || first.cause().equals(NOT_RUN)) {
-          // What did not end in time will not do so at a tighter tolerance either.
+          // A method that did not end in time will not do so at a tighter tolerance either.
           hopeless.add(candidates.get(i));
         }
       }

@@ -5,7 +5,7 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 
 /**
- * How much a report measures.
+ * The amount of measurement for a report.
  *
  * @param name for the page
  * @param tolerances relative tolerances, loosest first
@@ -31,8 +31,8 @@ public record Effort(
   public static final int REPEATS = 11;
 
   /**
-   * A run so many times slower than the fastest method at its tolerance tells nothing by its exact
-   * time.
+   * Ratio to the fastest method at the same tolerance above which the exact time of a run is
+   * irrelevant.
    */
   public static final double SENSELESS = 100;
 

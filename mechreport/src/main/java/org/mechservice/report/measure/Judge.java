@@ -7,8 +7,8 @@ import java.util.Locale;
 import java.util.Optional;
 
 /**
- * The reference runs are judged by, and how far it reaches: that which came with the product where
- * there is one, else the one made here; cut where it can no longer tell errors that matter.
+ * The reference of runs and its interval: the published one if there is one, otherwise one computed
+ * by the codes; cut at the time from which it cannot resolve relevant errors.
  *
  * @param reference empty if there is none
  * @param grid output times that meet it
@@ -16,7 +16,7 @@ import java.util.Optional;
  * @param doubt one sentence of warning to the reader; empty if there is none
  */
 public record Judge(Optional<Reference> reference, RunGrid grid, List<String> said, String doubt) {
-  /** Beyond this floor nothing can be said about eight digits. */
+  /** Floor above which eight digits cannot be judged. */
   private static final double CUT = 1e-9;
 
   /** A reference for a bound is known to this part of it. */

@@ -9,8 +9,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The file every run is written to as it ends, and read again from when a report is taken up after
- * an interruption. It is the data behind the page.
+ * The file of all runs. Each run is written at its end, and read again when an interrupted report
+ * is resumed. It contains the data of the page.
  */
 public final class MeasurementFile implements AutoCloseable {
   private final List<MeasuredRun> runs = new ArrayList<>();

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What runs are judged by.
+ * The reference solution for runs.
  *
  * @param times where, increasing, the first is the start, s
  * @param states [q; v] there

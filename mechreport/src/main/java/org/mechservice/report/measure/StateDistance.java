@@ -6,7 +6,7 @@ import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
 
 /**
- * How far two states of a model lie apart, the one definition for all methods and references: the
+ * The distance of two states of a model, with one definition for all methods and references: the
  * largest |x − x_ref| / (1 + |x_ref|) in SI units, Euler parameters normalised and up to their
  * sign.
  */

@@ -14,8 +14,8 @@ import org.mechservice.solver.api.run.RunControl;
 import org.mechservice.solver.api.run.RunReport;
 
 /**
- * How a run's time divides: the model's methods are timed through a proxy, whose own cost per call
- * is measured and deducted.
+ * The division of a run's time: a proxy times the model's methods; its own cost per call is
+ * measured and deducted.
  *
  * @param parts part of the run's time, of 1
  * @param tolerance at which
@@ -64,7 +64,7 @@ public record TimeShares(Map<Part, Double> parts, double tolerance) {
     }
   }
 
-  /** The run of several that others disturbed least is kept. */
+  /** Number of runs, of which the least disturbed one is used. */
   private static final int RUNS = 11;
 
   /** Runs a method with its model watched, several times unless that takes long. */

@@ -4,8 +4,8 @@ import java.util.Locale;
 import java.util.function.DoubleSupplier;
 
 /**
- * Repeats rounds over all points until they get no faster: the JIT compiler has then met every
- * method and has finished with it.
+ * Repeats rounds over all points until they get no faster: the JIT compiler has then compiled every
+ * method.
  */
 public final class WarmUpRounds {
   /** A block of rounds that is faster than the one before by no more than this ends the warm-up. */

@@ -15,18 +15,18 @@ import org.mechservice.solver.api.capability.StateJumps;
 import org.mechservice.solver.api.run.RunSettings;
 
 /**
- * A model's events as the reference codes see them: the model says where its functions are zero and
- * what becomes of its state; looking for the zeros is left to the codes. Events that are only
- * recorded do not part the course of a solution. Keeps what happens along one solution.
+ * A model's events for the reference codes: the model evaluates the event functions and changes the
+ * state; the codes locate the zeros. Events that are only recorded do not divide a solution into
+ * phases. Records the events of one solution.
  */
 public final class ModelPhases implements Phases {
-  /** A run is looked at in so many places at least. */
+  /** Smallest number of points at which the event functions of a run are checked. */
   private static final int PLACES = 200;
 
   /** Largest change of a value that an event has set by closing the loops, relative to 1 + |y|. */
   private static final double KEPT = 1e-8;
 
-  /** Phases in a row, each shorter than the one before, that may run into a point. */
+  /** Number of successive, ever shorter phases after which events accumulate. */
   private static final int IN_A_ROW = 20;
 
   /** Distance of that point, or length of phases, beside the time elapsed. */
@@ -94,7 +94,7 @@ public final class ModelPhases implements Phases {
     return endTime;
   }
 
-  /** Returns whether something may end the solution before its time. */
+  /** Returns whether an event may end the solution early. */
   public boolean mayEnd() {
     return Arrays.stream(parting).anyMatch(i -> kinds.get(i).action() != Action.IMPULSE);
   }
@@ -185,7 +185,7 @@ public final class ModelPhases implements Phases {
     return false;
   }
 
-  /** Lets the model change its state, and closes its loops again as the model does. */
+  /** Applies the event's change of the state, and closes the loops as the model does. */
   private boolean set(boolean[] occurred, double t, double[] y) {
     double after = events.after(occurred, t);
     events.change(occurred, after, y);
@@ -209,7 +209,7 @@ public final class ModelPhases implements Phases {
     return closes;
   }
 
-  /** Whether phases get ever shorter and run into a point that is as good as reached. */
+  /** Returns whether ever shorter phases converge to a time that is practically reached. */
   private boolean accumulates(double t) {
     double last = jumps.isEmpty() ? start : jumps.get(jumps.size() - 1);
     double before = jumps.size() < 2 ? start : jumps.get(jumps.size() - 2);
@@ -221,8 +221,8 @@ public final class ModelPhases implements Phases {
   }
 
   @Override
-  public void goOn(double t) {
-    events.goOn(t);
+  public void continueFrom(double t) {
+    events.continueFrom(t);
     passBreaks(t);
   }
 
@@ -232,7 +232,7 @@ public final class ModelPhases implements Phases {
     }
   }
 
-  /** Returns a time of the present phase that stands for one at its borders. */
+  /** Returns a time inside the present phase for one at its borders. */
   double within(double t) {
     double in = t;
     if (behindBreaks > 0 && in <= breaks[behindBreaks - 1]) {
@@ -241,6 +241,6 @@ public final class ModelPhases implements Phases {
     if (behindBreaks < breaks.length && in >= breaks[behindBreaks]) {
       in = Math.nextDown(breaks[behindBreaks]);
     }
-    return events.beside(in);
+    return events.evaluationTime(in);
   }
 }

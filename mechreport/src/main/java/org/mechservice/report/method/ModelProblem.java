@@ -10,8 +10,8 @@ import org.mechservice.solver.api.capability.ModelEvents;
 import org.mechservice.solver.api.capability.ProjectedStates;
 
 /**
- * A model's y' = f(t, y) for the reference codes and for differences. Components that follow from
- * the loops are found anew at every evaluation.
+ * A model's y' = f(t, y) for the reference codes and for differences. Dependent components are
+ * computed from the loops at every evaluation.
  */
 public final class ModelProblem implements Problem {
   private final ExplicitModel model;
@@ -19,7 +19,7 @@ public final class ModelProblem implements Problem {
   private final double[] closed;
   private final Optional<ModelPhases> phases;
 
-  /** Of equations along whose solution nothing happens. */
+  /** Creates a problem without events. */
   public ModelProblem(ExplicitModel model) {
     this(model, Optional.empty());
   }
@@ -120,7 +120,7 @@ public final class ModelProblem implements Problem {
     return !(model instanceof ProjectedStates loops) || loops.project(moment(t), y);
   }
 
-  /** Where to evaluate instead of at the very place of a jump of the equations. */
+  /** Returns the time for evaluations at a jump of the equations. */
   private double moment(double t) {
     return phases.isPresent() ? phases.get().within(t) : t;
   }

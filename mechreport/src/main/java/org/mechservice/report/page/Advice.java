@@ -13,7 +13,7 @@ import org.mechservice.report.method.SimulationMethod;
 
 /** The recommendation in words, with its numbers. */
 final class Advice {
-  /** Errors that people ask for: to look at, to work with, to compare with. */
+  /** Usual errors: for a first look, for engineering work, for comparisons. */
   private static final double[] WANTED = {1e-3, 1e-6, 1e-9};
 
   private final SceneFindings found;
@@ -32,7 +32,7 @@ final class Advice {
    */
   record Choice(double error, Point point, SimulationMethod method, Optional<Point> runnerUp) {}
 
-  /** Returns the choices for the errors that the reference can tell and a method reaches. */
+  /** Returns the choices for the errors that the reference resolves and a method reaches. */
   List<Choice> choices() {
     List<Choice> choices = new ArrayList<>();
     for (double error : WANTED) {
@@ -91,7 +91,7 @@ final class Advice {
     return sentences;
   }
 
-  /** The next best, and whether it is worse beyond doubt. */
+  /** Returns the next best method, and whether the difference is significant. */
   private static String next(Point best, Point second) {
     return String.format(
         Locale.ROOT,

@@ -13,7 +13,7 @@ import org.mechservice.report.measure.Reference;
  * How the figures were measured, for a reader who checks them: reference, rules, warm-up, spread.
  */
 final class HowMeasured {
-  /** Warmed up or not, a time scatters by a few per cent. */
+  /** Relative change of times that counts as warm; times scatter by a few per cent. */
   private static final double WARM = 0.05;
 
   private final SceneFindings found;
@@ -86,7 +86,7 @@ final class HowMeasured {
         effort.warmSeconds());
   }
 
-  /** Shows that methods were warm, and how well times are known. */
+  /** Returns the evidence that methods were warm, and the accuracy of times. */
   private List<String> warmth() {
     double[] drifts =
         found.points().stream().mapToDouble(Point::drift).filter(Double::isFinite).toArray();

@@ -13,7 +13,7 @@ import org.mechservice.report.method.SimulationMethod;
 final class LimitsTable {
   private static final int MOST_JOINTS = 8;
 
-  /** Where hardly a step is rejected no joint limits anything. */
+  /** Smallest fraction of rejected steps for the table. */
   private static final double WORTH_TELLING = 0.01;
 
   private final Map<String, Map<String, Long>> byMethod = new LinkedHashMap<>();

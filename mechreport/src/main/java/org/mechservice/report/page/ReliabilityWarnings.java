@@ -36,7 +36,7 @@ public final class ReliabilityWarnings {
 
   private ReliabilityWarnings() {}
 
-  /** Returns all doubts about a scene's report, the gravest first. */
+  /** Returns all warnings about a scene's report, the most serious first. */
   public static List<String> of(SceneFindings found) {
     List<String> doubts = new ArrayList<>();
     if (found.judge().doubtful()) {
@@ -76,7 +76,7 @@ public final class ReliabilityWarnings {
     return doubts;
   }
 
-  /** Methods that all miss the reference speak against the reference. */
+  /** Returns a single warning about the reference if all methods miss it. */
   private static List<String> allStray(List<String> doubts, SceneFindings found) {
     double least = Double.POSITIVE_INFINITY;
     double most = 0;
@@ -96,7 +96,7 @@ public final class ReliabilityWarnings {
     return doubts;
   }
 
-  /** Returns whether the error follows the tolerance, or there is too little to tell. */
+  /** Returns whether the error follows the tolerance, or there are too few points to decide. */
   static boolean converges(List<Point> points, double floor) {
     List<Point> completed = points.stream().filter(Point::completed).toList();
     if (completed.size() < 2) {
@@ -144,7 +144,10 @@ public final class ReliabilityWarnings {
         + " that at the end, and the more the tighter the tolerance. Its dense output is wrong.";
   }
 
-  /** Whether a method's errors stand out from its tolerances as no other method's do. */
+  /**
+   * Returns whether a method's errors exceed its tolerances far more than those of the other
+   * methods.
+   */
   private static boolean careless(SimulationMethod method, SceneFindings found) {
     double own = middleRatio(found.pointsOf(method.name()), found.floor());
     return own > MOST_OPTIMISTIC * usualRatio(method, found);

@@ -17,7 +17,7 @@ import org.mechservice.report.method.OmittedMethod;
 import org.mechservice.report.method.SimulationMethod;
 import org.mechservice.solver.catalogue.MethodNames;
 
-/** The page of one scene. What does not concern the scene is not on it. */
+/** The page of one scene, without parts that do not apply to the scene. */
 public final class ScenePage {
   /** Labels on a curve beyond which they cover each other. */
   private static final int MOST_LABELS = 5;
@@ -91,7 +91,7 @@ public final class ScenePage {
     return jumps == 0 ? "" : " · the state jumps " + (jumps == 1 ? "once" : jumps + " times");
   }
 
-  /** A run of which only the beginning can be judged says so at once. */
+  /** Returns the interval, with a remark if only its beginning can be judged. */
   private String interval(double end) {
     String judged = Html.number(end) + " s";
     return end < found.endOfFile()

@@ -3,8 +3,8 @@ package org.mechservice.report.reference;
 import java.util.Arrays;
 
 /**
- * A state that is summed up over many steps: what rounding cuts off one sum is added to the next
- * (Kahan 1965).
+ * A state summed over many steps with compensation: the rounding error of each sum is added to the
+ * next (Kahan 1965).
  */
 final class CompensatedState {
   /** The state, length n. */
@@ -27,7 +27,7 @@ final class CompensatedState {
     }
   }
 
-  /** Hands the state to the problem, which may move it; components it moved begin a new sum. */
+  /** Passes the state to the problem, which may change it; changed components begin a new sum. */
   boolean settle(Problem problem, double t) {
     double[] before = y.clone();
     if (!problem.stepEnded(t, y)) {
@@ -41,7 +41,7 @@ final class CompensatedState {
     return true;
   }
 
-  /** Goes on from another state. */
+  /** Sets another state. */
   void set(double[] other) {
     System.arraycopy(other, 0, y, 0, y.length);
     Arrays.fill(rest, 0);

@@ -5,10 +5,9 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Takes a state through given times by the steps of a code, and through what happens on the way. A
- * zero that ends a phase is found by ever better lengths of a step of the code itself, from where
- * the state is, so that no dense output takes part: the state there is as good as at the end of any
- * other step.
+ * Integrates a state through given times and events by the steps of a code. A zero that ends a
+ * phase is located by varying the length of a step of the code itself, without dense output, so
+ * that the state there is as accurate as at the end of any other step.
  */
 final class PhaseIntegration {
   private static final double SMALLEST_STEP = 1e-13;
@@ -22,7 +21,7 @@ final class PhaseIntegration {
   /** One step of a code. */
   interface Steps {
     /**
-     * Takes note of a place from which steps go on; the equations may be others than before.
+     * Starts at a new point; the equations may have changed.
      *
      * @return false if they have no value there
      */
@@ -212,7 +211,7 @@ final class PhaseIntegration {
     return beginPhase(behind);
   }
 
-  /** Whether a step no longer than one that has succeeded does so, too. */
+  /** Returns whether a step not longer than a successful one also succeeds. */
   private boolean succeeds(double t, double step) {
     double error = steps.attempt(t, step);
     if (Double.isInfinite(error) && steps.renew(t)) {
@@ -236,7 +235,7 @@ final class PhaseIntegration {
   }
 
   private Reached beginPhase(double t) {
-    phases.goOn(t);
+    phases.continueFrom(t);
     h = Math.min(h, FIRST_STEP * (t - began));
     began = t;
     boolean goes = state.settle(problem, t) && passages.begin(t, state.y, end - t);

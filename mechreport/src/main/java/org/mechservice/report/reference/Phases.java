@@ -1,11 +1,11 @@
 package org.mechservice.report.reference;
 
 /**
- * What parts the course of a problem: places at which its equations jump, known before, and zeros
- * of functions along its solution, at which the state jumps or the solution ends.
+ * The phases of a solution, separated by known jumps of the equations and by zeros of event
+ * functions, at which the state jumps or the solution ends.
  */
 public interface Phases {
-  /** Of a problem whose course is smooth throughout. */
+  /** Phases of a problem with a smooth solution. */
   Phases NONE =
       new Phases() {
         @Override
@@ -39,7 +39,7 @@ public interface Phases {
         }
 
         @Override
-        public void goOn(double t) {}
+        public void continueFrom(double t) {}
       };
 
   /** Returns the number of functions. */
@@ -57,10 +57,10 @@ public interface Phases {
   /** Returns whether a function's passage through zero, upwards or downwards, ends a phase. */
   boolean counts(int function, boolean rising);
 
-  /** Returns how far apart two places at most may be at which zeros are looked for. */
+  /** Returns the largest distance of points at which the functions are checked for zeros. */
   double longestStep();
 
-  /** Returns the first known place behind {@code t} at which the equations jump, or infinity. */
+  /** Returns the first known time after {@code t} at which the equations jump, or infinity. */
   double nextBreak(double t);
 
   /**
@@ -73,5 +73,5 @@ public interface Phases {
   boolean change(boolean[] passed, double t, double[] y);
 
   /** Notes that a new phase begins at {@code t}. */
-  void goOn(double t);
+  void continueFrom(double t);
 }

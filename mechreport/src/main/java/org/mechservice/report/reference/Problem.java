@@ -1,6 +1,6 @@
 package org.mechservice.report.reference;
 
-/** An initial value problem as the reference codes see it. */
+/** An initial value problem for the reference codes. */
 public interface Problem {
   /** Returns the number of unknowns. */
   int dimension();
@@ -15,7 +15,7 @@ public interface Problem {
   boolean derivative(double t, double[] y, double[] yDot);
 
   /**
-   * Takes note of the end of a step and moves the state onto the problem's manifold, if it has one.
+   * Records the end of a step and projects the state onto the problem's manifold, if it has one.
    *
    * @param y state; components that follow from others are overwritten
    * @return false if it cannot be moved there
@@ -24,12 +24,15 @@ public interface Problem {
     return true;
   }
 
-  /** Returns whether y' depends on a component; it does not if that is found from others. */
+  /**
+   * Returns whether y' depends on a component, which it does not if the component follows from
+   * others.
+   */
   default boolean matters(int component) {
     return true;
   }
 
-  /** Returns the longest step that may be taken: the problem may have brief things to see. */
+  /** Returns the longest permitted step, in case the problem has short pulses. */
   default double longestStep() {
     return Double.POSITIVE_INFINITY;
   }

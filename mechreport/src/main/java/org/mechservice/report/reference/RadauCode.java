@@ -17,13 +17,13 @@ import org.mechservice.solver.linear.LinearSolver;
 public final class RadauCode implements ReferenceCode {
   private static final int MOST_ITERATIONS = 40;
 
-  /** An iteration that contracts more slowly asks for a new Jacobian. */
+  /** Contraction rate above which the Jacobian is evaluated again. */
   private static final double SLOW = 0.1;
 
   /** The iteration has ended when it moves nothing by more, relative to 1 + |y|. */
   private static final double ROUNDING = 2e-16;
 
-  /** As long as a correction below this is not reached, an iteration that stalls has failed. */
+  /** Correction above which an iteration that stalls has failed. */
   private static final double STALLED = 1e-12;
 
   private final RadauTableau tableau;

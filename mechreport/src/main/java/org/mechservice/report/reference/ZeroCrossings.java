@@ -3,7 +3,7 @@ package org.mechservice.report.reference;
 import java.util.Arrays;
 
 /**
- * On which side of zero functions are along a solution, so that each passage is seen once.
+ * Signs of functions along a solution, so that each zero crossing is found once.
  *
  * <p>Where a phase begins, values that rounding or the place of the last zero leave open are told
  * by the way the functions go; such a function must leave zero by more than that before its next

@@ -1,5 +1,5 @@
 /**
- * Integrators of the report's own, independent of those that it judges.
+ * The report's own integrators, independent of those under test.
  *
  * <p>{@link org.mechservice.report.reference.RadauCode} is Radau IIA of 5 or 7 stages (Hairer and
  * Wanner, Solving Ordinary Differential Equations II, section IV.8), {@link

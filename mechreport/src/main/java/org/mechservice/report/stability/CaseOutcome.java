@@ -3,13 +3,13 @@ package org.mechservice.report.stability;
 import java.util.List;
 
 /**
- * What became of a case.
+ * The outcome of a case.
  *
  * @param wanted the case
  * @param methods outcome of each method that fits
  * @param refusal why the model itself was refused; empty if it was not
  * @param warnings of the service
- * @param judge how the reference came about, and what is doubtful; empty if there is none
+ * @param judge the reference with its doubts; empty if there is none
  */
 public record CaseOutcome(
     ExtremeCase wanted,

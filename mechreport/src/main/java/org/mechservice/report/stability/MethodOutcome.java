@@ -4,7 +4,7 @@ import org.mechservice.report.measure.MeasuredRun;
 import org.mechservice.report.method.SimulationMethod;
 
 /**
- * What one method made of a case.
+ * The outcome of one method for a case.
  *
  * @param method the method
  * @param verdict how that is judged

@@ -90,7 +90,7 @@ class PhasesTest {
     }
 
     @Override
-    public void goOn(double t) {}
+    public void continueFrom(double t) {}
   }
 
   @ParameterizedTest
@@ -207,7 +207,7 @@ class PhasesTest {
     }
 
     @Override
-    public void goOn(double t) {
+    public void continueFrom(double t) {
       onBehind.run();
     }
   }

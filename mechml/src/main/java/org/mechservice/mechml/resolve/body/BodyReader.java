@@ -1,7 +1,9 @@
 package org.mechservice.mechml.resolve.body;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
@@ -18,15 +20,19 @@ import org.mechservice.solver.spatial.Vector3;
 
 /** Reads {@code body}. */
 public final class BodyReader {
+  private static final Set<String> SHAPES = Set.of("box", "cylinder", "sphere");
+
   private final ValueReader values;
   private final DirectionReader directions;
   private final InertiaReader inertias;
+  private final ShapeReader shapes;
   private final Diagnostics diagnostics;
 
   public BodyReader(ValueReader values, Diagnostics diagnostics) {
     this.values = values;
     this.directions = new DirectionReader(values, diagnostics);
     this.inertias = new InertiaReader(values, diagnostics);
+    this.shapes = new ShapeReader(values, diagnostics);
     this.diagnostics = diagnostics;
   }
 
@@ -41,10 +47,36 @@ public final class BodyReader {
     for (Element vector : element.children("vector")) {
       vectors.add(vector, directions.read(vector));
     }
-    return new BodyDefinition(element, points, vectors, body(element));
+    return new BodyDefinition(element, points, vectors, body(element, points));
   }
 
-  private Optional<Body> body(Element element) {
+  private Optional<Body> body(Element element, NameTable<Vector3> points) {
+    return massProperties(element, points)
+        .map(
+            of ->
+                new Body(
+                    element.required("name"),
+                    of.mass(),
+                    of.center(),
+                    of.inertia(),
+                    new Origin(diagnostics.file(), element.position().line())));
+  }
+
+  /** The grammar allows shapes or numbers, not both. */
+  private Optional<MassProperties> massProperties(Element element, NameTable<Vector3> points) {
+    List<Element> solids =
+        element.children().stream().filter(child -> SHAPES.contains(child.name())).toList();
+    if (solids.isEmpty()) {
+      return givenByNumbers(element);
+    }
+    List<Optional<MassProperties>> parts =
+        solids.stream().map(solid -> shapes.read(solid, points)).toList();
+    return parts.stream().allMatch(Optional::isPresent)
+        ? parts.stream().flatMap(Optional::stream).reduce(MassProperties::plus)
+        : Optional.empty();
+  }
+
+  private Optional<MassProperties> givenByNumbers(Element element) {
     Optional<Vector3> centerOfMass =
         element
             .child("cog")
@@ -56,13 +88,7 @@ public final class BodyReader {
     if (centerOfMass.isEmpty() || mass.isEmpty() || inertia.isEmpty()) {
       return Optional.empty();
     }
-    return Optional.of(
-        new Body(
-            element.required("name"),
-            mass.getAsDouble(),
-            centerOfMass.get(),
-            inertia.get(),
-            new Origin(diagnostics.file(), element.position().line())));
+    return Optional.of(new MassProperties(mass.getAsDouble(), centerOfMass.get(), inertia.get()));
   }
 
   private OptionalDouble mass(Element element) {
@@ -72,7 +98,7 @@ public final class BodyReader {
           MessageCode.NEGATIVE_MASS,
           element.position(),
           Phrase.of(
-              "%s is negative: %s; a body without mass has 0",
+              "%s is negative: %s; write 0 for a body without mass",
               element.label(), Quoted.of(element.required("value"))));
       return OptionalDouble.empty();
     }

@@ -61,14 +61,14 @@ final class InertiaReader {
       diagnostics.error(
           MessageCode.NEGATIVE_INERTIA,
           element.position(),
-          shown + "; none may be negative. Ixy, Ixz, Iyz are elements of the matrix");
+          shown + "; none may be negative. Write Ixy, Ixz, Iyz as elements of the matrix");
       return false;
     }
     if (moments[2] - moments[1] > moments[0] + rounding) {
       diagnostics.warning(
           MessageCode.IMPOSSIBLE_INERTIA,
           element.position(),
-          shown + "; no body has one larger than the other two together");
+          shown + "; no moment of a rigid body exceeds the sum of the other two");
     }
     return true;
   }

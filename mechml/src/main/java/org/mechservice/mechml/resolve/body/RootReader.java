@@ -79,8 +79,8 @@ public final class RootReader {
           MessageCode.OPPOSITE_VECTORS,
           inipos.position(),
           inipos.label()
-              + ": the vector stands opposite to its direction in the body, which leaves the"
-              + " root's pose open; add a second vector");
+              + ": the vector is opposite to its direction in the body, so the root's pose is not"
+              + " defined; add a second vector");
     }
     return least;
   }
@@ -94,7 +94,9 @@ public final class RootReader {
       diagnostics.error(
           MessageCode.ROOT_POSE,
           inipos.position(),
-          inipos.label() + ": the two vectors are parallel, which leaves the root's pose open");
+          inipos.label()
+              + ": the two vectors are parallel, so the root's pose is not defined; give two"
+              + " vectors with different directions");
     } else if (Math.abs(own - world) > SAME_ANGLE) {
       diagnostics.error(
           MessageCode.ROOT_POSE,

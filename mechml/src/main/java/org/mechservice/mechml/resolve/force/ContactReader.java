@@ -115,7 +115,10 @@ final class ContactReader {
       return Optional.of(Expression.ZERO);
     }
     if (formula && profile.isPresent()) {
-      error(element, MessageCode.SURFACE_PROFILE, "height and <profile> say the same; give one");
+      error(
+          element,
+          MessageCode.SURFACE_PROFILE,
+          "height and <profile> define the same quantity; give only one");
       return Optional.empty();
     }
     if (carrier.attribute("vector2").isEmpty()) {

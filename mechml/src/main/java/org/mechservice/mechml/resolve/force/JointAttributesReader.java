@@ -73,7 +73,7 @@ public final class JointAttributesReader {
       error(
           joint.element(),
           Phrase.of(
-              "a joint of type %s carries no springs, friction or stops; use a bushing between its"
+              "a joint of type %s has no springs, friction or stops; use a bushing between its"
                   + " bodies",
               type));
       return false;
@@ -159,7 +159,7 @@ public final class JointAttributesReader {
     if (lower.isPresent()
         && upper.isPresent()
         && crossed(values.element(), lower.get(), upper.get())) {
-      error(values.element(), "the lower stop lies above the upper one");
+      error(values.element(), "the lower stop is above the upper one");
       return;
     }
     lower.flatMap(at -> stop(values, "lower", at, Side.BELOW)).ifPresent(forces::add);

@@ -56,7 +56,7 @@ final class ProfileReader {
         error(
             element,
             Phrase.of(
-                "station %d, %s m, does not lie beyond the one before, %s m",
+                "station %d, %s m, must be greater than the one before, %s m",
                 i + 1, stations.get(i), stations.get(i - 1)));
         return false;
       }

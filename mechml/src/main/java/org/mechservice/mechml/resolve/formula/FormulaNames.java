@@ -189,7 +189,7 @@ final class FormulaNames {
       throw new ExpressionException(
           MessageCode.EXPRESSION_NAME,
           name.offset(),
-          Quoted.of(name.text()) + " may not stand here: " + role.rule());
+          Quoted.of(name.text()) + " is not permitted here: " + role.rule());
     }
   }
 

@@ -3,13 +3,13 @@ package org.mechservice.mechml.resolve.formula;
 /** Role of an expression: it determines the variables that the expression may use. */
 public enum FormulaRole {
   /** A coefficient such as a stiffness: constant during a run. */
-  COEFFICIENT("this keeps its value during a run; numbers and parameters may stand here"),
+  COEFFICIENT("this value is constant during a run; use numbers and parameters only"),
   /** Prescribed motion. */
   MOTION("a prescribed motion depends on t and parameters only"),
   /** Height of a surface. */
-  HEIGHT("a height depends on s, the way along the surface, and parameters only"),
+  HEIGHT("a height depends on s, the arc length along the surface, and parameters only"),
   /** Relation between coordinates. */
-  RELATION("a relation between coordinates depends on positions of joints and t only"),
+  RELATION("a coupling of coordinates depends on positions of joints and t only"),
   /** Force, output, event. */
   STATE("");
 

@@ -77,7 +77,7 @@ public final class FrameReader {
       error(
           MessageCode.OPPOSITE_VECTORS,
           end.element(),
-          "vector stands opposite to the body's z axis, which leaves the other axes open; add"
+          "vector is opposite to the body's z axis, so the other axes are not defined; add"
               + " vector2");
     }
     return least;

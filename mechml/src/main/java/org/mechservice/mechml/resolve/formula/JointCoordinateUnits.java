@@ -87,18 +87,17 @@ public final class JointCoordinateUnits {
     if (dimensions.contains(own.dimension())) {
       return true;
     }
-    String stands =
+    String needed =
         dimensions.isEmpty()
             ? "the joint has no coordinates"
-            : "here stand"
-                + (dimensions.size() == 1 ? "s " : " ")
-                + String.join(" and ", dimensions.stream().map(Dimension::toString).toList());
+            : String.join(" and ", dimensions.stream().map(Dimension::toString).toList())
+                + (dimensions.size() == 1 ? " is needed" : " are needed");
     diagnostics.error(
         MessageCode.WRONG_DIMENSION,
         element.position(),
         Phrase.of(
             "%s: the unit %s measures %s, but %s",
-            element.label(), Quoted.of(element.required("unit")), own.dimension(), stands));
+            element.label(), Quoted.of(element.required("unit")), own.dimension(), needed));
     return false;
   }
 }

@@ -88,7 +88,8 @@ final class AxisReader {
       error(
           MessageCode.SECOND_VECTOR,
           input,
-          "body2 takes no vector2; that of body1 says where the vector of body2 points at zero");
+          "body2 must not have vector2; vector2 of body1 gives the direction of body2's vector at"
+              + " zero");
       return Optional.empty();
     }
     if (input.end1().has("vector2")) {
@@ -99,8 +100,8 @@ final class AxisReader {
       error(
           MessageCode.SECOND_VECTOR,
           input,
-          "the vectors of the two bodies are parallel, which leaves open where the second axis"
-              + " points at zero; add vector2 to body1");
+          "the vectors of the two bodies are parallel, so the direction of the second axis at zero"
+              + " is not defined; add vector2 to body1");
       return Optional.empty();
     }
     return AlignmentRotation.areOrthogonal(axis1, axis2)
@@ -137,8 +138,8 @@ final class AxisReader {
           Phrase.of(
               input.type().name().equals("W")
                   ? "%s names vector2 but no vector"
-                  : "%s names a vector; a joint of type %s has none: its axes are parallel where"
-                      + " its Euler parameters are 1;0;0;0",
+                  : "%s names a vector; a joint of type %s has none: the axes of its bodies are"
+                      + " parallel if its Euler parameters are 1;0;0;0",
               end.element().role(),
               input.type()));
     }
@@ -187,8 +188,8 @@ final class AxisReader {
       error(
           MessageCode.OPPOSITE_VECTORS,
           input,
-          "the vectors of the two bodies are opposite, which leaves open how the bodies stand at"
-              + " zero; turn one round or add vector2 to both bodies");
+          "the vectors of the two bodies are opposite, so the relative orientation at zero is not"
+              + " defined; reverse one vector or add vector2 to both bodies");
     }
     return least;
   }

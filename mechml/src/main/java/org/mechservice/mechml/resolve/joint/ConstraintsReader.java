@@ -80,7 +80,7 @@ public final class ConstraintsReader {
           MessageCode.DISTANCE_NOT_POSITIVE,
           element,
           Phrase.of(
-              "dist is %s m; it must be positive. Points that coincide are a joint of type S",
+              "dist is %s m; it must be positive. For coinciding points write a joint of type S",
               distance.getAsDouble()));
       return Optional.empty();
     }
@@ -105,7 +105,8 @@ public final class ConstraintsReader {
           MessageCode.NEGATIVE_MASS,
           rod,
           Phrase.of(
-              "mass is negative: %s; a rod without mass has 0", Quoted.of(rod.required("mass"))));
+              "mass is negative: %s; write 0 for a rod without mass",
+              Quoted.of(rod.required("mass"))));
       return OptionalDouble.empty();
     }
     return mass;

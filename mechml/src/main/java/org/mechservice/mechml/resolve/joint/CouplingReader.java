@@ -41,7 +41,7 @@ final class CouplingReader {
           MessageCode.COUPLING_INCOMPLETE,
           element.position(),
           element.label()
-              + ": it needs either an expression that stays zero, or terms with a constant");
+              + ": give either an expression that must stay zero, or terms with a constant");
       return Optional.empty();
     }
     Optional<Expression> relation = expression ? expression(element) : linear(element, terms);

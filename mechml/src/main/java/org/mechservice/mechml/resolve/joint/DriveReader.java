@@ -49,8 +49,8 @@ public final class DriveReader {
           MessageCode.DRIVEN_JOINT,
           element.position(),
           Phrase.of(
-              "%s: a joint of type %s cannot be driven; drive a chain of joints of one coordinate"
-                  + " each",
+              "%s: a joint of type %s cannot be driven; replace it by a chain of driven joints with"
+                  + " one coordinate each",
               element.label(), type));
       return List.of();
     }
@@ -59,7 +59,9 @@ public final class DriveReader {
         diagnostics.warning(
             MessageCode.DRIVEN_JOINT,
             element.position(),
-            Phrase.of("%s: %s has no effect, since driven gives it", element.label(), overruled));
+            Phrase.of(
+                "%s: %s has no effect, because the attribute driven defines the motion",
+                element.label(), overruled));
       }
     }
     return units

@@ -113,7 +113,8 @@ final class JointReader {
       error(
           element,
           pitch
-              ? "pitch (length per radian) and lead (length per turn) say the same; give one"
+              ? "pitch (length per radian) and lead (length per turn) define the same quantity;"
+                  + " give only one"
               : "a screw needs its pitch (length per radian) or its lead (length per turn)");
       return OptionalDouble.empty();
     }

@@ -89,7 +89,7 @@ public final class JointTree {
           MessageCode.NOT_CONNECTED,
           first.position(),
           Phrase.of(
-              "%s: no chain of joints leads from it to the root, %s%s%s",
+              "%s: no chain of joints connects it with the root, %s%s%s",
               first.label(),
               name(Mechanism.ROOT),
               alsoLoose(group.size() - 1),
@@ -106,7 +106,7 @@ public final class JointTree {
                     groups.areJoined(link.body1(), body) != groups.areJoined(link.body2(), body))
             .findFirst();
     return bridge
-        .map(b -> "; " + b.element().label() + " would, but it is cut=\"true\"")
+        .map(b -> "; " + b.element().label() + " would connect it, but it is cut=\"true\"")
         .orElse("");
   }
 

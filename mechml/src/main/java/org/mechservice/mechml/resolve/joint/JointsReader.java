@@ -56,7 +56,7 @@ public final class JointsReader {
             MessageCode.DUPLICATE_NAME,
             jointVal.position(),
             Phrase.of(
-                "%s: line %d gives the start of this joint already",
+                "%s: line %d already gives the start of this joint",
                 jointVal.label(), first.position().line()));
       } else {
         joints.find(jointVal, name);

@@ -103,9 +103,9 @@ public final class MotionCheck {
       if (!missing.isEmpty()) {
         return Optional.of(
             Phrase.of(
-                "the %s of the motion driven has no finite value at the start, t = %s s; write a"
-                    + " motion that begins with a finite one, as t^2 or smoothStep(t/0.1) does, or"
-                    + " let the run begin later",
+                "the %s of the prescribed motion has no finite value at the start, t = %s s; write"
+                    + " a motion with a finite one, such as t^2 or smoothStep(t/0.1), or start the"
+                    + " run later",
                 missing, number(t)));
       }
     }
@@ -116,19 +116,20 @@ public final class MotionCheck {
     String what =
         Math.abs(jump.size()) < POLE
             ? Phrase.of(
-                "the motion driven jumps at t = %s s, by %s in SI units, and no mechanism can"
+                "the prescribed motion jumps at t = %s s, by %s in SI units, which no mechanism can"
                     + " follow",
                 number(jump.time()), number(jump.size()))
-            : Phrase.of("the motion driven has no finite value near t = %s s", number(jump.time()));
+            : Phrase.of(
+                "the prescribed motion has no finite value near t = %s s", number(jump.time()));
     return Phrase.of(
-        "%s; write a motion that takes time, as smoothStep((t-1)/0.1) does in place of step(t-1)",
-        what);
+        "%s; write a continuous motion, such as smoothStep((t-1)/0.1) instead of step(t-1)", what);
   }
 
   private static String corner(MotionJump jump) {
     return Phrase.of(
-        "the velocity of the motion driven jumps at t = %s s, by %s in SI units, and its formula"
-            + " leaves it no finite value close by; write the corner with abs, min or max",
+        "the velocity of the prescribed motion jumps at t = %s s, by %s in SI units, and its"
+            + " formula has no finite velocity near the jump; write the corner with abs, min or"
+            + " max",
         number(jump.time()), number(jump.size()));
   }
 

@@ -57,8 +57,10 @@ public final class EventsReader {
       error(
           element,
           sets.isEmpty()
-              ? "action is \"set\", but there is no <set> that says what"
-              : Phrase.of("action is %s, and <set> has no meaning then", Quoted.of(action)));
+              ? "action is \"set\", but the event has no <set>; add one"
+              : Phrase.of(
+                  "action is %s, and <set> has no meaning for it; remove <set>",
+                  Quoted.of(action)));
       return Optional.empty();
     }
     List<StateChange> changes = new ArrayList<>();
@@ -95,7 +97,8 @@ public final class EventsReader {
       error(
           set,
           joint.get().cut()
-              ? "the joint closes a loop, so its coordinates follow from those of others; set them"
+              ? "the joint is cut, so its coordinates follow from those of other joints; set those"
+                  + " instead"
               : "the joint is driven, so its coordinates cannot be set");
       return Optional.empty();
     }

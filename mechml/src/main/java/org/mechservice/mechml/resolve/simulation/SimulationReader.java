@@ -36,6 +36,17 @@ final class SimulationReader {
           0,
           Accuracy.STANDARD);
 
+  /** The integrator of a run whose file names none. */
+  private static final IntegratorReader.Choice LEFT_TO_SERVICE =
+      new IntegratorReader.Choice(
+          MethodNames.AUTO,
+          1e-6,
+          AbsoluteTolerances.uniform(1e-8),
+          Double.POSITIVE_INFINITY,
+          0,
+          0,
+          Accuracy.STANDARD);
+
   private static final TimeSetReader.TimeSet THE_START = new TimeSetReader.TimeSet(0, 0, 1);
 
   private final ValueReader values;
@@ -59,7 +70,10 @@ final class SimulationReader {
     Optional<TimeSetReader.TimeSet> time =
         asked.child("timeSet").map(timeSets::read).orElse(Optional.of(THE_START));
     Optional<IntegratorReader.Choice> integrator =
-        asked.child("integrator").map(integrators::read).orElse(Optional.of(NO_INTEGRATOR));
+        asked
+            .child("integrator")
+            .map(integrators::read)
+            .orElse(Optional.of(isIntegrated(asked) ? LEFT_TO_SERVICE : NO_INTEGRATOR));
     Optional<SimulationTask> task = task(asked);
     List<Event> events = eventsReader.map(r -> r.read(asked.children("event"))).orElse(List.of());
     List<String> columns = asked.child("output").map(this::columns).orElse(List.of());
@@ -132,6 +146,10 @@ final class SimulationReader {
         tolerances.velocity(),
         tolerances.angularVelocity(),
         integrator.accuracy());
+  }
+
+  private static boolean isIntegrated(Element asked) {
+    return asked.name().equals("dynamic");
   }
 
   private Optional<SimulationTask> task(Element asked) {

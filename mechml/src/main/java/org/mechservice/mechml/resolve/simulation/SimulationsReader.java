@@ -57,7 +57,7 @@ public final class SimulationsReader {
             MessageCode.DUPLICATE_NAME,
             block.position(),
             Phrase.of(
-                "%s: line %d has a simulation of this name already",
+                "%s: line %d has a simulation with this name",
                 block.label(), first.position().line()));
       }
     }

@@ -44,21 +44,21 @@ final class TimeSetReader {
 
   private static Optional<String> defect(TimeSet time) {
     if (time.end() < time.start()) {
-      return Optional.of(Phrase.of("tend, %s s, lies before tini, %s s", time.end(), time.start()));
+      return Optional.of(Phrase.of("tend, %s s, is before tini, %s s", time.end(), time.start()));
     }
     if (time.step() <= 0) {
       return Optional.of(Phrase.of("tstep is %s s; it must be positive", time.step()));
     }
     if ((time.end() - time.start()) / time.step() > MOST_ROWS) {
       return Optional.of(
-          Phrase.of("tstep, %s s, would put out more than %.0e rows", time.step(), MOST_ROWS));
+          Phrase.of("tstep, %s s, would write more than %.0e rows", time.step(), MOST_ROWS));
     }
     double spacing = Math.ulp(Math.max(Math.abs(time.start()), Math.abs(time.end())));
     if (spacing > FINEST * time.step()) {
       return Optional.of(
           Phrase.of(
               "double-precision numbers near these times lie %s s apart, too coarse for tstep, %s"
-                  + " s; let the run begin near 0 and shift the time in expressions instead",
+                  + " s; start the run near 0 and shift the time in expressions instead",
               spacing, time.step()));
     }
     return Optional.empty();

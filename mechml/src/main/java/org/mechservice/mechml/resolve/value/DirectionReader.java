@@ -25,7 +25,8 @@ public final class DirectionReader {
       diagnostics.error(
           MessageCode.ZERO_VECTOR,
           element.position(),
-          Phrase.of("%s has length %s and so no direction", element.label(), vector.get().norm()));
+          Phrase.of(
+              "%s has length %s and therefore no direction", element.label(), vector.get().norm()));
       return Optional.empty();
     }
     return vector.map(Vector3::normalized);

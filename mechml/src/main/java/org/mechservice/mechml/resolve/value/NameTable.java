@@ -57,7 +57,7 @@ public final class NameTable<T> {
           MessageCode.DUPLICATE_NAME,
           element.position(),
           Phrase.of(
-              "%s: line %d has %s %s of this name already",
+              "%s: line %d has %s %s with this name",
               element.label(),
               first.element().position().line(),
               "aeiou".indexOf(kind.charAt(0)) < 0 ? "a" : "an",

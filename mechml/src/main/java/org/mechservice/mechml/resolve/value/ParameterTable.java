@@ -88,8 +88,8 @@ public final class ParameterTable implements Scope {
           MessageCode.TUNABLE_PARAMETER_MISPLACED,
           name.offset(),
           Quoted.of(name.text())
-              + " is tunable, and this is settled when the model is read; it may stand in forces,"
-              + " motions and outputs");
+              + " is tunable, but this value must be known when the model is read; use tunable"
+              + " parameters in forces, motions and outputs only");
     }
     return parameter.get().valueInExpressions();
   }
@@ -100,8 +100,8 @@ public final class ParameterTable implements Scope {
           MessageCode.EXPRESSION_NAME,
           name.offset(),
           Quoted.of(name.text())
-              + " changes during a run, and this must be a constant; numbers and parameters may"
-              + " stand here");
+              + " changes during a run, but this value must be constant; use numbers and parameters"
+              + " only");
     }
   }
 }

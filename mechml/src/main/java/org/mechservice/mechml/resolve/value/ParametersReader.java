@@ -80,7 +80,7 @@ public final class ParametersReader {
       diagnostics.error(
           MessageCode.UNUSABLE_NAME,
           element.position(),
-          Phrase.of("%s: %s means something else in expressions", element.label(), name));
+          Phrase.of("%s: %s has another meaning in expressions", element.label(), name));
       unreadable.add(name);
       return;
     }

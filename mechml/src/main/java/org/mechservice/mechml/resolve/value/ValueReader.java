@@ -140,7 +140,7 @@ public final class ValueReader {
           MessageCode.WRONG_DIMENSION,
           element.position(),
           Phrase.of(
-              "%s: the unit %s measures %s, but here stands %s",
+              "%s: the unit %s measures %s, but %s is needed",
               element.label(), Quoted.of(text.get()), own.get().dimension(), quantity.dimension()));
       return Optional.empty();
     }

@@ -14,9 +14,9 @@ import org.mechservice.sim.scene.SceneAnalysis;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**
- * Report of a model before it runs: its tree and loops, its degrees of freedom, how well the start
- * closes the loops, where each joint is in the state, suspicious data, and what a class generated
- * from it leaves out.
+ * Report of a model before it runs: its tree and loops, its degrees of freedom, the residuals of
+ * the loops at the start, the layout of the state, suspicious data, and the parts that a generated
+ * class omits.
  *
  * @param model the model as read
  * @param scene its tree
@@ -56,7 +56,7 @@ public record CheckReport(
     }
   }
 
-  /** Returns what looks odd: what the file's reader noticed, then what the scene shows. */
+  /** Returns the warnings: those of the file's reader, then those of the scene. */
   public List<String> warnings() {
     List<String> warnings = new ArrayList<>();
     model.warnings().forEach(diagnostic -> warnings.add(diagnostic.toString()));
@@ -69,17 +69,20 @@ public record CheckReport(
     return scene.roadmap();
   }
 
-  /** Returns the number of degrees of freedom by count: negative where equations repeat others. */
+  /**
+   * Returns velocities minus equations, the degrees of freedom by count; too small if equations are
+   * redundant.
+   */
   public int freedomsByCount() {
     return scene.degreesOfFreedom() - loops.equations();
   }
 
-  /** Returns the number of degrees of freedom: by rank if it is known, else by count. */
+  /** Returns the number of degrees of freedom: by rank if it is known, otherwise by count. */
   public int degreesOfFreedom() {
     return loops.isJudged() ? scene.degreesOfFreedom() - loops.independent() : freedomsByCount();
   }
 
-  /** Returns the report for people, lines separated by line feeds. */
+  /** Returns the report as text, lines separated by line feeds. */
   public String text() {
     return new CheckText(this).text();
   }

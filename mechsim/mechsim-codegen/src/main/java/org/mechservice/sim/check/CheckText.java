@@ -10,7 +10,7 @@ import org.mechservice.sim.scene.RoadmapEntry;
 import org.mechservice.sim.scene.SceneAnalysis;
 import org.mechservice.solver.text.ShortestDecimal;
 
-/** A check's report for people. */
+/** A check's report as text. */
 final class CheckText {
   private final CheckReport report;
   private final StringBuilder text = new StringBuilder();
@@ -159,7 +159,7 @@ final class CheckText {
         + range("v", entry.velocity(), entry.type().velocityCount(), entry.driven());
   }
 
-  /** Returns {@code q[3]} or {@code q[3..9]}; {@code q[-]} where the state has none. */
+  /** Returns {@code q[3]} or {@code q[3..9]}; {@code q[-]} if the joint has no state. */
   private static String range(String letter, int from, int count, boolean driven) {
     if (driven || count == 0) {
       return letter + "[-]";

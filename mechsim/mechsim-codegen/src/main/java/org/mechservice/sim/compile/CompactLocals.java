@@ -18,11 +18,11 @@ import org.objectweb.asm.tree.MethodNode;
 import org.objectweb.asm.tree.VarInsnNode;
 
 /**
- * Lets the double variables of straight-line methods share slots.
+ * Makes the double variables of straight-line methods share slots.
  *
- * <p>The source names every value, and the compiler gives every name a slot for the rest of its
- * block; beyond slot 255 each access takes twice the bytes. Here a variable's slot is free again
- * after its last use. Operations and their order stay as they are.
+ * <p>The source names every value, and the compiler reserves a slot for each name until the end of
+ * its block; beyond slot 255 each access takes twice the bytes. This class frees a variable's slot
+ * after its last use. Operations and their order do not change.
  */
 final class CompactLocals {
   private CompactLocals() {}
@@ -42,8 +42,8 @@ final class CompactLocals {
   }
 
   /**
-   * Returns whether a jump backwards passes a double variable; its lifetime is then longer than its
-   * instructions show.
+   * Returns whether a backward jump crosses a double variable, whose lifetime is then longer than
+   * its instructions show.
    */
   private static boolean loopsOverDoubles(MethodNode method) {
     List<Integer> accesses = new ArrayList<>();
@@ -66,13 +66,13 @@ final class CompactLocals {
     return instruction.getOpcode() == Opcodes.DLOAD || instruction.getOpcode() == Opcodes.DSTORE;
   }
 
-  /** Returns how many slots hold the instance and the parameters. */
+  /** Returns the number of slots of the instance and the parameters. */
   private static int parameters(MethodNode method) {
     int slots = Type.getArgumentsAndReturnSizes(method.desc) >> 2;
     return (method.access & Opcodes.ACC_STATIC) == 0 ? slots : slots - 1;
   }
 
-  /** Gives each variable the lowest slot that is free while it lives. */
+  /** Assigns to each variable the lowest slot that is free during its lifetime. */
   private static void compact(MethodNode method) {
     int parameters = parameters(method);
     Map<Integer, AbstractInsnNode> lastUse = new HashMap<>();

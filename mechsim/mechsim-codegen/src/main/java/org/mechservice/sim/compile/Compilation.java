@@ -21,7 +21,7 @@ import org.mechservice.solver.catalogue.MessageCode;
  * The result of compiling sources in memory.
  *
  * @param succeeded whether there are class files
- * @param classFiles by binary name; not to be modified
+ * @param classFiles by binary name; must not be modified
  * @param diagnostics messages of the compiler
  * @param messages messages that belong to none of the sources
  */

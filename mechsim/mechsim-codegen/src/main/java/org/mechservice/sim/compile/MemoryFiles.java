@@ -19,7 +19,7 @@ import javax.tools.SimpleJavaFileObject;
 import javax.tools.StandardLocation;
 
 /**
- * The files a compilation sees: the classes of the JDK, and on the class path some packages of the
+ * The files of a compilation: the classes of the JDK, and on the class path some packages of the
  * solver and the given class files. Output stays in memory.
  */
 final class MemoryFiles extends ForwardingJavaFileManager<JavaFileManager> {

@@ -5,8 +5,8 @@ import java.util.TreeMap;
 import org.mechservice.solver.api.Model;
 
 /**
- * Loads the classes of one model; those that users have written from a loader of their own,
- * everything else from the solver's.
+ * Loads the classes of one model; user classes come from their own loader, all other classes from
+ * the solver's.
  */
 public final class ModelClassLoader extends ClassLoader {
   private final SortedMap<String, byte[]> classFiles;
@@ -14,7 +14,7 @@ public final class ModelClassLoader extends ClassLoader {
 
   /**
    * @param classFiles class files by binary name; not modified
-   * @param userClasses loads what the model's users have written
+   * @param userClasses loader of the user classes
    */
   public ModelClassLoader(SortedMap<String, byte[]> classFiles, ClassLoader userClasses) {
     super(Model.class.getClassLoader());

@@ -14,15 +14,15 @@ import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * Compiles generated classes in memory, against nothing but the JDK and the solver's interfaces.
- * Nothing is read from the class path of this process and no annotation processor runs.
+ * Compiles generated classes in memory, against the JDK and the solver's interfaces only. The
+ * compiler does not read the class path of this process and runs no annotation processor.
  */
 public final class ModelCompiler {
   private static final List<String> OPTIONS =
       List.of(
           "--release", "17", "-g:none", "-proc:none", "-implicit:none", "-nowarn", "-Xlint:none");
 
-  /** What generated code may name. */
+  /** Packages that generated code may name. */
   private static final Set<String> VISIBLE_PACKAGES =
       Set.of(
           "org.mechservice.solver.analysis",

@@ -30,8 +30,8 @@ import org.mechservice.solver.simulation.Simulation;
 import org.mechservice.solver.text.Sha256;
 
 /**
- * The class files of the solver's four artifacts as this process has them, wherever each is: a
- * directory of classes or a JAR, alone or with other modules.
+ * The class files of the solver's four artifacts as this process has them, from a directory of
+ * classes or a JAR, which may contain other modules too.
  */
 public final class SolverClasses {
   private static final String CLASSES = "org/mechservice/solver/";
@@ -50,7 +50,7 @@ public final class SolverClasses {
         Collections.unmodifiableSortedMap(each(SolverClasses::bytes, bytes -> bytes));
   }
 
-  /** What is wanted of a file in a JAR. */
+  /** Reads a value from a file in a JAR. */
   @FunctionalInterface
   private interface Reading<T> {
     T of(JarFile jar, JarEntry entry) throws IOException;
@@ -61,7 +61,9 @@ public final class SolverClasses {
     return Holder.FILES;
   }
 
-  /** Returns one of the files, by its path, or null if there is no such file; reads no other. */
+  /**
+   * Returns one of the files by its path, or null if there is no such file; reads no other file.
+   */
   public static byte @Nullable [] file(String path) {
     if (!isSolvers(path)) {
       return null;
@@ -75,7 +77,7 @@ public final class SolverClasses {
 
   /**
    * Returns the SHA-256 of the paths, lengths and CRCs of all files. It changes when the solver is
-   * compiled anew. Only the table of contents of a JAR is read, because inflating and hashing the
+   * compiled again. Only the table of contents of a JAR is read, because inflating and hashing the
    * files would take as long as a small simulation. It is no protection against forgery.
    */
   public static String fingerprint() {
@@ -101,7 +103,7 @@ public final class SolverClasses {
     return length + " " + crc;
   }
 
-  /** Returns something of each file, by path: from an entry of a JAR or from a file's content. */
+  /** Returns a value for each file, by path: from an entry of a JAR or from a file's content. */
   private static <T> SortedMap<String, T> each(Reading<T> inJar, Function<byte[], T> inDirectory) {
     SortedMap<String, T> found = new TreeMap<>();
     Set<String> read = new HashSet<>();

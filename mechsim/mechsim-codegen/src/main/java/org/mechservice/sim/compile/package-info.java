@@ -10,9 +10,9 @@
  * <p>{@link org.mechservice.sim.compile.ModelClassLoader} loads the classes of one model. {@link
  * org.mechservice.sim.compile.SolverClasses} gives the class files of this process's solver and
  * their fingerprint. {@link org.mechservice.sim.compile.ReachableClasses} follows the names in
- * constant pools from some classes to all that these need (JVMS §4.4).
+ * constant pools from given classes to all classes that they need (JVMS §4.4).
  *
- * <p>Depends on {@code javax.tools} and ASM; knows neither scenes nor equations.
+ * <p>Depends on {@code javax.tools} and ASM only.
  */
 @NullMarked
 package org.mechservice.sim.compile;

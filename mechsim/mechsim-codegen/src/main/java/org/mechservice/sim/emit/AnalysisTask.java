@@ -7,9 +7,10 @@ import org.mechservice.solver.analysis.LinearSource;
 import org.mechservice.solver.analysis.PrescribedSource;
 
 /**
- * What is computed without integration.
+ * An analysis without integration in time.
  *
- * @param source class of the solver that a model's class extends, made of options and columns
+ * @param source class of the solver that a model's class extends, constructed from options and
+ *     columns
  * @param options its options as text
  */
 public record AnalysisTask(Class<?> source, String options) {

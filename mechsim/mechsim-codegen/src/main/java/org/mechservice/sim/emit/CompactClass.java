@@ -24,17 +24,15 @@ import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.Type;
 
 /**
- * A model's class in compact form: it holds the mechanism as data, and the solver's data-driven
- * formulations compute with them; or the further columns of a model alone, of which code was
- * generated.
+ * A model's class in compact form. It holds the mechanism as data for the solver's data-driven
+ * formulations, or it adds columns computed from data to a generated model.
  *
- * @param model what it holds
- * @param columns groups of columns computed from the data, beside the model, separated by commas;
- *     empty for none
- * @param generated the generated class that is extended by columns; none if the model itself is
- *     data
- * @param values the generated class of what events watch and assign and of outputs, if there is one
- * @param task what is computed if the model is not integrated in time
+ * @param model the data
+ * @param columns groups of columns computed from the data, separated by commas; empty for none
+ * @param generated the generated class that is extended by columns; empty for a data-driven model
+ * @param values the generated class of triggers and assignments of events and of outputs, if there
+ *     is one
+ * @param task the analysis, if the model is not integrated in time
  */
 public record CompactClass(
     CompactModel model,
@@ -73,7 +71,7 @@ public record CompactClass(
         .orElse(columns.isEmpty() ? CompactSource.class : ExtendedSource.class);
   }
 
-  /** Returns the texts that the base class is made of. */
+  /** Returns the texts from which the base class is constructed. */
   private List<String> arguments() {
     return task.map(asked -> List.of(asked.options(), columns))
         .orElse(columns.isEmpty() ? List.of() : List.of(columns));
@@ -146,7 +144,7 @@ public record CompactClass(
     return "new " + written.simpleName() + "(" + given + ")";
   }
 
-  /** Returns a literal of one line, whatever its length; data are not there to be read. */
+  /** Returns a literal on one line of any length; the data need not be readable. */
   private static String literal(String text) {
     StringBuilder literal = new StringBuilder("\"");
     for (int i = 0; i < text.length(); i++) {
@@ -154,7 +152,8 @@ public record CompactClass(
       if (c >= ' ' && c < 0x7f && c != '"' && c != '\\') {
         literal.append(c);
       } else {
-        // Octal, not Unicode, escapes: the compiler reads those before it knows of literals.
+        // Octal, not Unicode, escapes: the compiler replaces Unicode escapes before it finds
+        // literals.
         literal.append('\\').append(Integer.toOctalString(01000 | c).substring(1));
       }
     }
@@ -183,7 +182,10 @@ public record CompactClass(
     return file.toByteArray();
   }
 
-  /** Of a model with loops the class beside has the terms of its equations alone. */
+  /**
+   * Returns whether the model has loops; its generated class then has only the terms of its
+   * equations.
+   */
   private boolean hasLoops() {
     return !model.mechanism().closures().isEmpty();
   }
@@ -192,7 +194,7 @@ public record CompactClass(
     return ModelClass.hasUserForces(model.mechanism());
   }
 
-  /** Returns what calls forces that users have written before the code. */
+  /** Returns the solver class that evaluates user forces before the code. */
   private Class<?> forced() {
     return hasLoops() ? UserForcedTerms.class : UserForcedModel.class;
   }
@@ -262,7 +264,7 @@ public record CompactClass(
     ClassMethods.end(code, Opcodes.ARETURN);
   }
 
-  /** Pushes what was generated with the forces that users have written, above what is there. */
+  /** Pushes the generated object combined with user forces. */
   private void forced(MethodVisitor code, String data, GeneratedClass equations) {
     String mechanism = Type.getDescriptor(Mechanism.class);
     String inputs = Type.getInternalName(UserLoads.class);
@@ -289,7 +291,7 @@ public record CompactClass(
         false);
   }
 
-  /** Pushes an instance of a generated class, above what is there. */
+  /** Pushes an instance of a generated class. */
   private static void made(MethodVisitor code, GeneratedClass written) {
     String type = internal(written.simpleName());
     code.visitTypeInsn(Opcodes.NEW, type);

@@ -10,7 +10,7 @@ import org.objectweb.asm.MethodVisitor;
 import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.Type;
 
-/** Writes the methods that put out the power and the values of forces. */
+/** Writes the methods that output the power and the values of forces. */
 final class ForceColumnBytes {
   private static final String GROUP = Type.getInternalName(ColumnGroup.class);
   private static final String VARIABLE = Type.getInternalName(Variable.class);
@@ -31,7 +31,7 @@ final class ForceColumnBytes {
     this.className = className;
   }
 
-  /** Runs the private method that fills a field of the same name. */
+  /** Calls the private method that fills a field of the same name. */
   private void fill(MethodVisitor code, String method, String field, int t, int y) {
     code.visitVarInsn(Opcodes.ALOAD, 0);
     code.visitVarInsn(Opcodes.DLOAD, t);
@@ -41,7 +41,9 @@ final class ForceColumnBytes {
     code.visitMethodInsn(Opcodes.INVOKESPECIAL, className, method, STATE_TO_ARRAY, false);
   }
 
-  /** {@code sumPower(t, y, power); return power[0];}, and the turnover from {@code power[1]}. */
+  /**
+   * Writes {@code sumPower(t, y, power); return power[0];}, and the turnover from {@code power[1]}.
+   */
   void power() {
     power("power", Opcodes.ICONST_0);
     power("turnover", Opcodes.ICONST_1);
@@ -63,7 +65,7 @@ final class ForceColumnBytes {
     code.visitJumpInsn(Opcodes.IF_ACMPNE, elsewhere);
   }
 
-  /** Names and units, if the group is that of forces. */
+  /** Writes the method that returns names and units if the group is that of forces. */
   void columns(String names, String units) {
     MethodVisitor code =
         ClassMethods.beginPublic(classFile, "columns", "(L" + GROUP + ";)L" + LIST + ";");
@@ -126,7 +128,7 @@ final class ForceColumnBytes {
     code.visitInsn(Opcodes.POP);
   }
 
-  /** Fills the field and copies it, if the group is that of forces. */
+  /** Writes the method that fills the field and copies it if the group is that of forces. */
   void values(int count) {
     MethodVisitor code = ClassMethods.beginPublic(classFile, "values", "(L" + GROUP + ";D[D[DI)V");
     Label done = new Label();

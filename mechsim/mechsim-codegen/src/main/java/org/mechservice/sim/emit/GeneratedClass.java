@@ -5,16 +5,16 @@ public sealed interface GeneratedClass permits ModelPlan, ProgramsClass, Compact
   /** Returns the class's simple name. */
   String simpleName();
 
-  /** Returns how the class computes, with the operations of its programs, for people. */
+  /** Returns a description of the class with the number of operations of its programs. */
   String code();
 
   /**
-   * Returns whether its constructor is given numbers, because it computes with some: values of
-   * parameters, loads of forces that users have written.
+   * Returns whether its constructor takes an array of numbers: values of parameters and loads of
+   * user forces.
    */
   boolean takesNumbers();
 
-  /** Returns how many values the plans of its programs hold. */
+  /** Returns the number of values in the plans of its programs. */
   long plannedValues();
 
   /** Returns the formatted source. */

@@ -38,8 +38,8 @@ import org.objectweb.asm.Type;
  * }
  * }</pre>
  *
- * <p>It is the factory itself, which spares a lambda. Where nothing is integrated the solver is an
- * {@link AnalysisSolver}, and there is no factory.
+ * <p>The class itself implements the factory, which avoids a lambda. For an analysis without
+ * integration the solver is an {@link AnalysisSolver}, and there is no factory.
  */
 public final class MainClass {
   private static final String OBJECT = "java/lang/Object";
@@ -52,12 +52,12 @@ public final class MainClass {
   /**
    * Returns the class file of a model that is integrated.
    *
-   * @param className its own name, as those that follow fully qualified
-   * @param model class of the model
-   * @param integrator class of the integrator
-   * @param form how its equations are handed to the integrator
-   * @param built labels of the column groups the model was built with, separated by commas
-   * @param shown labels of those put out where nothing else is asked for
+   * @param className its own fully qualified name
+   * @param model fully qualified name of the class of the model
+   * @param integrator fully qualified name of the class of the integrator
+   * @param form form of the equations for the integrator
+   * @param built labels of the column groups of the model, separated by commas
+   * @param shown labels of the groups of the default output
    */
   public static byte[] of(
       String className,
@@ -175,7 +175,7 @@ public final class MainClass {
     ClassMethods.end(code, Opcodes.RETURN);
   }
 
-  /** Leaves a form on the stack; one that watches a run has the other within. */
+  /** Pushes a form; a form that monitors a run contains another form. */
   private static void create(MethodVisitor code, EquationForm form) {
     if (form instanceof WatchedForm watched) {
       String around = Type.getInternalName(WatchedForm.class);

@@ -141,7 +141,7 @@ final class ModelBytesWriter {
     ClassMethods.end(code, Opcodes.RETURN);
   }
 
-  /** {@code private final double[] name = new double[length]}. */
+  /** Writes {@code private final double[] name = new double[length]}. */
   private void array(MethodVisitor code, String name, int length) {
     field(name);
     code.visitVarInsn(Opcodes.ALOAD, 0);
@@ -181,7 +181,7 @@ final class ModelBytesWriter {
     ClassMethods.end(code, Opcodes.ARETURN);
   }
 
-  /** {@code .withAccuracy(Accuracy.STRICT)}. */
+  /** Writes {@code .withAccuracy(Accuracy.STRICT)}. */
   private static void accuracy(MethodVisitor code, Accuracy accuracy) {
     code.visitFieldInsn(Opcodes.GETSTATIC, ACCURACY, accuracy.name(), "L" + ACCURACY + ";");
     code.visitMethodInsn(
@@ -212,14 +212,14 @@ final class ModelBytesWriter {
     }
   }
 
-  /** {@code Arrays.fill(y, 0.0)}. */
+  /** Writes {@code Arrays.fill(y, 0.0)}. */
   private static void fillWithZeros(MethodVisitor code, ParameterSlots parameters) {
     code.visitVarInsn(Opcodes.ALOAD, parameters.slotOf("y"));
     code.visitInsn(Opcodes.DCONST_0);
     code.visitMethodInsn(Opcodes.INVOKESTATIC, "java/util/Arrays", "fill", "([DD)V", false);
   }
 
-  /** {@code return List.of("…".split("\n", -1))}. */
+  /** Writes {@code return List.of("…".split(" ", -1))}. */
   private void bodies() {
     MethodVisitor code = ClassMethods.beginPublic(classFile, "bodies", "()Ljava/util/List;");
     code.visitLdcInsn(plan.bodyNames());
@@ -232,7 +232,7 @@ final class ModelBytesWriter {
     ClassMethods.end(code, Opcodes.ARETURN);
   }
 
-  /** {@code return ("…").split("\n", -1)[force]}. */
+  /** Writes {@code return ("…").split(" ", -1)[force]}. */
   private void directedForce(String names) {
     MethodVisitor code = ClassMethods.beginPublic(classFile, "directedForce", "(I)" + STRING);
     code.visitLdcInsn(names);
@@ -256,7 +256,7 @@ final class ModelBytesWriter {
     method(part);
   }
 
-  /** Of the two sets of Euler parameters of an orientation the one with e0 ≥ 0. */
+  /** Writes code that chooses the set of Euler parameters with e0 ≥ 0. */
   private static void chooseSigns(MethodVisitor code, ParameterSlots parameters) {
     int poses = parameters.slotOf("poses");
     int i = parameters.end();
@@ -289,7 +289,7 @@ final class ModelBytesWriter {
     code.visitJumpInsn(Opcodes.IF_ICMPLT, body);
   }
 
-  /** {@code poses[i + j] = 0 - poses[i + j]}. */
+  /** Writes {@code poses[i + j] = 0 - poses[i + j]}. */
   private static void changeSign(MethodVisitor code, int poses, int i, int j) {
     pushElement(code, poses, i, j);
     code.visitInsn(Opcodes.DCONST_0);

@@ -21,13 +21,14 @@ import org.mechservice.solver.mechanism.force.UserForceElement;
  * @param description its description
  * @param derivative program from [q; v] to [q'; v']
  * @param residual program from [q; v] and [q'; v'] to the residual, if the formulation has one
- * @param derivatives those of the residual, if the formulation has them
+ * @param derivatives derivatives of the residual, if the formulation has them
  * @param energy program from [q; v] to kinetic and potential energy
- * @param poses program from [q; v] to the poses of the bodies, if they are asked for
- * @param power program from [q; v] to the power of what has no potential energy, if there is any
- * @param forces values of forces, if they are asked for
- * @param formulas parts of the formulas of forces, if any can be without a value
- * @param notes further paragraphs of the class comment, for people
+ * @param poses program from [q; v] to the poses of the bodies, if they are requested
+ * @param power program from [q; v] to the power of forces without potential energy, if there are
+ *     any
+ * @param forces values of forces, if they are requested
+ * @param formulas subexpressions of the formulas of forces, if any can be undefined
+ * @param notes further paragraphs of the class comment
  */
 public record ModelClass(
     Mechanism mechanism,
@@ -42,7 +43,7 @@ public record ModelClass(
     Optional<FormulaParts> formulas,
     List<String> notes) {
   /**
-   * Values that forces put out.
+   * Output values of forces.
    *
    * @param columns names and units
    * @param program from [q; v] to the values
@@ -50,9 +51,9 @@ public record ModelClass(
   public record ForceValues(List<Variable> columns, Program program) {}
 
   /**
-   * Parts of the formulas of forces, to find the one without a value after a failure.
+   * Subexpressions of the formulas of forces, to find the one without a value after a failure.
    *
-   * @param lines what the values are
+   * @param lines descriptions of the values
    * @param count of the values
    * @param program from [q; v] to the values
    */
@@ -61,12 +62,12 @@ public record ModelClass(
   /** The package of generated models. */
   public static final String PACKAGE = "org.mechservice.model";
 
-  /** Returns whether forces written as classes act on the model. */
+  /** Returns whether the model has user forces. */
   boolean hasUserForces() {
     return hasUserForces(mechanism);
   }
 
-  /** Returns whether forces written as classes act on a mechanism. */
+  /** Returns whether a mechanism has user forces. */
   public static boolean hasUserForces(Mechanism mechanism) {
     for (ForceElement force : mechanism.forces()) {
       if (force instanceof UserForceElement) {

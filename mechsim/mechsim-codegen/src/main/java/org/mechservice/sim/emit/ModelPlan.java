@@ -38,7 +38,7 @@ import org.mechservice.solver.mechanism.force.ForceElement;
  * compute the same operations in the same order, so their results have the same bits.
  */
 public final class ModelPlan implements GeneratedClass {
-  /** States whose start values stand together when methods are laid out. */
+  /** Number of states in one section of the program of start values. */
   private static final int SECTION_OF_START = 100;
 
   private static final MethodSignature INITIAL_STATE =
@@ -54,7 +54,7 @@ public final class ModelPlan implements GeneratedClass {
    * A program with the method that runs it.
    *
    * @param head the method
-   * @param plan how the program becomes code
+   * @param plan plan of its code
    */
   record Part(MethodSignature head, ProgramPlan plan) {}
 
@@ -151,7 +151,7 @@ public final class ModelPlan implements GeneratedClass {
     return code(programs);
   }
 
-  /** Says the same of some programs. */
+  /** Returns the description of programs. */
   static String code(List<Part> parts) {
     List<String> forms = new ArrayList<>();
     for (boolean shared : new boolean[] {true, false}) {
@@ -169,7 +169,7 @@ public final class ModelPlan implements GeneratedClass {
     return String.join("; ", forms);
   }
 
-  /** Returns the constants that stand in a table. */
+  /** Returns the table of constants. */
   ConstantTable constants() {
     return constants;
   }
@@ -228,10 +228,10 @@ public final class ModelPlan implements GeneratedClass {
   }
 
   /**
-   * A class that is extended.
+   * The superclass.
    *
    * @param type the class
-   * @param arguments texts its constructor takes
+   * @param arguments texts for its constructor
    */
   record Base(Class<?> type, List<String> arguments) {}
 
@@ -249,7 +249,7 @@ public final class ModelPlan implements GeneratedClass {
     return plannedValues(all());
   }
 
-  /** Returns how many values some programs hold. */
+  /** Returns the number of values in the plans of programs. */
   static long plannedValues(List<Part> parts) {
     return parts.stream()
         .map(part -> part.plan().program().expressions())
@@ -263,7 +263,7 @@ public final class ModelPlan implements GeneratedClass {
     return content.hasUserForces() || readNumbers(all());
   }
 
-  /** Returns whether some programs compute with numbers that their class is given. */
+  /** Returns whether programs read parameters or loads that their class receives. */
   static boolean readNumbers(List<Part> parts) {
     return parts.stream().anyMatch(part -> part.plan().readsModelParameters());
   }
@@ -317,7 +317,7 @@ public final class ModelPlan implements GeneratedClass {
     return functionOwners(all());
   }
 
-  /** Returns the same of some programs. */
+  /** Returns the internal names of solver classes whose functions programs call. */
   static SortedSet<String> functionOwners(List<Part> parts) {
     SortedSet<String> owners = new TreeSet<>();
     for (Part part : parts) {
@@ -384,14 +384,14 @@ public final class ModelPlan implements GeneratedClass {
     return content.description().defaults().hasOneTolerance();
   }
 
-  /** Returns whether the settings leave the accuracy as it is without them. */
+  /** Returns whether the settings have the standard accuracy. */
   boolean isStandardAccuracy() {
     return content.description().defaults().accuracy() == Accuracy.STANDARD;
   }
 
   /**
-   * Returns whether the settings have more than the shortest form: bounds of step size or order, or
-   * further tolerances.
+   * Returns whether the settings need the long constructor: bounds of step size or order, or
+   * several tolerances.
    */
   boolean boundsSteps() {
     RunSettings settings = content.description().defaults();

@@ -20,9 +20,8 @@ import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.Type;
 
 /**
- * A class that is nothing but the methods of programs, planned: one plan, from which source and
- * class file are printed. Both compute the same operations in the same order, so their results have
- * the same bits.
+ * A planned class that contains only the methods of programs; one plan gives source and class file.
+ * Both compute the same operations in the same order, so their results have the same bits.
  */
 final class ProgramsClass implements GeneratedClass {
   private final String simpleName;
@@ -35,8 +34,8 @@ final class ProgramsClass implements GeneratedClass {
 
   /**
    * @param documentation lines of the class comment
-   * @param interfaces what the class implements by its programs
-   * @param hasUserForces whether it is given loads of forces that users have written
+   * @param interfaces interfaces that the class implements
+   * @param hasUserForces whether it receives loads of user forces
    */
   ProgramsClass(
       String simpleName,

@@ -5,20 +5,20 @@ import java.util.Optional;
 import org.mechservice.sim.symbolic.Program;
 
 /**
- * What the class of the terms of a model with loops contains ({@link
+ * Contents of the class of the terms of a model with loops ({@link
  * org.mechservice.solver.closure.equations.LoopTerms}).
  *
  * @param modelName the model's name in its file
- * @param hasUserForces whether the class is given loads of forces that users have written
+ * @param hasUserForces whether the class receives loads of user forces
  * @param stateCount number of states [q; v] and counted angles
  * @param velocityCount number of v among them
  * @param loops program of the method of that name
  * @param equations program of the method of that name
  * @param energy program of the method of that name
  * @param power program of the method of that name
- * @param poses program of the method of that name, if the poses of the bodies are asked for
+ * @param poses program of the method of that name, if the poses of the bodies are requested
  * @param ofResidual programs of the recursive residual, if the formulation has one
- * @param notes further paragraphs of the class comment, for people
+ * @param notes further paragraphs of the class comment
  */
 public record TermsClass(
     String modelName,

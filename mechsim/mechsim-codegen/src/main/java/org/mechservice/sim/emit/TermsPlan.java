@@ -54,7 +54,7 @@ public final class TermsPlan {
     return new MethodSignature(name, List.of(TIME, STATE), output, returnsResult, true);
   }
 
-  /** Multipliers come behind the accelerations. */
+  /** Returns the method of the derivatives; multipliers follow the accelerations. */
   private static MethodSignature ofDerivatives(MethodSignature.Argument given, int velocities) {
     MethodSignature.Argument lambda =
         new MethodSignature.Argument("lambda", true, given.first() + velocities);

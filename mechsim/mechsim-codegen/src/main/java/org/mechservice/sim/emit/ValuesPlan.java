@@ -7,9 +7,7 @@ import org.mechservice.sim.emit.source.JavaText;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.dynamics.event.WrittenValues;
 
-/**
- * Plans the class of the values that the events of a model watch and assign, and of its outputs.
- */
+/** Plans the class of the triggers and assignments of a model's events, and of its outputs. */
 public final class ValuesPlan {
   private static final List<MethodSignature.Argument> STATE =
       List.of(

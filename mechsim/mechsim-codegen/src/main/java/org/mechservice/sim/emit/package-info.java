@@ -5,17 +5,17 @@
  * to be written in either form. {@link org.mechservice.sim.emit.ModelPlan} is the class of an open
  * chain, made from the programs of a {@link org.mechservice.sim.emit.ModelClass}; {@link
  * org.mechservice.sim.emit.TermsPlan} makes the class of the terms of a model with loops, and
- * {@link org.mechservice.sim.emit.ValuesPlan} the class of what events watch and assign and of
- * outputs; {@link org.mechservice.sim.emit.CompactClass} holds the mechanism as data. {@link
+ * {@link org.mechservice.sim.emit.ValuesPlan} the class of triggers and assignments of events and
+ * of outputs; {@link org.mechservice.sim.emit.CompactClass} holds the mechanism as data. {@link
  * org.mechservice.sim.emit.MainClass} is the main class of a standalone JAR.
  *
- * <p>The way of a program: {@code plan} divides it into methods and gives every value a location;
- * {@code method} holds such planned methods and measures their length; {@code source} prints them
- * as Java, {@code bytes} as byte code. Both printers follow one plan and write the same operations
- * in the same order, so their results have the same bits.
+ * <p>A program passes through the subpackages: {@code plan} divides it into methods and gives every
+ * value a location; {@code method} holds such planned methods and measures their length; {@code
+ * source} prints them as Java, {@code bytes} as byte code. Both printers follow one plan and write
+ * the same operations in the same order, so their results have the same bits.
  *
- * <p>Depends on symbolic programs and ASM. The mechanics reach this package as programs; only the
- * layout of the Jacobian comes from {@code equations.derivatives}. CODEGEN has the measurements
+ * <p>Depends on symbolic programs and ASM. This package receives the mechanics as programs; only
+ * the layout of the Jacobian comes from {@code equations.derivatives}. CODEGEN has the measurements
  * behind the design.
  */
 @NullMarked

@@ -21,9 +21,9 @@ import org.mechservice.sim.symbolic.ScalarVector;
 
 /**
  * y' = f(t, y) of an open chain, totally recursive (DTR, NUMERICS §2), in three sweeps. The first
- * goes outwards and gives the forces that the motion needs while no joint accelerates. The second
- * goes inwards and gives articulated inertias and the remaining forces. The third goes outwards and
- * gives the joint accelerations.
+ * goes outwards and computes the forces of the motion with zero joint accelerations. The second
+ * goes inwards and computes articulated inertias and bias forces. The third goes outwards and
+ * computes the joint accelerations.
  */
 public final class ArticulatedBodyEquations {
   private final Program program;

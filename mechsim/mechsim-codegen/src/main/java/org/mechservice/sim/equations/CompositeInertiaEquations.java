@@ -25,8 +25,9 @@ import org.mechservice.sim.symbolic.ScalarVector;
 
 /**
  * y' = f(t, y) of an open chain, semi-recursive (DSR, NUMERICS §2): M a = τ − b, with M from
- * composite inertias between each joint and those on its way to the root alone, factored LᵀDL along
- * the tree without fill (Featherstone 2008, §6.2 and §6.5), and b from one sweep out and one in.
+ * composite inertias, nonzero only between each joint and its ancestors, factored as LᵀDL along the
+ * tree without fill-in (Featherstone 2008, §6.2 and §6.5), and b from one outward and one inward
+ * sweep.
  */
 public final class CompositeInertiaEquations {
   private final Program program = new Program();
@@ -36,7 +37,9 @@ public final class CompositeInertiaEquations {
   private final Coordinates coordinates;
   private final ParentTransform toParent;
 
-  /** Velocities in link axes: the link and its freedom; those nearer the root come first. */
+  /**
+   * A velocity in link axes: its link and degree of freedom; velocities nearer the root come first.
+   */
   private record Velocity(int link, DegreeOfFreedom freedom) {}
 
   private final List<Velocity> velocities = new ArrayList<>();
@@ -99,7 +102,7 @@ public final class CompositeInertiaEquations {
     return link.jointLabel() + component;
   }
 
-  /** Returns for each velocity those on its way to the root, the nearest first. */
+  /** Returns the ancestors of each velocity, the nearest first. */
   private List<List<Integer>> ancestors() {
     List<List<Integer>> ancestors = new ArrayList<>();
     for (int k = 0; k < velocities.size(); k++) {
@@ -135,7 +138,7 @@ public final class CompositeInertiaEquations {
     return composites;
   }
 
-  /** Returns M_kj for all j on the way from k to the root, zeros elsewhere. */
+  /** Returns M_kj for all ancestors j of k, zero elsewhere. */
   private Scalar[][] massMatrix() {
     ArticulatedInertia[] composites = composites();
     int n = velocities.size();

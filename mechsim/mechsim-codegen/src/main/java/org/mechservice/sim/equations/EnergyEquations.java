@@ -21,8 +21,8 @@ import org.mechservice.solver.spatial.InertiaTensor;
  * Kinetic energy ½ Σ (m v·v + ω·I ω) over the centres of mass and potential energy −Σ m g·p of a
  * tree, p from the world origin, plus the energy of springs and of rods that close loops.
  *
- * <p>Positions are not needed: the direction of gravity is carried outwards in body axes, together
- * with the height of each joint.
+ * <p>Positions are not needed: the sweep carries the direction of gravity outwards in body axes,
+ * together with the height of each joint.
  */
 public final class EnergyEquations {
   /**

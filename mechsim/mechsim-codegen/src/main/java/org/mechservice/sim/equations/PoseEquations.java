@@ -17,11 +17,11 @@ import org.mechservice.solver.api.capability.BodyPoses;
 import org.mechservice.solver.spatial.Rotation;
 
 /**
- * Where the bodies of an open chain are and how they move, in world axes: the body frames of the
- * model file, not the frames the dynamics are computed in.
+ * Poses and velocities of the bodies of an open chain in world axes, for the body frames of the
+ * model file, not the computing frames of the dynamics.
  *
  * <p>Euler parameters are products of those of the joints (half angles), so that no orientation
- * needs a formula of its own; their common sign is left open.
+ * needs its own formula; their common sign is arbitrary.
  */
 public final class PoseEquations {
   /**
@@ -171,7 +171,7 @@ public final class PoseEquations {
     return pose;
   }
 
-  /** From the computing frame to the body's own. */
+  /** Outputs the pose of a body, transformed from the computing frame to its own. */
   private void putOut(int body, BodyPlacement place, Pose pose) {
     ScalarVector arm = pose.rotation().times(ScalarVector.of(expressions, place.origin()));
     ScalarVector velocity = pose.velocity().plus(pose.omega().cross(arm));

@@ -15,8 +15,8 @@ import org.mechservice.sim.symbolic.ScalarVector;
 
 /**
  * F(t, y, y') = [q' − N(q) v; M(q) v' + b(q, v) − τ] of an open chain, recursive residual (RR,
- * NUMERICS §2). A sweep outwards gives the motion and the forces it needs; a sweep inwards gives
- * the part of these forces that the joints bear.
+ * NUMERICS §2). An outward sweep computes the motion and its inertia forces; an inward sweep
+ * computes the joint forces.
  */
 public final class RecursiveResidualEquations {
   private final Program program = new Program();

@@ -12,12 +12,12 @@
  * org.mechservice.sim.equations.PowerEquations} and {@link
  * org.mechservice.sim.equations.PoseEquations} give further columns of the results.
  *
- * <p>The rooms below build on one another in this order: {@code links} (the mechanism in computing
+ * <p>The subpackages depend on one another in this order: {@code links} (the mechanism in computing
  * frames), {@code kinematics} (coordinates, positions and velocities of the links), {@code
  * recursion} (sweeps of forces and inertias along the tree), {@code coordinates} (coordinates of
  * tree and cut joints, relative motion of two frames), {@code force}, {@code loop} and {@code
- * derivatives}. Nothing here knows how a program becomes code; that is {@link
- * org.mechservice.sim.emit}.
+ * derivatives}. {@link org.mechservice.sim.emit} translates programs to code; this package does not
+ * depend on it.
  *
  * <p>The mathematics is in NUMERICS §1-§4; its sources are Featherstone 2008 (ch. 5-7) and Singh,
  * Russell and Wensing 2022.

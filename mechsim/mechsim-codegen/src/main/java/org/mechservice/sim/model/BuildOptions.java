@@ -8,16 +8,16 @@ import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MethodNames;
 
 /**
- * What a model is to be built for.
+ * Options for building a model.
  *
  * @param formulation {@code auto}, {@code DTR}, {@code DSR}, {@code RR} or {@code RR-JF}
- * @param closure how loops are closed: {@code auto}, {@code projection} or {@code penalty}
- * @param compact whether the model is to carry data instead of generated code
- * @param form how generated code is laid out
- * @param columns column groups it must be able to put out
- * @param settings the settings it carries as its defaults, with {@code auto} already resolved
- * @param integratorReason why {@code auto} is that integrator; empty if it was asked for, or
- *     decides along the run
+ * @param closure closure of loops: {@code auto}, {@code projection} or {@code penalty}
+ * @param compact whether the model consists of data instead of generated code
+ * @param form layout of generated code
+ * @param columns column groups that the model can output
+ * @param settings default settings of the model, with {@code auto} already resolved
+ * @param integratorReason reason for the integrator that {@code auto} chose; empty if the
+ *     integrator was requested by name, or is chosen during the run
  */
 public record BuildOptions(
     String formulation,
@@ -31,7 +31,7 @@ public record BuildOptions(
     columns = Set.copyOf(columns);
   }
 
-  /** Options with an integrator given by name. */
+  /** Creates options with an integrator requested by name. */
   public BuildOptions(
       String formulation,
       String closure,
@@ -41,13 +41,13 @@ public record BuildOptions(
     this(formulation, closure, compact, CodeForm.AUTO, columns, settings, Optional.empty());
   }
 
-  /** The same with code laid out in a form. */
+  /** Returns the same options with another layout of the code. */
   public BuildOptions in(CodeForm wanted) {
     return new BuildOptions(
         formulation, closure, compact, wanted, columns, settings, integratorReason);
   }
 
-  /** Generated code wherever there is some, loops closed as suits them. */
+  /** Creates options with generated code wherever possible and automatic closure. */
   public BuildOptions(String formulation, Set<ColumnGroup> columns, RunSettings settings) {
     this(formulation, MethodNames.AUTO, false, columns, settings);
   }

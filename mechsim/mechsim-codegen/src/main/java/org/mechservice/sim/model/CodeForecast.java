@@ -9,11 +9,11 @@ import org.mechservice.sim.scene.GenerationLimits;
 import org.mechservice.sim.symbolic.Program;
 
 /**
- * What a class generated from a model would be.
+ * Description of the class that would be generated from a model.
  *
  * @param choice the formulation and the reason for it
  * @param operations operations per evaluation; 0 if the model is data
- * @param leftOut what the class does not hold
+ * @param leftOut parts that the class omits
  */
 public record CodeForecast(FormulationChoice choice, int operations, List<Omission> leftOut) {
   public CodeForecast {

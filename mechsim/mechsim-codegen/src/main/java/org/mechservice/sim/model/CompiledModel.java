@@ -26,9 +26,9 @@ public final class CompiledModel {
   /**
    * Loads the class of a model.
    *
-   * @param source what it was generated from
-   * @param generated its source
-   * @param options what it was built for
+   * @param source model file that it was generated from
+   * @param generated facts about its code
+   * @param options options of the build
    * @param classFiles class file bytes by binary class name; not modified
    * @param userClasses the classes of its users' forces
    */
@@ -64,7 +64,7 @@ public final class CompiledModel {
     }
   }
 
-  /** Returns what it was generated from. */
+  /** Returns the model file that it was generated from. */
   public MechmlModel source() {
     return source;
   }
@@ -74,17 +74,19 @@ public final class CompiledModel {
     return generated;
   }
 
-  /** Returns what it was built for. */
+  /** Returns the options of the build. */
   public BuildOptions options() {
     return options;
   }
 
-  /** Returns class file bytes by binary class name, those of users too; not to be modified. */
+  /**
+   * Returns class file bytes by binary class name, including user classes; must not be modified.
+   */
   public SortedMap<String, byte[]> classFiles() {
     return classFiles;
   }
 
-  /** Returns how many bytes its class files have. */
+  /** Returns the total size of its class files in bytes. */
   public long classBytes() {
     return classFiles.values().stream().mapToLong(file -> file.length).sum();
   }
@@ -101,37 +103,40 @@ public final class CompiledModel {
     return userClasses.classFiles();
   }
 
-  /** Returns whether running it runs classes of users. */
+  /** Returns whether the model contains user classes. */
   public boolean hasUserClasses() {
     return !userClasses.isEmpty();
   }
 
   /**
-   * Returns an instance to be asked for names, units, columns and settings: classes of users are
-   * not loaded for it, their forces do nothing.
+   * Returns an instance for queries of names, units, columns and settings. User classes are not
+   * loaded for it; their forces are zero.
    */
   public Model withoutUserClasses() {
     return describing().model();
   }
 
-  /** Returns what makes instances like that of {@link #withoutUserClasses}, with parameters. */
+  /**
+   * Returns a source of instances as {@link #withoutUserClasses} returns, with values of
+   * parameters.
+   */
   public ModelSource describing() {
     return source(describing);
   }
 
   /**
-   * Returns a new instance of the model, for one run. Its classes are loaded once, those of users
-   * too.
+   * Returns a new instance of the model, for one run. Its classes, including user classes, are
+   * loaded once.
    *
-   * @throws IllegalArgumentException S-068 if a class of a user cannot be used
+   * @throws IllegalArgumentException S-068 if a user class cannot be used
    */
   public Model newInstance() {
     return instances().model();
   }
 
   /**
-   * Returns what makes instances of the model, with values of its tunable parameters if wanted; the
-   * model of one run is not to be that of another.
+   * Returns a source of instances of the model, with given values of its tunable parameters. Each
+   * run needs its own instance.
    */
   public ModelSource instances() {
     return source(constructor);

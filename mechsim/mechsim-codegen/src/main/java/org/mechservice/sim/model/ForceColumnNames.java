@@ -7,7 +7,7 @@ import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.ForceElement;
 
-/** Names and units of what forces put out, and of the forces that driven joints take. */
+/** Names and units of the output columns of forces, and of the driving forces of driven joints. */
 final class ForceColumnNames {
   private ForceColumnNames() {}
 

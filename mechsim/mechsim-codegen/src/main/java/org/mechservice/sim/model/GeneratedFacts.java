@@ -10,13 +10,13 @@ import org.mechservice.solver.api.result.ColumnGroup;
  * @param className fully qualified name of the class to be instantiated
  * @param sourceName fully qualified name of the class that has the equations
  * @param modelName the model's name in its file
- * @param formulation formulation its equations are written in
- * @param formulationReason why this formulation
+ * @param formulation formulation of its equations
+ * @param formulationReason reason for the formulation
  * @param operations additions, multiplications and divisions of one evaluation of the derivative
- * @param code how the model computes, and how many operations each part of it takes
- * @param dataColumns groups of columns that the data compute, with or without code beside them
- * @param leftOut what the scene does not need
- * @param fromData what is computed from the data beside the code; nothing of a model that is data
+ * @param code description of the code, with the number of operations of each part
+ * @param dataColumns groups of columns computed from data
+ * @param leftOut parts that the scene does not need
+ * @param fromData parts computed from data in addition to the code; empty for a data-driven model
  */
 public record GeneratedFacts(
     String className,

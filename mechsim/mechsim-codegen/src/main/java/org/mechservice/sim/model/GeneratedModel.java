@@ -13,7 +13,7 @@ import org.mechservice.sim.emit.ModelClass;
 import org.mechservice.solver.api.result.ColumnGroup;
 
 /**
- * A model specialised to its scene: what its class computes, planned, ready to be written as Java
+ * A model specialised to its scene: the planned programs of its class, ready to be written as Java
  * source or as a class file. Immutable.
  */
 public final class GeneratedModel {
@@ -23,15 +23,15 @@ public final class GeneratedModel {
   private final GeneratedFacts facts;
 
   /**
-   * @param written what the class computes
-   * @param columns what extends it by columns that no code is generated for
-   * @param values what its events watch and assign, and its outputs
+   * @param written class of the equations
+   * @param columns class that adds columns computed from data
+   * @param values class of triggers and assignments of events and of outputs
    * @param modelName the model's name in its file
-   * @param formulation formulation its equations are written in
-   * @param formulationReason why this formulation
+   * @param formulation formulation of its equations
+   * @param formulationReason reason for the formulation
    * @param operations additions, multiplications and divisions of one evaluation of the derivative
-   * @param leftOut what the scene does not need
-   * @param fromData what the data beside the code compute
+   * @param leftOut parts that the scene does not need
+   * @param fromData parts computed from data in addition to the code
    */
   GeneratedModel(
       GeneratedClass written,
@@ -73,7 +73,7 @@ public final class GeneratedModel {
     return facts;
   }
 
-  /** Returns how many values its plans hold, each of which takes some hundred bytes. */
+  /** Returns the number of values in its plans; each takes about a hundred bytes of memory. */
   public long plannedValues() {
     return parts().mapToLong(GeneratedClass::plannedValues).sum();
   }
@@ -83,7 +83,7 @@ public final class GeneratedModel {
     return facts.className();
   }
 
-  /** Returns the fully qualified name of the class that has the equations. */
+  /** Returns the fully qualified name of the class of the equations. */
   public String sourceName() {
     return facts.sourceName();
   }
@@ -92,14 +92,14 @@ public final class GeneratedModel {
     return ModelClass.PACKAGE + "." + written.simpleName();
   }
 
-  /** Returns the class that has the equations as formatted source, for people. */
+  /** Returns the formatted source of the class of the equations. */
   public String source() {
     return written.source();
   }
 
   /**
-   * Returns the sources of all its classes, that of {@link #source} first: compiled together they
-   * are the model.
+   * Returns the sources of all its classes, {@link #source} first; together they compile to the
+   * model.
    */
   public List<SourceFile> sources() {
     return parts().map(part -> new SourceFile(name(part), part.source())).toList();
@@ -110,8 +110,8 @@ public final class GeneratedModel {
   }
 
   /**
-   * Returns the class files by binary name; that of the equations computes what {@link #source}
-   * says, bit by bit.
+   * Returns the class files by binary name; the class of the equations gives the same bits as
+   * {@link #source}.
    */
   public SortedMap<String, byte[]> classFiles() {
     SortedMap<String, byte[]> files = new TreeMap<>();
@@ -125,32 +125,37 @@ public final class GeneratedModel {
     return files;
   }
 
-  /** Returns the formulation its equations are written in. */
+  /** Returns the formulation of its equations. */
   public String formulation() {
     return facts.formulation();
   }
 
-  /** Returns why this formulation. */
+  /** Returns the reason for the formulation. */
   public String formulationReason() {
     return facts.formulationReason();
   }
 
-  /** Returns additions, multiplications and divisions of one evaluation of the derivative. */
+  /**
+   * Returns the number of additions, multiplications and divisions of one evaluation of the
+   * derivative.
+   */
   public int operations() {
     return facts.operations();
   }
 
-  /** Returns how the model computes, and how many operations each part of it takes. */
+  /** Returns a description of the code, with the number of operations of each part. */
   public String code() {
     return facts.code();
   }
 
-  /** Returns what the scene does not need. */
+  /** Returns the parts that the scene does not need. */
   public List<Omission> leftOut() {
     return facts.leftOut();
   }
 
-  /** Returns the parts computed from the data beside the code; empty for a data-driven model. */
+  /**
+   * Returns the parts computed from data in addition to the code; empty for a data-driven model.
+   */
   public List<Omission> fromData() {
     return facts.fromData();
   }

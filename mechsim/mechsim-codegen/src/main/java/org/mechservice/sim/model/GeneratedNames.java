@@ -8,7 +8,7 @@ import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.ForceElement;
 
-/** What names a generated class can carry. */
+/** Checks whether a generated class can store the names of a model. */
 final class GeneratedNames {
   /** Bytes of one constant in a class file (JVMS §4.4.7). */
   private static final int LONGEST_CONSTANT = 65535;
@@ -41,7 +41,7 @@ final class GeneratedNames {
     requireShort("model", printable(mechanism.name()));
   }
 
-  /** Returns how many bytes a name takes in a list. */
+  /** Returns the number of bytes of a name in a list. */
   private static int printable(String name) {
     for (int i = 0; i < name.length(); i++) {
       requirePrintable(name, name.charAt(i));
@@ -73,7 +73,7 @@ final class GeneratedNames {
     }
   }
 
-  /** Returns how many bytes a class file takes for a name: one to three a character. */
+  /** Returns the number of bytes of a name in a class file: one to three per character. */
   private static int bytes(String name) {
     int bytes = 0;
     for (int i = 0; i < name.length(); i++) {

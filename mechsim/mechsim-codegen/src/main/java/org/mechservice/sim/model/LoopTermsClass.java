@@ -22,8 +22,8 @@ import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**
- * The terms of a model with loops as code. They are specific to the model and expensive; the solver
- * closes the loops with them.
+ * Generates the code of the terms of a model with loops. The solver closes the loops with these
+ * terms.
  */
 final class LoopTermsClass {
   private LoopTermsClass() {}
@@ -64,7 +64,7 @@ final class LoopTermsClass {
             Omissions.unneeded(model, links, options, equations)));
   }
 
-  /** How forces of users change is added by their classes. */
+  /** Derives the program of the derivatives; user force classes add their own. */
   private static Optional<Program> derivatives(Links links, FormulationChoice choice) {
     return Formulation.of(choice.formulation()).hasRecursiveJacobian()
         ? Optional.of(ResidualDerivatives.ofLoops(links))

@@ -32,7 +32,7 @@ import org.mechservice.solver.mechanism.StartRole;
  */
 final class ModelAssembly {
   /**
-   * Number of operations below which no class was ever too large. A larger class may have to be
+   * Number of operations below which every class is small enough. A larger class may have to be
    * written twice, which takes long.
    */
   private static final int SURELY_WRITTEN = 20_000;
@@ -99,7 +99,10 @@ final class ModelAssembly {
     }
   }
 
-  /** Driven and fixed joints are what assembly must leave alone: often one too many. */
+  /**
+   * Returns advice on loops that do not close. Assembly cannot move driven and fixed joints, of
+   * which there is often one too many.
+   */
   private String wayToClose() {
     String held =
         IntStream.range(0, mechanism.joints().size())
@@ -136,8 +139,8 @@ final class ModelAssembly {
 
   /**
    * @param further columns that are computed from the data
-   * @param generated the class the data are beside; none if they are the model
-   * @param values what its events watch and assign, and its outputs, if they are code
+   * @param generated class of the equations; empty for a data-driven model
+   * @param values class of triggers and assignments of events and of outputs, if they are code
    */
   private CompactClass data(
       Set<ColumnGroup> further,
@@ -196,7 +199,10 @@ final class ModelAssembly {
         Omissions.fromData(model, further, values.fromData(), Optional.empty()));
   }
 
-  /** Parameters, user forces and what happens along a run are kept as data beside the code. */
+  /**
+   * Returns whether data are needed in addition to the code: for parameters, user forces and
+   * events.
+   */
   private static boolean needsData(Mechanism mechanism) {
     return !mechanism.parameters().isEmpty()
         || ModelClass.hasUserForces(mechanism)
@@ -218,7 +224,7 @@ final class ModelAssembly {
     return looped(links, worthIt ? terms : terms.withoutDerivatives());
   }
 
-  /** Returns the model with these terms, whatever they cost. */
+  /** Returns the model with these terms, without regard to their cost. */
   GeneratedModel looped(Links links, TermsClass terms) {
     GeneratedClass written = TermsPlan.of(terms, options.form());
     int operations = terms.equations().operationCount();
@@ -245,8 +251,8 @@ final class ModelAssembly {
   }
 
   /**
-   * Tries to write a large class, because the number of bodies that fit depends on their joints and
-   * forces.
+   * Returns the reason why a class is too large, found by writing it: the limit depends on joints
+   * and forces.
    */
   private static List<String> tooLarge(GeneratedClass written, int operations) {
     if (operations < SURELY_WRITTEN) {

@@ -10,15 +10,20 @@ import org.mechservice.mechml.SimulationTask;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.compact.CompactModel;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.closure.JointClosure;
 
 /**
- * Column groups of a model: which it can put out, which its results show, and which of them are
- * computed from the mechanism as data beside the model.
+ * Column groups of a model: those that it can output, those that its results show, and those
+ * computed from data in addition to the code.
  */
 public final class ModelColumns {
   private ModelColumns() {}
 
-  /** Returns the groups the model can put out: some always, the others if it was built for them. */
+  /**
+   * Returns the groups that the model can output: some always, the others if it was built with
+   * them.
+   */
   public static Set<ColumnGroup> of(CompiledModel model) {
     Set<ColumnGroup> built =
         EnumSet.of(ColumnGroup.JOINTS, ColumnGroup.ACCELERATIONS, ColumnGroup.ENERGY);
@@ -26,7 +31,7 @@ public final class ModelColumns {
     return built;
   }
 
-  /** Returns those of them that its file selects. */
+  /** Returns the groups that the model file selects among them. */
   public static Set<ColumnGroup> shown(CompiledModel model) {
     Set<ColumnGroup> shown = shown(model.source().settings());
     shown.retainAll(of(model));
@@ -34,8 +39,8 @@ public final class ModelColumns {
   }
 
   /**
-   * Returns the groups that a simulation puts out where nothing else is asked for: those its file
-   * selects; else the joints, and what inverse dynamics is about.
+   * Returns the default groups of a simulation: those that its file selects; otherwise the joints,
+   * and for inverse dynamics the forces.
    */
   public static Set<ColumnGroup> shown(SimulationSettings settings) {
     Set<ColumnGroup> shown = EnumSet.of(ColumnGroup.JOINTS);
@@ -53,10 +58,10 @@ public final class ModelColumns {
   }
 
   /**
-   * Returns the wanted groups that are computed from the mechanism as data beside the model: those
-   * that the model does not put out itself and that have columns in this scene.
+   * Returns the requested groups that are computed from data: those that the code does not compute
+   * and that have columns in this scene.
    *
-   * @param hasForces whether the model puts out the values of forces itself
+   * @param hasForces whether the code computes the values of forces
    */
   static Set<ColumnGroup> fromData(MechmlModel model, BuildOptions options, boolean hasForces) {
     Set<ColumnGroup> groups = EnumSet.noneOf(ColumnGroup.class);
@@ -68,6 +73,7 @@ public final class ModelColumns {
             case FORCES -> !hasForces;
             case OUTPUTS -> !model.outputs().isEmpty();
             case MOMENTUM -> model.settings().task() instanceof SimulationTask.Dynamic;
+            case DRIVES -> isDriven(model.mechanism());
             case JOINTS, ACCELERATIONS, BODIES, ENERGY -> false;
           };
       if (some && options.columns().contains(group)) {
@@ -75,6 +81,12 @@ public final class ModelColumns {
       }
     }
     return groups;
+  }
+
+  private static boolean isDriven(Mechanism mechanism) {
+    return !mechanism.motions().isEmpty()
+        || mechanism.closures().stream()
+            .anyMatch(closure -> closure instanceof JointClosure cut && cut.isDriven());
   }
 
   /** Returns the mechanism as data, with the outputs if they are requested. */

@@ -12,8 +12,8 @@ import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**
- * The way from a mechanism to code: generate, compile, pack. Thread-safe; every step is a pure
- * function of its arguments.
+ * Builds models: generates code from a mechanism, compiles it and loads it. Thread-safe; every step
+ * is a pure function of its arguments.
  */
 public final class ModelFactory {
   private ModelFactory() {}
@@ -49,10 +49,10 @@ public final class ModelFactory {
   }
 
   /**
-   * Writes the class file of a generated model and loads it; classes of users are loaded when it is
-   * instantiated.
+   * Writes the class file of a generated model and loads it; user classes are loaded with the first
+   * instance.
    *
-   * @param userClasses those of the model's forces
+   * @param userClasses classes of the model's user forces
    * @throws org.mechservice.sim.scene.ModelBuildException (an {@link IllegalArgumentException}) if
    *     the class is too large (S-085)
    */
@@ -61,15 +61,15 @@ public final class ModelFactory {
     return new CompiledModel(model, generated, options, generated.classFiles(), userClasses);
   }
 
-  /** Writes and loads the class of a model without classes of users. */
+  /** Writes and loads the class of a model without user classes. */
   public static CompiledModel compile(
       MechmlModel model, BuildOptions options, GeneratedModel generated) {
     return compile(model, options, generated, UserClasses.NONE);
   }
 
   /**
-   * Compiles the sources of a generated model in memory: another way to the same results, kept as
-   * the proof that the source is what runs.
+   * Compiles the sources of a generated model in memory. The results are the same bits; tests prove
+   * with this method that the source describes the class that runs.
    *
    * @throws org.mechservice.sim.scene.ModelBuildException (an {@link IllegalArgumentException}) if
    *     this JVM has no compiler (S-084) or the class is too large (S-085)

@@ -1,10 +1,10 @@
 package org.mechservice.sim.model;
 
 /**
- * Something the generated class does not contain: the scene does not need it, or data beside the
- * class compute it.
+ * A part that the generated class does not contain, because the scene does not need it or data
+ * compute it.
  *
- * @param what the part left out, such as {@code loop closures}
+ * @param what the omitted part, such as {@code loop closures}
  * @param why the reason
  */
 public record Omission(String what, String why) {}

@@ -21,8 +21,8 @@ import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * Lists what a generated class does not contain, with the reason: either the scene does not need
- * it, or the model computes it from data beside its code.
+ * Lists the parts that a generated class does not contain, each with the reason: the scene does not
+ * need it, or the model computes it from data.
  */
 final class Omissions {
   /** Longest list of names in a reason; a longer one is replaced by its number of names. */
@@ -41,11 +41,11 @@ final class Omissions {
   }
 
   /**
-   * Lists what the scene does not need.
+   * Lists the parts that the scene does not need.
    *
-   * @param model what it was generated from
+   * @param model the model file
    * @param links its mechanism in computing frames
-   * @param options what it was built for
+   * @param options options of the build
    * @param derivative its equations
    */
   static List<Omission> unneeded(
@@ -64,12 +64,12 @@ final class Omissions {
   }
 
   /**
-   * Lists what the model computes from data beside its code.
+   * Lists the parts that the model computes from data in addition to its code.
    *
    * @param further groups of columns computed from data
-   * @param values why events and outputs are not code; empty if they are
-   * @param derivatives why derivatives of the residual are not code; empty if they are code or the
-   *     formulation has none
+   * @param values reason why events and outputs are not code; empty if they are
+   * @param derivatives reason why derivatives of the residual are not code; empty if they are code
+   *     or the formulation has none
    */
   static List<Omission> fromData(
       MechmlModel model,
@@ -117,7 +117,7 @@ final class Omissions {
     }
   }
 
-  /** Poses have quaternions whatever the joints are, formulas may have sines. */
+  /** Lists omitted rotations. Poses always contain quaternions, and formulas may contain sines. */
   private void rotations(Links links, BuildOptions options, Program derivative) {
     if (!moves(links, LinkKind.BALL) && !options.columns().contains(ColumnGroup.BODIES)) {
       add("quaternions", joint + " is spherical or free");

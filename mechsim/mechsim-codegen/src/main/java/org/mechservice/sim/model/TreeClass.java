@@ -21,7 +21,7 @@ import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.force.formula.ForceFormulas;
 import org.mechservice.solver.mechanism.Mechanism;
 
-/** The class of an open chain, derived. */
+/** Derives the class of an open chain. */
 final class TreeClass {
   private TreeClass() {}
 
@@ -35,9 +35,9 @@ final class TreeClass {
   /**
    * Derives the further programs that a formulation and the requested columns need.
    *
-   * @param derivative of the state, derived already
-   * @param derivatives of the residual, if the formulation has them, derived already
-   * @param leftOut what the scene does not need, for people
+   * @param derivative program of the derivative of the state
+   * @param derivatives program of the derivatives of the residual, if the formulation has them
+   * @param leftOut parts that the scene does not need, for the class comment
    */
   static ModelClass derive(
       Links links,

@@ -18,10 +18,12 @@ import org.mechservice.solver.mechanism.Event;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Output;
 
-/** The expressions of a model's author that are no part of its equations, derived as code. */
+/**
+ * Derives code for the expressions of a model file that are not part of the equations of motion.
+ */
 final class ValuesClass {
   /**
-   * Number of operations up to which no class was ever too large; formulas written by hand have
+   * Number of operations up to which every class is small enough; formulas written by hand have
    * about a hundred.
    */
   private static final int MOST_OPERATIONS = 20_000;

@@ -10,9 +10,9 @@ import org.mechservice.sim.model.CompiledModel;
 import org.mechservice.solver.api.result.ColumnGroup;
 
 /**
- * The classes of the solver that compute one group of further columns each. The class that makes
- * columns names all of them. A standalone JAR leaves out those of the groups that its model was not
- * built with, because they are never made.
+ * The solver classes that each compute one additional group of columns. One class refers to all of
+ * them. A standalone JAR omits the classes of groups that its model was not built with, because no
+ * instance of them is ever created.
  */
 final class ColumnClasses {
   private static final String FOLDER = "org/mechservice/solver/analysis/";
@@ -23,7 +23,8 @@ final class ColumnClasses {
           entry(FOLDER + "ReactionColumns.class", ColumnGroup.REACTIONS),
           entry(FOLDER + "ForceColumns.class", ColumnGroup.FORCES),
           entry(FOLDER + "OutputColumns.class", ColumnGroup.OUTPUTS),
-          entry(FOLDER + "MomentumColumns.class", ColumnGroup.MOMENTUM));
+          entry(FOLDER + "MomentumColumns.class", ColumnGroup.MOMENTUM),
+          entry(FOLDER + "DriveColumns.class", ColumnGroup.DRIVES));
 
   private ColumnClasses() {}
 

@@ -9,14 +9,14 @@ import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.Accuracy;
 import org.mechservice.solver.text.ShortestDecimal;
 
-/** {@code META-INF/modelDescription.xml}: what a model JAR contains, for people and tools. */
+/** {@code META-INF/modelDescription.xml}: the contents of a model JAR, for readers and tools. */
 public final class ModelDescriptionXml {
   private final StringBuilder xml = new StringBuilder();
 
   private ModelDescriptionXml() {}
 
   /**
-   * Describes a model; what it was made from, and what was left out, is in the manifest.
+   * Describes a model; its origin and its omitted parts are in the manifest.
    *
    * @param description name, joints, default settings
    * @param start state at the start, [q; v]; not modified
@@ -58,7 +58,7 @@ public final class ModelDescriptionXml {
     close();
   }
 
-  /** A column of results is called by the joint and the variable, {@code joint.variable}. */
+  /** Writes the joints; the name of a result column is {@code joint.variable}. */
   private void joints(ModelDescription description, double[] start) {
     List<Variable> states = description.states();
     List<Variable> accelerations = description.accelerations();
@@ -110,7 +110,7 @@ public final class ModelDescriptionXml {
     return this;
   }
 
-  /** What XML 1.0 cannot hold becomes a question mark. */
+  /** Writes a character; one that XML 1.0 does not permit becomes a question mark. */
   private void character(int c) {
     switch (c) {
       case '&' -> xml.append("&amp;");

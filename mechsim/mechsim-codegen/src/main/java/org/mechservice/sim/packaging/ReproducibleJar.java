@@ -103,7 +103,7 @@ public final class ReproducibleJar {
     return bytes.toByteArray();
   }
 
-  /** A line end inside a value would begin another attribute. */
+  /** Returns a value on one line; a line end would begin another attribute. */
   private static String oneLine(String value) {
     return value.replaceAll("\\p{Cntrl}", " ");
   }

@@ -16,15 +16,14 @@ import org.mechservice.solver.simulation.SolverVersion;
 import org.mechservice.solver.text.Sha256;
 
 /**
- * The runtime JAR: every class of the solver, for models that travel without one. A client fetches
- * it once and keeps it by its SHA-256; on a class path, {@code RunModel} in it runs the model JAR
- * beside it.
+ * The runtime JAR: all classes of the solver, for model JARs without a solver. A client fetches it
+ * once and caches it by its SHA-256; {@code RunModel} in it runs a model JAR on the same class
+ * path.
  *
- * <p>The build makes it, because compressing the solver takes longer than a small simulation.
- * Beside it lies a record of two lines: the fingerprint of the class files it was made from, and
- * its SHA-256. A process whose solver was compiled since then has another fingerprint and makes the
- * JAR anew. A model JAR needs only the hash, so that the JAR itself is read when a client fetches
- * it.
+ * <p>The build makes it, because compressing the solver takes longer than a small simulation. A
+ * record beside it has two lines: the fingerprint of the class files it was made from, and its
+ * SHA-256. A process with a solver compiled later has another fingerprint and makes the JAR again.
+ * A model JAR needs only the hash, so the JAR itself is read only when a client fetches it.
  */
 public final class RuntimeJar {
   private static final String RESOURCE = "runtime.jar";
@@ -52,7 +51,7 @@ public final class RuntimeJar {
     return Hash.CURRENT;
   }
 
-  /** Returns the hash of the JAR that the build made, unless it is of another solver. */
+  /** Returns the hash of the JAR that the build made, unless it contains another solver. */
   private static Optional<String> hashOfBuild() {
     return read(RECORD)
         .map(record -> new String(record, StandardCharsets.UTF_8).lines().toList())
@@ -60,7 +59,7 @@ public final class RuntimeJar {
         .map(lines -> lines.get(1));
   }
 
-  /** Returns the JAR that the build made, unless it is of another solver. */
+  /** Returns the JAR that the build made, unless it contains another solver. */
   static Optional<JarImage> ofBuild() {
     return hashOfBuild()
         .flatMap(
@@ -96,8 +95,8 @@ public final class RuntimeJar {
   }
 
   /**
-   * Writes the JAR and its record beside this class, unless those there are of this solver. The
-   * build calls it.
+   * Writes the JAR and its record beside this class, unless they are up to date. The build calls
+   * it.
    *
    * @param arguments the folder of this module's classes
    * @throws IOException if it cannot be written

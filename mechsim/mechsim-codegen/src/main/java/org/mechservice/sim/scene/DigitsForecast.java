@@ -13,15 +13,15 @@ import org.mechservice.solver.mechanism.Mechanism;
 
 /**
  * Warns before a run of an open chain by DSR if the mass matrix leaves accelerations fewer digits
- * than the tolerance needs. This happens where light bodies carry heavy ones: the inertia at a
- * joint, with the joints beyond it free, is then a small difference of large numbers. Error tests
- * mistake such rounding for motion, and steps shrink a hundredfold. DTR and the residual
- * formulations do not form this difference.
+ * than the tolerance needs. This happens if light bodies carry heavy ones: the inertia at a joint,
+ * with the joints beyond it free, is then a small difference of large numbers. Error tests mistake
+ * such rounding for motion, and steps shrink a hundredfold. DTR and the residual formulations do
+ * not form this difference.
  */
 final class DigitsForecast {
   private static final String MATRIX = Formulation.DSR.label();
 
-  /** Most velocities; factoring a larger mass matrix costs too much for a warning. */
+  /** Largest number of velocities; factoring a larger mass matrix costs too much for a warning. */
   private static final int MOST_VELOCITIES = 300;
 
   private DigitsForecast() {}
@@ -29,7 +29,7 @@ final class DigitsForecast {
   /**
    * Forecasts a run.
    *
-   * @param formulation asked for
+   * @param formulation requested formulation
    */
   static Optional<Finding> of(Mechanism mechanism, String formulation, RunSettings settings) {
     int n = mechanism.velocityCount();

@@ -32,20 +32,23 @@ import org.mechservice.solver.mechanism.force.UserForceElement;
  * @param swings whether it oscillates
  * @param modulus |λ|, rad/s
  * @param real Re λ, 1/s
- * @param joint the joint whose velocity takes part in it most
+ * @param joint the joint with the largest velocity in it
  */
 record FastestMotion(boolean swings, double modulus, double real, Joint joint) {
   /** Smallest damping ratio at which a motion decays before a method must follow it. */
   private static final double DAMPED = 0.05;
 
-  /** Most velocities of a scene that is examined: assembling larger loops takes too long. */
+  /**
+   * Largest number of velocities of a scene that is examined; assembling larger loops takes too
+   * long.
+   */
   private static final int MOST_VELOCITIES = 1000;
 
   /**
    * Finds the fastest motion at the start of a run.
    *
    * @param settings settings of the run
-   * @return empty with user forces, with more than 1000 velocities, and where the equations have no
+   * @return empty with user forces, with more than 1000 velocities, and if the equations have no
    *     derivative
    */
   static Optional<FastestMotion> of(Mechanism mechanism, RunSettings settings) {
@@ -61,7 +64,7 @@ record FastestMotion(boolean swings, double modulus, double real, Joint joint) {
     }
   }
 
-  /** Returns whether the motion dies away soon, so that an implicit method need not follow it. */
+  /** Returns whether the motion decays soon, so that an implicit method need not resolve it. */
   boolean isDamped() {
     return !swings || -real > DAMPED * modulus;
   }
@@ -188,7 +191,7 @@ record FastestMotion(boolean swings, double modulus, double real, Joint joint) {
               pair.hasComplexEigenvalues(), modulus, Math.min(real[0], real[1]), jointOf(image)));
     }
 
-    /** The joint whose velocity takes part most. */
+    /** Returns the joint with the largest velocity. */
     private Joint jointOf(RealVector image) {
       int positions = mechanism.positionCount();
       int largest = 0;

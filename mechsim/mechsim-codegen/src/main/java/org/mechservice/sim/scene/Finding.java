@@ -7,8 +7,8 @@ import org.mechservice.solver.mechanism.Origin;
  * A property of a scene that its author may not have intended.
  *
  * @param code entry of the error catalogue
- * @param text what was found and what to do
- * @param origin where it was written down
+ * @param text the finding and the advice
+ * @param origin position in the model file
  */
 public record Finding(MessageCode code, String text, Origin origin) {
 

@@ -13,7 +13,7 @@ import org.mechservice.solver.mechanism.force.JointSpringDamper;
 import org.mechservice.solver.mechanism.force.SpringDamper;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 
-/** What forces are called in reports. */
+/** Names of the kinds of forces in reports. */
 public final class ForceKind {
   private ForceKind() {}
 

@@ -25,19 +25,19 @@ import org.mechservice.solver.mechanism.PrescribedMotion;
 import org.mechservice.solver.mechanism.force.ForceElement;
 
 /**
- * Finds, before a run, formulas that will keep its steps tiny: {@code sin} of a time that passes
- * through millions of radians, {@code floor} that jumps as often, and a force that jumps with the
- * sign of a velocity. The last makes a joint that should rest oscillate between the two values.
+ * Finds, before a run, formulas that force tiny steps: {@code sin} of a time that passes through
+ * millions of radians, {@code floor} that jumps as often, and a force that jumps with the sign of a
+ * velocity. Such a force makes a joint that should rest oscillate between its two values.
  */
 final class FormulaForecast {
   /**
-   * Radians or jumps within a run from which a warning is given, as in {@link StiffnessForecast}.
+   * Number of radians or jumps within a run that causes a warning, as in {@link StiffnessForecast}.
    */
   private static final double MANY = 1e6;
 
-  /** What a function does when its argument passes through a wide range. */
+  /** Behaviour of a function over a wide range of its argument. */
   private enum Shape {
-    /** Turns or jumps again and again. */
+    /** Oscillates or jumps repeatedly. */
     REPEATING,
     /** Jumps where its argument is zero. */
     SWITCHING,
@@ -55,7 +55,7 @@ final class FormulaForecast {
   }
 
   /**
-   * Returns the findings, those of forces first; of each force or motion only the first of a kind.
+   * Returns the findings, those of forces first; only the first of each kind for a force or motion.
    */
   static List<Finding> of(Mechanism mechanism, RunSettings settings) {
     FormulaForecast forecast = new FormulaForecast(mechanism, settings);

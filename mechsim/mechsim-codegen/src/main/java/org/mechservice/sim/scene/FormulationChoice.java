@@ -20,12 +20,12 @@ import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 
 /**
- * The formulation a scene's equations are written in, and how its loops are closed.
+ * The formulation of a scene's equations and the closure of its loops.
  *
  * @param formulation {@code DTR}, {@code DSR}, {@code RR} or {@code RR-JF}
  * @param closure {@code none} for open chains, else {@code projection} or {@code penalty}, with its
  *     parameters if there are any
- * @param reason why these
+ * @param reason reason of the choice
  */
 public record FormulationChoice(String formulation, String closure, String reason) {
   private static final String DTR = Formulation.DTR.label();
@@ -33,7 +33,7 @@ public record FormulationChoice(String formulation, String closure, String reaso
   private static final String RESIDUAL_DERIVED = Formulation.RR_JF.label();
   private static final String PROJECTION = ClosureMethod.PROJECTION.label();
 
-  /** Loops that a reason names. */
+  /** Largest number of loops that a reason names. */
   private static final int MOST_NAMED = 20;
 
   /**
@@ -41,9 +41,9 @@ public record FormulationChoice(String formulation, String closure, String reaso
    *
    * @param formulation {@code auto} or the name of a formulation
    * @param closure {@code auto} or the name of a closure
-   * @param settings of the run: its integrator, and the start at which loops are judged
+   * @param settings settings of the run: its integrator, and its start, at which loops are examined
    * @throws ModelBuildException S-081 if one of them is unknown, not in this version, or does not
-   *     suit the others or the scene
+   *     fit the others or the scene
    */
   public static FormulationChoice of(
       String formulation, String closure, RunSettings settings, MechmlModel model) {
@@ -62,7 +62,7 @@ public record FormulationChoice(String formulation, String closure, String reaso
         : closed(asked, closure, settings, model);
   }
 
-  /** Returns a request for a formulation as it is spelt here, whatever its case. */
+  /** Returns the canonical spelling of a formulation, which users may write in any case. */
   private static String canonical(String formulation) {
     return formulation.equalsIgnoreCase(MethodNames.AUTO)
         ? MethodNames.AUTO

@@ -9,44 +9,46 @@ import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 
-/** What is simulated without generated code. */
+/** Limits beyond which a scene is simulated from data instead of generated code. */
 public final class GenerationLimits {
-  /** More names would hide the message. */
+  /** Largest number of names in a message. */
   private static final int MOST_NAMES = 5;
 
   private GenerationLimits() {}
 
   /**
-   * Elements of a Jacobian, or of the mass matrix of a tree whose loops are closed: the largest of
-   * which code is generated. Each takes some 350 bytes, and a class file ends at 65535 constants.
+   * Largest number of elements of a Jacobian, or of the mass matrix of a tree with loops, for which
+   * code is generated. Each takes about 350 bytes, and a class file has at most 65535 constants.
    */
   private static final int MOST_ELEMENTS = 2500;
 
   /**
-   * Operations of a Jacobian: the most of which code is generated. Some 7 to 15 bytes each make a
-   * class of up to 3 MB; longer ones have not been measured.
+   * Largest number of operations of a Jacobian for which code is generated. With 7 to 15 bytes
+   * each, a class has up to 3 MB; larger ones have not been measured.
    */
   private static final int MOST_OPERATIONS = 200_000;
 
   /**
-   * Operations of forward dynamics by composite inertias: the most of which code is generated. They
-   * grow with the cube of a chain's length, and data take them in short loops. Measured on chains
-   * of Hooke joints and balls, code against data, until 10 000 evaluations are done: 0.57 of the
-   * time at 14 234 operations, 0.91 at 24 494, 4 times at 41 439, where an evaluation by compiled
-   * code takes as long as one by data. What grows with the length alone has no such limit: the
-   * residual's class of 68 147 operations takes 0.48 of the time. Terms of loops, of which the mass
-   * matrix is one, take 0.54 at 10 923 and 1.7 times as long at 26 676.
+   * Largest number of operations of forward dynamics by composite inertias for which code is
+   * generated. The number grows with the cube of a chain's length, and data-driven algorithms
+   * evaluate them in short loops. Measured on chains of Hooke joints and balls, code against data,
+   * until 10 000 evaluations are done: 0.57 of the time at 14 234 operations, 0.91 at 24 494, 4
+   * times at 41 439, where an evaluation by compiled code takes as long as one by data. Operations
+   * that grow linearly with the length have no such limit: the residual's class of 68 147
+   * operations takes 0.48 of the time. Terms of loops, of which the mass matrix is one, take 0.54
+   * at 10 923 and 1.7 times as long at 26 676.
    */
   private static final int MOST_OF_COMPOSITE_INERTIAS = 30_000;
 
   /**
-   * Operations of the derivatives of a residual with loops: the most of which code is generated.
-   * They are evaluated some hundred times in a run, and so seldom compiled to the end. Measured in
-   * new processes, processor time of code against data until 300, 1000 and 10 000 evaluations are
-   * done, by projection and by penalty. Without forces, where data are fastest: 0.4, 0.5 and 0.2
-   * (0.4, 0.6, 0.2) at 4192 operations; 0.7, 0.9, 0.5 (0.9, 1.3, 0.4) at 10 044; 1.2, 1.4, 0.5
-   * (1.0, 1.5, 0.8) at 46 738; 2.3, 2.1, 1.0 (1.7, 2.4, 1.2) at 76 511. With forces of every kind:
-   * from 0.2, 0.3, 0.1 (0.2, 0.2, 0.1) at 2453 to 0.3, 0.5, 0.2 (0.4, 0.6, 0.2) at 20 000.
+   * Largest number of operations of the derivatives of a residual with loops for which code is
+   * generated. They are evaluated about a hundred times in a run, and therefore rarely compiled by
+   * the optimising compiler. Measured in new processes, processor time of code against data until
+   * 300, 1000 and 10 000 evaluations are done, by projection and by penalty. Without forces, where
+   * data are fastest: 0.4, 0.5 and 0.2 (0.4, 0.6, 0.2) at 4192 operations; 0.7, 0.9, 0.5 (0.9, 1.3,
+   * 0.4) at 10 044; 1.2, 1.4, 0.5 (1.0, 1.5, 0.8) at 46 738; 2.3, 2.1, 1.0 (1.7, 2.4, 1.2) at 76
+   * 511. With forces of every kind: from 0.2, 0.3, 0.1 (0.2, 0.2, 0.1) at 2453 to 0.3, 0.5, 0.2
+   * (0.4, 0.6, 0.2) at 20 000.
    */
   private static final int MOST_OF_LOOP_DERIVATIVES = 50_000;
 
@@ -64,8 +66,8 @@ public final class GenerationLimits {
   /**
    * Returns the part that data evaluate at least as fast as code, if there is one.
    *
-   * @param formulation the equations are written in
-   * @param operations of the derivative of the state in this formulation; with loops, of their
+   * @param formulation formulation of the equations
+   * @param operations number of operations of the derivative of the state; with loops, of their
    *     terms
    */
   public static List<String> noFaster(String formulation, int operations) {
@@ -86,7 +88,7 @@ public final class GenerationLimits {
   /**
    * Returns the part that is too long to be generated as code, if there is one.
    *
-   * @param operations of the Jacobian; 0 without one
+   * @param operations number of operations of the Jacobian; 0 without one
    */
   public static List<String> tooLong(int operations) {
     return operations <= MOST_OPERATIONS
@@ -99,7 +101,7 @@ public final class GenerationLimits {
                 + ")");
   }
 
-  /** Returns the parts that no code is generated for, such as {@code forces "f1", "f2"}. */
+  /** Returns the parts for which no code is generated, such as {@code forces "f1", "f2"}. */
   public static List<String> notGenerated(Mechanism mechanism, FormulationChoice choice) {
     List<String> beyond = new ArrayList<>();
     boolean loops = !mechanism.closures().isEmpty();
@@ -137,19 +139,20 @@ public final class GenerationLimits {
     return beyond;
   }
 
-  /** Returns how many velocities there are, and pairs of them with one on the way of the other. */
+  /** Returns the number of velocities plus the number of pairs of a velocity and an ancestor. */
   private static int elements(Mechanism mechanism) {
     return velocitiesOnWay(mechanism).map(onWay -> onWay + 1).sum();
   }
 
   /**
-   * Operations of L^T D L of a mass matrix: d divisions and d (d + 1) others behind d velocities.
+   * Returns the number of operations of the factorisation LᵀDL: d divisions and d (d + 1) others
+   * for a velocity with d ancestors.
    */
   private static long factors(Mechanism mechanism) {
     return velocitiesOnWay(mechanism).mapToLong(d -> (long) d * (d + 2)).sum();
   }
 
-  /** Returns of each velocity how many are on its way to the root. */
+  /** Returns for each velocity the number of its ancestors. */
   private static IntStream velocitiesOnWay(Mechanism mechanism) {
     int[] onWay = new int[mechanism.bodies().size()];
     IntStream.Builder velocities = IntStream.builder();

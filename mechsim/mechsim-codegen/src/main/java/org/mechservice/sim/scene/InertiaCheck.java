@@ -12,17 +12,19 @@ import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 
-/** Finds joints that move no inertia at the start, as in a gimbal that starts locked. */
+/**
+ * Finds joints that move no inertia at the start, such as those of a gimbal in a singular position.
+ */
 public final class InertiaCheck {
-  /** More velocities make the mass matrix of a chain too large. */
+  /** Largest number of velocities; the mass matrix of a longer chain is too large. */
   private static final int MOST_VELOCITIES = 2000;
 
   private InertiaCheck() {}
 
   /**
    * Returns the first fault of the inertia of an open tree at the start. A tree whose bodies all
-   * have inertia has none. Trees with loops are not checked, because loops may hold a joint without
-   * inertia.
+   * have inertia has none. Trees with loops are not checked, because loops may constrain a joint
+   * without inertia.
    *
    * @param t time of the start, s
    */
@@ -80,7 +82,9 @@ public final class InertiaCheck {
         joint.origin());
   }
 
-  /** Returns a joint and those beyond it that only massless bodies separate from it. */
+  /**
+   * Returns a joint and the joints beyond it that are connected with it by massless bodies only.
+   */
   private static List<String> chain(Mechanism mechanism, int index) {
     List<String> names = new ArrayList<>();
     List<Integer> front = new ArrayList<>(List.of(index));

@@ -16,17 +16,17 @@ import org.mechservice.solver.mechanism.force.Side;
 import org.mechservice.solver.mechanism.force.SpringDamper;
 
 /**
- * What the integrator {@code auto} means for a scene.
+ * The choice of the integrator {@code auto} for a scene.
  *
- * <p>As a rule {@code switching}, which finds out along the run. An open chain whose fastest motion
- * dies away many times within the run begins with an implicit method instead, if that motion is one
- * of springs, dampers, bushings and drives that are linear in joint coordinates alone, whose
- * coefficients hold all along: what contacts, friction and other formulas make stiff at the start
- * may be soft later. A larger one takes {@code ode15sR}, which has its derivatives by recursion and
- * solves for half as many unknowns.
+ * <p>The usual choice is {@code switching}, which decides during the run. An open chain gets an
+ * implicit method instead if its fastest motion decays many times within the run and its forces are
+ * linear: springs, dampers, bushings and drives that are linear in joint coordinates have constant
+ * coefficients, whereas stiffness at the start from contacts, friction and other formulas may
+ * vanish later. A larger chain gets {@code ode15sR}, which has derivatives by recursion and solves
+ * for half as many unknowns.
  *
  * @param integrator its name
- * @param reason why, in a clause; empty if {@code switching} decides along the run
+ * @param reason the reason as a clause; empty if {@code switching} decides during the run
  */
 public record IntegratorSelection(String integrator, Optional<String> reason) {
   private static final String SWITCHING = IntegrationMethod.SWITCHING.label();
@@ -34,24 +34,24 @@ public record IntegratorSelection(String integrator, Optional<String> reason) {
   private static final String RESIDUAL = IntegrationMethod.ODE15SR.label();
 
   /**
-   * Time constants of the fastest motion in a run from which on an implicit method is cheaper from
-   * its start: an Adams method takes at least one step for each, and an implicit one some hundred
-   * steps in all at the tolerances in use.
+   * Number of time constants of the fastest motion in a run above which an implicit method is
+   * cheaper: an Adams method takes at least one step per time constant, and an implicit one about a
+   * hundred steps in all at usual tolerances.
    */
   private static final double MANY_TIME_CONSTANTS = 3000;
 
   /**
-   * Velocities from which on the residual form costs less. Measured on chains of stiff hinges: at
-   * 10 velocities it takes 1.2 times the processor time of ode15s on DTR, at 20 three quarters, at
-   * 40 two thirds.
+   * Number of velocities from which the residual form is cheaper. Measured on chains of stiff
+   * hinges: at 10 velocities it takes 1.2 times the processor time of ode15s on DTR, at 20 three
+   * quarters, at 40 two thirds.
    */
   private static final int RESIDUAL_VELOCITIES = 16;
 
   /**
    * Chooses.
    *
-   * @param formulation asked for, {@code auto} or a name
-   * @param settings of the run: start and end
+   * @param formulation requested formulation, {@code auto} or a name
+   * @param settings settings of the run: start and end
    */
   public static IntegratorSelection of(
       String formulation, Mechanism mechanism, RunSettings settings) {
@@ -75,7 +75,10 @@ public record IntegratorSelection(String integrator, Optional<String> reason) {
         Optional.of("joint \"" + motion.joint().name() + "\" " + motion.text()));
   }
 
-  /** Returns the fastest motion, if it is damped, many times shorter than the run, and stays so. */
+  /**
+   * Returns the fastest motion if it is damped, much shorter than the run, and has constant
+   * coefficients.
+   */
   private static Optional<FastestMotion> lastingStiffness(
       Mechanism mechanism, RunSettings settings) {
     List<ForceElement> lasting =

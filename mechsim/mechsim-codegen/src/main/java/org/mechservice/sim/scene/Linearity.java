@@ -3,18 +3,18 @@ package org.mechservice.sim.scene;
 import java.util.List;
 import org.mechservice.solver.expression.Expression;
 
-/** What of a run an expression depends on, and how; each kind holds those before it. */
+/** Dependence of an expression on time and state; each kind includes those before it. */
 enum Linearity {
-  /** Numbers and parameters. */
+  /** Depends on numbers and parameters only. */
   CONSTANT,
-  /** Time alone. */
+  /** Depends on time only. */
   OF_TIME,
-  /** Joint coordinates with constant coefficients, and time in terms of its own. */
+  /** Linear in joint coordinates with constant coefficients, plus functions of time. */
   LINEAR,
   /** Anything else. */
   OTHER;
 
-  /** Returns the kind of an expression, as far as its form tells without transforming it. */
+  /** Returns the kind of an expression, judged by its form without transformations. */
   static Linearity of(Expression e) {
     if (e instanceof Expression.Constant || e instanceof Expression.ParameterValue) {
       return CONSTANT;
@@ -53,7 +53,7 @@ enum Linearity {
     return largest;
   }
 
-  /** Returns the kind of what is not linear in these two. */
+  /** Returns the kind of a nonlinear function of two expressions. */
   private static Linearity ofTimeAtMost(Linearity a, Linearity b) {
     Linearity larger = a.compareTo(b) > 0 ? a : b;
     return larger.compareTo(OF_TIME) > 0 ? OTHER : larger;

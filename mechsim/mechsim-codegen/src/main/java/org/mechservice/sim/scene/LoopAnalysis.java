@@ -14,13 +14,13 @@ import org.mechservice.solver.mechanism.Origin;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 
 /**
- * The loops of a mechanism: what closes them, how well the start does, how many of the equations
- * are independent.
+ * The loops of a mechanism: their constraints, their residuals at the start and the rank of their
+ * equations.
  *
  * @param loops constraints in the mechanism's order
  * @param equations number of all their equations
- * @param independent how many of them are independent; −1 if that could not be judged
- * @param findings what its author should know
+ * @param independent number of independent equations; −1 if unknown
+ * @param findings findings for the author of the model
  */
 public record LoopAnalysis(
     List<LoopEntry> loops, int equations, int independent, List<Finding> findings) {
@@ -37,7 +37,7 @@ public record LoopAnalysis(
   /**
    * Analyses the loops at the start of a run.
    *
-   * @param model with the settings of the run, of which the start counts
+   * @param model model with the settings of the run, whose start time is used
    */
   public static LoopAnalysis of(MechmlModel model) {
     Mechanism mechanism = model.mechanism();
@@ -88,7 +88,7 @@ public record LoopAnalysis(
     return entries;
   }
 
-  /** Returns the row whose residual is larger compared with its size. */
+  /** Returns the row with the larger residual relative to its size. */
   private static int worse(double[] residual, LoopEquations loops, int row, int best) {
     boolean larger =
         best < 0
@@ -127,7 +127,7 @@ public record LoopAnalysis(
     return independent != NOT_JUDGED;
   }
 
-  /** Returns how many equations follow from the others; 0 if that is not known. */
+  /** Returns the number of redundant equations; 0 if unknown. */
   public int redundant() {
     return isJudged() ? equations - independent : 0;
   }

@@ -3,15 +3,15 @@ package org.mechservice.sim.scene;
 import java.util.List;
 
 /**
- * A constraint of a mechanism, with what it is at the start of the file.
+ * A constraint of a mechanism, with its residuals at the start.
  *
  * @param name the constraint's or cut joint's name
- * @param kind what it is, such as {@code distance} or {@code joint R}
- * @param bodies the two bodies it joins; empty for a relation between coordinates
- * @param path joints of the tree on the way from the one body to the other
+ * @param kind its kind, such as {@code distance} or {@code joint R}
+ * @param bodies the two bodies that it connects; empty for a coupling of coordinates
+ * @param path joints of the tree on the path between the two bodies
  * @param equations number of its equations
- * @param positionResidual how far the start is from obeying it, in {@code unit}
- * @param velocityResidual the same of its rate, per s
+ * @param positionResidual largest residual at the start, in {@code unit}
+ * @param velocityResidual largest residual of its rate, per s
  * @param unit SI unit of the residual: {@code m}, {@code rad} or {@code 1}
  */
 public record LoopEntry(

@@ -6,7 +6,7 @@ import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.closure.PointOnLineClosure;
 import org.mechservice.solver.mechanism.closure.PointOnPlaneClosure;
 
-/** What constraints are called in reports. */
+/** Names of the kinds of constraints in reports. */
 final class LoopKind {
   private LoopKind() {}
 

@@ -11,7 +11,7 @@ import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.closure.PointOnLineClosure;
 import org.mechservice.solver.mechanism.closure.PointOnPlaneClosure;
 
-/** The ways through the tree that constraints close to loops. */
+/** The paths through the tree that constraints close to loops. */
 final class LoopPaths {
   private final Mechanism mechanism;
 
@@ -22,7 +22,10 @@ final class LoopPaths {
     this.mechanism = mechanism;
   }
 
-  /** Returns the names of the bodies a constraint joins; empty for a coupling of coordinates. */
+  /**
+   * Returns the names of the bodies that a constraint connects; empty for a coupling of
+   * coordinates.
+   */
   List<String> bodies(LoopClosure closure) {
     List<String> names = new ArrayList<>();
     for (Pair pair : pair(closure)) {
@@ -49,7 +52,10 @@ final class LoopPaths {
     return path;
   }
 
-  /** Returns the indices of the bodies a constraint joins; none for a coupling of coordinates. */
+  /**
+   * Returns the indices of the bodies that a constraint connects; none for a coupling of
+   * coordinates.
+   */
   static List<Integer> indices(LoopClosure closure) {
     List<Integer> indices = new ArrayList<>();
     for (Pair pair : pair(closure)) {

@@ -10,7 +10,7 @@ import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 
-/** Looks for what the author of a mechanism may not have meant. */
+/** Finds joints that move no mass. */
 final class MasslessJointCheck {
   private MasslessJointCheck() {}
 
@@ -33,7 +33,7 @@ final class MasslessJointCheck {
   private static boolean[] heavy(Mechanism mechanism) {
     boolean[] heavy = new boolean[mechanism.bodies().size()];
     for (LoopClosure closure : mechanism.closures()) {
-      // What a loop holds on to may resist by itself.
+      // A body of a loop may get its inertia through the loop.
       LoopPaths.indices(closure).stream()
           .filter(body -> body != Mechanism.ROOT)
           .forEach(body -> heavy[body] = true);

@@ -3,7 +3,8 @@ package org.mechservice.sim.scene;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * A scene cannot become a model as asked; the message begins with the code of the error catalogue.
+ * Thrown if a model cannot be built as requested; the message begins with the code of the error
+ * catalogue.
  */
 public final class ModelBuildException extends IllegalArgumentException {
   private static final long serialVersionUID = 1L;
@@ -12,7 +13,7 @@ public final class ModelBuildException extends IllegalArgumentException {
 
   /**
    * @param code entry of the error catalogue, such as {@code S-081}
-   * @param text what does not fit, why, and what to do
+   * @param text the problem, its reason and the remedy
    */
   public ModelBuildException(MessageCode code, String text) {
     super(code + " " + text);

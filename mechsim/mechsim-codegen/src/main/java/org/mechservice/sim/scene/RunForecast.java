@@ -19,13 +19,13 @@ public final class RunForecast {
   }
 
   /**
-   * Returns what will make it long, and what it may pass over.
+   * Returns the findings: causes of a long run, and events that a step may miss.
    *
-   * @param formulation asked for, {@code auto} or a name
+   * @param formulation requested formulation, {@code auto} or a name
    */
   public static List<Finding> of(Mechanism mechanism, String formulation, RunSettings settings) {
     List<Finding> findings = new ArrayList<>();
-    // A spin is fast in the linearised equations too, where it looks like a stiff joint.
+    // A fast spin also appears in the linearised equations, like a stiff joint.
     SpinForecast.of(mechanism, settings)
         .or(() -> StiffnessForecast.of(mechanism, settings))
         .ifPresent(findings::add);

@@ -20,13 +20,13 @@ import org.mechservice.solver.spatial.Vector3;
 import org.mechservice.solver.text.ShortestDecimal;
 
 /**
- * What a mechanism is: its tree, its degrees of freedom, the roadmap of its state, and what looks
- * odd in it.
+ * The structure of a mechanism: its tree, its degrees of freedom, the layout of its state, and
+ * suspicious data.
  *
  * @param mechanism the mechanism
  * @param roadmap joints in state order
  * @param massless names of the bodies without mass and inertia
- * @param findings what looks odd, outwards from the root
+ * @param findings suspicious data, outwards from the root
  */
 public record SceneAnalysis(
     Mechanism mechanism,
@@ -98,7 +98,7 @@ public record SceneAnalysis(
   }
 
   /**
-   * Returns what looks odd, and where nothing does, a joint that no inertia resists at the start.
+   * Returns suspicious data or, if there are none, a joint that moves no inertia at the start.
    *
    * @param t time of the start, s
    */
@@ -106,7 +106,7 @@ public record SceneAnalysis(
     return findings.isEmpty() ? InertiaCheck.of(mechanism, t).stream().toList() : findings;
   }
 
-  /** Returns what could be written more simply, as sentences. */
+  /** Returns suggestions of simpler models, as sentences. */
   public List<String> offers() {
     return SphericalChains.of(mechanism);
   }

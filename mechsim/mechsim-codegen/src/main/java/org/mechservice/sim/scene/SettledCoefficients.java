@@ -10,7 +10,9 @@ import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
 import org.mechservice.solver.mechanism.force.SpringDamper;
 
-/** Coefficients whose values decide what code is written, so that no parameter may be in them. */
+/**
+ * Coefficients whose values determine the generated code; they must not contain tunable parameters.
+ */
 final class SettledCoefficients {
   private SettledCoefficients() {}
 
@@ -44,7 +46,7 @@ final class SettledCoefficients {
       all.addAll(bushing.damping());
       all.addAll(bushing.preload());
     } else if (force instanceof SpringDamper spring) {
-      // Whether a spring is slack where its points coincide decides what it does there.
+      // The code of a spring at coinciding points depends on whether it is slack there.
       all.add(spring.length0());
       all.add(spring.force0());
       all.add(spring.smoothing());

@@ -25,12 +25,12 @@ import org.mechservice.solver.mechanism.force.JointForce;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 
 /**
- * Says before a run that formulas of time push a joint for a small part of it only: no integrator
- * with a step of its own knows of that before it has come there, and a long step may pass over it.
+ * Warns before a run if formulas of time accelerate a joint only during a short pulse. An
+ * integrator that chooses its steps cannot foresee such a pulse, and a long step may skip it.
  *
- * <p>The accelerations of the start are evaluated at many times, the state being held. Pushes that
- * begin or end with {@code step} or {@code floor} are not meant: their times are known, and steps
- * end there. Of a driven joint the acceleration is what pushes others.
+ * <p>The accelerations at the start state are evaluated at many times. Pulses that begin or end
+ * with {@code step} or {@code floor} are not reported: their times are known, and steps end there.
+ * The acceleration of a driven joint counts as the cause of a pulse.
  */
 public final class ShortPulseCheck {
   /** Number of times that are sampled; fewer if a sample is expensive. */
@@ -38,10 +38,10 @@ public final class ShortPulseCheck {
 
   private static final int COST = 200_000;
 
-  /** Away from the middle value by more than this part of the range, a joint is being pushed. */
+  /** Deviation from the median, as a fraction of the range, above which a joint is in a pulse. */
   private static final double PUSHED = 0.05;
 
-  /** A push for a larger part of the run does not escape the steps of an integrator. */
+  /** Fraction of the run above which a pulse is long enough for an integrator to notice. */
   private static final double SHORT = 0.02;
 
   private final Mechanism mechanism;
@@ -59,11 +59,11 @@ public final class ShortPulseCheck {
   }
 
   /**
-   * Looks for a push.
+   * Finds a short pulse.
    *
-   * @param settings of the run: start, end and largest step
-   * @return what to tell the user; empty if no formula of time pushes for a short while, or steps
-   *     are bounded by less than that; nothing is said of forces written in Java
+   * @param settings settings of the run: start, end and largest step
+   * @return the warning; empty if there is no short pulse, or the largest step is shorter than it.
+   *     User forces are not examined
    */
   public static Optional<Finding> of(Mechanism mechanism, RunSettings settings) {
     boolean user = mechanism.forces().stream().anyMatch(UserForceElement.class::isInstance);
@@ -89,7 +89,7 @@ public final class ShortPulseCheck {
         mechanism.motions().stream().flatMap(motion -> motion.coordinates().stream()));
   }
 
-  /** What pushes the tree for a short while pushes it so in closed loops, too. */
+  /** Returns the tree without closures; a pulse acts in it as well as in closed loops. */
   private static Mechanism opened(Mechanism closed) {
     return new Mechanism(
         closed.name(),
@@ -104,7 +104,7 @@ public final class ShortPulseCheck {
         closed.parameters());
   }
 
-  /** Returns the formulas a force is given by. */
+  /** Returns the formulas of a force. */
   static Stream<Expression> formulas(ForceElement force) {
     return force instanceof JointForce inJoint
         ? Stream.of(inJoint.force())
@@ -116,7 +116,7 @@ public final class ShortPulseCheck {
         || operands(formula).stream().anyMatch(ShortPulseCheck::dependsOnTime);
   }
 
-  /** Returns what an expression is made of. */
+  /** Returns the operands of an expression. */
   static List<Expression> operands(Expression formula) {
     if (formula instanceof Sum sum) {
       return List.of(sum.left(), sum.right());

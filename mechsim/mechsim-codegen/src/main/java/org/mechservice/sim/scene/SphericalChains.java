@@ -24,18 +24,18 @@ import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * Finds chains that are spherical joints written another way: three hinges through one point with
- * two massless bodies between them.
+ * Finds chains that are equivalent to a spherical joint: three revolute joints through one point
+ * with two massless bodies between them.
  *
  * <pre>
  *   inner --R-- massless --R-- massless --R-- outer
  * </pre>
  */
 final class SphericalChains {
-  /** Points that differ by less, as a part of where they are or of 1 m, are one. */
+  /** Distance below which points coincide, relative to their position or to 1 m. */
   private static final double SAME_POINT = 1e-9;
 
-  /** Sine of the least angle between axes that follow each other. */
+  /** Sine of the smallest angle between consecutive axes. */
   private static final double LEAST_ANGLE = 1e-6;
 
   private final Mechanism mechanism;
@@ -46,7 +46,7 @@ final class SphericalChains {
     heldOn = heldOn(mechanism);
   }
 
-  /** Returns what one joint in the place of three would gain, and what would have to change. */
+  /** Returns suggestions: the gain of one joint instead of three, and the necessary changes. */
   static List<String> of(Mechanism mechanism) {
     SphericalChains chains = new SphericalChains(mechanism);
     List<String> found = new ArrayList<>();
@@ -60,7 +60,7 @@ final class SphericalChains {
     return found;
   }
 
-  /** Marks the bodies that something besides joints holds on to. */
+  /** Marks the bodies to which something besides joints is attached. */
   private static boolean[] heldOn(Mechanism mechanism) {
     boolean[] held = new boolean[mechanism.bodies().size()];
     for (LoopClosure closure : mechanism.closures()) {
@@ -93,7 +93,7 @@ final class SphericalChains {
     }
   }
 
-  /** Returns the hinge that goes on through the same point beyond a massless body. */
+  /** Returns the next revolute joint through the same point beyond a massless body. */
   private Optional<Integer> next(int index) {
     int middle = mechanism.joints().get(index).attachment().child();
     if (!mechanism.bodies().get(middle).isMassless() || heldOn[middle]) {

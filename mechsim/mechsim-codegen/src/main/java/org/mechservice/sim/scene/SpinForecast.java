@@ -9,16 +9,16 @@ import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**
- * Says before a run that a body turns so fast about a spherical or free joint at the start that its
- * Euler parameters, which swing with half the angular velocity, need very many steps.
+ * Warns before a run if a body rotates so fast in a spherical or free joint at the start that its
+ * Euler parameters, which oscillate with half the angular velocity, need very many steps.
  */
 final class SpinForecast {
-  /** Radians within a run that are worth a word, as in {@link StiffnessForecast}. */
+  /** Number of radians within a run that causes a warning, as in {@link StiffnessForecast}. */
   private static final double MANY = 1e6;
 
   private SpinForecast() {}
 
-  /** Returns what to tell the user of the first such joint. */
+  /** Returns the warning about the first such joint. */
   static Optional<Finding> of(Mechanism mechanism, RunSettings settings) {
     double[] y = new double[mechanism.positionCount() + mechanism.velocityCount()];
     mechanism.initialState(y);

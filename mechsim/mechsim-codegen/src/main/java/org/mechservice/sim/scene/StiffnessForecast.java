@@ -9,8 +9,8 @@ import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.text.ShortestDecimal;
 
 /**
- * Says before a run that an explicit integrator will need very many steps: the fastest motion of
- * the equations linearised at the start, times the length of the run.
+ * Warns before a run if an explicit integrator will need very many steps; their number is the rate
+ * of the fastest motion of the equations linearised at the start, times the length of the run.
  */
 public final class StiffnessForecast {
   /**
@@ -23,9 +23,9 @@ public final class StiffnessForecast {
   /**
    * Forecasts a run.
    *
-   * @param settings of the run, with its integrator
-   * @return what to tell the user; empty if the run needs no very many steps, if its integrator is
-   *     implicit, or if nothing can be said: of user forces, or where the equations have no
+   * @param settings settings of the run, with its integrator
+   * @return the warning; empty if the run does not need very many steps, if its integrator is
+   *     implicit, or if no forecast is possible: with user forces, or if the equations have no
    *     derivative
    */
   public static Optional<Finding> of(Mechanism mechanism, RunSettings settings) {
@@ -35,12 +35,15 @@ public final class StiffnessForecast {
         .map(motion -> finding(motion, settings));
   }
 
-  /** Returns whether it makes no difference which of two integrators a run has. */
+  /** Returns whether the forecast is the same for two integrators. */
   static boolean isSame(String integrator, String other) {
     return integrator.equals(other) || !(isAdams(integrator) || isAdams(other));
   }
 
-  /** What swings undamped has to be followed by every method. */
+  /**
+   * Returns whether a motion limits the steps of an integrator; every method must resolve an
+   * undamped oscillation.
+   */
   private static boolean limits(FastestMotion motion, String integrator) {
     return isAdams(integrator) || !motion.isDamped();
   }

@@ -9,14 +9,13 @@
  * without a value. Each {@link org.mechservice.sim.scene.Finding} has a code of the error
  * catalogue.
  *
- * <p>Three classes decide what {@code auto} means: {@link
- * org.mechservice.sim.scene.FormulationChoice} (formulation and closure), {@link
- * org.mechservice.sim.scene.IntegratorSelection} (integrator), and {@link
- * org.mechservice.sim.scene.GenerationLimits} (code or data). {@code FastestMotion} finds the
- * dominant eigenvalues of the linearised equations for two of them, with Commons Math.
+ * <p>Three classes decide about {@code auto}: {@link org.mechservice.sim.scene.FormulationChoice}
+ * (formulation and closure), {@link org.mechservice.sim.scene.IntegratorSelection} (integrator),
+ * and {@link org.mechservice.sim.scene.GenerationLimits} (code or data). {@code FastestMotion}
+ * finds the dominant eigenvalues of the linearised equations for two of them, with Commons Math.
  *
- * <p>Depends on the mechanism and the data-driven formulations of solver-mechanics. Knows neither
- * equations nor code. NUMERICS §1 and §3 have the mathematics.
+ * <p>Depends on the mechanism and the data-driven formulations of solver-mechanics. Independent of
+ * equations and code. NUMERICS §1 and §3 have the mathematics.
  */
 @NullMarked
 package org.mechservice.sim.scene;

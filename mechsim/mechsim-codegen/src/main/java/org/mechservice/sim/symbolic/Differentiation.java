@@ -15,7 +15,7 @@ public final class Differentiation {
   private final Map<Scalar, Scalar> rates;
 
   /**
-   * Takes a direction.
+   * Creates the derivatives along a direction.
    *
    * @param rates rates of inputs or of other nodes; a node that is not in it, and none of whose
    *     operands changes, has rate 0; not modified
@@ -25,7 +25,7 @@ public final class Differentiation {
     this.rates = new HashMap<>(rates);
   }
 
-  /** Returns how fast an expression changes. */
+  /** Returns the rate of an expression. */
   public Scalar of(Scalar value) {
     List<Scalar> open = new ArrayList<>();
     open.add(value);
@@ -104,7 +104,10 @@ public final class Differentiation {
     };
   }
 
-  /** The operand that is not chosen adds nothing, even where its derivative is NaN. */
+  /**
+   * Returns the derivative of a choice; the operand that is not chosen adds nothing, even if its
+   * derivative is NaN.
+   */
   private Scalar chosen(Scalar a, Scalar b, Scalar first, Scalar second) {
     return expressions.function(MathFunction.CHOOSE, a, b, known(first), known(second));
   }

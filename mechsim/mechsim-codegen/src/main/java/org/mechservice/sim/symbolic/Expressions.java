@@ -136,12 +136,12 @@ public final class Expressions {
     return node != null ? node : add(place, operation, List.of(), identity, -1, value, index);
   }
 
-  /** Returns whether an expression has arisen already. */
+  /** Returns whether an expression exists already. */
   boolean knows(ScalarOperation operation, Scalar first, Scalar second) {
     return known[place(operation, first.id(), second.id())] != null;
   }
 
-  /** Returns where a node is in the table, or where it would go. */
+  /** Returns the index of a node in the table, or the free index for it. */
   private int place(ScalarOperation operation, long first, long second) {
     int mask = known.length - 1;
     int place = hash(operation, first, second) & mask;

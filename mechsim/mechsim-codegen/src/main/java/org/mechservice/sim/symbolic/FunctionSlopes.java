@@ -1,8 +1,8 @@
 package org.mechservice.sim.symbolic;
 
 /**
- * Partial derivatives of functions without cases. Where a function jumps or has a corner, the
- * derivative is the one-sided one.
+ * Partial derivatives of functions without case distinctions. The derivative at a jump or corner is
+ * one-sided.
  */
 final class FunctionSlopes {
   /** Argument from which the slope of tanh, 4 e^(−2x), is below 1e-300 and is set to 0. */
@@ -55,7 +55,10 @@ final class FunctionSlopes {
     return argument == 0 ? perSquare : perSquare.negated();
   }
 
-  /** Returns 1 instead of 0: at the origin, where there is no direction, slopes count as 0. */
+  /**
+   * Returns 1 instead of 0, so that slopes count as 0 at the origin, where the direction is not
+   * defined.
+   */
   private static Scalar notZero(Scalar size) {
     Expressions e = size.expressions();
     return e.function(MathFunction.CHOOSE, size, e.zero(), e.one(), size);

@@ -13,22 +13,23 @@ import org.jspecify.annotations.Nullable;
  * names that values have in mechanics.
  *
  * <p>A class that derives equations opens a section, computes with {@link Scalar}s, names values
- * that have a meaning, and declares outputs. The program contains only values that an output needs.
+ * that have a meaning, and declares outputs. The program contains only values that outputs depend
+ * on.
  */
 public final class Program {
   /** The input that is the time, s. Other inputs count from 0. */
   public static final int TIME = Integer.MAX_VALUE;
 
   /**
-   * A stretch of the program.
+   * A part of the program.
    *
    * @param title what it computes, with the equation; several lines are separated by line feeds
    * @param subject short name of its subject; part of the names of values without a name
    * @param firstNode first node made in it
    * @param outputs its outputs, in order
    * @param guards its checks, in order
-   * @param readsAnew whether its code reads its operands again that earlier code of the same method
-   *     has read
+   * @param readsAnew whether its code loads operands again that earlier code of the same method has
+   *     loaded
    */
   public record Section(
       String title,
@@ -39,10 +40,10 @@ public final class Program {
       boolean readsAnew) {}
 
   /**
-   * A value put out.
+   * An output.
    *
-   * @param index where
-   * @param value what
+   * @param index index of the output
+   * @param value its value
    */
   public record Output(int index, Scalar value) {}
 
@@ -52,7 +53,7 @@ public final class Program {
    * @param pivot value that must be above the bound
    * @param bound largest value that fails
    * @param result what the program then returns
-   * @param meaning explanation of the failure, for people
+   * @param meaning explanation of the failure, for readers
    */
   public record Guard(Scalar pivot, Scalar bound, int result, String meaning) {}
 
@@ -66,7 +67,7 @@ public final class Program {
   private final List<Section> sections;
   private final Map<Scalar, String> names;
 
-  /** Kept until the program changes. */
+  /** Cached until the program changes. */
   private int @Nullable [] uses;
 
   public Program() {
@@ -84,7 +85,7 @@ public final class Program {
     return new Program(expressions, new ArrayList<>(otherSections), names);
   }
 
-  /** Returns the graph its values live in. */
+  /** Returns the graph of its values. */
   public Expressions expressions() {
     return expressions;
   }
@@ -95,9 +96,9 @@ public final class Program {
   }
 
   /**
-   * Opens one of many alike sections, whose code reads its operands again. The compiler of the
-   * virtual machine cannot move such reads before the outputs of the previous section. So it does
-   * not interleave sections, which would need more values at a time than there are registers.
+   * Opens one of many equal sections, whose code loads its operands again. The compiler of the
+   * virtual machine cannot move such reads before the outputs of the previous section. It therefore
+   * does not interleave sections, which would need more registers than there are.
    */
   public void step(String title, String subject) {
     open(title, subject, true);
@@ -110,8 +111,8 @@ public final class Program {
   }
 
   /**
-   * Names a value, unless it has a name already, and returns it. Constants get no name. Of a
-   * negation the operand is named.
+   * Names a value, unless it has a name already, and returns it. Constants get no name; for a
+   * negation the operand gets the name.
    */
   public Scalar named(String name, Scalar value) {
     if (value.operation() == ScalarOperation.NEGATE) {
@@ -140,12 +141,12 @@ public final class Program {
     return value;
   }
 
-  /** Puts a value out in the current section. */
+  /** Adds an output to the current section. */
   public void output(int index, Scalar value) {
     current().outputs().add(new Output(index, value));
   }
 
-  /** Checks a value in the current section. */
+  /** Adds a check to the current section. */
   public void guard(Guard guard) {
     current().guards().add(guard);
   }
@@ -166,8 +167,8 @@ public final class Program {
   }
 
   /**
-   * Returns how often each node is used, by node number; 0: the program does not contain it. Not to
-   * be modified.
+   * Returns the number of uses of each node, by node number; 0 if the program does not contain it.
+   * Must not be modified.
    */
   public int[] uses() {
     int[] known = uses;

@@ -11,7 +11,7 @@ final class ProgramEvaluation {
   private final double[] inputs;
   private final double[] pair = new double[2];
 
-  /** Takes the time, s, and the inputs by index; not modified. */
+  /** Creates an evaluation at a time, s, for inputs by index; not modified. */
   ProgramEvaluation(double time, double[] inputs) {
     this.time = time;
     this.inputs = inputs;

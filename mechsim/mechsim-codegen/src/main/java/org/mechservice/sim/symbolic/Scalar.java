@@ -27,7 +27,7 @@ public final class Scalar {
   private final @Nullable MathFunction function;
   private boolean steep;
 
-  /** A node that is no function. */
+  /** Creates a node that is not a function. */
   Scalar(
       Expressions expressions,
       int id,
@@ -49,7 +49,7 @@ public final class Scalar {
     this.steep = anySteep(operands);
   }
 
-  /** A function. */
+  /** Creates a node of a function. */
   Scalar(Expressions expressions, int id, MathFunction function, List<Scalar> operands) {
     this.expressions = expressions;
     this.id = id;
@@ -82,12 +82,12 @@ public final class Scalar {
     return id;
   }
 
-  /** Returns what the node does. */
+  /** Returns the operation of the node. */
   public ScalarOperation operation() {
     return operation;
   }
 
-  /** Returns what it does it with. */
+  /** Returns the operands of the node. */
   public List<Scalar> operands() {
     return operands;
   }
@@ -107,22 +107,22 @@ public final class Scalar {
     return value;
   }
 
-  /** Returns which function a {@link ScalarOperation#FUNCTION} is. */
+  /** Returns the function of a {@link ScalarOperation#FUNCTION}. */
   public MathFunction function() {
     return Objects.requireNonNull(function, "not a function");
   }
 
-  /** Returns which input an {@link ScalarOperation#INPUT} is. */
+  /** Returns the index of an {@link ScalarOperation#INPUT}. */
   public int index() {
     return index;
   }
 
-  /** Returns whether it is a number already known. */
+  /** Returns whether it is a constant. */
   public boolean isConstant() {
     return operation == ScalarOperation.CONSTANT;
   }
 
-  /** Returns whether it is zero whatever the inputs are. */
+  /** Returns whether it is zero for all inputs. */
   public boolean isZero() {
     return isConstant() && value == 0;
   }
@@ -138,7 +138,7 @@ public final class Scalar {
   /**
    * Marks this as steep: it may be infinite or have an unbounded slope, as a root at zero. Every
    * value computed from it afterwards is steep too. In derivatives of steep values a product with a
-   * zero factor is 0, whatever the other factor is. Returns this.
+   * zero factor is 0, even if the other factor is not finite. Returns this.
    */
   public Scalar markedSteep() {
     steep |= !isConstant();

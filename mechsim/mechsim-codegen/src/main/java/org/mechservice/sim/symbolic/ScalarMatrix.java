@@ -5,13 +5,13 @@ import java.util.Collections;
 import java.util.List;
 
 /**
- * A 3 × 3 matrix of scalars. A symmetric one has the same node on both sides of its diagonal, so
- * nothing of it is computed twice.
+ * A 3 × 3 matrix of scalars. A symmetric one has the same node on both sides of its diagonal, so no
+ * element is computed twice.
  *
  * @param rows the elements, row by row
  */
 public record ScalarMatrix(List<Scalar> rows) {
-  /** Gives the element of a row and a column. */
+  /** A function of row and column that returns an element. */
   @FunctionalInterface
   public interface Element {
     /** Returns element (i, j). */

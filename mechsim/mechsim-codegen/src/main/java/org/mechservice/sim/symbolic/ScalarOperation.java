@@ -1,6 +1,6 @@
 package org.mechservice.sim.symbolic;
 
-/** What a node of an expression graph does with its operands. */
+/** The operation of a node of an expression graph. */
 public enum ScalarOperation {
   /** A number. */
   CONSTANT(0),
@@ -32,7 +32,7 @@ public enum ScalarOperation {
     return hash;
   }
 
-  /** Returns how many floating-point operations it counts as. */
+  /** Returns the number of floating-point operations for which it counts. */
   int flops() {
     return flops;
   }

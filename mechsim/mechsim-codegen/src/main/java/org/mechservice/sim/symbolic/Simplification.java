@@ -13,10 +13,10 @@ import java.util.List;
 
 /**
  * Simplifies an operation before it becomes a node: constants are folded, 0 and 1 disappear, x − x
- * and a − (a − b) cancel, and signs move outwards until a sum or difference takes them up.
+ * and a − (a − b) cancel, and signs move outwards until a sum or difference absorbs them.
  *
  * <p>Values are assumed to be finite: 0 · x is 0. Operations on constants without a finite result
- * are not folded, so that the run finds the fault where it arises and can name the joint or force.
+ * are not folded, so that the run finds the fault at its origin and can name the joint or force.
  */
 final class Simplification {
   /**
@@ -89,7 +89,7 @@ final class Simplification {
     return cancelled(expressions, a, b);
   }
 
-  /** Takes out what occurs on both sides of a − b. */
+  /** Removes terms that occur on both sides of a − b. */
   private static Scalar cancelled(Expressions expressions, Scalar a, Scalar b) {
     if (b.isConstant()) {
       return sum(expressions.constant(-b.value()), a);
@@ -211,8 +211,8 @@ final class Simplification {
   }
 
   /**
-   * Calls on constants are folded if their value is finite; a choice between known bounds is
-   * decided.
+   * Returns a function call; a call with constant arguments is folded if its value is finite, and a
+   * choice with constant bounds is decided.
    */
   static Scalar function(MathFunction function, List<Scalar> arguments) {
     double[] x = new double[arguments.size()];
@@ -289,7 +289,10 @@ final class Simplification {
     return a.is(NEGATE) || a.isConstant(-1);
   }
 
-  /** Constants stand first, otherwise the older operand: x·y and y·x are one node. */
+  /**
+   * Returns an operation with ordered operands, so that x·y and y·x are one node: constants come
+   * first, otherwise the older operand.
+   */
   private static Scalar commutative(ScalarOperation operation, Scalar a, Scalar b) {
     boolean swap = b.isConstant() ? !a.isConstant() : !a.isConstant() && b.id() < a.id();
     return swap ? a.expressions().binary(operation, b, a) : a.expressions().binary(operation, a, b);

@@ -9,11 +9,12 @@
  * org.mechservice.sim.symbolic.Differentiation} and {@link
  * org.mechservice.sim.symbolic.Substitution} make new expressions from old ones.
  *
- * <p>Mechanics written over scalars becomes a {@link org.mechservice.sim.symbolic.Program}: outputs
- * in sections, with guards. A program is printed as source or byte code, or evaluated in doubles.
+ * <p>Mechanics written over scalars are recorded as a {@link org.mechservice.sim.symbolic.Program}:
+ * outputs in sections, with guards. A program is printed as source or byte code, or evaluated in
+ * doubles.
  *
- * <p>Nodes are numbered in the order in which they arise, and nothing depends on hash order: the
- * same mechanics over the same numbers gives the same program, operation by operation.
+ * <p>Nodes are numbered in the order of their creation, and nothing depends on hash order: the same
+ * mechanics over the same numbers gives the same program, operation by operation.
  */
 @NullMarked
 package org.mechservice.sim.symbolic;

@@ -58,7 +58,7 @@ final class AllowedJava {
           "java/lang/Class.desiredAssertionStatus",
           "java/lang/Class.getSimpleName");
 
-  /** Members of allowed classes that start threads, or ask the machine or its user. */
+  /** Members of allowed classes that start threads, or query the machine or its user. */
   private static final Set<String> FORBIDDEN =
       Set.of(
           "java/util/stream/Stream.parallel",
@@ -78,13 +78,13 @@ final class AllowedJava {
           "java/lang/Boolean.getBoolean",
           "java/lang/Throwable.printStackTrace");
 
-  /** Classes whose objects may be handed on, although few or none of their members may be used. */
+  /** Classes whose objects may be passed on, although few or none of their members may be used. */
   private static final Set<String> OPAQUE =
       Set.of("java/lang/Class", "java/util/Locale", "java/util/Spliterator");
 
   private static final String LOOKUP = "(Ljava/lang/invoke/MethodHandles$Lookup;Ljava/lang/String;";
 
-  /** What the compiler links lambdas, string concatenation and records to. */
+  /** Bootstrap methods to which the compiler links lambdas, string concatenation and records. */
   private static final Handle LAMBDA =
       bootstrap(
           "java/lang/invoke/LambdaMetafactory",
@@ -152,9 +152,10 @@ final class AllowedJava {
   }
 
   /**
-   * Returns whether a method that may link is given as many arguments, and of the kinds, as the
-   * compiler gives it: a lambda its type, code and type at the place; a concatenation its recipe
-   * and plain constants; a record its class, the names of its components and their fields.
+   * Returns whether a bootstrap method has the number and kinds of arguments that the compiler
+   * passes: for a lambda its type, implementation and instantiated type; for a concatenation its
+   * recipe and plain constants; for a record its class, the names of its components and their
+   * fields.
    */
   static boolean isLinkedAsCompiled(Handle method, Object... arguments) {
     if (method.equals(LAMBDA)) {
@@ -183,7 +184,7 @@ final class AllowedJava {
     return argument instanceof Type type && type.getSort() == Type.METHOD;
   }
 
-  /** Returns whether a constant is a number or a text, which nothing is computed for. */
+  /** Returns whether a constant is a number or a text, whose loading runs no code. */
   static boolean isPlain(Object constant) {
     return constant instanceof String
         || constant instanceof Integer

@@ -23,10 +23,10 @@ import org.objectweb.asm.TypePath;
  * Verifies, without loading them, that user classes use nothing but each other, the force interface
  * and {@link AllowedJava}: no files, network, reflection, threads or processes.
  *
- * <p>Every part of a class file that can name a class, a member or a constant is visited, and what
- * is not known to be harmless is refused: also attributes, kinds of constants and ways of linking
- * that later versions of Java may bring. Two parts are left out, because a running class never
- * follows them: generic signatures and the list of inner classes, which only reflection reads.
+ * <p>Every part of a class file that can name a class, a member or a constant is visited, and
+ * everything not known to be harmless is refused, including attributes, kinds of constants and ways
+ * of linking of later Java versions. Two parts are skipped, because only reflection reads them:
+ * generic signatures and the list of inner classes.
  */
 final class BytecodeVerifier extends ClassVisitor {
   private static final String INTERFACE = UserForce.class.getPackageName().replace('.', '/') + "/";
@@ -264,7 +264,10 @@ final class BytecodeVerifier extends ClassVisitor {
     }
   }
 
-  /** Checks the types of arguments and of the result; their objects may at least be handed on. */
+  /**
+   * Checks the types of arguments and of the result; their objects must at least be permitted to be
+   * passed on.
+   */
   private void requireSignature(String descriptor, String how, String method, int line) {
     for (Type argument : Type.getArgumentTypes(descriptor)) {
       requireHandedOn(argument, how, method, line);
@@ -295,7 +298,7 @@ final class BytecodeVerifier extends ClassVisitor {
             + " network, threads, processes or reflection");
   }
 
-  /** What one method uses. */
+  /** Checks the instructions of one method. */
   private final class Code extends MethodVisitor {
     private final String method;
     private int line;

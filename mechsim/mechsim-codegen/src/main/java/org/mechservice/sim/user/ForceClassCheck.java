@@ -18,7 +18,7 @@ import org.objectweb.asm.MethodVisitor;
 import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.Type;
 
-/** Checks, without loading it, that a class is a force and has a constructor to make it with. */
+/** Checks, without loading it, that a class is a force and has a usable constructor. */
 final class ForceClassCheck {
   private static final Set<String> FORCES =
       Set.of(
@@ -33,7 +33,7 @@ final class ForceClassCheck {
   }
 
   /**
-   * Adds to the findings why the class cannot be the force.
+   * Adds a finding if the class cannot be the force.
    *
    * @param who the force, for the message
    */
@@ -63,7 +63,7 @@ final class ForceClassCheck {
     return head.constructor ? "" : "has no public constructor without parameters";
   }
 
-  /** Follows the classes given upwards. */
+  /** Returns whether a class or one of its superclasses is a force. */
   private boolean isForce(byte[] bytes) {
     Set<String> seen = new HashSet<>();
     Deque<byte[]> open = new ArrayDeque<>();

@@ -14,8 +14,9 @@ import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.Type;
 
 /**
- * Stand-ins for user classes, under the same names: forces that read nothing and do nothing. With
- * them a model can describe itself and its columns where user classes must not be loaded.
+ * Substitutes for user classes, with the same names: forces that read nothing and exert nothing.
+ * With them a model can describe itself and its columns in a process that must not load user
+ * classes.
  */
 public final class IdleForces {
   private static final String OBJECT = "java/lang/Object";

@@ -12,10 +12,11 @@ import java.util.regex.Pattern;
 import javax.tools.Diagnostic;
 import javax.tools.JavaFileObject;
 import org.mechservice.sim.compile.Compilation;
+import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.solver.api.UserForce;
 import org.mechservice.solver.catalogue.MessageCode;
 
-/** Compiles sources of users against Java and the force interface. */
+/** Compiles user sources against Java and the force interface. */
 final class SourceCompiler {
   private static final List<String> OPTIONS =
       List.of(
@@ -29,13 +30,13 @@ final class SourceCompiler {
           "-Xlint:none");
   private static final Set<String> VISIBLE_PACKAGES = Set.of(UserForce.class.getPackageName());
 
-  /** More would hide the first, which is as a rule the cause of the others. */
+  /** Largest number of errors reported; the first is usually the cause of the others. */
   private static final int MOST_ERRORS = 10;
 
   private static final Pattern PACKAGE =
       Pattern.compile("(?m)^\\s*package\\s+([A-Za-z0-9_$.]{1,300})\\s*;");
 
-  /** How classes are called by nearly everybody; constants are written in capitals. */
+  /** Usual form of class names; constants are written in capitals. */
   private static final Pattern CLASS_NAME = Pattern.compile("[A-Z][A-Za-z0-9_$]*[a-z][\\w$]*");
 
   private final Map<String, String> sources;
@@ -51,7 +52,7 @@ final class SourceCompiler {
    *
    * @param sources texts by file name
    * @param others class files they may name, by binary name; not modified
-   * @param findings told what the compiler says, and which classes it misses
+   * @param findings receives the messages of the compiler and the missing classes
    */
   static SortedMap<String, byte[]> compile(
       Map<String, String> sources, SortedMap<String, byte[]> others, UserCodeFindings findings) {
@@ -68,25 +69,31 @@ final class SourceCompiler {
       if (done.succeeded()) {
         return done.classFiles();
       }
-      tell(done);
+      report(done);
+    } catch (ModelBuildException e) {
+      findings.add(
+          e.code(),
+          first(),
+          "this source must be compiled, and the server's Java is a run time without compiler; give"
+              + " the class file instead, or start the server with a JDK");
     } catch (IllegalStateException | StackOverflowError e) {
       giveUp();
     }
     return Collections.emptySortedMap();
   }
 
-  private void tell(Compilation failed) {
+  private void report(Compilation failed) {
     List<Diagnostic<? extends JavaFileObject>> errors =
         failed.diagnostics().stream()
             .filter(said -> said.getKind() == Diagnostic.Kind.ERROR)
             .toList();
-    errors.stream().limit(MOST_ERRORS).forEach(this::tell);
+    errors.stream().limit(MOST_ERRORS).forEach(this::report);
     if (errors.isEmpty()) {
       giveUp();
     }
   }
 
-  /** Sources nested too deeply are more than the compiler's stack takes. */
+  /** Reports a source that is nested too deeply for the compiler's stack. */
   private void giveUp() {
     findings.add(
         MessageCode.USER_SOURCE_DOES_NOT_COMPILE,
@@ -98,7 +105,7 @@ final class SourceCompiler {
     return sources.keySet().iterator().next();
   }
 
-  private void tell(Diagnostic<? extends JavaFileObject> said) {
+  private void report(Diagnostic<? extends JavaFileObject> said) {
     JavaFileObject source = said.getSource();
     String file = source == null ? first() : name(source);
     int line = (int) Math.max(0, said.getLineNumber());
@@ -120,7 +127,7 @@ final class SourceCompiler {
     return source.toUri().getPath().substring(1);
   }
 
-  /** Returns the class that a source needs and nobody has, as far as its text tells; or nothing. */
+  /** Returns the missing class that a source needs, as far as its text shows, or null. */
   private String missingClass(Diagnostic<? extends JavaFileObject> said, String file) {
     String text = sources.getOrDefault(file, "");
     int from = (int) said.getPosition();

@@ -17,7 +17,10 @@ import org.objectweb.asm.tree.ClassNode;
 
 /** Reads the class files, and compiles the sources, that came with a model. */
 final class UserClassFiles {
-  /** Packages of any Java, of its past modules and of the product, closed to user classes. */
+  /**
+   * Packages of Java, of its past modules and of the product, reserved: user classes must not use
+   * them.
+   */
   private static final List<String> RESERVED =
       List.of(
           "java.",
@@ -39,7 +42,7 @@ final class UserClassFiles {
           .flatMap(module -> module.descriptor().packages().stream())
           .collect(Collectors.toUnmodifiableSet());
 
-  /** A class file's version less this number is the version of Java. */
+  /** The Java version is a class file's version minus this number. */
   private static final int JAVA_ZERO = 44;
 
   private final UserCodeFindings findings;

@@ -4,9 +4,10 @@ import java.util.SortedMap;
 import org.mechservice.solver.api.UserForce;
 
 /**
- * Loads classes of users. They see each other, the packages {@code java.*} and the force interface,
- * not what else runs here. A class among the given ones is always the given one, and a name that is
- * neither given nor in those packages is found nowhere, also if the platform has such a class.
+ * Loads user classes. They can refer to each other, to the packages {@code java.*} and to the force
+ * interface, and to nothing else in this process. A given class takes precedence over all others,
+ * and a name that is neither given nor in those packages is not found, even if the platform has
+ * such a class.
  */
 final class UserClassLoader extends ClassLoader {
   private static final String INTERFACE = UserForce.class.getPackageName();

@@ -10,7 +10,7 @@ import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.text.Sha256;
 
 /**
- * The classes that a model's forces name, and those these need: checked, none of them loaded.
+ * The user classes that a model's forces need, directly or indirectly: checked but not loaded.
  * Immutable.
  */
 public final class UserClasses {
@@ -24,11 +24,11 @@ public final class UserClasses {
   }
 
   /**
-   * Takes in what came with a model. Sources are compiled, without annotation processors and
-   * against nothing but Java and the force interface. Nothing is loaded.
+   * Admits the files that came with a model. Sources are compiled without annotation processors,
+   * against Java and the force interface only. No class is loaded.
    *
-   * @param mechanism says which classes its forces are
-   * @param files what came; those that no force needs are left aside
+   * @param mechanism mechanism with the forces
+   * @param files files that came with the model; those that no force needs are ignored
    * @param compile whether sources may be compiled here
    * @throws MechmlException if a class is missing (S-121), a source may not (S-120) or cannot
    *     (S-123) be compiled, a class file cannot be used (S-124), a class is no force (S-068)
@@ -54,8 +54,8 @@ public final class UserClasses {
   /**
    * Verifies that the classes may run on a server.
    *
-   * @throws MechmlException S-156 if a class uses what it may not; the message names method and
-   *     line
+   * @throws MechmlException S-156 if a class uses something not permitted; the message names method
+   *     and line
    */
   public void requireHarmless() throws MechmlException {
     UserCodeFindings findings = new UserCodeFindings();
@@ -68,7 +68,7 @@ public final class UserClasses {
     return classFiles.isEmpty();
   }
 
-  /** Returns class file bytes by binary class name; not to be modified. */
+  /** Returns class file bytes by binary class name; must not be modified. */
   public SortedMap<String, byte[]> classFiles() {
     return classFiles;
   }
@@ -81,13 +81,14 @@ public final class UserClasses {
   }
 
   /**
-   * Returns a loader of class files, by binary name, that see Java and the force interface alone.
+   * Returns a loader of class files, by binary name, which can refer to Java and the force
+   * interface only.
    */
   public static ClassLoader loaderOf(SortedMap<String, byte[]> classFiles) {
     return new UserClassLoader(classFiles);
   }
 
-  /** Returns a loader of these classes, for which they see Java and the force interface alone. */
+  /** Returns a loader of these classes, which can refer to Java and the force interface only. */
   public ClassLoader loader() {
     return loaderOf(classFiles);
   }

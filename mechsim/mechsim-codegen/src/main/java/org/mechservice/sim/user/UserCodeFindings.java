@@ -12,12 +12,12 @@ import org.mechservice.solver.catalogue.Severity;
 final class UserCodeFindings {
   private final Map<String, Diagnostic> found = new LinkedHashMap<>();
 
-  /** Something is wrong with a file or a class. */
+  /** Adds an error of a file or a class. */
   void add(MessageCode code, String file, String text) {
     add(code, file, 0, 0, text);
   }
 
-  /** Something is wrong at a place in a file. */
+  /** Adds an error at a position in a file. */
   void add(MessageCode code, String file, int line, int column, String text) {
     found.putIfAbsent(
         code + file + line + text,
@@ -25,9 +25,9 @@ final class UserCodeFindings {
   }
 
   /**
-   * A class is missing. The message is about its file, which is how a client knows what to send.
+   * Adds a missing class. The message names its file, so that a client knows which file to send.
    *
-   * @param who names it, such as {@code force "Road" (car.xml:12) is}
+   * @param who element that names it, such as {@code force "Road" (car.xml:12) is}
    */
   void missing(String className, String who) {
     String simple = className.substring(className.lastIndexOf('.') + 1);
@@ -53,7 +53,7 @@ final class UserCodeFindings {
   }
 
   /**
-   * @throws MechmlException if anything was found
+   * @throws MechmlException if there is an error
    */
   void throwIfAny() throws MechmlException {
     if (!found.isEmpty()) {

@@ -8,12 +8,12 @@ import java.util.regex.Pattern;
  * @param name its path below the model's folder, such as {@code car/Road.java}
  * @param content its bytes; not modified
  */
-@SuppressWarnings("ArrayRecordComponent") // never compared; bytes as they came
+@SuppressWarnings("ArrayRecordComponent") // never compared; unchanged bytes
 public record UserFile(String name, byte[] content) {
   private static final Pattern USABLE =
       Pattern.compile("(?:[A-Za-z0-9_$]{1,100}/){0,20}[A-Za-z0-9_$]{1,200}\\.(?:class|java)");
 
-  /** Returns whether it may be what its name says. */
+  /** Returns whether the content may be of the kind that its name states. */
   boolean isUsable() {
     return USABLE.matcher(name).matches();
   }
@@ -22,7 +22,7 @@ public record UserFile(String name, byte[] content) {
     return name.endsWith(".java");
   }
 
-  /** Returns the path without its end, as Java writes names: {@code car.Road}. */
+  /** Returns the path without its extension as a Java name: {@code car.Road}. */
   String statedClass() {
     return name.substring(0, name.lastIndexOf('.')).replace('/', '.');
   }

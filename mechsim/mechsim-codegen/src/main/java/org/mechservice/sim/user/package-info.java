@@ -8,11 +8,10 @@
  * decides whether a class is a force. {@code UserCodeFindings} collects what is wrong, so that a
  * user sees all errors at once.
  *
- * <p>{@code BytecodeVerifier} is the allow-list that stands between foreign code and this machine:
- * a class may use its own classes, the force interface and the members that {@code AllowedJava}
- * lists. What the list does not name is refused. Confinement by the operating system is a second
- * wall, outside this package. {@code IdleForces} stands in for user classes where they must not be
- * loaded.
+ * <p>{@code BytecodeVerifier} protects this machine by an allow-list: a class may use its own
+ * classes, the force interface and the members that {@code AllowedJava} lists. Everything else is
+ * refused. Confinement by the operating system is a second protection, outside this package. {@code
+ * IdleForces} replaces user classes in processes that must not load them.
  *
  * <p>Depends on {@code sim.compile} and ASM.
  */

@@ -159,6 +159,9 @@ class EverythingIsCodeTest {
       if (loop.isPresent() || force.equals(UserForceElement.class)) {
         groups.add("forces");
       }
+      if (driven) {
+        groups.add("drives");
+      }
       return groups;
     }
   }

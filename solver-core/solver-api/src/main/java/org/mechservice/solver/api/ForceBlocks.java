@@ -1,12 +1,12 @@
 package org.mechservice.solver.api;
 
 /**
- * Takes the derivatives of a {@link UserForce}. Everything is in world axes; a rotation is a small
- * rotation vector of the body in world axes. Derivatives by one thing hold all others: by the
- * position of a point, its velocity is held.
+ * Receives the derivatives of a {@link UserForce}. All components are in world axes; a rotation is
+ * a small rotation vector of the body in world axes. Derivatives are partial: the derivative by the
+ * position of a point holds its velocity constant.
  */
 public interface ForceBlocks {
-  /** What a derivative is of. */
+  /** The differentiated load. */
   enum Load {
     /** A force at a point: 3 rows. */
     FORCE,
@@ -17,12 +17,12 @@ public interface ForceBlocks {
   }
 
   /**
-   * Adds a derivative by what is read of a point.
+   * Adds a derivative by a reading of a point.
    *
-   * @param load what
-   * @param on the point, or coordinate, that it is added to
-   * @param by which reading; it must have been declared
-   * @param point of the point
+   * @param load the differentiated load
+   * @param on point or coordinate of the load
+   * @param by the reading, which must have been declared
+   * @param point point of the reading
    * @param block 3 × 3 row by row, or 3 numbers for a joint force; not modified
    */
   void byPoint(Load load, int on, ForceDeclaration.Reads by, int point, double[] block);

@@ -1,35 +1,35 @@
 package org.mechservice.solver.api;
 
 /**
- * The model by its names, as a {@link UserForce} sees it before the run. The numbers it gives are
- * what {@link ForceState} and {@link ForceLoads} want.
+ * The names of a model, through which a {@link UserForce} declares before the run what it uses. The
+ * numbers returned are arguments of {@link ForceState} and {@link ForceLoads}.
  */
 public interface ForceDeclaration {
-  /** What is read of a point. */
+  /** A quantity read of a point. */
   enum Reads {
-    /** Where it is. */
+    /** Its position. */
     POSITION,
-    /** How its body is turned. */
+    /** The rotation of its body. */
     ROTATION,
-    /** How fast it moves. */
+    /** Its velocity. */
     VELOCITY,
-    /** How fast its body turns. */
+    /** The angular velocity of its body. */
     ANGULAR_VELOCITY
   }
 
   /**
-   * Asks for a point to read or to act on.
+   * Declares a point to read or to act on.
    *
    * @param body name of the body, or of the root
    * @param point name of the point
-   * @param reads what will be read of it; reading anything else is refused, and the fewer these
-   *     are, the cheaper are differences. None for a point that is only acted on
+   * @param reads quantities that will be read; reading others is an error, and difference quotients
+   *     are cheaper with fewer quantities. Empty for a point that is only acted on
    * @throws IllegalArgumentException if there is no such body or point
    */
   int point(String body, String point, Reads... reads);
 
   /**
-   * Asks for a point by its place in a body, for those the model does not name.
+   * Declares a point by its position in a body, for points without a name in the model.
    *
    * @param body name of the body, or of the root
    * @param x from the body's origin in body axes, m; likewise y and z
@@ -39,23 +39,23 @@ public interface ForceDeclaration {
   int pointAt(String body, double x, double y, double z, Reads... reads);
 
   /**
-   * Asks for a coordinate of a joint to read or to act on.
+   * Declares a coordinate of a joint to read or to act on.
    *
    * @param joint name of a joint of the tree
-   * @param component among the joint's velocities, from 0
+   * @param component index among the joint's velocities, from 0
    * @throws IllegalArgumentException if there is no such joint or component
    */
   int coordinate(String joint, int component);
 
   /**
-   * Asks for a tunable parameter.
+   * Declares a tunable parameter.
    *
    * @throws IllegalArgumentException if there is no such parameter
    */
   int parameter(String name);
 
   /**
-   * Adds a value that the force puts out: column {@code <force>.<name>}.
+   * Declares an output value of the force: column {@code <force>.<name>}.
    *
    * @param unit SI unit, {@code 1} for a pure number
    */

@@ -1,8 +1,9 @@
 package org.mechservice.solver.api;
 
 /**
- * The state a {@link UserForce} is evaluated in. Vectors have three components in world axes unless
- * said otherwise; SI units. Reading what was not declared throws an {@link IllegalStateException}.
+ * The state at which a {@link UserForce} is evaluated. Vectors have three components in world axes
+ * unless stated otherwise; SI units. Reading an undeclared quantity throws an {@link
+ * IllegalStateException}.
  */
 public interface ForceState {
   /** Returns the time, s. */
@@ -14,7 +15,7 @@ public interface ForceState {
   /**
    * Returns the position of a coordinate, rad or m.
    *
-   * @throws IllegalStateException if it has none of its own: rotations of spherical and free joints
+   * @throws IllegalStateException if it has no position: rotations of spherical and free joints
    */
   double coordinate(int coordinate);
 
@@ -22,21 +23,21 @@ public interface ForceState {
   double rate(int coordinate);
 
   /**
-   * Writes where a point is, from the world's origin, m.
+   * Writes the position of a point from the world's origin, m.
    *
    * @param out overwritten
    */
   void position(int point, double[] out);
 
   /**
-   * Writes how fast a point moves, m/s.
+   * Writes the velocity of a point, m/s.
    *
    * @param out overwritten
    */
   void velocity(int point, double[] out);
 
   /**
-   * Writes how a point's body is turned: the rotation from body axes to world axes, row by row.
+   * Writes the rotation of a point's body, from body axes to world axes, row by row.
    *
    * @param out nine numbers; overwritten
    */

@@ -2,13 +2,13 @@ package org.mechservice.solver.api;
 
 /** The joints of MechML with the units of their coordinates, in state order (MECHML §4). */
 public enum JointType {
-  /** Turn about a vector. */
+  /** Rotation about a vector. */
   R("rad", "rad/s"),
-  /** Slide along a vector. */
+  /** Displacement along a vector. */
   P("m", "m/s"),
-  /** Slide along and turn about a vector. */
+  /** Displacement along and rotation about a vector. */
   C("m rad", "m/s rad/s"),
-  /** Turn about the vector of body 1, then about the vector of body 2. */
+  /** Rotation about the vector of body 1, then about the vector of body 2. */
   U("rad rad", "rad/s rad/s"),
   /** Spherical: Euler parameters, angular velocity in the axes of body 1. */
   S("1 1 1 1", "rad/s rad/s rad/s"),
@@ -33,12 +33,12 @@ public enum JointType {
     return units.isEmpty() ? new String[0] : units.split(" ", -1);
   }
 
-  /** Returns how many positions q the joint adds to the state. */
+  /** Returns the number of positions q of the joint in the state. */
   public int positionCount() {
     return split(positionUnits).length;
   }
 
-  /** Returns how many velocities v the joint adds to the state. */
+  /** Returns the number of velocities v of the joint in the state. */
   public int velocityCount() {
     return split(velocityUnits).length;
   }

@@ -1,9 +1,9 @@
 package org.mechservice.solver.api;
 
 /**
- * A joint as the state sees it.
+ * A joint with states.
  *
  * @param name the joint's name in the model file
- * @param type decides how many coordinates it has and in which units
+ * @param type its type, which determines number and units of its coordinates
  */
 public record JointVariables(String name, JointType type) {}

@@ -5,19 +5,19 @@ import org.mechservice.solver.api.capability.Energies;
 import org.mechservice.solver.api.capability.ExplicitModel;
 
 /**
- * A mechanism ready to be simulated: what it is called, how its state is laid out, where it starts.
+ * A mechanism ready for simulation: its name, the layout of its state, and its initial state.
  *
- * <p>What a model can compute is told by the further interfaces it implements ({@link
- * ExplicitModel}, {@link Energies}, {@link BodyPoses}), so what a scene does not need is absent and
- * can be asked for. A model owns its workspace: one instance belongs to one run and one thread.
+ * <p>A model implements one further interface for each quantity that it can compute ({@link
+ * ExplicitModel}, {@link Energies}, {@link BodyPoses}); it omits the interfaces that its scene does
+ * not need. A model owns its workspace: one instance belongs to one run and one thread.
  *
  * <p>The state is y = [q; v] in SI units, joints in the order of {@link ModelDescription#joints()}.
  */
 public interface Model {
-  /** The version of this package; a model JAR names the one it was compiled against. */
+  /** The version of this package; a model JAR names the version that it was compiled against. */
   int API_VERSION = 1;
 
-  /** Returns names, units and the settings the model was built with. */
+  /** Returns names, units and default settings of the model. */
   ModelDescription description();
 
   /**

@@ -6,10 +6,10 @@ import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.RunSettings;
 
 /**
- * What a model says of itself.
+ * The description of a model.
  *
  * @param name the model's name in its file
- * @param formulation the formulation its equations were written in, such as {@code DTR}
+ * @param formulation the formulation of its equations, such as {@code DTR}
  * @param joints the joints that have states, in state order
  * @param defaults the settings of the model's file
  */

@@ -9,7 +9,7 @@ import org.mechservice.solver.api.run.RunRequest;
 
 /**
  * Runs models. The runtime JAR offers its implementation as a service ({@link
- * java.util.ServiceLoader}), so that whoever fetched it needs no class of it by name.
+ * java.util.ServiceLoader}), so that a client that has fetched it need not name any of its classes.
  */
 public interface Solver {
   /**
@@ -17,28 +17,27 @@ public interface Solver {
    *
    * @param model the model; its workspace is used, so it must not be in another run
    * @param request interval, tolerances, columns
-   * @param sink takes the rows
-   * @param control steers and watches the run from other threads
-   * @return what happened; expected failures are outcomes, not exceptions
+   * @param sink receives the rows
+   * @param control controls and monitors the run from other threads
+   * @return the report; expected failures are outcomes, not exceptions
    * @throws IllegalArgumentException if the request does not fit the model (unknown integrator,
-   *     columns it was built without, tolerances out of range); the message says which and what to
-   *     do
-   * @throws IOException if the sink could not keep a row
+   *     columns it was built without, tolerances out of range); the message names the cause and the
+   *     remedy
+   * @throws IOException if the sink could not store a row
    */
   RunReport run(Model model, RunRequest request, ResultSink sink, RunControl control)
       throws IOException;
 
   /**
-   * Runs a model as {@link #run(Model, RunRequest, ResultSink, RunControl)} does, leaving
-   * checkpoints on its way, or going on from one. A run that goes on hands the rows that are still
-   * to come to the sink; they and the report's counts are those of a run that was never
-   * interrupted.
+   * Runs a model as {@link #run(Model, RunRequest, ResultSink, RunControl)} does, and writes
+   * checkpoints, or resumes from one. A resumed run passes the remaining rows to the sink; they and
+   * the report's counts equal those of an uninterrupted run.
    *
-   * @throws IllegalArgumentException also if the checkpoint is damaged, or of another model, solver
-   *     version or request; or if the model has a state of its own that it does not tell
-   * @throws IOException also if a checkpoint could not be kept
-   * @throws UnsupportedOperationException if there is a checkpoint to go on from and this solver
-   *     knows none; such a solver leaves none either
+   * @throws IllegalArgumentException also if the checkpoint is damaged, or belongs to another
+   *     model, solver version or request; or if the model has an internal state that it cannot save
+   * @throws IOException also if a checkpoint could not be stored
+   * @throws UnsupportedOperationException if a checkpoint is given and this solver does not support
+   *     checkpoints; such a solver writes none either
    */
   default RunReport run(
       Model model, RunRequest request, ResultSink sink, RunControl control, Checkpoints checkpoints)

@@ -1,17 +1,18 @@
 package org.mechservice.solver.api;
 
 /**
- * A force written by a user, as {@code <force name="…" fileName="….class">} names it.
+ * A force written by a user; {@code <force name="…" fileName="….class">} in the model file names
+ * its class.
  *
  * <p>The class needs a public constructor without arguments. {@link #declare} is called once,
- * before the run: it asks for points, coordinates and parameters by name and keeps the numbers it
- * gets. {@link #apply} is called at every evaluation, with states the run may never reach; it is a
- * pure function of what it reads: no clock, no files, no memory of earlier calls. One instance
- * belongs to one thread, so it may keep scratch arrays.
+ * before the run: it declares points, coordinates and parameters by name and stores the numbers
+ * returned. {@link #apply} is called at every evaluation, with states that the run may never reach.
+ * It must be a pure function of the declared quantities: no clock, no files, no memory of earlier
+ * calls. One instance belongs to one thread, so it may keep scratch arrays.
  *
- * <p>A force that knows its derivatives implements {@link Derivatives} as well; for others,
- * implicit integrators take differences over what was declared. A result that is not finite ends
- * the run with a message that names the force.
+ * <p>A force with analytic derivatives implements {@link Derivatives} as well; for others, implicit
+ * integrators use differences over the declared quantities. A result that is not finite ends the
+ * run with a message that names the force.
  *
  * <pre>{@code
  * public final class Strut implements UserForce {
@@ -37,28 +38,28 @@ package org.mechservice.solver.api;
  */
 public interface UserForce {
   /**
-   * Asks for everything the force reads and acts on.
+   * Declares everything that the force reads and acts on.
    *
-   * @param model answers by name
+   * @param model resolves names
    */
   void declare(ForceDeclaration model);
 
   /**
    * Evaluates the force.
    *
-   * @param state what may be read; world axes, SI units
-   * @param loads takes forces, torques and values
+   * @param state declared quantities; world axes, SI units
+   * @param loads receives forces, torques and values
    */
   void apply(ForceState state, ForceLoads loads);
 
-  /** A force that gives its own derivatives. */
+  /** A force with analytic derivatives. */
   interface Derivatives extends UserForce {
     /**
-     * Gives the derivatives of everything {@link #apply} adds by everything it reads; what is not
-     * given counts as zero.
+     * Adds the derivatives of all loads of {@link #apply} by all quantities read; derivatives not
+     * added count as zero.
      *
      * @param state the state, as for {@link #apply}
-     * @param blocks takes the derivatives
+     * @param blocks receives the derivatives
      */
     void differentiate(ForceState state, ForceBlocks blocks);
   }

@@ -3,14 +3,14 @@
  * both.
  *
  * <p>{@link Model} is the main type: a name, a description and an initial state. {@link
- * ModelSource} makes models from values of tunable parameters, and {@link Solver} runs one. What a
- * model can compute beyond that, it says by the interfaces of {@code api.capability}. A run is
- * requested, steered and reported by the types of {@code api.run}; its rows are described by those
- * of {@code api.result}.
+ * ModelSource} creates models from values of tunable parameters, and {@link Solver} runs one. A
+ * model implements the interfaces of {@code api.capability} for everything else that it can
+ * compute. The types of {@code api.run} request, control and report a run; those of {@code
+ * api.result} describe its rows.
  *
- * <p>{@link UserForce} is what users implement for a force of their own, with {@link
- * ForceDeclaration}, {@link ForceState}, {@link ForceLoads} and {@link ForceBlocks}. Their sources
- * are compiled against this package alone.
+ * <p>Users implement {@link UserForce} for a force of their own, with {@link ForceDeclaration},
+ * {@link ForceState}, {@link ForceLoads} and {@link ForceBlocks}. Their sources are compiled
+ * against this package only.
  *
  * <p>The packages below {@code solver.api} use only types of java.base and of {@code
  * solver.catalogue}. A model JAR is compiled against them. In local mode the client and the fetched

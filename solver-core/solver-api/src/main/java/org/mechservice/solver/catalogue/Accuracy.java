@@ -4,14 +4,13 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 
-/** How closely the error at the end of a run keeps to the tolerances of its steps. */
+/** Relation of the error at the end of a run to the tolerances of its steps. */
 public enum Accuracy {
   /** Each step keeps its local error within the tolerances, as usual; errors of steps add up. */
   STANDARD("standard"),
   /**
-   * Each step keeps its local error within a 20th of the tolerances or less, so that as a rule the
-   * solution at the end has the digits asked for but one. It costs 1.3 to 1.5 times the
-   * evaluations.
+   * Each step keeps its local error within a 20th of the tolerances or less, so that the final
+   * solution usually has all requested digits but one. It costs 1.3 to 1.5 times the evaluations.
    */
   STRICT("strict");
 

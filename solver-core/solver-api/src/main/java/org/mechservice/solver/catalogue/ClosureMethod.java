@@ -5,15 +5,14 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * How the loops of a closed chain are closed.
+ * Methods to close the loops of a closed chain.
  *
- * <p>The choice {@code auto} is no method: it leaves the choice to the service. An open chain has
- * none.
+ * <p>The name {@code auto} is not a method: the service then chooses one. An open chain has none.
  */
 public enum ClosureMethod {
-  /** By the second velocity transformation onto independent coordinates. */
+  /** The second velocity transformation onto independent coordinates. */
   PROJECTION("projection"),
-  /** By the augmented Lagrangian; numbers of its own may follow the name. */
+  /** The augmented Lagrangian; parameters may follow the name. */
   PENALTY("penalty");
 
   private final String label;

@@ -7,14 +7,17 @@ import java.util.Optional;
 /**
  * The formulations of the equations of motion, Rodríguez et al. 2003, §3.
  *
- * <p>The choice {@code auto} is no formulation: it leaves the choice to the service.
+ * <p>The name {@code auto} is not a formulation: the service then chooses one.
  */
 public enum Formulation {
-  /** Direct, tree recursive: accelerations by articulated bodies in O(n); open chains alone. */
+  /** Direct, tree recursive: accelerations by articulated bodies in O(n); open chains only. */
   DTR("DTR", false, false, false),
   /** Direct, semi-recursive: accelerations by the joint-space mass matrix. */
   DSR("DSR", true, false, false),
-  /** Residual, recursive: F(t, y, y') = 0 by inverse dynamics, differenced for its Jacobian. */
+  /**
+   * Residual, recursive: F(t, y, y') = 0 by inverse dynamics, with difference quotients for its
+   * Jacobian.
+   */
   RR("RR", true, true, false),
   /** As {@link #RR}, with the Jacobian by recursion. */
   RR_JF("RR-JF", true, true, true);
@@ -36,7 +39,7 @@ public enum Formulation {
     return label;
   }
 
-  /** Returns whether it takes closed chains; all take open ones. */
+  /** Returns whether it supports closed chains; all support open ones. */
   public boolean takesLoops() {
     return loops;
   }

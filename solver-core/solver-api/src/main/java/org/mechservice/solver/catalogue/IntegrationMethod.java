@@ -7,7 +7,7 @@ import java.util.Optional;
 /**
  * The integrators.
  *
- * <p>The choice {@code auto} is no integrator: it leaves the choice to the service.
+ * <p>The name {@code auto} is not an integrator: the service then chooses one.
  */
 public enum IntegrationMethod {
   /** Adams-Bashforth-Moulton predictor and corrector, as MATLAB's ode113. */
@@ -21,7 +21,7 @@ public enum IntegrationMethod {
   /** ode113, and ode15s while the equations are stiff. */
   SWITCHING("switching", Family.SWITCHING, false, "switching.Switching");
 
-  /** The formulas an integrator steps with. */
+  /** The formulas of an integrator. */
   public enum Family {
     /** Adams formulas: explicit predictor, for equations that are not stiff. */
     ADAMS,
@@ -50,19 +50,19 @@ public enum IntegrationMethod {
     return label;
   }
 
-  /** Returns the formulas it steps with. */
+  /** Returns the family of its formulas. */
   public Family family() {
     return family;
   }
 
-  /** Returns whether it takes residual systems F(t, y, y') = 0; if not, explicit ones. */
+  /** Returns whether it integrates residual systems F(t, y, y') = 0; otherwise explicit ones. */
   public boolean takesResidual() {
     return residual;
   }
 
   /**
-   * Returns the qualified name of its class. Only the name: a standalone JAR carries this catalogue
-   * and the one integrator that its main class names.
+   * Returns the qualified name of its class. This catalogue holds the name only, because a
+   * standalone JAR contains the catalogue and only the integrator that its main class names.
    */
   public String className() {
     return PACKAGE + classBelow;

@@ -7,12 +7,12 @@ import static org.mechservice.solver.catalogue.Severity.WARNING;
 import java.util.Optional;
 
 /**
- * The catalogue of messages. A message begins with the code of its entry; each entry has a page
- * {@link #page} that says what the message means and what to do.
+ * The catalogue of messages. A message begins with the code of its entry; each entry has a
+ * documentation {@link #page} with the meaning of the message and the remedy.
  *
  * <p>M: the model file; N: the numerics of a run; S: the service, its clients and the command line.
- * The severity is the one a message of this code usually has. The title of an entry is the first
- * line of its page, so that model JARs do not carry it.
+ * The severity is that of most messages with this code. The title of an entry is the first line of
+ * its page and is not part of model JARs.
  */
 public enum MessageCode {
   // The model file.
@@ -46,6 +46,7 @@ public enum MessageCode {
   ZERO_VECTOR("M-033"),
   NOT_EULER_PARAMETERS("M-034"),
   EULER_PARAMETERS_NORMALIZED("M-035", WARNING),
+  SHAPE_VALUES("M-036"),
   MISSING_VECTOR("M-040"),
   OPPOSITE_VECTORS("M-041"),
   SECOND_VECTOR("M-042"),
@@ -246,7 +247,9 @@ public enum MessageCode {
   WRONG_SWEEP_JOURNAL("S-165"),
   ENERGY_BALANCE_NOT_WATCHED("S-166"),
   NOT_THE_OWNER("S-167"),
-  NO_CONFINEMENT("S-168");
+  NO_CONFINEMENT("S-168"),
+  RESULT_TOO_LARGE("S-176"),
+  RESULT_UNREADABLE("S-177");
 
   private final String code;
   private final Severity severity;

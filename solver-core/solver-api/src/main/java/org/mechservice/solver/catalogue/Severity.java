@@ -1,10 +1,10 @@
 package org.mechservice.solver.catalogue;
 
-/** How much a message matters. */
+/** Severity of a message. */
 public enum Severity {
-  /** Worth knowing. */
+  /** Information. */
   INFO,
-  /** Probably not meant; the model is used, or the run goes on, all the same. */
+  /** Probable mistake; the model is used, or the run continues, nevertheless. */
   WARNING,
   /** The model cannot be used, or the run or request has failed. */
   ERROR

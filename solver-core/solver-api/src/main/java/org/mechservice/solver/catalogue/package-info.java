@@ -2,16 +2,16 @@
  * The closed lists that every part of the product shares, each written once: {@link
  * org.mechservice.solver.catalogue.MessageCode} has all messages with their severity and page,
  * {@link org.mechservice.solver.catalogue.Formulation} the formulations, {@link
- * org.mechservice.solver.catalogue.ClosureMethod} the ways to close loops and {@link
- * org.mechservice.solver.catalogue.IntegrationMethod} the integrators, with the facts about them
- * that others decide by.
+ * org.mechservice.solver.catalogue.ClosureMethod} the closure methods and {@link
+ * org.mechservice.solver.catalogue.IntegrationMethod} the integrators, with the properties on which
+ * other packages base decisions.
  *
- * <p>A list is an enum. Text stands for an entry only at a border: in MechML, on the command line,
- * in CORBA, JSON and manifests. There it is read and written by the enum itself, which refuses an
+ * <p>Each list is an enum. Entries are text only in external formats: in MechML, on the command
+ * line, in CORBA, JSON and manifests. The enum itself reads and writes this text and rejects an
  * unknown name with a message that lists the known ones.
  *
- * <p>The enums refer to no class that does the work they name: a standalone JAR carries them, and
- * must not carry the integrators and formulations its scene does not use. The package depends on
- * nothing.
+ * <p>The enums do not refer to the classes of the methods that they name: a standalone JAR contains
+ * the enums, but only the integrators and formulations that its scene uses. The package depends on
+ * no other.
  */
 package org.mechservice.solver.catalogue;

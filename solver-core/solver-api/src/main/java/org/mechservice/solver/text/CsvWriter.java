@@ -1,6 +1,5 @@
 package org.mechservice.solver.text;
 
-import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
@@ -8,31 +7,39 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
 
 /**
  * Writes rows as CSV (RFC 4180, UTF-8): one header line, then one line per row, every number as the
- * shortest decimal that reads back exactly.
+ * shortest decimal that reads back exactly. With tabs between the values the same is TSV.
  */
-public final class CsvWriter implements ResultSink, Closeable {
+public final class CsvWriter implements ResultWriter {
   private static final int BUFFER_SIZE = 1 << 16;
 
   private final OutputStream out;
+  private final char separator;
   private final ShortestDecimal decimal = new ShortestDecimal();
   private final byte[] buffer = new byte[BUFFER_SIZE];
   private int filled;
 
   /**
-   * @param out takes the bytes; closed with this writer
+   * @param out receives the bytes; closed with this writer
    */
   public CsvWriter(OutputStream out) {
-    this.out = out;
+    this(out, ',');
   }
 
   /**
-   * Returns the units of the columns as a JSON object, name to unit, for the file beside the
-   * results.
+   * @param out takes the bytes; closed with this writer
+   * @param separator stands between two values of a row: a comma or a tab
+   */
+  public CsvWriter(OutputStream out, char separator) {
+    this.out = out;
+    this.separator = separator;
+  }
+
+  /**
+   * Returns the units of the columns as a JSON object, name to unit, for the units file.
    *
    * @param columns the columns of the results
    */
@@ -50,12 +57,15 @@ public final class CsvWriter implements ResultSink, Closeable {
     for (Variable column : columns) {
       names.add(quoted(column.name()));
     }
-    out.write((String.join(",", names) + "\r\n").getBytes(StandardCharsets.UTF_8));
+    out.write(
+        (String.join(String.valueOf(separator), names) + "\r\n").getBytes(StandardCharsets.UTF_8));
   }
 
-  private static String quoted(String name) {
+  private String quoted(String name) {
     boolean special =
-        name.chars().anyMatch(c -> c == ',' || c == '"' || c == '\r' || c == '\n' || c == ' ');
+        name.chars()
+            .anyMatch(
+                c -> c == ',' || c == separator || c == '"' || c == '\r' || c == '\n' || c == ' ');
     return special ? '"' + name.replace("\"", "\"\"") + '"' : name;
   }
 
@@ -66,7 +76,7 @@ public final class CsvWriter implements ResultSink, Closeable {
         drain();
       }
       if (i > 0) {
-        buffer[filled++] = ',';
+        buffer[filled++] = (byte) separator;
       }
       filled = decimal.write(values[i], buffer, filled);
     }
@@ -79,10 +89,15 @@ public final class CsvWriter implements ResultSink, Closeable {
     filled = 0;
   }
 
-  /** Hands everything written so far to the stream. */
+  /** Passes all bytes written so far to the stream. */
   public void flush() throws IOException {
     drain();
     out.flush();
+  }
+
+  @Override
+  public void finish() throws IOException {
+    flush();
   }
 
   @Override

@@ -30,6 +30,13 @@ public final class JsonText {
     return json.append(map.isEmpty() ? "}" : "\n}").toString();
   }
 
+  /** Returns a text as a JSON string, in quotation marks. */
+  public static String quoted(String text) {
+    StringBuilder json = new StringBuilder();
+    appendString(json, text);
+    return json.toString();
+  }
+
   private static void appendValue(StringBuilder json, Object value) {
     if (value instanceof String text) {
       appendString(json, text);

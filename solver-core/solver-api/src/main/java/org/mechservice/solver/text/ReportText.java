@@ -4,9 +4,7 @@ import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.Map;
 
-/**
- * Writes a run report for people: one aligned line per entry, in the report's order, with units.
- */
+/** Writes a run report as text: one aligned line per entry, in the report's order, with units. */
 public final class ReportText {
   private static final Map<String, String> UNITS =
       Map.ofEntries(
@@ -25,7 +23,7 @@ public final class ReportText {
           Map.entry("modelClassBytes", "B"),
           Map.entry("runtimeJarBytes", "B"));
 
-  /** Numbers are shown to this many digits; the JSON form has them all. */
+  /** Number of significant digits; the JSON form has all digits. */
   private static final int DIGITS = 4;
 
   private ReportText() {}

@@ -4,13 +4,13 @@ import java.math.BigInteger;
 import java.nio.charset.StandardCharsets;
 
 /**
- * Writes numbers as the shortest decimal that reads back exactly; among several of that length the
+ * Writes numbers as the shortest decimal that reads back exactly; if several have that length, the
  * one nearest to the number.
  *
  * <p>The method is Giulietti's Schubfach (R. Giulietti, "The Schubfach way to render doubles",
  * 2020): the decimals of one more digit than needed are compared with the rounding interval of the
- * number in 126-bit arithmetic. {@link Double#toString} does the same since JDK 19 only, and
- * results must not depend on the JDK that wrote them.
+ * number in 126-bit arithmetic. {@link Double#toString} does the same only since JDK 19, and
+ * results must not depend on the JDK.
  *
  * <p>Numbers from 1e-3 up to 1e17 are written plainly ({@code 0.01}, {@code 3}), others with an
  * exponent ({@code 1.5e-7}).
@@ -59,7 +59,7 @@ public final class ShortestDecimal {
    *
    * @param value finite
    * @param text overwritten from {@code offset}, at most {@value #MAX_LENGTH} bytes
-   * @return the offset behind the last byte written
+   * @return the offset after the last byte written
    * @throws IllegalArgumentException if the value is not finite
    */
   public int write(double value, byte[] text, int offset) {

@@ -85,12 +85,12 @@ final class GeneratedTreeTerms extends ClosedTree {
   public ClosedTree ofData() {
     ClosedTree other = new ClosedTree(tree, userForces);
     following = Optional.of(other);
-    lead();
+    copyAnglesToData();
     return other;
   }
 
   /** Copies the unwrapped angles to the data-driven workspace. */
-  private void lead() {
+  private void copyAnglesToData() {
     if (following.isPresent()) {
       super.save(counted, 0);
       following.get().restore(counted, 0);
@@ -260,7 +260,7 @@ final class GeneratedTreeTerms extends ClosedTree {
       placeData(time, state);
       super.accepted(t);
       angles.follow(motion, state, nq + nv);
-      lead();
+      copyAnglesToData();
     }
   }
 
@@ -279,6 +279,6 @@ final class GeneratedTreeTerms extends ClosedTree {
   public void restore(double[] saved, int at) {
     super.restore(saved, at);
     System.arraycopy(saved, at + super.stateLength(), state, nq + nv, angles.count());
-    lead();
+    copyAnglesToData();
   }
 }

@@ -163,8 +163,8 @@ public final class LoopProjection {
   /**
    * Changes velocities as an impulse along the constraints does.
    *
-   * @param allowed largest permitted relative change of the velocities @return whether they satisfy
-   *     the constraints
+   * @param allowed largest permitted relative change of the velocities
+   * @return whether they satisfy the constraints
    */
   boolean projectVelocities(double t, double[] y, double allowed) {
     work.place(t, y);

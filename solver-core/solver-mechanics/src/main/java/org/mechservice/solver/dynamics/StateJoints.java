@@ -87,16 +87,15 @@ final class StateJoints {
         ? new Defect(
             MessageCode.SINGULAR_INERTIA,
             names,
-            "The inertia is singular: nothing beyond this joint resists its motion in this"
-                + " direction.",
-            "Give a body beyond it mass or inertia in this direction, or take a joint without this"
-                + " freedom.")
+            "The inertia is singular: no body beyond this joint has inertia in this direction.",
+            "Give a body beyond it mass or inertia in this direction, or use a joint without this"
+                + " degree of freedom.")
         : new Defect(
             MessageCode.SINGULAR_INERTIA,
             names,
-            "The inertia is singular: nothing resists these joints when they move together.",
-            "Give the bodies between them mass or inertia, or remove a joint; turning axes that"
-                + " coincide, with massless bodies between them, do this.");
+            "The inertia is singular: these joints move no inertia when they move together.",
+            "Give the bodies between them mass or inertia, or remove a joint; the usual cause is"
+                + " axes that coincide, with massless bodies between them.");
   }
 
   /** Returns the velocities that take part in a motion. */

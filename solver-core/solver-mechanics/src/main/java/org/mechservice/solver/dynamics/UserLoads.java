@@ -30,8 +30,9 @@ public final class UserLoads {
 
   /**
    * @param inputs inputs of the generated code, see {@link #inputs}; each evaluation overwrites its
-   *     loads @throws IllegalArgumentException if a user force cannot be created, or needs an
-   *     element that does not exist
+   *     loads
+   * @throws IllegalArgumentException if a user force cannot be created, or needs an element that
+   *     does not exist
    */
   public UserLoads(Mechanism mechanism, UserForceSource source, double[] inputs) {
     motion = new TreeMotion(new TreeGeometry(withUserForcesAlone(mechanism)));

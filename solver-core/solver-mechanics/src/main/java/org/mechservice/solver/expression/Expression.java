@@ -104,13 +104,16 @@ public sealed interface Expression {
   /**
    * dividend / divisor.
    *
-   * @param dividend numerator @param divisor denominator
+   * @param dividend numerator
+   * @param divisor denominator
    */
   record Quotient(Expression dividend, Expression divisor) implements Expression {}
 
   /**
-   * base to the power of exponent. A negative base requires an integer exponent. @param base the
-   * base @param exponent the exponent
+   * base to the power of exponent. A negative base requires an integer exponent.
+   *
+   * @param base the base
+   * @param exponent the exponent
    */
   record Power(Expression base, Expression exponent) implements Expression {}
 
@@ -136,7 +139,8 @@ public sealed interface Expression {
   /**
    * A function of MECHML §2 other than {@link Function#POW}, which is {@link Power}.
    *
-   * @param function the function @param arguments as many as its arity
+   * @param function the function
+   * @param arguments as many as its arity
    */
   record Call(Function function, List<Expression> arguments) implements Expression {
     public Call {

@@ -32,9 +32,11 @@ public final class ForceSet {
   private int failed = REGULAR;
 
   /**
-   * Prepares the forces of a mechanism that has no user forces. @param motion motion of the
-   * tree @throws IllegalArgumentException if a force refers to a body, joint or coordinate that
-   * does not exist, if its coefficients do not depend on parameters only, or cannot be used
+   * Prepares the forces of a mechanism that has no user forces.
+   *
+   * @param motion motion of the tree
+   * @throws IllegalArgumentException if a force refers to a body, joint or coordinate that does not
+   *     exist, if its coefficients do not depend on parameters only, or cannot be used
    */
   public ForceSet(TreeMotion motion) {
     this(motion, UserForceSource.NONE);
@@ -43,8 +45,9 @@ public final class ForceSet {
   /**
    * Prepares the forces of a mechanism.
    *
-   * @param motion motion of the tree @param source creates the user forces @throws
-   *     IllegalArgumentException as {@link #ForceSet(TreeMotion)}; or if a user force cannot be
+   * @param motion motion of the tree
+   * @param source creates the user forces
+   * @throws IllegalArgumentException as {@link #ForceSet(TreeMotion)}; or if a user force cannot be
    *     created, or needs an element that does not exist
    */
   public ForceSet(TreeMotion motion, UserForceSource source) {

@@ -4,9 +4,9 @@ import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * One link of the chain of elementary links that replaces a joint. @param kind its elementary
- * motion
+ * One link of the chain of elementary links that replaces a joint.
  *
+ * @param kind its elementary motion
  * @param position its first position among those of the joint
  * @param velocity its first velocity among those of the joint
  * @param axis unit vector in the axes of the side nearer the root; zero if there is none

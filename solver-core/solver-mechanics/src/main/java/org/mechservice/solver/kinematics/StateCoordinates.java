@@ -149,7 +149,8 @@ public final class StateCoordinates {
    * Moves positions along the tangent: q += factor δ, e ← exp(½ factor δ) ∘ e.
    *
    * @param q positions from {@code qAt}; overwritten
-   * @param delta nv numbers from {@code deltaAt}, rad or m; not modified @param factor factor of δ
+   * @param delta nv numbers from {@code deltaAt}, rad or m; not modified
+   * @param factor factor of δ
    */
   public void move(double[] q, int qAt, double[] delta, int deltaAt, double factor) {
     for (int i = 0; i < velocityOfPosition.length; i++) {

@@ -113,9 +113,10 @@ public final class TreeMotion {
   }
 
   /**
-   * Sweeps outwards: poses and velocities, relative to the parents and in the world. @param t time,
-   * s @param q positions in state order, rad, m; not modified
+   * Sweeps outwards: poses and velocities, relative to the parents and in the world.
    *
+   * @param t time, s
+   * @param q positions in state order, rad, m; not modified
    * @param v velocities in state order, rad/s, m/s; not modified
    */
   public void sweep(double t, double[] q, double[] v) {

@@ -9,8 +9,10 @@ import org.mechservice.solver.expression.Expression;
  *
  * @param name name in the model file
  * @param trigger of time, parameters and the state
- * @param direction direction of the crossings that count @param action the action @param changes
- *     assignments of {@code SET}; empty for other actions @param origin position in the model file
+ * @param direction direction of the crossings that count
+ * @param action the action
+ * @param changes assignments of {@code SET}; empty for other actions
+ * @param origin position in the model file
  */
 public record Event(
     String name,

@@ -12,8 +12,8 @@ import org.mechservice.solver.api.JointType;
  * @param attachment bodies and points; the rotation at zero is the identity, since e = (1, 0, 0, 0)
  *     means parallel axes
  * @param start Euler parameters and position in m; angular velocity in rad/s and velocity in m/s
- * @param fileBody2IsParent whether the tree leads from the file's body 2 to its body 1 @param
- *     origin position in the model file
+ * @param fileBody2IsParent whether the tree leads from the file's body 2 to its body 1
+ * @param origin position in the model file
  */
 public record Free(
     String name, Attachment attachment, JointStart start, boolean fileBody2IsParent, Origin origin)

@@ -315,7 +315,8 @@ public final class Mechanism {
   /**
    * Returns the times at which the position or the velocity of a driven joint jumps, in order.
    *
-   * @param from first time of interest, s; jumps at this time are left out @param to last one, s
+   * @param from first time of interest, s; jumps at this time are left out
+   * @param to last one, s
    */
   public List<MotionJump> motionJumps(double from, double to) {
     return MotionJumps.of(this, from, to);

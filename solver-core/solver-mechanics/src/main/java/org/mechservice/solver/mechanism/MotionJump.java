@@ -9,10 +9,11 @@ package org.mechservice.solver.mechanism;
  *     −1 if the joint is cut
  * @param ofPosition whether the coordinate jumps, which no mechanism can follow; otherwise its
  *     velocity jumps
- * @param time of the jump, s, to one unit in the last place @param before value at {@link #ahead},
- *     rad or m, rad/s or m/s; may be infinite or NaN @param after value at {@link #behind} @param
- *     roundedAway whether rounding destroys the velocity near the jump, so that {@code before} and
- *     {@code after} are taken farther away; no mechanism can follow such a motion
+ * @param time of the jump, s, to one unit in the last place
+ * @param before value at {@link #ahead}, rad or m, rad/s or m/s; may be infinite or NaN
+ * @param after value at {@link #behind}
+ * @param roundedAway whether rounding destroys the velocity near the jump, so that {@code before}
+ *     and {@code after} are taken farther away; no mechanism can follow such a motion
  */
 public record MotionJump(
     String joint,

@@ -13,8 +13,8 @@ import org.mechservice.solver.spatial.Vector3;
  * @param normal unit vector in the axes of the file's body 1
  * @param direction unit vector x in the axes of the file's body 1, normal to {@code normal}
  * @param start two displacements and an angle, m and rad
- * @param fileBody2IsParent whether the tree leads from the file's body 2 to its body 1 @param
- *     origin position in the model file
+ * @param fileBody2IsParent whether the tree leads from the file's body 2 to its body 1
+ * @param origin position in the model file
  */
 public record Planar(
     String name,

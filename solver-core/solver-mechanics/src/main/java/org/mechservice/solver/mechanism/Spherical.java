@@ -11,8 +11,8 @@ import org.mechservice.solver.api.JointType;
  * @param attachment bodies and points; the rotation at zero is the identity, since e = (1, 0, 0, 0)
  *     means parallel axes
  * @param start Euler parameters, and angular velocity in rad/s
- * @param fileBody2IsParent whether the tree leads from the file's body 2 to its body 1 @param
- *     origin position in the model file
+ * @param fileBody2IsParent whether the tree leads from the file's body 2 to its body 1
+ * @param origin position in the model file
  */
 public record Spherical(
     String name, Attachment attachment, JointStart start, boolean fileBody2IsParent, Origin origin)

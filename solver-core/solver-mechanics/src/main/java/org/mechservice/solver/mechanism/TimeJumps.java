@@ -182,8 +182,9 @@ final class TimeJumps {
   }
 
   /**
-   * A linear function of time. @param atZero value at t = 0
+   * A linear function of time.
    *
+   * @param atZero value at t = 0
    * @param slope per second
    */
   private record Line(double atZero, double slope) {

@@ -6,8 +6,8 @@ import org.mechservice.solver.api.JointType;
  * No motion: A = A0, the two points coincide (MECHML §4, type W).
  *
  * @param name name in the model file
- * @param attachment bodies, points and relative orientation @param origin position in the model
- *     file
+ * @param attachment bodies, points and relative orientation
+ * @param origin position in the model file
  */
 public record Weld(String name, Attachment attachment, Origin origin) implements Joint {
 

@@ -109,8 +109,8 @@ public final class EulerParameters {
    * Turns Euler parameters by a rotation vector: e ← exp(½ δ) ∘ e, exactly; their length stays.
    *
    * @param e from {@code ie}; overwritten
-   * @param delta rotation vector in the outer axes of e, rad, from {@code id}; not modified @param
-   *     factor factor of δ
+   * @param delta rotation vector in the outer axes of e, rad, from {@code id}; not modified
+   * @param factor factor of δ
    */
   public static void turn(double[] e, int ie, double[] delta, int id, double factor) {
     double x = 0.5 * factor * delta[id];

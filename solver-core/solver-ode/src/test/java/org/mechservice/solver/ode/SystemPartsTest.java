@@ -8,14 +8,17 @@ import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.mechservice.solver.ode.stiff.Ode15s;
 import org.mechservice.solver.ode.stiff.Ode15sR;
+import org.mechservice.solver.ode.suite.HeatRod;
 import org.mechservice.solver.ode.suite.Run;
 
 /** A problem wrapped around another keeps what that one tells of itself. */
 class SystemPartsTest {
   private static final int N = 40;
 
-  /** Diffusion along a rod, y_i' = y_{i−1} − 2 y_i + y_{i+1}, and a jump of the source at t = 1. */
-  private static class Rod implements OdeSystem, BandedSystem, PiecewiseSystem {
+  /** A rod with a source of heat that jumps at t = 1; its band is that of the rod. */
+  private static final class HeatedRod implements OdeSystem, PiecewiseSystem {
+    private final HeatRod rod = new HeatRod(N);
+
     @Override
     public int dimension() {
       return N;
@@ -23,26 +26,20 @@ class SystemPartsTest {
 
     @Override
     public void derivative(double t, double[] y, double[] yDot) {
+      rod.derivative(t, y, yDot);
       for (int i = 0; i < N; i++) {
-        double left = i == 0 ? 0 : y[i - 1];
-        double right = i == N - 1 ? 0 : y[i + 1];
-        yDot[i] = 100 * (left - 2 * y[i] + right) + (t < 1 ? 1 : 0);
+        yDot[i] += t < 1 ? 1 : 0;
       }
-    }
-
-    @Override
-    public int lowerBandwidth() {
-      return 1;
-    }
-
-    @Override
-    public int upperBandwidth() {
-      return 1;
     }
 
     @Override
     public List<Double> breakpoints() {
       return List.of(1.0);
+    }
+
+    @Override
+    public <T> Optional<T> part(Class<T> kind) {
+      return kind.isInstance(this) ? Optional.of(kind.cast(this)) : rod.part(kind);
     }
   }
 
@@ -106,8 +103,8 @@ class SystemPartsTest {
   @Test
   void wrappedProblemIsIntegratedWithTheSameStepsEvaluationsAndBits() {
     IntegratorSettings settings = new IntegratorSettings(1e-6, 1e-9);
-    Counted counted = new Counted(new Rod());
-    Run plain = Run.of(new Ode15s(settings), new Rod(), 0, ones(), 2);
+    Counted counted = new Counted(new HeatedRod());
+    Run plain = Run.of(new Ode15s(settings), new HeatedRod(), 0, ones(), 2);
     Run wrapped = Run.of(new Ode15s(settings), counted, 0, ones(), 2);
     assertThat(wrapped.atEnd()).isEqualTo(plain.atEnd());
     assertThat(wrapped.statistics()).isEqualTo(plain.statistics());
@@ -117,7 +114,7 @@ class SystemPartsTest {
   @Test
   void residualMadeOfAnotherProblemIsDifferencedByItsBand() {
     Ode15sR integrator = new Ode15sR(new IntegratorSettings(1e-6, 1e-9));
-    integrator.start(new CountedResidual(new Rod()), 0, ones(), new double[N], 0.5);
+    integrator.start(new CountedResidual(new HeatedRod()), 0, ones(), new double[N], 0.5);
     // y' and y in three groups of columns each, and F itself, instead of N + 1 evaluations.
     assertThat(integrator.statistics().evaluations()).isLessThan(N);
   }

@@ -71,7 +71,7 @@ abstract class AnalysisModel implements AlgebraicModel, Energies, BodyPoses, Run
     return REGULAR;
   }
 
-  /** Keeps why no state was found; returns what {@link #find} returns then. */
+  /** Stores why no state was found; returns the result of {@link #find}. */
   final int fail(Defect why) {
     defect = Optional.of(why);
     return DEFECT;

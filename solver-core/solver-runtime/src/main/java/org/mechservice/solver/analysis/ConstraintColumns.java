@@ -6,9 +6,9 @@ import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.closure.equations.LoopEquations;
 
 /**
- * How far loops are from being closed, and the forces that close them. A tilt counts with the
- * mechanism's length, so that both residuals are in m. The forces of an equation are −λ times its
- * gradient: a rod in tension has a positive multiplier.
+ * Residuals of the loops and the forces that close them. A tilt is multiplied by the mechanism's
+ * length, so that all residuals are in m. The forces of an equation are −λ times its gradient: a
+ * rod in tension has a positive multiplier.
  */
 final class ConstraintColumns implements ColumnValues {
   private final EquationsOfMotion equations;

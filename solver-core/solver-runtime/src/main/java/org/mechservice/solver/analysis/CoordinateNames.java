@@ -6,7 +6,7 @@ import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 
-/** What the velocities of the state are called, and the coordinates that move with them. */
+/** Names of the velocities of the state and of their coordinates. */
 final class CoordinateNames {
   private final List<String> names = new ArrayList<>();
   private final List<Boolean> slides = new ArrayList<>();

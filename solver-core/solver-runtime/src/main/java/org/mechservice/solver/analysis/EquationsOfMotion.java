@@ -16,13 +16,13 @@ import org.mechservice.solver.mechanism.Mechanism;
 
 /**
  * M v' + b − τ + Jᵀ λ = 0 and Φ(q, t) = 0 of a mechanism with or without loops, at one state at a
- * time, whatever the formulation it is integrated in. Workspace of one thread.
+ * time, independent of the formulation of the integration. Workspace of one thread.
  *
- * <p>Where loops have more equations than freedoms they take, the multipliers are those of least
- * norm, each counted as the moment or the force times the mechanism's length.
+ * <p>If loop equations are redundant, the multipliers are those of least norm, with forces
+ * multiplied by the mechanism's length.
  */
 final class EquationsOfMotion {
-  /** Residual over its size at which loops are closed, and what rounding may leave of it. */
+  /** Relative residual at which loops are closed, and the residual that rounding may leave. */
   private static final double CLOSED = 1e-14;
 
   private static final double ROUNDED = 1e-11;
@@ -59,7 +59,7 @@ final class EquationsOfMotion {
   /** J by its singular values, as decomposed last. */
   final ScaledJacobian jacobian;
 
-  /** Change found by {@link #solveLeast}, one number per velocity of the state. */
+  /** Solution of {@link #solveLeast}, one number per velocity of the state. */
   final double[] step;
 
   EquationsOfMotion(Mechanism mechanism, UserForceSource userForces) {
@@ -113,8 +113,8 @@ final class EquationsOfMotion {
   }
 
   /**
-   * Finds the multipliers that come nearest to M v' + b − τ + Jᵀ λ = 0 after {@link #formResidual},
-   * and takes their forces into the residual and the transmitted wrenches.
+   * Finds the least-squares multipliers of M v' + b − τ + Jᵀ λ = 0 after {@link #formResidual}, and
+   * adds their forces to the residual and the transmitted wrenches.
    */
   void balance() {
     System.arraycopy(wrench, 0, loadedWrench, 0, wrench.length);
@@ -134,10 +134,10 @@ final class EquationsOfMotion {
   }
 
   /**
-   * Moves positions as little as closes the loops.
+   * Closes the loops by the least change of the positions.
    *
    * @param y state; its positions are overwritten
-   * @return whether they are closed; if not, y is where the iteration ended
+   * @return whether they are closed; if not, y is the last iterate
    */
   boolean closePositions(double t, double[] y) {
     for (int i = 0; i < ITERATIONS; i++) {
@@ -149,7 +149,7 @@ final class EquationsOfMotion {
       solveLeast(loops.value);
       coordinates.move(y, 0, step, 0, 1);
       place(t, y);
-      // Rounding may keep the residual just above the bound: no correction makes it smaller then.
+      // Rounding may keep the residual just above the bound; further corrections do not reduce it.
       if (loops.largestResidual() <= ROUNDED && !(loops.largestResidual() < 0.5 * before)) {
         return true;
       }
@@ -157,7 +157,7 @@ final class EquationsOfMotion {
     return loops.largestResidual() <= ROUNDED;
   }
 
-  /** Leaves the smallest x with J x = −rows in {@code step}. */
+  /** Writes the smallest x with J x = −rows to {@code step}. */
   void solveLeast(double[] rows) {
     jacobian.decompose();
     jacobian.change(lambda.length, rows, step);

@@ -9,10 +9,10 @@ final class EquilibriumModel extends AnalysisModel {
   private final StaticEquilibrium equilibrium;
 
   /**
-   * @param data the model, its motions held
-   * @param tolerance largest force left over relative to the largest in play
-   * @param most corrections allowed
-   * @param userForces makes the forces that users have written
+   * @param data the model with its motions held constant
+   * @param tolerance largest residual force relative to the largest force
+   * @param most largest number of corrections
+   * @param userForces creates the user forces
    */
   EquilibriumModel(CompactModel data, double tolerance, int most, UserForceSource userForces) {
     super(data, userForces);

@@ -3,14 +3,14 @@ package org.mechservice.solver.analysis;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.force.user.UserForceSource;
 
-/** What the class of a model at rest is, but for its data. */
+/** Superclass of the class of a model at rest, which adds the data. */
 public abstract class EquilibriumSource extends ExtendedSource {
   private final double tolerance;
   private final int mostCorrections;
 
   /**
-   * @param options largest force left over relative to the largest in play, and most corrections,
-   *     separated by a blank
+   * @param options largest residual force relative to the largest force, and largest number of
+   *     corrections, separated by a blank
    * @param groups labels of the columns' groups, separated by commas
    */
   protected EquilibriumSource(String options, String groups) {
@@ -20,7 +20,7 @@ public abstract class EquilibriumSource extends ExtendedSource {
     mostCorrections = Integer.parseInt(options.substring(blank + 1));
   }
 
-  /** {@inheritDoc} Motions are held where they are at the start. */
+  /** {@inheritDoc} Motions are held at their start values. */
   @Override
   final CompactModel prepared(CompactModel data) {
     return new CompactModel(

@@ -9,8 +9,8 @@ import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.compact.CompactSource;
 
 /**
- * What the class of a model with further columns is, but for its data: they serve the columns, and
- * the model too unless code was generated for it.
+ * Superclass of the class of a model with further columns, which adds the data. The columns are
+ * computed from the data, and so is the model unless code was generated for it.
  */
 public abstract class ExtendedSource extends CompactSource {
   private final Set<ColumnGroup> groups;
@@ -23,7 +23,7 @@ public abstract class ExtendedSource extends CompactSource {
     this.groups.remove(ColumnGroup.JOINTS);
   }
 
-  /** Returns the data that model and columns are about; where motions are held, so held. */
+  /** Returns the data of model and columns; subclasses may hold motions constant. */
   CompactModel prepared(CompactModel data) {
     return data;
   }
@@ -35,7 +35,10 @@ public abstract class ExtendedSource extends CompactSource {
     return built.with(columns((ExplicitModel) built.equations(), data));
   }
 
-  /** Outputs are computed beside the model, perhaps by another thread: their code is its own. */
+  /**
+   * Creates the columns. Outputs may be computed by another thread than the model, so they have
+   * their own instance of the code.
+   */
   private FurtherColumns columns(ExplicitModel model, CompactModel data) {
     return new FurtherColumns(model, data, groups, userForces(), values(data));
   }

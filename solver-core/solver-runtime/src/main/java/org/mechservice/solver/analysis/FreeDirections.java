@@ -7,8 +7,8 @@ import org.mechservice.solver.linear.LinearSolver;
 import org.mechservice.solver.linear.PivotedElimination;
 
 /**
- * The directions that loops leave free at a state: x = R x_I with J x = 0, x_I those of as many
- * independent velocities as there are freedoms, chosen by pivoting.
+ * The free directions of loops at a state: x = R x_I with J x = 0; pivoting chooses the independent
+ * velocities x_I, one per degree of freedom.
  */
 final class FreeDirections {
   private final EquationsOfMotion equations;
@@ -27,7 +27,7 @@ final class FreeDirections {
   private final DenseLu lu;
   private final double[] column;
 
-  /** Chooses directions at the place of the equations, whose J is evaluated. */
+  /** Chooses directions at the placed state of the equations, whose J must be evaluated. */
   FreeDirections(EquationsOfMotion equations) {
     this.equations = equations;
     n = equations.nv;
@@ -98,8 +98,7 @@ final class FreeDirections {
   }
 
   /**
-   * Finds what dependent velocities must be so that J x + rows = 0, the independent ones being
-   * zero.
+   * Finds the dependent velocities with J x + rows = 0 for zero independent velocities.
    *
    * @param rows one number per equation; not modified
    * @param x n numbers; overwritten

@@ -17,13 +17,14 @@ import org.mechservice.solver.dynamics.event.WrittenValues;
 import org.mechservice.solver.force.user.UserForceSource;
 
 /**
- * Result columns that a model does not have of itself: residuals and multipliers of constraints,
- * reactions in joints, values of forces, outputs by expression. They follow from its accelerations
- * by one sweep over the mechanism, the same for every formulation.
+ * Result columns that a model does not compute itself: residuals and multipliers of constraints,
+ * joint reactions, values of forces, outputs by expression. One sweep over the mechanism computes
+ * them from the accelerations, for all formulations.
  */
 public final class FurtherColumns implements ResultColumns {
   private static final Set<ColumnGroup> NEED_BALANCE =
-      EnumSet.of(ColumnGroup.CONSTRAINTS, ColumnGroup.REACTIONS, ColumnGroup.FORCES);
+      EnumSet.of(
+          ColumnGroup.CONSTRAINTS, ColumnGroup.REACTIONS, ColumnGroup.FORCES, ColumnGroup.DRIVES);
 
   private final ExplicitModel model;
   private final EquationsOfMotion equations;
@@ -38,8 +39,8 @@ public final class FurtherColumns implements ResultColumns {
    *
    * @param model gives the accelerations, and the groups that are not asked for here
    * @param data its mechanism and outputs
-   * @param asked groups among constraints, reactions, forces, outputs and momentum
-   * @param userForces makes the forces that users have written
+   * @param asked groups among constraints, reactions, forces, outputs, momentum and drives
+   * @param userForces creates the user forces
    * @param code evaluates the outputs, if it was written for them
    */
   public FurtherColumns(
@@ -71,6 +72,7 @@ public final class FurtherColumns implements ResultColumns {
       case FORCES -> new ForceColumns(equations);
       case OUTPUTS -> new OutputColumns(equations.motion, data.outputs());
       case MOMENTUM -> new MomentumColumns(model, equations.motion);
+      case DRIVES -> new DriveColumns(equations);
       default -> throw new IllegalArgumentException(group + " are columns of the model itself");
     };
   }

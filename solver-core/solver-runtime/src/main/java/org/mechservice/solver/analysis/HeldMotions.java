@@ -10,11 +10,11 @@ import org.mechservice.solver.mechanism.PrescribedMotion;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 
-/** A mechanism whose prescribed motions stand still: the one that statics is about. */
+/** A mechanism whose prescribed motions are held constant, for statics. */
 final class HeldMotions {
   private HeldMotions() {}
 
-  /** Returns the mechanism with its motions held where they are at a time. */
+  /** Returns the mechanism with its motions held at their values of a given time. */
   static Mechanism at(Mechanism mechanism, double t) {
     List<PrescribedMotion> motions = new ArrayList<>();
     for (PrescribedMotion motion : mechanism.motions()) {

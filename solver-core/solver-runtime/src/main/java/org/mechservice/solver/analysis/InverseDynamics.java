@@ -9,19 +9,19 @@ import org.mechservice.solver.linear.SingularValues;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**
- * Joint forces that a motion takes beyond those applied: Rᵀ τ = Rᵀ (M a + b − τ_applied), R the
- * directions that loops leave free. On a tree there is one answer; on loops, the forces of least
- * norm among those that act in the coordinates given, forces being counted times the mechanism's
- * length. Workspace of one thread.
+ * Joint forces of a given motion in addition to the applied ones: Rᵀ τ = Rᵀ (M a + b − τ_applied),
+ * with R the free directions of the loops. They are unique for a tree; with loops they are those of
+ * least norm in the given coordinates, with forces multiplied by the mechanism's length. Workspace
+ * of one thread.
  */
 public final class InverseDynamics {
-  /** Singular values below this part of the largest are not divided by. */
+  /** Singular values below this fraction of the largest are taken as zero. */
   private static final double NEGLIGIBLE = 1e-10;
 
   private final EquationsOfMotion equations;
 
   /**
-   * @param userForces makes the forces that users have written
+   * @param userForces creates the user forces
    */
   public InverseDynamics(Mechanism mechanism, UserForceSource userForces) {
     equations = new EquationsOfMotion(mechanism, userForces);
@@ -35,8 +35,8 @@ public final class InverseDynamics {
    * @param a accelerations that fit it, nv numbers, rad/s² or m/s²; not modified
    * @param at velocities of the state in whose coordinates forces act; not modified
    * @param tau nv numbers, N·m or N, zero where no force acts; overwritten
-   * @return why there are none: a force has no value there, or those coordinates cannot drive the
-   *     mechanism as wanted; empty if they were found
+   * @return the reason of a failure: a force has no value, or forces in these coordinates cannot
+   *     produce the motion; empty if the forces were found
    */
   public Optional<Defect> forces(double t, double[] y, double[] a, int[] at, double[] tau) {
     equations.place(t, y);

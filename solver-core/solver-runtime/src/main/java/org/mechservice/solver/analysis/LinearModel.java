@@ -26,7 +26,7 @@ import org.mechservice.solver.force.user.UserForceSource;
  * and K.
  */
 final class LinearModel implements ResultTable, RunNotes {
-  /** As the language has them where a static simulation says nothing. */
+  /** Defaults of a static simulation in MechML. */
   private static final double TOLERANCE = 1e-9;
 
   private static final int MOST_CORRECTIONS = 100;
@@ -40,7 +40,7 @@ final class LinearModel implements ResultTable, RunNotes {
   private final List<Note> notes = new ArrayList<>();
   private Optional<Defect> defect = Optional.empty();
 
-  /** Where it is linearised: the equations, the state, its accelerations. */
+  /** Point of linearisation: the equations, the state, its accelerations. */
   private EquationsOfMotion equations;
 
   private double[] y;
@@ -189,7 +189,7 @@ final class LinearModel implements ResultTable, RunNotes {
     return ExplicitModel.REGULAR;
   }
 
-  /** The row of each independent coordinate; columns of dependent ones are zero. */
+  /** Writes the row of each independent coordinate; columns of dependent ones are zero. */
   private int writeMatrices(double t, Linearisation linear, ResultSink sink) throws IOException {
     int f = linear.freedom();
     double[][] matrices = {linear.mass, linear.damping, linear.stiffness};

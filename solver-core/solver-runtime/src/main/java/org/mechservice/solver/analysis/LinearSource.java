@@ -5,7 +5,7 @@ import org.mechservice.solver.api.Model;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.compact.CompactSource;
 
-/** What the class of a model of small motions is, but for its data. */
+/** Superclass of the class of a model of small motions, which adds the data. */
 public abstract class LinearSource extends CompactSource {
   private final boolean atEquilibrium;
   private final boolean modes;
@@ -13,7 +13,7 @@ public abstract class LinearSource extends CompactSource {
   /**
    * @param options {@code start} or {@code equilibrium}, and {@code modes} or {@code matrices},
    *     separated by a blank
-   * @param groups not used: a table has columns of its own
+   * @param groups not used: a table has its own columns
    */
   protected LinearSource(String options, String groups) {
     List<String> words = List.of(options.split(" ", -1));

@@ -11,17 +11,17 @@ import org.mechservice.solver.linear.DenseLu;
 import org.mechservice.solver.linear.LinearSolver;
 
 /**
- * Small motions about a state, in the directions that loops leave free:
+ * Small motions about a state, in the free directions of the loops:
  *
  * <pre>
  * M z'' + C z' + K z = 0,  ξ = R z
  * K = Rᵀ (∂F/∂q R + ∂F/∂v V + M A_q),  C = Rᵀ (∂F/∂v R + M A_v),  F = M v' + b − τ + Jᵀ λ
  * </pre>
  *
- * <p>ξ is a small move of each velocity's coordinate: a rotation in the axes of body 1 where those
- * are Euler parameters. The derivatives of F are analytic, λ held; V, A_q and A_v are those of
- * {@link LoopVariations}. About an equilibrium the motions are those near it; about another state
- * they are the differences between neighbouring motions at that instant.
+ * <p>ξ is a small displacement of each velocity's coordinate: a rotation in the axes of body 1 for
+ * Euler parameters. The derivatives of F are analytic, with constant λ; V, A_q and A_v are those of
+ * {@link LoopVariations}. At an equilibrium the equations describe the motions near it; at another
+ * state they describe the differences between neighbouring motions at that time.
  */
 final class Linearisation {
   private final EquationsOfMotion equations;
@@ -41,7 +41,7 @@ final class Linearisation {
   /**
    * Linearises.
    *
-   * @param equations placed anew
+   * @param equations placed by this constructor
    * @param t time, s
    * @param y state that closes the loops; not modified
    * @param a accelerations that fit the state; not modified
@@ -86,7 +86,7 @@ final class Linearisation {
     }
   }
 
-  /** A force has no value or derivative in the state. */
+  /** Thrown if a force has no value or derivative at the state. */
   static final class NotLinearised extends Exception {
     private static final long serialVersionUID = 1L;
 
@@ -127,7 +127,7 @@ final class Linearisation {
     return a;
   }
 
-  /** The independent part of G R: ξ' = δv + ω × ξ for rotations. */
+  /** Returns the independent part of G R: ξ' = δv + ω × ξ for rotations. */
   private double[] turning() {
     double[] rows = new double[f * f];
     for (int ball = 0; ball < equations.coordinates.ballCount(); ball++) {

@@ -4,11 +4,11 @@ import java.util.Arrays;
 import org.mechservice.solver.closure.equations.LoopEquations;
 
 /**
- * How dependent velocities and accelerations of a moving loop change with the independent ones: v =
- * R v_I + V ξ_I, a = R a_I + A_v v_I + A_q ξ_I for small ξ. At rest all three vanish.
+ * Derivatives of dependent velocities and accelerations of a moving loop by the independent ones: v
+ * = R v_I + V ξ_I, a = R a_I + A_v v_I + A_q ξ_I for small ξ. All three are zero at rest.
  *
- * <p>J v + Φ_t and J a + γ are varied by central differences of three steps, extrapolated; in v
- * they are quadratic, so that one step is exact.
+ * <p>J v + Φ_t and J a + γ are varied by central differences of three steps, extrapolated; they are
+ * quadratic in v, so that one step is exact.
  */
 final class LoopVariations {
   private static final double STEP = 4e-3;
@@ -90,7 +90,10 @@ final class LoopVariations {
     }
   }
 
-  /** Returns how Φ' and Φ'' change with a displacement, velocities and accelerations held. */
+  /**
+   * Returns the derivatives of Φ' and Φ'' along a displacement, with constant velocities and
+   * accelerations.
+   */
   private double[] byPlace(double[] direction) {
     double[] coarse = difference(direction, STEP);
     double[] middle = difference(direction, STEP / 2);

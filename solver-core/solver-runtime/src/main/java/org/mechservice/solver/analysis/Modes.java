@@ -5,8 +5,8 @@ import org.mechservice.solver.linear.Eigenvalues;
 
 /**
  * Eigenvalues λ and shapes of small motions e^(λt): the slowest first, one mode for each pair of
- * conjugates, two for the real pair of an overdamped motion. A motion that nothing brings back,
- * such as that of a body in free flight, gives modes of λ = 0: two where nothing damps it.
+ * conjugates, two for the real pair of an overdamped motion. A motion without restoring force, such
+ * as that of a body in free flight, has modes with λ = 0: two of them without damping.
  */
 final class Modes {
   /**
@@ -81,8 +81,8 @@ final class Modes {
   }
 
   /**
-   * Writes the move of each velocity's coordinate, rad or m, the largest being 1 (1 rad or one
-   * length of the mechanism).
+   * Writes the displacement of each velocity's coordinate, rad or m, with the largest equal to 1 (1
+   * rad or one length of the mechanism).
    *
    * @param unit of each velocity
    * @param re real parts; overwritten

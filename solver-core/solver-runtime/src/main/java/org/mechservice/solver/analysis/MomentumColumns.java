@@ -13,14 +13,12 @@ import org.mechservice.solver.dynamics.recursion.TotalMomentum;
 import org.mechservice.solver.kinematics.TreeMotion;
 
 /**
- * Linear and angular momentum of the whole, and the impulse since the start of what acts on it from
- * outside: gravity, forces that come from the ground, and the ground's reactions. World axes;
- * angular momentum is about the place of the centre of mass at the first row, which rests.
+ * Total linear and angular momentum, and the impulse of the external loads since the start:
+ * gravity, external forces and ground reactions. World axes; angular momentum is about the fixed
+ * point at which the centre of mass is in the first row.
  */
 final class MomentumColumns implements ColumnValues, MomentumBalance {
-  /**
-   * Relative to what acts, a change that rounding explains: sums over bodies, roundings of each.
-   */
+  /** Relative change that rounding explains: sums over bodies, with rounding errors of each. */
   private static final double ROUNDING = 1000 * 0x1p-52;
 
   private static final String[] COMPONENTS = {"px", "py", "pz", "lx", "ly", "lz"};
@@ -39,7 +37,7 @@ final class MomentumColumns implements ColumnValues, MomentumBalance {
   private final double[] start = new double[6];
   private final double[] impulse = new double[6];
 
-  /** What events of the time {@code jumpTime} do, and rows up to then do not show. */
+  /** Impulse of events at the time {@code jumpTime}, which rows up to then do not include. */
   private final double[] jump = new double[6];
 
   private double jumpTime;

@@ -6,7 +6,7 @@ import org.mechservice.solver.force.formula.ExpressionInputs;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Output;
 
-/** What a model's author asked for by expression. */
+/** User-defined outputs, evaluated from expressions. */
 final class OutputColumns implements ColumnValues {
   private final List<Variable> columns;
   private final ExpressionInputs expressions;

@@ -14,19 +14,19 @@ import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.force.user.UserForceSource;
 
 /**
- * A mechanism all of whose coordinates follow from prescribed motions: driven joints, and loops
- * that take the rest along. Positions come from Φ(q, t) = 0 by Newton's method, from one output
- * time to the next in steps small enough that the position predicted is close; velocities and
- * accelerations from J v = −Φ_t and J a = −γ. The forces this takes are columns of their own.
+ * A mechanism whose coordinates all follow from prescribed motions, through driven joints and
+ * loops. Positions come from Φ(q, t) = 0 by Newton's method, from one output time to the next in
+ * steps small enough for a good prediction; velocities and accelerations from J v = −Φ_t and J a =
+ * −γ. The necessary forces are separate columns.
  */
 final class PrescribedModel extends AnalysisModel {
-  /** A position may differ from the one predicted by this, rad or lengths of the mechanism. */
+  /** Largest difference of a position from the predicted one, rad or lengths of the mechanism. */
   private static final double NEAR = 0.05;
 
-  /** A step is not made shorter than this part of the way between two output times. */
+  /** Shortest step, as a fraction of the interval between two output times. */
   private static final double SHORTEST = 1e-9;
 
-  /** A position is singular where the smallest singular value is below this part of the largest. */
+  /** Ratio of the smallest to the largest singular value below which a position is singular. */
   private static final double SINGULAR = 1e-8;
 
   private final CoordinateNames names;
@@ -141,7 +141,7 @@ final class PrescribedModel extends AnalysisModel {
     return equations.unit[equations.coordinates.velocityOf(position)];
   }
 
-  /** Finds velocities and accelerations at the positions reached. */
+  /** Finds velocities and accelerations at the present positions. */
   private Optional<Defect> move(double t) {
     int n = equations.nv;
     Arrays.fill(y, equations.nq, y.length, 0);
@@ -198,7 +198,8 @@ final class PrescribedModel extends AnalysisModel {
         where,
         "The mechanism comes to a singular position: the prescribed motion does not determine how"
             + " it goes on.",
-        "Drive another joint, or end before this position; begin beyond it to go on.");
+        "Drive another joint, or end the run before this position; a second run can start beyond"
+            + " it.");
   }
 
   private Defect stuck(double t, double[] predicted) {
@@ -222,8 +223,8 @@ final class PrescribedModel extends AnalysisModel {
             "No position fits the prescribed motion: this constraint stays open by %.1e %s.",
             amount,
             unit),
-        "Look at the range of the motion: the mechanism is stretched to its end there, or joints"
-            + " are driven against each other.");
+        "Check the range of the motion: the mechanism is fully stretched there, or drives of joints"
+            + " contradict each other.");
   }
 
   @Override

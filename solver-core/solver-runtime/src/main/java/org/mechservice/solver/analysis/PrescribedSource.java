@@ -3,7 +3,7 @@ package org.mechservice.solver.analysis;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.force.user.UserForceSource;
 
-/** What the class of a model all of whose motion is prescribed is, but for its data. */
+/** Superclass of the class of a model whose motion is prescribed, which adds the data. */
 public abstract class PrescribedSource extends ExtendedSource {
   /**
    * @param options none

@@ -11,9 +11,9 @@ import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 
 /**
- * Force and moment that each joint exerts by what it forbids and by what drives it, without
- * springs, dampers and friction along its coordinates. They act on the outer body of a joint of the
- * tree, and on body 2 of a cut joint, at that body's point of the joint; world axes.
+ * Reaction force and moment of each joint: its constraint and driving forces, without springs,
+ * dampers and friction along its coordinates. They act on the outer body of a joint of the tree,
+ * and on body 2 of a cut joint, at that body's point of the joint; world axes.
  */
 final class ReactionColumns implements ColumnValues {
   private static final String[] COMPONENTS = {".fx", ".fy", ".fz", ".tx", ".ty", ".tz"};

@@ -18,47 +18,50 @@ import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * Where a mechanism comes to rest: Rᵀ (b − τ) = 0 at v = 0 on the positions that close the loops,
- * prescribed motions held.
+ * The equilibrium of a mechanism: Rᵀ (b − τ) = 0 at v = 0 for positions that close the loops, with
+ * constant prescribed motions.
  *
- * <p>Newton's method within a region of trust (Conn, Gould and Toint 2000, ch. 6): steps (K + λD) z
- * = −Rᵀ (b − τ) with λ = 0 or such that z is as long as is trusted and K + λD positive definite, so
- * that they lead downhill and away from an unstable equilibrium. D is diagonal, of the sizes of K
- * and of the forces left over: then λ is about one where it matters, and all freedoms move alike. A
- * step is taken if the forces along it have done work; trust grows where they have done what K
- * foretold and shrinks where not. The work is that of the mean of the forces at the two ends of the
- * step, so that forces without a potential count as well.
+ * <p>A trust-region Newton method (Conn, Gould and Toint 2000, ch. 6) solves (K + λD) z = −Rᵀ (b −
+ * τ), with λ = 0 or such that z has the trust radius and K + λD is positive definite, so that steps
+ * lead downhill and away from an unstable equilibrium. D is diagonal, scaled by K and the residual
+ * forces, so that relevant λ are about one and all degrees of freedom are treated equally. A step
+ * is accepted if the forces along it have done work; the trust radius grows if the work agrees with
+ * the prediction of K and shrinks otherwise. The work is that of the mean of the forces at both
+ * ends of the step, so that non-conservative forces are included.
  */
 final class StaticEquilibrium {
   /**
-   * Steps trusted at first and at most: what a coordinate may move, rad or lengths of the
-   * mechanism. Longer ones might lead to an equilibrium that is not the nearest downhill.
+   * Initial and largest trust radius: largest move of a coordinate, rad or lengths of the
+   * mechanism. Longer steps might lead to an equilibrium that is not the nearest downhill.
    */
   private static final double FIRST_TRUST = 0.1;
 
   private static final double MOST_TRUST = 0.3;
 
-  /** Steps shorter than this lead nowhere. */
+  /** Smallest trust radius; the search then fails. */
   private static final double LEAST_TRUST = 1e-12;
 
-  /** Parts of the work foretold below which a step is not taken, or trusted less or more next. */
+  /**
+   * Fractions of the predicted work below which a step is rejected, or the trust radius shrinks or
+   * grows.
+   */
   private static final double TAKEN = 1e-3;
 
   private static final double TRUSTED_LESS = 0.25;
   private static final double TRUSTED_MORE = 0.7;
 
-  /** Part of the trusted length that a step in between has at least. */
+  /** Smallest length of a step at the trust radius, as a fraction of it. */
   private static final double LONG_ENOUGH = 0.8;
 
-  /** Factor by which λ is looked for, and how often at most. */
+  /** Factor of the search for λ, and its largest number of trials. */
   private static final double GROWTH = 10;
 
   private static final int TRIES = 60;
 
-  /** Part of its largest element that D has at least. */
+  /** Smallest element of D, as a fraction of its largest. */
   private static final double LEAST_SCALE = 1e-9;
 
-  /** A mode grows if its exponent is beyond this part of the largest eigenvalue. */
+  /** Growth rate, as a fraction of the largest eigenvalue, above which a mode is unstable. */
   private static final double GROWS = 1e-6;
 
   private final Mechanism mechanism;
@@ -72,15 +75,15 @@ final class StaticEquilibrium {
   private Optional<Defect> defect = Optional.empty();
   private long iterations;
 
-  /** Forces left over, Rᵀ (b − τ), and the directions they are along. */
+  /** Residual forces Rᵀ (b − τ), and their directions. */
   private double[] left = new double[0];
 
   private int worst;
   private double worstPart;
 
   /**
-   * @param tolerance largest force left over relative to the largest in play
-   * @param most corrections allowed
+   * @param tolerance largest residual force relative to the largest force
+   * @param most largest number of corrections
    */
   StaticEquilibrium(Mechanism mechanism, UserForceSource userForces, double tolerance, int most) {
     this.mechanism = mechanism;
@@ -101,17 +104,17 @@ final class StaticEquilibrium {
     return defect.orElseThrow();
   }
 
-  /** Returns what there is to say of the equilibria found. */
+  /** Returns notes on the equilibria found. */
   List<Note> notes() {
     return List.copyOf(notes);
   }
 
-  /** Returns how many corrections were made in all. */
+  /** Returns the total number of corrections. */
   long iterations() {
     return iterations;
   }
 
-  /** Returns the equations, whose motions are held; placed at the state found. */
+  /** Returns the equations with constant motions, placed at the state found. */
   EquationsOfMotion equations() {
     return equations;
   }
@@ -178,7 +181,7 @@ final class StaticEquilibrium {
     return notFound();
   }
 
-  /** Returns the largest force left over, relative to those in play. */
+  /** Returns the largest residual force relative to the largest force. */
   private double unbalanced(Linearisation linear) {
     left = new double[linear.freedom()];
     linear.project(equations.residual, left);
@@ -196,7 +199,7 @@ final class StaticEquilibrium {
     return worstPart;
   }
 
-  /** Returns the moment that weight and applied forces could have at most, N·m. */
+  /** Returns an upper bound of the moment of weight and applied forces, N·m. */
   private double inPlay() {
     double length = equations.loops.length();
     Vector3 g = mechanism.gravity();
@@ -223,7 +226,7 @@ final class StaticEquilibrium {
     return longest;
   }
 
-  /** Solves for a step no longer than is trusted. */
+  /** Solves for a step within the trust radius. */
   private void solve(Linearisation linear, double trust, double[] z) {
     double[] scale = scale(linear);
     if (solve(linear, scale, 0, z) && longest(linear, z) <= trust) {
@@ -249,7 +252,9 @@ final class StaticEquilibrium {
     solve(linear, scale, above, z);
   }
 
-  /** Returns D: what K and the forces left over are along each freedom, N·m or N/m. */
+  /**
+   * Returns D: the scale of K and of the residual forces for each degree of freedom, N·m or N/m.
+   */
   private double[] scale(Linearisation linear) {
     int f = linear.freedom();
     double[] scale = new double[f];
@@ -294,7 +299,7 @@ final class StaticEquilibrium {
   /**
    * Moves along z if that is downhill.
    *
-   * @return the work that the forces have done over what K foretold; NaN if the loops cannot be
+   * @return the work of the forces divided by the prediction of K; NaN if the loops cannot be
    *     closed there or a force has no value
    */
   private double move(double t, Linearisation linear, double[] z) {
@@ -337,8 +342,9 @@ final class StaticEquilibrium {
             new Defect(
                 MessageCode.NO_EQUILIBRIUM,
                 worst < 0 ? "" : names.part(worst),
-                "No equilibrium was found: on the way to it the loops cannot be closed.",
-                "Start nearer to the equilibrium; the mechanism locks on the way."));
+                "No equilibrium was found: the loops cannot be closed between the start and the"
+                    + " equilibrium.",
+                "Start nearer to the equilibrium; the mechanism locks before it."));
     return false;
   }
 
@@ -354,12 +360,12 @@ final class StaticEquilibrium {
                         + " %.3g of those in play.",
                     iterations,
                     worstPart),
-                "Hold what nothing holds, start nearer to the equilibrium, or allow more"
-                    + " corrections with maxIterations."));
+                "Add a restoring force to free motions, start nearer to the equilibrium, or allow"
+                    + " more corrections with maxIterations."));
     return false;
   }
 
-  /** Says whether the equilibrium is unstable, or not the only one near. */
+  /** Adds a note if the equilibrium is unstable or not isolated. */
   private void judge(double t, Linearisation linear) {
     double[] system = linear.freedom() == 0 ? new double[0] : linear.system();
     if (system.length == 0) {

@@ -2,7 +2,7 @@ package org.mechservice.solver.analysis;
 
 import org.mechservice.solver.dynamics.event.WrittenValues;
 
-/** What a model's author asked for by expression, evaluated by code written for it. */
+/** User-defined outputs, evaluated by generated code. */
 final class WrittenOutputs {
   private final WrittenValues code;
   private final double[] outputs;

@@ -8,8 +8,8 @@
  * AnalysisModel}.
  *
  * <p>The classes whose names end in {@code Columns} compute further columns of the results in a
- * given state: reactions and multipliers, forces, momenta, constraint residuals. Each kind is a
- * class of its own, so that a standalone JAR carries only the columns of its scene.
+ * given state: reactions and multipliers, forces, drives, momenta, constraint residuals. Each kind
+ * is a class of its own, so that a standalone JAR carries only the columns of its scene.
  *
  * <p>The package depends on {@code solver.api} and on the mechanics of the model.
  */

@@ -13,7 +13,7 @@ import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.spatial.Vector3;
 
-/** A mechanism as bytes and back, the same to the last bit. */
+/** Conversion of a mechanism to bytes and back, without changing a bit of its numbers. */
 public final class CompactForm {
   private CompactForm() {}
 
@@ -35,9 +35,9 @@ public final class CompactForm {
   }
 
   /**
-   * Returns the mechanism that bytes stand for.
+   * Returns the mechanism of bytes.
    *
-   * @param bytes what {@link #write} returned; not modified
+   * @param bytes bytes from {@link #write}; not modified
    * @throws IllegalArgumentException S-067 if they are damaged or of another version
    */
   public static Mechanism read(byte[] bytes) {

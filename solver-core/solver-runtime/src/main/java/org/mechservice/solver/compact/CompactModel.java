@@ -18,14 +18,14 @@ import org.mechservice.solver.mechanism.Output;
 import org.mechservice.solver.mechanism.Parameter;
 
 /**
- * A model whose class carries data: the mechanism and how its equations are written, as texts that
- * fit into a class file.
+ * A model whose class contains data: the mechanism and the names of formulation and closure, as
+ * texts that fit into a class file.
  *
  * @param mechanism the mechanism
  * @param formulation {@code DTR}, {@code DSR}, {@code RR} or {@code RR-JF}
  * @param closure {@code none}, {@code projection} or {@code penalty}
- * @param settings the settings the model carries
- * @param outputs columns of its author's own that it is to put out
+ * @param settings default settings of the model
+ * @param outputs user-defined output columns
  */
 public record CompactModel(
     Mechanism mechanism,
@@ -36,14 +36,14 @@ public record CompactModel(
   /** A text constant of a class file holds 65535 bytes; a character takes one or two. */
   private static final int LONGEST_TEXT = 32_000;
 
-  /** Characters at the front that say how long the head is. */
+  /** Number of leading characters with the length of the head. */
   private static final int HEAD = 3;
 
   public CompactModel {
     outputs = List.copyOf(outputs);
   }
 
-  /** A model without outputs of its author's own. */
+  /** Creates a model without user-defined outputs. */
   public CompactModel(
       Mechanism mechanism, String formulation, String closure, RunSettings settings) {
     this(mechanism, formulation, closure, settings, List.of());
@@ -68,9 +68,9 @@ public record CompactModel(
   }
 
   /**
-   * Returns the model that texts stand for.
+   * Returns the model of texts.
    *
-   * @param texts what {@link #texts} returned
+   * @param texts texts from {@link #texts}
    * @throws IllegalArgumentException S-067 if they are damaged or of another version
    */
   @SuppressWarnings("unchecked") // What the list holds is looked at by whoever puts it out.
@@ -115,18 +115,19 @@ public record CompactModel(
   /**
    * Returns the equations of motion, driven by the data.
    *
-   * @param userForces makes the forces that users have written
-   * @throws IllegalArgumentException if the formulation or the closure does not suit the mechanism
+   * @param userForces creates the user forces
+   * @throws IllegalArgumentException if the formulation or the closure does not fit the mechanism
    */
   public Model model(UserForceSource userForces) {
     return watched(DataDriven.model(this, userForces), Optional.empty());
   }
 
   /**
-   * Returns the equations of motion of a mechanism with loops, their terms evaluated by code.
+   * Returns the equations of motion of a mechanism with loops, with terms evaluated by generated
+   * code.
    *
-   * @param userForces makes the forces that users have written
-   * @param code for this model alone
+   * @param userForces creates the user forces
+   * @param code code of the terms, for this model only
    * @param values as for {@link #watched}
    */
   public Model model(UserForceSource userForces, LoopTerms code, Optional<WrittenValues> values) {
@@ -136,7 +137,7 @@ public record CompactModel(
   /**
    * Returns a model of the mechanism with the mechanism's events.
    *
-   * @param values code for their expressions, if it was written, for this model alone
+   * @param values code for their expressions, if any, for this model only
    */
   public Model watched(Model model, Optional<WrittenValues> values) {
     return somethingHappens()

@@ -8,9 +8,9 @@ import org.mechservice.solver.api.TunableParameter;
 import org.mechservice.solver.dynamics.event.WrittenValues;
 import org.mechservice.solver.force.user.UserForceSource;
 
-/** What the class of a model in compact form is, but for its data. */
+/** Superclass of the class of a model in compact form, which adds the data. */
 public abstract class CompactSource implements ModelSource {
-  /** Returns what {@link CompactModel#texts} returned when the class was written. */
+  /** Returns the texts of {@link CompactModel#texts} that were written into the class. */
   protected abstract String[] texts();
 
   /** Returns the data. */
@@ -18,7 +18,7 @@ public abstract class CompactSource implements ModelSource {
     return CompactModel.of(List.of(texts()));
   }
 
-  /** Returns what makes user forces of the classes beside this one. */
+  /** Returns the source of user forces, which loads their classes with this class's loader. */
   protected final UserForceSource userForces() {
     return new LoadedUserForces(getClass().getClassLoader());
   }
@@ -28,7 +28,7 @@ public abstract class CompactSource implements ModelSource {
     return data.model(userForces);
   }
 
-  /** Returns code for the expressions of events and outputs, if some was generated. */
+  /** Returns the generated code for the expressions of events and outputs, if any. */
   protected Optional<WrittenValues> values(CompactModel data) {
     return Optional.empty();
   }

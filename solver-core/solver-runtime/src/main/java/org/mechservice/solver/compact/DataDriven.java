@@ -20,12 +20,12 @@ import org.mechservice.solver.dynamics.SemiRecursiveModel;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 
-/** Takes the data-driven formulation that a compact model names. */
+/** Selects the data-driven formulation that a compact model names. */
 final class DataDriven {
   private DataDriven() {}
 
   /**
-   * @throws IllegalArgumentException if there is no such formulation, or it does not suit
+   * @throws IllegalArgumentException if there is no such formulation, or it does not fit
    */
   static Model model(CompactModel model, UserForceSource userForces) {
     Mechanism mechanism = model.mechanism();
@@ -35,7 +35,7 @@ final class DataDriven {
         : closed(closed(model), model, userForces);
   }
 
-  /** Returns a model of a mechanism with loops whose equations code evaluates. */
+  /** Returns a model of a mechanism with loops whose terms generated code evaluates. */
   static Model coded(CompactModel model, UserForceSource userForces, LoopTerms code) {
     return closed(closed(model).evaluatedBy(code), model, userForces);
   }

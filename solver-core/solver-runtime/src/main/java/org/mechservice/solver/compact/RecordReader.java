@@ -10,8 +10,8 @@ import java.util.List;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * Reads what {@link RecordWriter} wrote. Only records and enumerations of the solver come to life,
- * through their canonical constructors, whatever the bytes say.
+ * Reads what {@link RecordWriter} wrote. It creates only records and enumerations of the solver,
+ * through their canonical constructors, for any content of the bytes.
  */
 final class RecordReader {
   private final DataInputStream in;

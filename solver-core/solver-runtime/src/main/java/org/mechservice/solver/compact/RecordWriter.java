@@ -13,7 +13,7 @@ import java.util.Map;
  * Writes immutable descriptions: records of numbers, texts, enumerated values, lists and records.
  *
  * <p>Every value begins with its kind. A text, and the name of a record or of an enumeration, is
- * written where it is met first and counted; later it is its number.
+ * written at its first occurrence and numbered; later occurrences are the number.
  */
 final class RecordWriter {
   /** Kinds of values; zero and one, the commonest numbers, are kinds of their own. */
@@ -29,7 +29,7 @@ final class RecordWriter {
   static final int LIST = 8;
   static final int RECORD = 9;
 
-  /** Where records and enumerations live; their names are written without it. */
+  /** Common package prefix of records and enumerations; their names are written without it. */
   static final String HOME = "org.mechservice.solver.";
 
   private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
@@ -124,7 +124,7 @@ final class RecordWriter {
     }
   }
 
-  /** Seven bits a byte, the lowest first; the eighth says that more follow. */
+  /** Writes seven bits per byte, the lowest first; the eighth marks that more follow. */
   private void putCount(int count) throws IOException {
     int rest = count;
     for (; (rest & ~0x7f) != 0; rest >>>= 7) {

@@ -20,9 +20,9 @@ import org.mechservice.solver.api.run.RunReport;
 import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.api.run.RunSettings;
 
-/** Runs models that need no integration: one state after the other, or one table. */
+/** Runs models without integration: a sequence of states, or one table. */
 public final class AnalysisSolver implements Solver {
-  /** Returns whether a model is for this solver. */
+  /** Returns whether this solver can run a model. */
   public static boolean takes(Model model) {
     Model equations = ModelParts.of(model).equations();
     return equations instanceof AlgebraicModel || equations instanceof ResultTable;

@@ -10,7 +10,7 @@ import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.SavedState;
 
-/** Leaves checkpoints on the way of a run, and takes one up that fits the run to the bit. */
+/** Writes checkpoints of a run, and restores one if it belongs to exactly this run. */
 final class CheckpointWriter {
   private static final double NANOSECONDS = 1e9;
   private static final String AROUND_COMPONENTS = "[\\[\\], ]+";
@@ -21,7 +21,7 @@ final class CheckpointWriter {
   private long lastAt = System.nanoTime();
 
   /**
-   * @throws IllegalArgumentException if checkpoints are asked for and the model cannot be saved
+   * @throws IllegalArgumentException if checkpoints are requested and the model cannot be saved
    */
   CheckpointWriter(Model model, RunRequest request, Checkpoints store) {
     this.model = model;
@@ -38,7 +38,7 @@ final class CheckpointWriter {
     }
   }
 
-  /** Returns whether a run of a model can be taken up again with the same bits. */
+  /** Returns whether a run of a model can be resumed with the same bits. */
   static boolean canBeSaved(Model model) {
     return !(model instanceof DependentStates) || model instanceof ModelState;
   }
@@ -48,7 +48,7 @@ final class CheckpointWriter {
   }
 
   /**
-   * Takes a checkpoint up.
+   * Restores a checkpoint.
    *
    * @throws IllegalArgumentException S-071 if it does not belong to this run
    */
@@ -61,9 +61,9 @@ final class CheckpointWriter {
   }
 
   /**
-   * Keeps a checkpoint if the time has come.
+   * Stores a checkpoint if it is due.
    *
-   * @param stands whether the run ends or is held here, perhaps to be taken up later
+   * @param stands whether the run ends or is paused here and may be resumed later
    * @return whether it was due
    */
   boolean keepIfDue(boolean stands, SavedState.Part run) throws IOException {
@@ -89,8 +89,8 @@ final class CheckpointWriter {
   }
 
   /**
-   * Settings are carried over as the text of their record, which in one version of the solver has
-   * the same components in the same order; those that differ are named.
+   * Compares the settings as the text of their record, which has the same components in the same
+   * order within one version of the solver; the message names those that differ.
    */
   private static void requireSettings(SavedState state, String here) {
     String[] now = here.split(AROUND_COMPONENTS, -1);

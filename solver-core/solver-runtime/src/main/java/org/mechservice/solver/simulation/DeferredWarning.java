@@ -11,8 +11,8 @@ final class DeferredWarning {
   private DeferredWarning() {}
 
   /**
-   * Returns the report with the warning behind its other notes. A strict run that was completed
-   * fails by it.
+   * Returns the report with the warning after its other notes. A strict run that was completed
+   * fails with it.
    */
   static RunReport added(RunReport report, Note warning, boolean strict) {
     List<Note> notes = new ArrayList<>(report.notes());

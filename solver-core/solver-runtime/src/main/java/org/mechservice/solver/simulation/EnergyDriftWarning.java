@@ -11,18 +11,17 @@ import org.mechservice.solver.catalogue.MessageCode;
 
 /** Warns if the energy balance of a run shows that its motion is wrong. */
 final class EnergyDriftWarning {
-  /** Part of the energy scale by which no right motion drifts. */
+  /** Fraction of the energy scale above which the motion is wrong. */
   private static final double FAR = 0.01;
 
-  /** Tolerances that add up to a drift without anything having been missed. */
+  /** Multiple of the tolerance that the drift may reach by accumulation alone. */
   private static final double TOLERANCES = 1e3;
 
   private EnergyDriftWarning() {}
 
   /**
-   * Returns the report with a warning beside its other notes, if there is reason for one; it ends a
-   * strict run that was completed. Where work is not measured, a damper that acts between two rows
-   * looks like a drift.
+   * Returns the report with a warning if the drift is too large; a strict run that was completed
+   * then fails. Without measured work, a damper that acts between two rows would look like a drift.
    */
   static RunReport added(RunReport report, Model model, RunRequest request) {
     boolean measured =
@@ -43,7 +42,7 @@ final class EnergyDriftWarning {
         true,
         "The energy balance is off by "
             + (float) drift
-            + " of the energy scale: the integrator has gone past a jump, a corner or a brief push,"
+            + " of the energy scale: the integrator has missed a jump, a corner or a short pulse,"
             + " or the tolerances are too loose. Give the integrator a maxStep, or tighten them.");
   }
 }

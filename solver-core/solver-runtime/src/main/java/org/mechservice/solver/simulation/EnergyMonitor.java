@@ -8,17 +8,17 @@ import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.SavedState;
 
 /**
- * Watches the mechanical energy at the output times: less the work put in, it must stay what it
- * was. Where work is done that nobody measures, nothing can be said of it.
+ * Monitors the energy balance at the output times: the mechanical energy minus the work must be
+ * constant. There is no balance if some work is not measured.
  */
 final class EnergyMonitor {
   /**
-   * Relative to the energies themselves, a change that rounding explains: each is summed over
-   * bodies and forces, a thousand roundings.
+   * Change relative to the energies that rounding explains: each is a sum over bodies and forces
+   * with about a thousand rounding errors.
    */
   private static final double ROUNDING = 1000 * 0x1p-52;
 
-  /** Of the energy at the start. */
+  /** Smallest energy scale, as a fraction of the energy at the start. */
   private static final double LEAST_SCALE = 1e-10;
 
   private final double[] energy = new double[2];
@@ -32,9 +32,9 @@ final class EnergyMonitor {
   private boolean workUnknown;
 
   /**
-   * Refuses models whose energy cannot be balanced.
+   * Rejects models without an energy balance.
    *
-   * @throws IllegalArgumentException S-166 saying why
+   * @throws IllegalArgumentException S-166 with the reason
    */
   static void requireBalance(Model model) {
     if (!(model instanceof Energies)) {
@@ -57,10 +57,10 @@ final class EnergyMonitor {
   }
 
   /**
-   * Takes note of the energy in a state.
+   * Records the energy at a state.
    *
-   * @param work put in since the start, J
-   * @param turnover what was put in and what was taken out since the start, added up, J
+   * @param work work since the start, J
+   * @param turnover sum of added and removed energy since the start, J
    * @param unmeasured whether work is done that is not in {@code work}
    */
   void observe(
@@ -100,10 +100,10 @@ final class EnergyMonitor {
   }
 
   /**
-   * Returns the largest of kinetic energy, change of potential energy, and the mean of what forces
-   * have put in and taken out, J. Without the last a block that friction holds, and that creeps,
-   * has no scale: all that is pulled in is rubbed away. At least a small part of the energy itself,
-   * far above its rounding, lest that looks like a drift where next to nothing moves.
+   * Returns the largest of kinetic energy, change of potential energy, and the mean of added and
+   * removed energy, J. The last one is the scale of a creeping block held by friction, which
+   * dissipates all work. The scale is at least a small fraction of the energy, far above rounding,
+   * so that rounding does not look like a drift if hardly anything moves.
    */
   OptionalDouble scale() {
     return started && !workUnknown
@@ -117,14 +117,14 @@ final class EnergyMonitor {
   }
 
   /**
-   * Returns whether the drift last observed is above a part of the scale so far, or no number. What
-   * rounding explains does not count: a mechanism at rest has no scale.
+   * Returns whether the last drift is above a fraction of the scale so far, or NaN. A drift by
+   * rounding does not count: a mechanism at rest has no scale.
    */
   boolean exceeds(double part) {
     return !workUnknown && !(latest <= part * scale + rounding);
   }
 
-  /** Carries what was observed over. */
+  /** Saves or restores the observed values. */
   void transfer(SavedState state) {
     started = state.flag(started);
     initialTotal = state.number(initialTotal);

@@ -14,9 +14,9 @@ import org.mechservice.solver.ode.IntegrationFailure;
 import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.TrialOutcome;
 
-/** Says in the words of mechanics why a run could not go on. */
+/** Words the failures of runs in terms of mechanics. */
 final class FailureText {
-  /** Where times lie farther apart than this, s, steps cannot be short. */
+  /** Spacing of floating-point times, s, above which steps cannot be short. */
   private static final double COARSE = 1e-10;
 
   private FailureText() {}
@@ -27,7 +27,7 @@ final class FailureText {
    * @param singularJoint joint at which the inertia was singular in the last evaluation, or {@link
    *     ExplicitModel#REGULAR}
    * @param event the event it may lie at; empty if none can be named
-   * @param motion of the state that keeps steps short, with a space behind it; empty if not known
+   * @param motion motion of the state that keeps steps short, followed by a space; empty if unknown
    */
   static Failure of(
       IntegrationFailure failure,
@@ -49,26 +49,27 @@ final class FailureText {
       case STEP_TOO_SMALL ->
           failure(
               MessageCode.STEP_TOO_SMALL,
-              "The error test fails however small the step.",
+              "The error test fails at every step size.",
               failure,
               state(model, failure.worstComponent()),
               Math.ulp(failure.time()) > COARSE
-                  ? "Times this large lie too far apart for steps: begin the run near t = 0."
+                  ? "The spacing of numbers near this time is too coarse for steps: start the run"
+                      + " near t = 0."
                   : motion
-                      + "The motion is singular or very stiff there; take ode15s, loosen the"
-                      + " tolerances, or check the values that act on this joint.");
+                      + "The motion is singular or very stiff there; use ode15s, loosen the"
+                      + " tolerances, or check the forces on this joint.");
       case UNBOUNDED ->
           failure(
               MessageCode.STEP_TOO_SMALL,
               "The solution grows beyond every bound within the next step.",
               failure,
               state(model, failure.worstComponent()),
-              "Something that acts there is divided by what becomes zero; end the run earlier, or"
-                  + " bound what acts on this joint.");
+              "A force is divided by a quantity that becomes zero; end the run earlier, or bound"
+                  + " the forces on this joint.");
       case TOLERANCE_TOO_TIGHT ->
           failure(
               MessageCode.TOLERANCE_TOO_TIGHT,
-              "The tolerances ask for more digits than double precision has.",
+              "The tolerances require more digits than double precision has.",
               failure,
               state(model, failure.worstComponent()),
               "Loosen the relative or the absolute tolerance.");
@@ -87,19 +88,19 @@ final class FailureText {
               "The matrix of an implicit step is singular at every step size.",
               failure,
               state(model, failure.worstComponent()),
-              "Check the values that act on this joint for huge ones.");
+              "Check the stiffness and damping of the forces on this joint.");
       case INCONSISTENT_START ->
           failure(
               MessageCode.NO_CONSISTENT_INITIAL_VALUES,
-              "No accelerations and multipliers were found that obey the equations at the start.",
+              "No accelerations and multipliers satisfy the equations at the start.",
               failure,
               state(model, failure.worstComponent()),
-              "Check the initial state, masses and inertias, and constraints that contradict.");
+              "Check the initial state, masses and inertias, and contradictory constraints.");
       case NOT_COMPLETED ->
           failure(
               MessageCode.LOOPS_NOT_CLOSED,
-              "The loops cannot be closed at any step size: no position fits the independent"
-                  + " coordinates.",
+              "The loops cannot be closed at any step size: there is no position for the"
+                  + " independent coordinates.",
               failure,
               "",
               "The mechanism locks or branches there; check its dimensions, or end the run"
@@ -107,11 +108,11 @@ final class FailureText {
       case EVENTS_ACCUMULATE ->
           failure(
               MessageCode.EVENTS_ACCUMULATE,
-              "Events follow each other ever closer.",
+              "The intervals between events become ever shorter.",
               failure,
               event,
-              "End the run before, or let the state that changes come to rest: a bounce below a"
-                  + " certain speed, a switch without play.");
+              "End the run before, or stop the changes of the state: a bounce below a certain"
+                  + " speed, a switch without hysteresis.");
       case EVENT_NOT_FINITE ->
           failure(
               MessageCode.EVENT_FUNCTION_NOT_FINITE,
@@ -122,16 +123,16 @@ final class FailureText {
       case TOO_MANY_STEPS ->
           failure(
               MessageCode.TOO_MANY_STEPS,
-              "The steps allowed are used up: the end is more than 1e11 steps away.",
+              "The number of steps is exhausted: the end is more than 1e11 steps away.",
               failure,
               state(model, failure.worstComponent()),
               motion
-                  + "Lower the stiffness or frequency that acts on this joint, give it damping and"
-                  + " take ode15s, allow longer steps, or end the run earlier.");
+                  + "Lower the stiffness or frequency of the forces on this joint, add damping and"
+                  + " use ode15s, allow longer steps, or end the run earlier.");
     };
   }
 
-  /** Returns the steps that were tried last. */
+  /** Returns the last attempted steps. */
   static List<Failure.Step> steps(IntegrationFailure failure) {
     return failure.lastSteps().stream()
         .map(s -> new Failure.Step(s.time(), s.stepSize(), s.order(), s.error(), told(s.attempt())))
@@ -145,12 +146,12 @@ final class FailureText {
       case NOT_CONVERGING -> Failure.Step.UNSOLVED;
       case SINGULAR_MATRIX -> "its matrix was singular";
       case NOT_COMPLETED -> "the loops could not be closed";
-      case NOT_FINITE -> "something was not finite";
+      case NOT_FINITE -> "a value was not finite";
       case STOPPED -> "stopped";
     };
   }
 
-  /** Returns whether steps had become too short, or were to the last. */
+  /** Returns whether the steps were short until the failure. */
   static boolean staysShort(IntegrationFailure.Cause cause) {
     return switch (cause) {
       case STEP_TOO_SMALL, NO_CONVERGENCE, TOO_MANY_STEPS -> true;
@@ -194,7 +195,8 @@ final class FailureText {
         0,
         0,
         "",
-        "The run is strict, so this ends it; leave out --strict to go on all the same.");
+        "The run is strict, so this warning ends it; leave out --strict to continue in spite of"
+            + " warnings.");
   }
 
   /**
@@ -232,7 +234,7 @@ final class FailureText {
             + ". A force that jumps needs an event, or a smaller largest step.");
   }
 
-  /** Repeats what the model itself had to say. */
+  /** Words a defect of the model. */
   static Failure of(Defects.Defect defect, double t, double stepSize, int order) {
     return new Failure(
         defect.code(), defect.cause(), t, stepSize, order, defect.part(), defect.advice());
@@ -259,13 +261,13 @@ final class FailureText {
       double t, double stepSize, int order, ModelDescription model, int joint) {
     return new Failure(
         MessageCode.SINGULAR_INERTIA,
-        "The inertia is singular: nothing beyond this joint resists its motion.",
+        "The inertia is singular: no body beyond this joint has inertia about its axis.",
         t,
         stepSize,
         order,
         "joint \"" + model.joints().get(joint).name() + "\"",
-        "Give a body beyond it mass or inertia, or remove the joint; two turning axes that coincide"
-            + " do this too.");
+        "Give a body beyond it mass or inertia, or remove the joint; two axes that coincide are"
+            + " another cause.");
   }
 
   private static Failure failure(

@@ -7,9 +7,9 @@ import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.simulation.equations.ModelEquations;
 
 /**
- * Motion of one velocity coordinate with its own position while the other independent ones stand
- * still: s² + c s + k = 0, with c = −∂a/∂v and k = −∂a/∂q of its acceleration a. It tells what
- * keeps steps short where a run cannot go on.
+ * Motion of one velocity coordinate with its position, with the other independent ones constant: s²
+ * + c s + k = 0, with c = −∂a/∂v and k = −∂a/∂q of its acceleration a. It explains the short steps
+ * of a failed run.
  *
  * @param damping c, 1/s
  * @param stiffness k, 1/s²
@@ -23,10 +23,10 @@ record LocalMotion(double damping, double stiffness) {
   private static final LocalMotion UNKNOWN = new LocalMotion(Double.NaN, Double.NaN);
 
   /**
-   * Returns the motion of a state, by differences; of NaN where the equations have no value there
-   * or the state is no independent coordinate.
+   * Returns the motion of a state, by differences; NaN if the equations have no value or the state
+   * is not an independent coordinate.
    *
-   * @param unknown of the equations
+   * @param unknown unknown of the equations
    * @param y state; not modified
    */
   static LocalMotion of(ModelEquations equations, int unknown, double t, double[] y) {
@@ -78,13 +78,13 @@ record LocalMotion(double damping, double stiffness) {
     return -1;
   }
 
-  /** Returns the derivative, loops being closed first; of NaN where there is none. */
+  /** Returns the derivative with closed loops; NaN if there is none. */
   private static double[] slope(ModelEquations equations, double t, double[] y) {
     double[] closed = y.clone();
     double[] slope = new double[y.length];
     boolean known =
         equations.closeLoops(t, closed)
-            && equations.model().derivative(equations.beside(t), closed, slope)
+            && equations.model().derivative(equations.evaluationTime(t), closed, slope)
                 == ExplicitModel.REGULAR;
     if (!known) {
       Arrays.fill(slope, Double.NaN);
@@ -92,7 +92,7 @@ record LocalMotion(double damping, double stiffness) {
     return slope;
   }
 
-  /** Says it in a sentence with a space behind it; empty where nothing moves or is known. */
+  /** Returns the motion as a sentence followed by a space; empty if it is zero or unknown. */
   String said() {
     double discriminant = damping * damping - 4 * stiffness;
     String rate;

@@ -7,13 +7,13 @@ import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.MethodChange;
 
-/** Says in the run report where the integrator changed its method, and why. */
+/** Notes of the run report on changes of the integration method. */
 final class MethodNotes {
   private static final MessageCode CODE = MessageCode.METHOD_SWITCHED;
 
   private MethodNotes() {}
 
-  /** Returns a note of each change that is remembered, and how many there were besides. */
+  /** Returns a note for each recorded change, and the number of further ones. */
   static List<RunNotes.Note> of(Integrator integrator) {
     List<RunNotes.Note> notes = new ArrayList<>();
     List<MethodChange> changes = integrator.methodChanges();
@@ -31,11 +31,11 @@ final class MethodNotes {
   private static String text(MethodChange change) {
     float size = (float) Math.abs(change.stepSize());
     return change.stiff()
-        ? "ode15s takes over from ode113: the motion has become stiff; stability, not accuracy,"
-            + " held the step at "
+        ? "The method changes from ode113 to ode15s: the motion has become stiff; stability, not"
+            + " accuracy, limited the step to "
             + size
             + " s."
-        : "ode113 takes over from ode15s: the motion is no longer stiff; at a step of "
+        : "The method changes from ode15s to ode113: the motion is no longer stiff; at a step of "
             + size
             + " s it costs less.";
   }

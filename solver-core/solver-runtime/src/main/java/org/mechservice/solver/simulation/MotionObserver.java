@@ -13,13 +13,13 @@ import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * Observes in the rows of a run how far the states move. It warns if all states stay below their
+ * Measures in the rows of a run the motion of the states. It warns if all states stay below their
  * absolute tolerances: the error test then accepts every step, and a run may miss the motion.
  */
 final class MotionObserver implements ResultSink {
   private static final MessageCode CODE = MessageCode.ABSOLUTE_TOLERANCE_TOO_LARGE;
 
-  /** Motion of a position over one and its size that is rounding, of a mechanism at rest. */
+  /** Motion of a position, relative to 1 plus its size, that is rounding of a mechanism at rest. */
   private static final double ROUNDING = 1e-12;
 
   private final ResultSink sink;
@@ -85,8 +85,8 @@ final class MotionObserver implements ResultSink {
     String unit = states.get(state).unit();
     return String.format(
         Locale.ROOT,
-        "The absolute tolerance, %.1e %s, is larger than all that moves: the largest motion seen is"
-            + " %.1e %s, of \"%s\". Steps may have passed over it; write absTol=\"%.0e\".",
+        "The absolute tolerance, %.1e %s, is larger than every motion: the largest motion is"
+            + " %.1e %s, of \"%s\". Steps may have missed it; write absTol=\"%.0e\".",
         settings.absoluteTolerance(unit),
         unit,
         motion[state],

@@ -6,8 +6,8 @@ import org.mechservice.solver.catalogue.MessageCode;
 /**
  * The times of the rows: the start, then every multiple of the output distance, then the end.
  *
- * <p>Times are formed by one rounding where the distance divides a second, so that 7 · 0.01 s is
- * written 0.07.
+ * <p>Times have one rounding error if the distance divides a second, so that 7 · 0.01 s is written
+ * 0.07.
  */
 final class OutputTimes {
   /** A distance this close to dividing a second, relatively, is meant to divide it. */
@@ -68,7 +68,7 @@ final class OutputTimes {
     return count;
   }
 
-  /** Returns the time of row {@code index}, s; infinite behind the last one. */
+  /** Returns the time of row {@code index}, s; infinite after the last one. */
   double time(long index) {
     if (index >= count) {
       return Double.POSITIVE_INFINITY;

@@ -15,7 +15,7 @@ import org.mechservice.solver.api.result.ResultColumns;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.catalogue.MessageCode;
 
-/** Which columns a row has, and where each group begins. */
+/** The columns of a row and the offset of each group. */
 final class RowLayout {
   private static final String[] POSE_COLUMNS = {
     ".x", ".y", ".z", ".e0", ".e1", ".e2", ".e3", ".vx", ".vy", ".vz", ".wx", ".wy", ".wz"
@@ -24,16 +24,17 @@ final class RowLayout {
     "m", "m", "m", "1", "1", "1", "1", "m/s", "m/s", "m/s", "rad/s", "rad/s", "rad/s"
   };
 
-  /** Groups whose columns the model itself names and fills. */
+  /** Groups whose columns the model names and computes. */
   static final Set<ColumnGroup> BY_THE_MODEL =
       EnumSet.of(
           ColumnGroup.CONSTRAINTS,
           ColumnGroup.REACTIONS,
           ColumnGroup.FORCES,
           ColumnGroup.OUTPUTS,
-          ColumnGroup.MOMENTUM);
+          ColumnGroup.MOMENTUM,
+          ColumnGroup.DRIVES);
 
-  /** Offset of a group that is not put out. */
+  /** Offset of a group that is not part of the rows. */
   static final int ABSENT = -1;
 
   private final List<Variable> columns = new ArrayList<>();

@@ -13,9 +13,9 @@ import org.mechservice.solver.api.run.RunNotes.Note;
 import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.ode.SavedState;
 
-/** Completes states to rows and hands them to the sink. */
+/** Completes states to rows and passes them to the sink. */
 final class RowWriter {
-  /** Returned by {@link #write} when every number of the row is finite. */
+  /** Result of {@link #write} if every number of the row is finite. */
   static final int ALL_FINITE = -1;
 
   private final ExplicitModel model;
@@ -56,15 +56,15 @@ final class RowWriter {
   }
 
   /**
-   * Puts out the row of one state.
+   * Writes the row of one state.
    *
-   * @param time what the row says, s
-   * @param t time to evaluate at: the same, but for jumps of a prescribed motion
+   * @param time time in the row, s
+   * @param t time of the evaluation: the same, except at jumps of a prescribed motion
    * @param y state, which multipliers may follow; not modified
-   * @param work of what has no potential energy, J
-   * @param turnover what of it was put in and what was taken out, added up, J
+   * @param work work of forces without potential energy, J
+   * @param turnover sum of added and removed energy, J
    * @return {@link #ALL_FINITE}, or the column of the first number that is not finite; the row is
-   *     then not put out
+   *     then not written
    * @throws IOException if the sink cannot keep the row
    */
   int write(double time, double t, double[] y, double work, double turnover) throws IOException {
@@ -114,7 +114,9 @@ final class RowWriter {
     unitOutput.scale(state, 0);
   }
 
-  /** Work is measured where its column is put out or the energy balance is watched. */
+  /**
+   * Returns whether work is measured: if its column is written or the energy balance is monitored.
+   */
   boolean measuresWork() {
     return layout.energy() != RowLayout.ABSENT || balanceWatched;
   }
@@ -129,7 +131,7 @@ final class RowWriter {
     return layout.columns().get(column).name();
   }
 
-  /** Returns the column of the state that is largest in the row written last, and its value. */
+  /** Returns the column of the largest state in the last row, and its value. */
   String largestState() {
     int largest = 0;
     double most = 0;
@@ -142,12 +144,12 @@ final class RowWriter {
     return columnName(largest) + ", " + row[largest];
   }
 
-  /** Returns how many rows were put out. */
+  /** Returns the number of rows written. */
   long rows() {
     return rows;
   }
 
-  /** Returns what the rows have to say of the run. */
+  /** Returns the notes of the rows. */
   List<Note> notes() {
     return unitOutput.notes();
   }
@@ -156,7 +158,7 @@ final class RowWriter {
     return energyMonitor;
   }
 
-  /** Carries the number of rows and what was observed in them over. */
+  /** Saves or restores the number of rows and the observed values. */
   void transfer(SavedState state) {
     rows = state.integer(rows);
     energyMonitor.transfer(state);

@@ -26,7 +26,7 @@ import org.mechservice.solver.simulation.equations.RunEvents;
  * defect of the equations if they have one, else from the integrator.
  */
 final class RunFailures {
-  /** In place of a column: the loops cannot be closed at an output time. */
+  /** Instead of a column: the loops cannot be closed at an output time. */
   static final int LOOPS_OPEN = -2;
 
   /** In place of a column: the balance of energy, or that of momentum, has drifted too far. */
@@ -103,7 +103,7 @@ final class RunFailures {
     return failed(told.after(tried));
   }
 
-  /** Returns what stands in place of a column if a balance has drifted too far. */
+  /** Returns the value instead of a column if a balance has drifted too far. */
   int drifted() {
     if (maxDrift.isEmpty()) {
       return RowWriter.ALL_FINITE;
@@ -120,7 +120,7 @@ final class RunFailures {
   /**
    * Explains why there is no row.
    *
-   * @param column that is not finite, or what stands in place of one
+   * @param column column that is not finite, or a value instead of one
    */
   Outcome ofRow(double t, int column) {
     return failed(
@@ -159,7 +159,7 @@ final class RunFailures {
     return failed(FailureText.ofStrict(warning));
   }
 
-  /** Returns which states made steps be tried again, those that did most often first. */
+  /** Returns the states that caused rejected steps, most frequent first. */
   List<RunReport.Limit> limits(IntegrationStatistics done) {
     List<RunReport.Limit> limits = new ArrayList<>();
     for (IntegrationStatistics.Limit limit : done.limits()) {

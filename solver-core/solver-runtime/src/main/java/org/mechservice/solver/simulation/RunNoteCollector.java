@@ -22,7 +22,7 @@ final class RunNoteCollector {
   private final Integrator integrator;
   private final Optional<MomentumBalance> momentum;
 
-  /** What the model had noted when the run that is taken up was saved. */
+  /** Notes of the model in the checkpoint of a resumed run. */
   private final List<Note> notedBefore = new ArrayList<>();
 
   RunNoteCollector(
@@ -52,7 +52,7 @@ final class RunNoteCollector {
     return all().stream().filter(Note::warning).findFirst();
   }
 
-  /** Returns the model's notes; one taken up repeats those of its start. */
+  /** Returns the model's notes; the model of a resumed run repeats those of its start. */
   private List<Note> ofModel() {
     List<Note> notes = new ArrayList<>(notedBefore);
     if (model instanceof RunNotes noted) {
@@ -61,7 +61,7 @@ final class RunNoteCollector {
     return notes;
   }
 
-  /** Carries the model's notes over. */
+  /** Saves or restores the model's notes. */
   void transfer(SavedState state) {
     List<Note> noted = ofModel();
     int count = state.integer(noted.size());

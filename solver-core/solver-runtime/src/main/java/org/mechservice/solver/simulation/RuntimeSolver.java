@@ -26,8 +26,8 @@ import org.mechservice.solver.simulation.equations.ResidualForm;
 import org.mechservice.solver.simulation.equations.WatchedForm;
 
 /**
- * The solver of the runtime JAR: holds every integrator and takes the one a run names, with the
- * form of the equations that fits it and the model.
+ * The solver of the runtime JAR: selects the integrator that a run names, with the form of the
+ * equations that fits the integrator and the model.
  */
 public final class RuntimeSolver implements Solver {
   @Override
@@ -52,7 +52,7 @@ public final class RuntimeSolver implements Solver {
     return EnergyDriftWarning.added(judged, model, request);
   }
 
-  /** Returns the form in which an integrator takes a model's equations. */
+  /** Returns the form of a model's equations for an integrator. */
   public static EquationForm formOf(Model model, String integrator) {
     ModelParts parts = ModelParts.of(model);
     EquationForm form = formOfEquations(parts.equations(), integrator);
@@ -71,7 +71,7 @@ public final class RuntimeSolver implements Solver {
     return IntegrationMethod.find(integrator).filter(IntegrationMethod::takesResidual).isPresent();
   }
 
-  /** Returns the maker of the integrator of a name; the compiler asks for a line for each. */
+  /** Returns the factory of the integrator of a name; the compiler requires a branch for each. */
   private static IntegratorFactory integrator(String name) {
     return switch (IntegrationMethod.of(name)) {
       case ODE113 -> Ode113::new;

@@ -33,15 +33,16 @@ import org.mechservice.solver.simulation.equations.ModelEquations;
 import org.mechservice.solver.simulation.equations.RunEvents;
 
 /**
- * Runs models with one integrator: steps, rows at the output times, energy watched, control obeyed.
+ * Runs models with one integrator: takes steps, writes rows at the output times, monitors the
+ * energy balance and obeys the control.
  */
 public final class Simulation implements Solver {
   private final IntegratorFactory integrators;
   private final EquationForm form;
 
   /**
-   * @param integrators makes the integrator of each run
-   * @param form how the equations are handed to it
+   * @param integrators creates the integrator of each run
+   * @param form form of the equations for it
    */
   public Simulation(IntegratorFactory integrators, EquationForm form) {
     this.integrators = integrators;
@@ -49,9 +50,9 @@ public final class Simulation implements Solver {
   }
 
   /**
-   * Returns the columns a run puts out, in order; the first is time.
+   * Returns the columns of a run, in order; the first is time.
    *
-   * @param groups column groups wanted besides time and the joints' states
+   * @param groups column groups besides time and the joints' states
    * @throws IllegalArgumentException if the model was built without one of the groups, or has no
    *     explicit form (S-061)
    */
@@ -64,13 +65,13 @@ public final class Simulation implements Solver {
         .columns();
   }
 
-  /** Returns whether runs of a model can leave checkpoints. */
+  /** Returns whether runs of a model can write checkpoints. */
   public static boolean canBeSaved(Model model) {
     return CheckpointWriter.canBeSaved(ModelParts.of(model).equations());
   }
 
   /**
-   * Refuses column groups that a model was built without.
+   * Rejects column groups that a model was built without.
    *
    * @param built groups it was built with
    * @throws IllegalArgumentException S-060 naming the first, and how to build the model with it
@@ -84,9 +85,9 @@ public final class Simulation implements Solver {
   }
 
   /**
-   * Refuses to watch the energy balance of a model that has none, or whose work is not all known.
+   * Rejects a bound on the energy drift of a model that has no energy balance.
    *
-   * @throws IllegalArgumentException S-166 saying why
+   * @throws IllegalArgumentException S-166 with the reason
    */
   public static void requireBalance(Model model, RunRequest request) {
     if (request.maxDrift().isPresent()) {
@@ -158,7 +159,7 @@ public final class Simulation implements Solver {
       momentum =
           request.columns().contains(ColumnGroup.MOMENTUM) ? further.momentum() : Optional.empty();
       momentum.ifPresent(MomentumBalance::begin);
-      momentum.ifPresent(events::tell);
+      momentum.ifPresent(events::setMomentumBalance);
       work =
           new WorkMeter(
               equations, integrator, model, rows.measuresWork(), momentum, settings.tStart());
@@ -204,7 +205,7 @@ public final class Simulation implements Solver {
       }
     }
 
-    /** The state as a row would have it. */
+    /** Copies the state in the form of a row. */
     private void copyState(double[] state) {
       if (steps > 0) {
         integrator.interpolate(timeReached, y, yDot);
@@ -244,7 +245,7 @@ public final class Simulation implements Solver {
       return goOn() ? stepToEnd(StepResult.ADVANCED) : new Outcome.Stopped();
     }
 
-    /** Carries the run between two steps over. */
+    /** Saves or restores the run between two steps. */
     private void transfer(SavedState state) {
       timeReached = state.number(timeReached);
       nextRow = state.integer(nextRow);
@@ -281,7 +282,7 @@ public final class Simulation implements Solver {
         if (strict && notes.firstWarning().isPresent()) {
           return failures.ofWarning(notes.firstWarning().get());
         }
-        work.add(events.takeWork());
+        work.add(events.workOfEvents());
         if (!proceed(result == StepResult.ADVANCED)) {
           return new Outcome.Stopped();
         }
@@ -289,7 +290,7 @@ public final class Simulation implements Solver {
       return new Outcome.Completed();
     }
 
-    /** Obeys the control between two steps, and keeps a checkpoint where the run may be left. */
+    /** Obeys the control between two steps, and stores a checkpoint if one is due. */
     private boolean proceed(boolean unfinished) throws IOException {
       boolean stands =
           control.holdsAt(timeReached, integrator.stepSize(), integrator.order(), steps);
@@ -314,7 +315,7 @@ public final class Simulation implements Solver {
         if (!equations.closeLoops(t, y) || !work.advance(t)) {
           return RunFailures.LOOPS_OPEN;
         }
-        int badColumn = rows.write(t, equations.beside(t), y, work.work(), work.turnover());
+        int badColumn = rows.write(t, equations.evaluationTime(t), y, work.work(), work.turnover());
         if (badColumn != RowWriter.ALL_FINITE) {
           return badColumn;
         }
@@ -327,7 +328,7 @@ public final class Simulation implements Solver {
       return work.advance(timeReached) ? RowWriter.ALL_FINITE : RunFailures.LOOPS_OPEN;
     }
 
-    /** Returns when the next row is due: an output time, or an event. */
+    /** Returns the time of the next row: an output time, or an event. */
     private double dueRow() {
       return Math.min(outputTimes.time(nextRow), events.dueRow());
     }

@@ -9,8 +9,8 @@ import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.spatial.EulerParameters;
 
 /**
- * Puts out Euler parameters of norm one, and remembers how far the norm of those integrated had
- * gone: it is free to drift, since nothing depends on it (NUMERICS §1a).
+ * Normalises Euler parameters in the output, and records the drift of their norm in the
+ * integration, on which nothing depends (NUMERICS §1a).
  */
 final class UnitOutput {
   /** A norm of four numbers is one to some units of round-off. */
@@ -56,7 +56,7 @@ final class UnitOutput {
   }
 
   /**
-   * Scales the Euler parameters of a state of which nothing is to be said.
+   * Scales the Euler parameters of a state without recording the drift.
    *
    * @param state overwritten
    * @param at where the positions begin
@@ -70,7 +70,7 @@ final class UnitOutput {
     }
   }
 
-  /** Returns what there is to say: nothing if no norm has left one by more than rounding. */
+  /** Returns a note, or none if all norms differ from one only by rounding. */
   List<Note> notes() {
     if (largest <= ROUNDING) {
       return List.of();

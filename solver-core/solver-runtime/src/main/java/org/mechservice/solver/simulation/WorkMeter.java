@@ -9,11 +9,11 @@ import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.simulation.equations.ModelEquations;
 
 /**
- * The work of everything that has no potential energy, and the impulse of what acts on the whole:
- * power and force integrated along the interpolated solution, by Lobatto's rule with four points,
- * exact to degree 5. The rule goes over each step, or parts of it between rows, and no step is
- * chosen for its sake: down to tolerances of 1e-12 what the solution itself is off by outweighs the
- * rule's error, with long steps of order 12 too, and a rule of degree 9 changes nothing.
+ * The work of all forces without potential energy, and the impulse of external loads: power and
+ * force integrated along the interpolated solution by Lobatto's rule with four points, exact to
+ * degree 5. The rule is applied to each step, or to its parts between rows, and does not influence
+ * the step size: down to tolerances of 1e-12 the error of the solution exceeds that of the rule,
+ * also with long steps of order 12, and a rule of degree 9 makes no difference.
  */
 final class WorkMeter {
   /** Points of the rule in [−1, 1], and its weights. */
@@ -21,7 +21,7 @@ final class WorkMeter {
 
   private static final double[] WEIGHTS = {1.0 / 6, 5.0 / 6, 5.0 / 6, 1.0 / 6};
 
-  /** Rounding units within which a jump of prescribed motions lies. */
+  /** Units in the last place of time around a jump of prescribed motions. */
   private static final double BESIDE_JUMPS = 8;
 
   private static final PowerInput NOTHING = (t, y) -> 0;
@@ -37,8 +37,9 @@ final class WorkMeter {
   private double turnover;
 
   /**
-   * @param wanted whether the work is to be known; if not, or if the model does none, it stays zero
-   * @param momentum to whose impulse the way is added, if it is to be known
+   * @param wanted whether the work is measured; otherwise, or if the model does no such work, it
+   *     stays zero
+   * @param momentum balance of momentum to which impulses are added, if any
    */
   WorkMeter(
       ModelEquations equations,
@@ -84,7 +85,7 @@ final class WorkMeter {
     return true;
   }
 
-  /** Adds energy that was put in at once, J. */
+  /** Adds energy of an event, J. */
   void add(double energy) {
     work += energy;
     turnover += Math.abs(energy);
@@ -95,12 +96,12 @@ final class WorkMeter {
     return work;
   }
 
-  /** Returns what was put in and what was taken out up to then, added up, J. */
+  /** Returns the sum of added and removed energy up to then, J. */
   double turnover() {
     return turnover;
   }
 
-  /** Carries the work over. */
+  /** Saves or restores the work. */
   void transfer(SavedState state) {
     reached = state.number(reached);
     work = state.number(work);

@@ -1,6 +1,6 @@
 package org.mechservice.solver.standalone;
 
-/** The command line cannot be obeyed; the message says what to write instead. */
+/** Thrown if the command line is invalid; the message says what to write instead. */
 final class OptionException extends Exception {
   private static final long serialVersionUID = 1L;
 

@@ -22,8 +22,8 @@ import org.mechservice.solver.simulation.RuntimeSolver;
  * <pre>java -cp runtime.jar:model.jar org.mechservice.solver.standalone.RunModel --out rows.csv
  * </pre>
  *
- * <p>The model is the one that a manifest on the class path names in {@code Mech-Model}. The
- * options are those of a standalone JAR.
+ * <p>A manifest on the class path names the model in {@code Mech-Model}. The options are those of a
+ * standalone JAR.
  */
 public final class RunModel {
   private static final String MODEL = "Mech-Model";

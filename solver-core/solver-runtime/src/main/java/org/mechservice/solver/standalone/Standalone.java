@@ -22,7 +22,7 @@ import org.mechservice.solver.text.JsonText;
 import org.mechservice.solver.text.ReportText;
 import org.mechservice.solver.text.ResultFile;
 
-/** What {@code java -jar model.jar} does: one run of one model. */
+/** The command line of {@code java -jar model.jar}: one run of one model. */
 public final class Standalone {
   private static final int DONE = 0;
   private static final int SIMULATION_FAILED = 1;
@@ -55,9 +55,9 @@ public final class Standalone {
   }
 
   /**
-   * Runs a model as its command line says, printing to the standard streams.
+   * Runs a model with the options of its command line, printing to the standard streams.
    *
-   * @param source makes the model
+   * @param source creates the model
    * @param solver runs it
    * @param built labels of the column groups the model was built with, separated by commas
    * @param shown labels of those put out where nothing else is asked for
@@ -89,7 +89,7 @@ public final class Standalone {
     }
   }
 
-  /** Lists what {@code --set} takes. */
+  /** Lists the parameters for {@code --set}. */
   private String parameters() {
     StringBuilder list = new StringBuilder();
     for (TunableParameter parameter : source.parameters()) {
@@ -110,7 +110,7 @@ public final class Standalone {
           public void row(double[] values) {}
         };
     RunReport report = solver.run(model, options.request(), nowhere, new RunControl());
-    return tell(options, report, new LinkedHashMap<>(report.asMap()));
+    return printReport(options, report, new LinkedHashMap<>(report.asMap()));
   }
 
   private int runIntoFile(Model model, StandaloneOptions options) throws IOException {
@@ -118,11 +118,11 @@ public final class Standalone {
       RunReport report = solver.run(model, options.request(), file, new RunControl());
       Map<String, Object> facts = new LinkedHashMap<>(report.asMap());
       facts.put("resultsSha256", file.keep());
-      return tell(options, report, facts);
+      return printReport(options, report, facts);
     }
   }
 
-  private int tell(StandaloneOptions options, RunReport report, Map<String, Object> facts) {
+  private int printReport(StandaloneOptions options, RunReport report, Map<String, Object> facts) {
     if (!options.parameters().isEmpty()) {
       facts.put("parameters", options.parameters().toString());
     }

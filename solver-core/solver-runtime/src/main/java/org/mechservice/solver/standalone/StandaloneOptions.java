@@ -18,9 +18,9 @@ import org.mechservice.solver.catalogue.MessageCode;
 /**
  * The command line of a model's own JAR.
  *
- * @param request the run asked for
+ * @param request the requested run
  * @param parameters values of parameters by their names
- * @param out CSV file to write; empty: none
+ * @param out CSV file to write; empty for none
  * @param quiet print nothing but errors
  * @param json print the report as JSON
  * @param help print the options and do nothing
@@ -43,7 +43,7 @@ record StandaloneOptions(
                        velocities, angular velocities
         --accuracy A   standard, or strict: smaller errors at the same tolerances
         --set P=V      value of a tunable parameter, in its unit; once for each
-        --out FILE     write the rows as CSV, and their units beside it
+        --out FILE.csv write the rows as CSV, and their units beside it
         --columns C    column groups besides joints, separated by commas, or all
         --strict       let the first warning end the run
         --max-drift R  end the run where its energy balance drifts by more than R times the
@@ -59,8 +59,8 @@ record StandaloneOptions(
    *
    * @param args the words of the command line
    * @param defaults settings the model was built with
-   * @param available column groups the model was built with
-   * @param shown those of them put out where nothing else is asked for
+   * @param available column groups of the model
+   * @param shown default groups among them
    * @throws OptionException if an option is unknown, lacks its value, or has one that cannot be
    *     used
    */
@@ -124,7 +124,7 @@ record StandaloneOptions(
         case "--atol" -> atol = tolerances(value(option, inline));
         case "--accuracy" -> accuracy = Optional.of(accuracy(value(option, inline)));
         case "--set" -> set(value(option, inline));
-        case "--out" -> out = value(option, inline);
+        case "--out" -> out = csv(value(option, inline));
         case "--columns" -> columns = groups(value(option, inline));
         case "--strict" -> strict = true;
         case "--max-drift" -> maxDrift = OptionalDouble.of(positive(option, inline));
@@ -151,6 +151,18 @@ record StandaloneOptions(
         throw new OptionException(
             MessageCode.STANDALONE_USAGE + " --set names parameter \"" + name + "\" twice");
       }
+    }
+
+    private static String csv(String file) throws OptionException {
+      if (!file.toLowerCase(Locale.ROOT).endsWith(".csv")) {
+        throw new OptionException(
+            MessageCode.STANDALONE_USAGE
+                + " --out "
+                + file
+                + ": a JAR of a model writes .csv files only; mech simulate writes the other"
+                + " formats");
+      }
+      return file;
     }
 
     private String value(String option, String inline) throws OptionException {

@@ -50,7 +50,7 @@ class PrescribedModelTest {
       RunSettings settings = new RunSettings(0, end, 0.01, "none", 1e-5, 1e-5);
       CompactModel data = new CompactModel(mechanism, "kinematic", "none", settings);
       ExplicitModel model = new PrescribedModel(data, UserForceSource.NONE);
-      Set<ColumnGroup> further = EnumSet.range(ColumnGroup.CONSTRAINTS, ColumnGroup.OUTPUTS);
+      Set<ColumnGroup> further = EnumSet.range(ColumnGroup.CONSTRAINTS, ColumnGroup.DRIVES);
       further.retainAll(ColumnGroup.of(groups));
       Model extended =
           ModelParts.of(model)
@@ -125,7 +125,7 @@ class PrescribedModelTest {
   @Test
   void drivingTorqueTimesSpeedIsTheRateOfTheEnergy() throws IOException {
     double omega = 4;
-    Rows found = new Rows(driven(0, times(omega, T)), 1, "joints,energy,forces");
+    Rows found = new Rows(driven(0, times(omega, T)), 1, "joints,energy,forces,drives");
     for (int i = 3; i < found.rows.size() - 3; i++) {
       double rate =
           (45 * (energy(found, i + 1) - energy(found, i - 1))
@@ -135,10 +135,12 @@ class PrescribedModelTest {
       double power = omega * found.value(i, "j_crank.drive");
       // the sixth derivative of the energy over 140, times h⁶: some 1e-6 of the power
       assertThat(power).isCloseTo(rate, within(1e-5 * 40));
+      assertThat(found.value(i, "j_crank.power")).isEqualTo(power);
+      assertThat(found.value(i, "j_crank.q")).isEqualTo(omega * found.rows.get(i)[0]);
     }
   }
 
-  /** The spatial loop with its first joint driven, be it of the tree or cut. */
+  /** The spatial loop with its first joint driven, be it of the tree or cut; columns tell it. */
   @Test
   void driveIsTheSameWhetherItsJointIsCutOrNot() throws IOException {
     Expression motion = new Expression.Product(T, T);
@@ -150,14 +152,21 @@ class PrescribedModelTest {
         new Rows(
             with(ofTree, List.of(new PrescribedMotion(0, List.of(motion))), ofTree.closures()),
             0.15,
-            "joints,forces");
-    Rows found = new Rows(with(ofCut, List.of(), List.of(driving)), 0.15, "joints,forces");
+            "joints,forces,drives");
+    Rows found = new Rows(with(ofCut, List.of(), List.of(driving)), 0.15, "joints,forces,drives");
     assertThat(found.rows).hasSize(16);
     for (int i = 0; i < found.rows.size(); i++) {
       double drive = expected.value(i, "j0.drive");
       // the condition of the loop's equations is some hundreds
       assertThat(found.value(i, "j0.drive"))
           .isCloseTo(drive, within(1e-10 * (1 + Math.abs(drive))));
+      for (Rows rows : List.of(expected, found)) {
+        double t = rows.value(i, "t");
+        assertThat(rows.value(i, "j0.q")).isEqualTo(t * t);
+        assertThat(rows.value(i, "j0.v")).isEqualTo(2 * t);
+        assertThat(rows.value(i, "j0.a")).isEqualTo(2);
+        assertThat(rows.value(i, "j0.power")).isEqualTo(2 * t * rows.value(i, "j0.drive"));
+      }
     }
   }
 

@@ -40,7 +40,7 @@ class MotionObserverTest {
     assertThat(warnings).hasSize(1).allMatch(Note::warning);
     assertThat(warnings.get(0).text())
         .startsWith("The absolute tolerance, 1.0e-04 m")
-        .contains("largest motion seen is 1.4e-06 m, of \"slide.q\"")
+        .contains("largest motion is 1.4e-06 m, of \"slide.q\"")
         .endsWith("write absTol=\"1e-12\".");
   }
 

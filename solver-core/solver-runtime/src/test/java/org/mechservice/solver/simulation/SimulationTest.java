@@ -132,7 +132,7 @@ class SimulationTest {
     assertThat(failed.failure().time()).isCloseTo(1, within(0.1));
     List<Failure.Step> steps = failed.failure().lastSteps();
     assertThat(steps).hasSize(10);
-    assertThat(steps.get(9).result()).isEqualTo("something was not finite");
+    assertThat(steps.get(9).result()).isEqualTo("a value was not finite");
     assertThat(("" + report.asMap().get("lastSteps")).lines().toList())
         .hasSize(10)
         .allSatisfy(line -> assertThat(line).matches("t=.* s, h=.* s, order \\d+.*: .*"));

@@ -51,7 +51,9 @@ class SwitchingRunTest {
     assertThat(notes).hasSize(1);
     assertThat(notes.get(0).code()).isEqualTo(MessageCode.METHOD_SWITCHED);
     assertThat(notes.get(0).time()).isBetween(1e-4, 0.1);
-    assertThat(notes.get(0).text()).startsWith("ode15s takes over from ode113: ").contains(" s.");
+    assertThat(notes.get(0).text())
+        .startsWith("The method changes from ode113 to ode15s: ")
+        .contains(" s.");
     assertThat(report.factorisations()).isPositive();
     double[] last = rows.rows.get(rows.rows.size() - 1);
     assertThat(last[1]).isCloseTo(StrictMath.exp(-20 / 1e4), within(1e-6));

@@ -27,7 +27,7 @@ final class CountingLoop {
   /**
    * Begins a loop that runs at least once.
    *
-   * @param types types of the slots below the counter's, as stack map frames tell them; not
+   * @param types types of the slots below the counter's, in the form of stack map frames; not
    *     modified
    * @param counter slot of the counter
    */

@@ -27,8 +27,8 @@ final class MethodBytes implements StackCode.Machine {
   private final int workspace;
 
   /**
-   * @param head what the program's inputs and outputs are called
-   * @param parameters slots of the method that is written
+   * @param head names of the program's inputs and outputs
+   * @param parameters slots of the method
    */
   MethodBytes(
       MethodVisitor code, MethodSignature head, ParameterSlots parameters, LocalSlots locals) {
@@ -153,7 +153,7 @@ final class MethodBytes implements StackCode.Machine {
         false);
   }
 
-  /** A comparison with NaN is false, as in the source. */
+  /** {@inheritDoc} A comparison with NaN is false, as in the source. */
   @Override
   public void check(IndexExpression result) {
     Label above = new Label();

@@ -6,7 +6,7 @@ import org.objectweb.asm.ClassReader;
 
 /** Lengths of the methods of a class file, read from their Code attributes (JVMS §4.7.3). */
 public final class MethodSizes {
-  /** A longer method is never compiled by the virtual machine (CODEGEN §9). */
+  /** Largest size of a method that the virtual machine compiles (CODEGEN §9). */
   private static final int LONGEST = 8000;
 
   private final ClassReader reader;
@@ -19,10 +19,10 @@ public final class MethodSizes {
   }
 
   /**
-   * Refuses a class that would run slowly.
+   * Rejects a class that would run slowly.
    *
-   * @throws ModelBuildException S-085 if a method is so long that the virtual machine would never
-   *     compile it
+   * @throws ModelBuildException S-085 if a method is too long for compilation by the virtual
+   *     machine
    */
   public static void requireCompilable(byte[] classFile) {
     int longest = longest(classFile);
@@ -52,7 +52,7 @@ public final class MethodSizes {
     members(at);
   }
 
-  /** Walks over fields or methods and returns where they end. */
+  /** Reads fields or methods and returns the index after them. */
   private int members(int start) {
     int count = reader.readUnsignedShort(start);
     int at = start + 2;

@@ -3,7 +3,7 @@ package org.mechservice.sim.emit.bytes;
 import org.objectweb.asm.MethodVisitor;
 import org.objectweb.asm.Opcodes;
 
-/** Pushes numbers by the shortest instruction that does. */
+/** Pushes numbers by the shortest possible instruction. */
 public final class NumberInstructions {
   private final MethodVisitor code;
 
@@ -23,7 +23,10 @@ public final class NumberInstructions {
     }
   }
 
-  /** A negative number is pushed as its magnitude, which is a constant already more often. */
+  /**
+   * Pushes a number; a negative one as its magnitude, which is more often a constant already, and a
+   * negation.
+   */
   public void push(double value) {
     if (value < 0) {
       push(-value);

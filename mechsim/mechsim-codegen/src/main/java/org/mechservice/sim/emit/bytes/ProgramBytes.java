@@ -64,7 +64,7 @@ public final class ProgramBytes {
     ClassMethods.end(code, Opcodes.RETURN);
   }
 
-  /** Goes to the beginning, or before the end, of the method of the interface. */
+  /** Writes further instructions at the beginning or before the end of the interface's method. */
   public interface Extra {
     void write(MethodVisitor code, ParameterSlots parameters);
   }
@@ -93,7 +93,7 @@ public final class ProgramBytes {
     MethodBytes body = new MethodBytes(code, head, parameters, locals);
     first.write(code, parameters);
     angles(code, body, parameters);
-    StackCode.tell(only, body);
+    StackCode.emit(only, body);
     if (!plan.isOneMethod() && !plan.steps().isEmpty()) {
       steps(code, parameters);
     }
@@ -115,7 +115,7 @@ public final class ProgramBytes {
     code.visitEnd();
   }
 
-  /** The angles, or calls of the methods that take them. */
+  /** Writes the angles, or calls of the methods that compute them. */
   private void angles(MethodVisitor code, MethodBytes body, ParameterSlots parameters) {
     if (angleParts.isEmpty()) {
       angles(code, body, parameters, AngleGroup.of(plan.angles()));
@@ -132,7 +132,7 @@ public final class ProgramBytes {
       if (run.isLoop()) {
         loop(code, body, parameters, run);
       } else {
-        StackCode.tellValue(run.angle(), body);
+        StackCode.emitValue(run.angle(), body);
         code.visitVarInsn(Opcodes.ALOAD, parameters.slotOf(ParameterSlots.WORKSPACE));
         new NumberInstructions(code).push(2 * run.start());
         sinCos(code);
@@ -152,7 +152,7 @@ public final class ProgramBytes {
     CountingLoop loop =
         CountingLoop.begin(code, parameters.types(), parameters.end(), 0, run.count());
     if (run.isMultiple()) {
-      StackCode.tellValue(run.factor(), body);
+      StackCode.emitValue(run.factor(), body);
     }
     code.visitVarInsn(Opcodes.ALOAD, parameters.slotOf(array.name()));
     loop.pushCounter(1, input - array.first());
@@ -166,7 +166,7 @@ public final class ProgramBytes {
     loop.end(1);
   }
 
-  /** The steps, or the parts that take them. */
+  /** Writes the steps, or calls of the parts that contain them. */
   private void steps(MethodVisitor code, ParameterSlots parameters) {
     List<List<CallSequence>> parts = plan.parts();
     if (parts.size() == 1) {
@@ -231,7 +231,7 @@ public final class ProgramBytes {
 
   /**
    * @param types of all slots below {@code free}; not modified
-   * @param free a slot that nothing lives in
+   * @param free an unused slot
    */
   private void invoke(MethodVisitor code, CallSequence.Call call, List<Object> types, int free) {
     invoke(code, methodName(call.method()), plan.checks(call), call.numbers().size());
@@ -245,7 +245,7 @@ public final class ProgramBytes {
         Opcodes.INVOKESTATIC, className, name, descriptor(checks, wholeNumbers), false);
   }
 
-  /** Of a part: what the program reads, the output, the fields and whole numbers. */
+  /** Returns the descriptor of a part: inputs of the program, the output, fields and integers. */
   private String descriptor(boolean checks, int wholeNumbers) {
     String rest = "[D" + "[D".repeat(fields.size()) + "I".repeat(wholeNumbers);
     return ParameterSlots.descriptor(plan.arguments(head), rest, checks);
@@ -253,7 +253,7 @@ public final class ProgramBytes {
 
   /**
    * @param types of all slots below {@code free}, as stack map frames tell them; not modified
-   * @param free a slot that nothing lives in
+   * @param free an unused slot
    */
   private static void returnUnlessRegular(MethodVisitor code, List<Object> types, int free) {
     Label regular = new Label();
@@ -298,7 +298,7 @@ public final class ProgramBytes {
       MethodVisitor code = begin(methodName(i), method.checks(), wholeNumbers);
       LocalSlots locals = LocalSlots.of(method, parameters.end());
       MethodBytes body = new MethodBytes(code, head, parameters, locals);
-      StackCode.tell(method, body);
+      StackCode.emit(method, body);
       end(code, body, method.checks());
     }
   }

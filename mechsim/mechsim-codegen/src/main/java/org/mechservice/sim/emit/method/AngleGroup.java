@@ -6,15 +6,15 @@ import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarOperation;
 
 /**
- * Angles whose sines and cosines are computed together: one by itself, or several in a loop, inputs
- * that follow one another or the same multiple of such.
+ * Angles whose sines and cosines are computed together: a single one, or several in a loop, whose
+ * angles are consecutive inputs or the same multiple of consecutive inputs.
  *
- * @param start which of the program's angles is the first
- * @param count how many
- * @param angle the first
+ * @param start index of the first among the program's angles
+ * @param count number of angles
+ * @param angle the first angle
  */
 public record AngleGroup(int start, int count, Scalar angle) {
-  /** Fewer angles in a row than this are written one by one. */
+  /** Smallest number of consecutive angles for a loop. */
   private static final int SHORTEST_LOOP = 3;
 
   /** Returns all angles of a program, in order. */

@@ -6,13 +6,13 @@ import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarOperation;
 
 /**
- * An operation on two values as it is written; signs of operands are absorbed where this adds no
+ * The written form of an operation on two values. Signs of operands are absorbed if this adds no
  * operation: a + (−3 b) as a − 3 b, −(−3 b) as 3 b, −(a − b) as b − a. Rounding does not depend on
  * signs, so the bits are the same but for the sign of a zero difference.
  *
  * @param operation addition, subtraction, multiplication or division
- * @param first what is written first
- * @param second what is written second
+ * @param first first written operand
+ * @param second second written operand
  */
 public record BinaryForm(ScalarOperation operation, Term first, Term second) {
   /**
@@ -24,9 +24,9 @@ public record BinaryForm(ScalarOperation operation, Term first, Term second) {
   public record Term(Scalar value, boolean opposite) {}
 
   /**
-   * Returns how an operation on two values is written.
+   * Returns the written form of an operation on two values.
    *
-   * @param places values that are not written out
+   * @param places locations of values that are not written out
    */
   public static BinaryForm of(Scalar node, Map<Scalar, ValueLocation> places) {
     Scalar a = node.first();
@@ -44,7 +44,7 @@ public record BinaryForm(ScalarOperation operation, Term first, Term second) {
     };
   }
 
-  /** Returns how the opposite of an operation that {@link #absorbsSign} is written. */
+  /** Returns the written form of the opposite of an operation that {@link #absorbsSign}. */
   public static BinaryForm ofOpposite(Scalar node, Map<Scalar, ValueLocation> places) {
     Scalar a = node.first();
     Scalar b = node.second();

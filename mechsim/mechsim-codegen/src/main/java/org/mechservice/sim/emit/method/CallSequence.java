@@ -5,24 +5,24 @@ import java.util.Collections;
 import java.util.List;
 
 /**
- * Calls of methods in a row, once or again and again.
+ * Consecutive calls of methods, once or repeated.
  *
- * @param calls what is called, in order
- * @param count how often
+ * @param calls the calls in order
+ * @param count number of repetitions
  */
 public record CallSequence(List<Call> calls, int count) {
-  /** Calls that would not become shorter as a loop are written one by one. */
+  /** Smallest number of repetitions for a loop. */
   private static final int SHORTEST_LOOP = 3;
 
-  /** Longest row of different calls that is looked for in a loop. */
+  /** Largest number of different calls in the body of a loop. */
   private static final int LONGEST_ROW = 4;
 
   /**
    * A call.
    *
-   * @param method which of the plan's methods
-   * @param numbers whole numbers that it is given the first time
-   * @param strides how far each grows from one time to the next
+   * @param method index among the plan's methods
+   * @param numbers integer arguments of the first repetition
+   * @param strides increment of each per repetition
    */
   public record Call(int method, List<Integer> numbers, List<Integer> strides) {
     /** A call that is not repeated. */
@@ -30,7 +30,7 @@ public record CallSequence(List<Call> calls, int count) {
       this(method, numbers, Collections.nCopies(numbers.size(), 0));
     }
 
-    /** Returns a whole number as an expression of the loop's counter {@code i}. */
+    /** Returns an integer argument as an expression of the loop's counter {@code i}. */
     public String text(int parameter) {
       int first = numbers.get(parameter);
       int stride = strides.get(parameter);
@@ -47,12 +47,12 @@ public record CallSequence(List<Call> calls, int count) {
     return count > 1;
   }
 
-  /** A method that is called once and given nothing. */
+  /** Returns a single call without arguments. */
   public static CallSequence of(int method) {
     return new CallSequence(List.of(new Call(method, List.of())), 1);
   }
 
-  /** Returns calls as steps: loops wherever whole numbers grow by the same amounts. */
+  /** Returns calls as steps, with loops wherever integer arguments grow by constant increments. */
   public static List<CallSequence> of(List<Call> calls) {
     List<CallSequence> steps = new ArrayList<>();
     for (int i = 0; i < calls.size(); ) {
@@ -72,7 +72,7 @@ public record CallSequence(List<Call> calls, int count) {
     return steps;
   }
 
-  /** Returns how often a row of calls follows itself, growing by the same amounts. */
+  /** Returns the number of repetitions of a sequence of calls with constant increments. */
   private static int times(List<Call> calls, int start, int row) {
     if (start + 2 * row > calls.size()) {
       return 1;

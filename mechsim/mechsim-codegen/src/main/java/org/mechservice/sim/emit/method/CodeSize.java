@@ -7,9 +7,9 @@ import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarOperation;
 
-/** Counts bytes of code. */
+/** Counts the bytes of code of planned methods. */
 public final class CodeSize implements StackCode.Machine {
-  /** Array, index and access. */
+  /** Bytes of an access to an array element. */
   private static final int ELEMENT = 5;
 
   private static final int NUMBER = 3;
@@ -17,10 +17,12 @@ public final class CodeSize implements StackCode.Machine {
   private static final int COPY = 12;
   private static final int CALL = 3;
 
-  /** Adding to what an index counts from. */
+  /** Bytes of an addition to an index. */
   private static final int SUM = 4;
 
-  /** A call of a method with its arrays, and what happens if it ends the program. */
+  /**
+   * Bytes of a call of a method with its arrays, including the check whether it ends the program.
+   */
   public static final int STEP = 24;
 
   private static final int LOOP = 16;
@@ -34,7 +36,7 @@ public final class CodeSize implements StackCode.Machine {
   /** Estimated size of the check of a value that has a place. */
   public static final int GUARD = 2 * LOCAL + CHECK;
 
-  /** Local variables up to this slot take the short form, two bytes an access, others four. */
+  /** Last slot with the short form of access, two bytes; other slots take four. */
   private static final int LAST_SHORT_SLOT = 255;
 
   private static final int SHORT_LOCAL = 2;
@@ -48,7 +50,9 @@ public final class CodeSize implements StackCode.Machine {
 
   private CodeSize() {}
 
-  /** Returns an estimate of each section of a program, were all in one method. */
+  /**
+   * Returns an estimate of the bytes of each section of a program, as if all were in one method.
+   */
   public static int[] ofSections(Program program, ValueUsage usage) {
     int[] bytes = new int[program.sections().size()];
     for (int s = 0; s < bytes.length; s++) {
@@ -78,10 +82,10 @@ public final class CodeSize implements StackCode.Machine {
     return bytes;
   }
 
-  /** Returns the size of a planned method, its variables sharing slots as they come and go. */
+  /** Returns the size of a planned method whose variables share slots. */
   public static int of(MethodPlan method) {
     CodeSize size = new CodeSize();
-    StackCode.tell(method, size);
+    StackCode.emit(method, size);
     LocalSlots locals = new LocalSlots(size.accesses, FIRST_SLOT);
     int bytes = size.bytes;
     for (int i = 0; i < locals.count(); i++) {
@@ -103,7 +107,7 @@ public final class CodeSize implements StackCode.Machine {
   /** Returns an estimate of the code that computes sines and cosines. */
   public static int of(AngleGroup run) {
     CodeSize size = new CodeSize();
-    StackCode.tellValue(run.angle(), size);
+    StackCode.emitValue(run.angle(), size);
     return size.bytes + ELEMENT + CALL + (run.isLoop() ? LOOP + 2 * SUM : 0);
   }
 
@@ -164,7 +168,7 @@ public final class CodeSize implements StackCode.Machine {
 
   @Override
   public void endElement() {
-    // Counted where it began.
+    // Counted at its beginning.
   }
 
   @Override

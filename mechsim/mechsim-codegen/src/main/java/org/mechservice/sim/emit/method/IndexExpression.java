@@ -1,20 +1,21 @@
 package org.mechservice.sim.emit.method;
 
 /**
- * An index, or another whole number, in a planned method.
+ * An index, or another integer, in a planned method.
  *
- * @param parameter which of the method's whole numbers it counts from; {@link #NONE}: from 0
- * @param offset how far it is from there
+ * @param parameter index of the method's integer parameter to which the offset is added; {@link
+ *     #NONE} for none
+ * @param offset constant offset
  */
 public record IndexExpression(int parameter, int offset) {
   public static final int NONE = -1;
 
-  /** A number that is the same in every call. */
+  /** Returns a constant index. */
   public static IndexExpression of(int number) {
     return new IndexExpression(NONE, number);
   }
 
-  /** Returns the name of a method's whole number. */
+  /** Returns the name of a method's integer parameter. */
   public static String name(int parameter) {
     return "at" + parameter;
   }

@@ -10,11 +10,11 @@ import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarOperation;
 
 /**
- * Slots of the local variables of a planned method: each variable has the lowest pair of slots that
- * is free while it lives, from the statement that gives it its value to its last use.
+ * Slots of the local variables of a planned method: each variable gets the lowest pair of slots
+ * that is free during its lifetime, from its definition to its last use.
  */
 public final class LocalSlots {
-  /** A variable: the pair it has, and how many accesses are still to come. */
+  /** A variable: its pair of slots, and the number of accesses left. */
   private static final class Variable {
     private int pair = -1;
     private int accesses;
@@ -22,10 +22,10 @@ public final class LocalSlots {
 
   private final int first;
 
-  /** Of each access in order: the pair of slots. */
+  /** The pair of slots of each access, in order. */
   private final int[] pairs;
 
-  /** Which accesses are the last of their variables. */
+  /** Marks the last access of each variable. */
   private final BitSet ends = new BitSet();
 
   private int next;
@@ -69,29 +69,29 @@ public final class LocalSlots {
   }
 
   /**
-   * Returns those of a method.
+   * Returns the slots of a method.
    *
    * @param first first slot behind the parameters
    */
   public static LocalSlots of(MethodPlan method, int first) {
     Accesses accesses = new Accesses();
-    StackCode.tell(method, accesses);
+    StackCode.emit(method, accesses);
     return new LocalSlots(accesses.values, first);
   }
 
-  /** Returns the slot of the variable that is accessed next. */
+  /** Returns the slot of the next access. */
   public int next() {
     int slot = first + 2 * pairs[next];
     next++;
     return slot;
   }
 
-  /** Returns how many accesses there are. */
+  /** Returns the number of accesses. */
   int count() {
     return pairs.length;
   }
 
-  /** Returns the pairs of slots that are taken now. */
+  /** Returns the pairs of slots in use now. */
   public BitSet taken() {
     BitSet taken = new BitSet();
     for (int i = 0; i < next; i++) {
@@ -100,7 +100,7 @@ public final class LocalSlots {
     return taken;
   }
 
-  /** Writes down the accesses to local variables. */
+  /** Records the accesses to local variables. */
   private static final class Accesses implements StackCode.Machine {
     private final List<Scalar> values = new ArrayList<>();
 

@@ -5,13 +5,13 @@ import java.util.Map;
 import org.mechservice.sim.symbolic.Scalar;
 
 /**
- * A stretch of a program that becomes one method.
+ * The plan of one method, for one part of a program or for several equal parts.
  *
  * @param statements its statements, in order
- * @param places where values are found in it
- * @param originals of a method that several stretches share, the program's values its values are in
- *     the first of them, which give them their names; empty if its values are the program's own
- * @param parameters whole numbers it is given
+ * @param places locations of values in it
+ * @param originals for a method shared by several parts, the program's values that correspond to
+ *     its values in the first part and name them; empty if its values are the program's own
+ * @param parameters number of its integer parameters
  */
 public record MethodPlan(
     List<Statement> statements,
@@ -21,7 +21,7 @@ public record MethodPlan(
   /** A method without statements. */
   public static final MethodPlan EMPTY = new MethodPlan(List.of(), Map.of());
 
-  /** A stretch of its own. */
+  /** Creates a method for one part. */
   public MethodPlan(List<Statement> statements, Map<Scalar, ValueLocation> places) {
     this(statements, places, Map.of(), 0);
   }

@@ -6,8 +6,8 @@ import org.mechservice.sim.symbolic.Program;
 /**
  * The method of a model that runs a program.
  *
- * @param name its name, and the beginning of those of its parts
- * @param arguments where the program's inputs come from, in the order of the parameters
+ * @param name its name, and the prefix of the names of its parts
+ * @param arguments parameters that hold the program's inputs, in order
  * @param output name of the last parameter, the array of outputs
  * @param returnsResult whether the method returns the result of the guard that failed
  * @param isPublic whether it is a method of the model's interfaces
@@ -19,11 +19,11 @@ public record MethodSignature(
    *
    * @param name its name
    * @param isArray whether it is an array of numbers, otherwise a number
-   * @param first index of the program's input that it, or its first element, is
+   * @param first index of the program's input that it, or its first element, holds
    */
   public record Argument(String name, boolean isArray, int first) {}
 
-  /** The parameters of the model: a field of its own that every method is given. */
+  /** The parameters of the model: a field that is passed to every method. */
   public static final Argument MODEL_PARAMETERS = new Argument("p", true, Program.PARAMETER);
 
   /** Returns the name of a method of its own that computes angles. */
@@ -36,7 +36,7 @@ public record MethodSignature(
     return input >= Program.PARAMETER && input < Program.PLACEHOLDER;
   }
 
-  /** Returns the parameter that gives an input: the one that begins last at or before it. */
+  /** Returns the parameter that holds an input: the last one that begins at or before it. */
   public Argument argumentOf(int input) {
     if (isModelParameter(input)) {
       return MODEL_PARAMETERS;

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.objectweb.asm.Opcodes;
 
-/** Slots and types of what a method is given, fields last. */
+/** Slots and types of a method's parameters, fields last. */
 public final class ParameterSlots {
   /** Name of the workspace. */
   public static final String WORKSPACE = "w";
@@ -16,7 +16,9 @@ public final class ParameterSlots {
 
   private ParameterSlots() {}
 
-  /** The method of the interface: the instance, the parameters, then fields that are arrays. */
+  /**
+   * Returns the slots of the interface's method: the instance, the parameters, then array fields.
+   */
   public static ParameterSlots ofInstance(
       MethodSignature head, String className, List<String> fields) {
     ParameterSlots parameters = new ParameterSlots();
@@ -25,7 +27,7 @@ public final class ParameterSlots {
     return parameters;
   }
 
-  /** A part: what the program reads, the output, fields and whole numbers. */
+  /** Returns the slots of a part: inputs of the program, the output, fields and integers. */
   public static ParameterSlots ofPart(
       MethodSignature head,
       List<MethodSignature.Argument> arguments,
@@ -67,7 +69,7 @@ public final class ParameterSlots {
     return place < 0 ? -1 : slots.get(place);
   }
 
-  /** Returns types as stack map frames tell them. */
+  /** Returns the types in the form of stack map frames. */
   public List<Object> types() {
     return types;
   }

@@ -8,10 +8,11 @@ import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarOperation;
 
 /**
- * A planned method as a stack machine runs it: operands first, then the operation.
+ * Translates a planned method to instructions of a stack machine: operands first, then the
+ * operation.
  *
- * <p>The order of operations is that of the plan, so every machine that gets the same plan computes
- * the same bits as the source printed from it.
+ * <p>The order of operations is that of the plan, so every machine computes the same bits as the
+ * source printed from the plan.
  */
 public final class StackCode {
   /** Receives the instructions. */
@@ -37,16 +38,16 @@ public final class StackCode {
     /** Pops the arguments of a function and pushes its result. */
     void call(MathFunction function);
 
-    /** Gets ready to pop into an element of the workspace. */
+    /** Prepares a pop into an element of the workspace. */
     void beginSlot(int index);
 
-    /** Gets ready to pop into an output. */
+    /** Prepares a pop into an output. */
     void beginOutput(int index);
 
     /** Pushes an element of an array. */
     void pushElement(ValueLocation.Element element);
 
-    /** Gets ready to pop into an element of an array. */
+    /** Prepares a pop into an element of an array. */
     void beginElement(ValueLocation.Element element);
 
     /** Pops into the prepared location. */
@@ -68,15 +69,15 @@ public final class StackCode {
   }
 
   /** Sends the instructions of a method to a machine. */
-  public static void tell(MethodPlan method, Machine machine) {
+  public static void emit(MethodPlan method, Machine machine) {
     StackCode code = new StackCode(method, machine);
     for (Statement statement : method.statements()) {
       code.statement(statement);
     }
   }
 
-  /** Tells a machine to push a value that needs no places. */
-  public static void tellValue(Scalar value, Machine machine) {
+  /** Sends to a machine the instructions that push a value without locations. */
+  public static void emitValue(Scalar value, Machine machine) {
     new StackCode(new MethodPlan(List.of(), Map.of()), machine).value(value);
   }
 
@@ -122,7 +123,7 @@ public final class StackCode {
     }
   }
 
-  /** The opposite of a value that takes up the sign. */
+  /** Emits the opposite of a value that absorbs the sign. */
   private void opposite(Scalar node) {
     OptionalDouble constant = BinaryForm.constant(node, method.places());
     if (constant.isPresent()) {

@@ -3,7 +3,7 @@ package org.mechservice.sim.emit.method;
 import org.mechservice.sim.symbolic.Scalar;
 
 /**
- * Where a value is found inside a method; a value without a place is written out where it is used.
+ * The location of a value inside a method; a value without a location is written out at its use.
  */
 public sealed interface ValueLocation {
   /** The local variable that holds a value. */
@@ -15,7 +15,7 @@ public sealed interface ValueLocation {
   /** An input of the program. */
   record Input(int index) implements ValueLocation {}
 
-  /** An element of an array that the method is given. */
+  /** An element of an array parameter. */
   record Element(String array, IndexExpression index) implements ValueLocation {}
 
   /** A number that is the same in every call. */

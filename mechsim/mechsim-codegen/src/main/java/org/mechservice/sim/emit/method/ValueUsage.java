@@ -10,14 +10,14 @@ import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarOperation;
 
 /**
- * Where the values of a program are used, and which of them get a place of their own.
+ * The uses of the values of a program, and the choice of values that get a variable.
  *
- * <p>A value is computed in the section in which it arose. What is used once, in that section, is
- * written out where it is used; a change of sign always is. Sines and cosines come before all
+ * <p>A value is computed in the section in which it was recorded. A value with a single use in that
+ * section is written out at its use; a change of sign always is. Sines and cosines come before all
  * sections.
  */
 public final class ValueUsage {
-  /** A longer expression is cut in two, so that people can read it. */
+  /** Largest number of operations of one expression; a longer one is divided for readability. */
   private static final int LONGEST_EXPRESSION = 14;
 
   private static final Comparator<Scalar> ANGLES = new AngleOrder();
@@ -27,7 +27,9 @@ public final class ValueUsage {
   private final int[] live;
   private final int[] sectionOf;
 
-  /** Uses of node i: elements firstUse[i] to firstUse[i + 1] of {@link #users}, a section each. */
+  /**
+   * Uses of node i: elements firstUse[i] to firstUse[i + 1] of {@link #users}, one section each.
+   */
   private final int[] firstUse;
 
   private int[] users = {};
@@ -50,7 +52,7 @@ public final class ValueUsage {
     collectPlaced();
   }
 
-  /** What arose before the first section opened is computed in it. */
+  /** Returns the section of each node; nodes recorded before the first section belong to it. */
   private int[] sectionsOfNodes() {
     int[] sectionOfNode = new int[live.length];
     int section = 0;
@@ -63,7 +65,7 @@ public final class ValueUsage {
     return sectionOfNode;
   }
 
-  /** Two rounds: the first counts, the second writes down. */
+  /** Collects the uses in two passes: the first counts, the second stores. */
   private void collectUses() {
     eachUse((node, section) -> firstUse[node + 1]++);
     for (int id = 0; id < live.length; id++) {
@@ -74,7 +76,7 @@ public final class ValueUsage {
     eachUse((node, section) -> users[next[node]++] = section);
   }
 
-  /** Told that a node is used in a section. */
+  /** Receives the use of a node in a section. */
   private interface UseListener {
     void used(int node, int section);
   }
@@ -126,7 +128,9 @@ public final class ValueUsage {
     return firstUse[id + 1] - firstUse[id];
   }
 
-  /** Returns whether a node is computed in a section: it is not given, nor a change of sign. */
+  /**
+   * Returns whether a node is computed in a section: it is neither an input nor a change of sign.
+   */
   public static boolean isComputed(Scalar node) {
     return switch (node.operation()) {
       case CONSTANT, INPUT, NEGATE, SINE, COSINE -> false;
@@ -138,7 +142,7 @@ public final class ValueUsage {
     return node.operation() == ScalarOperation.SINE || node.operation() == ScalarOperation.COSINE;
   }
 
-  /** Returns how often a value is used. */
+  /** Returns the number of uses of a value. */
   public int useCount(Scalar node) {
     return useCount(node.id());
   }
@@ -148,12 +152,12 @@ public final class ValueUsage {
     return users[firstUse[node.id()] + i];
   }
 
-  /** Returns whether a value gets a place of its own. */
+  /** Returns whether a value gets a variable. */
   boolean isPlaced(Scalar node) {
     return placed[node.id()];
   }
 
-  /** Returns the values of a section that get a place, in the order of their computation. */
+  /** Returns the values of a section that get a variable, in the order of their computation. */
   public List<Scalar> placedIn(int section) {
     return placedIn.get(section);
   }

@@ -1,5 +1,5 @@
 /**
- * Planned methods as values, and what they cost in bytes.
+ * Planned methods as values, and their size in bytes.
  *
  * <p>{@link org.mechservice.sim.emit.method.MethodPlan} is the main type: the {@link
  * org.mechservice.sim.emit.method.Statement}s of one method, and the {@link
@@ -10,12 +10,12 @@
  * {@link org.mechservice.sim.emit.method.ValueUsage} decides which values of a program get a
  * variable of their own.
  *
- * <p>{@link org.mechservice.sim.emit.method.StackCode} walks a planned method as a stack machine
- * would run it. {@link org.mechservice.sim.emit.method.CodeSize} counts bytes with it, since the
- * virtual machine compiles no method above 8 000 bytes; the printer of byte code uses the same
+ * <p>{@link org.mechservice.sim.emit.method.StackCode} translates a planned method to instructions
+ * of a stack machine. {@link org.mechservice.sim.emit.method.CodeSize} counts bytes with it, since
+ * the virtual machine compiles no method above 8 000 bytes; the printer of byte code uses the same
  * walk, so the count is exact.
  *
- * <p>Depends on symbolic programs alone. The planners of {@code emit.plan} make these values, the
+ * <p>Depends on symbolic programs only. The planners of {@code emit.plan} create these values; the
  * printers read them.
  */
 @NullMarked

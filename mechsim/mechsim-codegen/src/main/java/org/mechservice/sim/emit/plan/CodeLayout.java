@@ -10,9 +10,10 @@ import org.mechservice.sim.symbolic.Program;
 /** Chooses between a straight line and shared kernels (CODEGEN §8), whose results are the same. */
 public final class CodeLayout {
   /**
-   * How many times shorter shared kernels must be. Class files of chains whose links differ in
-   * numbers alone are 2.6 times smaller with 60 links and 3.7 times with 200, names and tables
-   * included; in trees of joints at random few are alike, and what calls cost is not gained.
+   * Smallest ratio of lengths at which shared kernels are chosen. Class files of chains whose links
+   * differ only in numbers are 2.6 times smaller with 60 links and 3.7 times with 200, names and
+   * tables included; in trees of random joints few sections are alike, and the calls cost more than
+   * they save.
    */
   private static final double LEAST_GAIN = 2;
 
@@ -23,7 +24,7 @@ public final class CodeLayout {
    *
    * @param head the method that runs it
    * @param form the requested form
-   * @param table gets the constants in which calls of a method differ
+   * @param table receives the constants in which calls of a method differ
    */
   public static ProgramPlan plan(
       Program program, MethodSignature head, CodeForm form, ConstantTable table) {

@@ -10,20 +10,21 @@ import org.mechservice.sim.emit.method.ValueLocation;
 /**
  * A method that several sections share, and the arguments of each section.
  *
- * <p>Operands that lie equally far apart in all sections are found from one whole number; those
- * that are the same in all are written out. Constants in which the sections differ stand in a row
- * of the {@link ConstantTable} for each section, whose beginning is one more such number.
+ * <p>One integer argument addresses all operands whose distances are equal in all sections;
+ * operands that are the same in all sections are written out. Constants in which the sections
+ * differ are in one row of the {@link ConstantTable} per section; its start is a further integer
+ * argument.
  */
 final class Kernel implements KernelBody.Addresses {
   private final List<KernelBody> sections;
   private final List<IndexExpression> indices = new ArrayList<>();
   private final List<ValueLocation> constants = new ArrayList<>();
 
-  /** Whole numbers: those of section i are the i-th elements. */
+  /** Integer arguments; those of section i are the i-th elements. */
   private final List<int[]> parameters = new ArrayList<>();
 
   /**
-   * @param sections those that share it, of the same shape, in order
+   * @param sections sections that share the method, of the same shape, in order
    */
   Kernel(List<KernelBody> sections, ConstantTable table) {
     this.sections = sections;
@@ -64,7 +65,7 @@ final class Kernel implements KernelBody.Addresses {
     return true;
   }
 
-  /** Finds the whole number a column runs along with; it takes the least of all that do. */
+  /** Returns the integer argument from which a column has a constant distance. */
   private int baseOf(int[] column) {
     for (int p = 0; p < parameters.size(); p++) {
       int[] base = parameters.get(p);
@@ -124,7 +125,7 @@ final class Kernel implements KernelBody.Addresses {
     return constants.get(constant);
   }
 
-  /** Returns how many whole numbers it is given. */
+  /** Returns the number of its integer parameters. */
   int parameterCount() {
     return parameters.size();
   }

@@ -16,23 +16,23 @@ import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarOperation;
 
 /**
- * The method of one section written anew over numbered operands: the elements of arrays it reads
- * and writes, the results it ends the program with, and its constants.
+ * The method of one section rewritten over numbered operands: the elements of arrays that it reads
+ * and writes, the results with which it ends the program, and its constants.
  *
- * <p>In a graph that all sections share, what has the same structure becomes the same nodes, so two
- * sections that compute the same operations in the same order have equal bodies.
+ * <p>All sections use one common graph, in which equal structures are the same nodes. Two sections
+ * with the same operations in the same order therefore have equal bodies.
  */
 final class KernelBody {
   /** Locations of the operands and constants of a section. */
   interface Addresses {
-    /** Where in its array an operand is. */
+    /** Returns the index of an operand in its array. */
     IndexExpression index(int operand);
 
-    /** Where a constant is. */
+    /** Returns the location of a constant. */
     ValueLocation constant(int constant);
   }
 
-  /** Every operand and every constant counts: what sections must have in common to share code. */
+  /** Addresses for the comparison of sections: every operand and every constant is numbered. */
   private static final Addresses SHAPE =
       new Addresses() {
         @Override
@@ -66,7 +66,7 @@ final class KernelBody {
   }
 
   /**
-   * Returns what the sections of a kernel have in common.
+   * Returns the common part of the sections of a kernel.
    *
    * @param section the method of one section
    * @param head the method that runs the program
@@ -78,7 +78,7 @@ final class KernelBody {
     return body;
   }
 
-  /** Returns the method of this section and its like, with a remark on them. */
+  /** Returns the method shared by this section and equal ones, with a remark. */
   MethodPlan method(Addresses shared, int parameters, String remark) {
     KernelBody body = new KernelBody(section, head, common, shared);
     body.write();
@@ -99,7 +99,7 @@ final class KernelBody {
     return new MethodPlan(statements, places);
   }
 
-  /** Returns the numbers that stand where addresses ask for an index, in order. */
+  /** Returns the indices of the operands, in order. */
   List<Integer> operands() {
     return operands;
   }
@@ -167,7 +167,7 @@ final class KernelBody {
     return addresses.index(operands.size() - 1);
   }
 
-  /** A place outside the method, by the parameter of the method that leads to it. */
+  /** Returns a location outside the method by the parameter through which it is accessed. */
   private ValueLocation outside(ValueLocation place) {
     if (place instanceof ValueLocation.Slot slot) {
       return new ValueLocation.Element(ParameterSlots.WORKSPACE, operand(slot.index()));
@@ -179,7 +179,10 @@ final class KernelBody {
         : input;
   }
 
-  /** Numbered in the order of their first use: the same leaves for the same structure. */
+  /**
+   * Returns the leaf of a location; leaves are numbered in the order of first use, so equal
+   * structures have the same leaves.
+   */
   private Scalar leaf(ValueLocation place) {
     Scalar leaf = common.input(leaves);
     leaves++;

@@ -19,11 +19,11 @@ import org.mechservice.sim.symbolic.Program;
 
 /**
  * Plans a program as shared kernels (CODEGEN §8): sections that compute the same operations in the
- * same order, as those of bodies on joints of one kind do, are one method, called with what they
- * differ in. Sections that are like no other become methods as in a straight line.
+ * same order, such as those of bodies on joints of one type, become one method, called with their
+ * differences as arguments. All other sections become methods as in a straight line.
  */
 final class KernelPlanner {
-  /** Bytes of code below which a call would be no shorter. */
+  /** Bytes of code below which a call is not shorter. */
   private static final int SHORTEST_KERNEL = 60;
 
   private final Program program;
@@ -48,7 +48,7 @@ final class KernelPlanner {
    * Plans a program.
    *
    * @param head the method that runs it
-   * @param table gets the constants in which calls differ
+   * @param table receives the constants in which calls differ
    */
   static ProgramPlan plan(Program whole, MethodSignature head, ConstantTable table) {
     int before = table.size();
@@ -91,11 +91,14 @@ final class KernelPlanner {
     return shared;
   }
 
-  /** Returns the method of each section: shared ones alone, others together up to a limit. */
+  /**
+   * Returns the method of each section: one for each shared section, and one for consecutive others
+   * up to a limit.
+   */
   private int[] chunks(List<MethodPlan> single, Set<MethodPlan> shared) {
     int[] chunks = new int[single.size()];
     int chunk = -1;
-    // more than a method takes: what follows is another, even if it has nothing to do
+    // above the limit a new method begins
     int full = limit + 1;
     int filled = full;
     for (int section = 0; section < chunks.length; section++) {

@@ -18,19 +18,22 @@ import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarOperation;
 
 /**
- * Writes the methods of a plan, given which section goes into which method ("chunk").
+ * Writes the methods of a plan for a given assignment of sections to methods ("chunks").
  *
  * <p>A value computed in one chunk and used in a later one goes through the workspace, even if it
  * is used once. A chunk loads such a value into a local variable, which has the name of the value.
  * It also loads array elements that it uses more than once, because otherwise a write to one array
- * would force another array to be read again. In a straight line, sections that read anew load
- * their operands in the same way.
+ * would force another array to be read again. In a straight line, sections that read their operands
+ * again load them in the same way.
  */
 final class MethodPlanner {
-  /** Fewer inputs than this are put out one by one. */
+  /** Smallest number of consecutive inputs that are copied in a loop. */
   private static final int SHORTEST_COPY = 3;
 
-  /** What one chunk uses of a value: how often, in which section first, and where anew. */
+  /**
+   * Uses of a value in one chunk: their number, the first section, and the sections that read it
+   * again.
+   */
   private record Use(Scalar value, int count, int firstSection, SortedSet<Integer> sectionsAnew) {}
 
   private final Program program;
@@ -42,8 +45,9 @@ final class MethodPlanner {
 
   /**
    * @param chunkOfSection method of each section, in order; not modified
-   * @param straight whether it is a straight line: an element of the workspace is given again when
-   *     its value is over, and read again in sections that read anew
+   * @param straight whether the layout is a straight line: an element of the workspace is reused
+   *     after the last use of its value, and loaded again in sections that read their operands
+   *     again
    */
   MethodPlanner(Program program, ValueUsage usage, int[] chunkOfSection, boolean straight) {
     this.program = program;
@@ -148,7 +152,7 @@ final class MethodPlanner {
     return new MethodPlan(statements, places);
   }
 
-  /** Finds a place in a chunk for a value that comes from outside it. */
+  /** Determines the location in a chunk of a value from outside it. */
   private void take(
       Use use, Map<Scalar, ValueLocation> places, Map<Integer, List<Statement>> loads) {
     Scalar node = use.value();
@@ -215,7 +219,7 @@ final class MethodPlanner {
     }
   }
 
-  /** Returns how many outputs from {@code start} on are consecutive inputs. */
+  /** Returns the number of outputs from {@code start} on that are consecutive inputs. */
   private static int runOfInputs(List<Program.Output> outputs, int start) {
     Program.Output first = outputs.get(start);
     int run = 0;

@@ -21,11 +21,11 @@ import org.mechservice.sim.symbolic.ScalarOperation;
  * The code of a program, planned.
  *
  * @param program the program
- * @param usage which of its values have a place
+ * @param usage uses of its values
  * @param methods methods that the steps call
- * @param steps what follows the sines and cosines, in order
- * @param slots length of workspace it needs
- * @param remark reason for the layout, for people; empty if it needs none
+ * @param steps steps after the sines and cosines, in order
+ * @param slots required length of the workspace
+ * @param remark reason for the layout; empty if it needs none
  */
 public record ProgramPlan(
     Program program,
@@ -40,7 +40,7 @@ public record ProgramPlan(
     return new ProgramPlan(program, usage, methods, steps, slots, why);
   }
 
-  /** Returns whether methods are shared by stretches of the program. */
+  /** Returns whether parts of the program share methods. */
   public boolean isShared() {
     for (MethodPlan method : methods) {
       if (method.parameters() > 0) {
@@ -50,7 +50,7 @@ public record ProgramPlan(
     return false;
   }
 
-  /** Returns how many calls of methods one run of the program takes. */
+  /** Returns the number of calls of methods in one run of the program. */
   int callCount() {
     return steps.stream().mapToInt(step -> step.count() * step.calls().size()).sum();
   }
@@ -61,7 +61,7 @@ public record ProgramPlan(
         + steps.stream().mapToInt(CodeSize::of).sum();
   }
 
-  /** Says how the program is written, for people. */
+  /** Returns a description of the layout. */
   public String summary(String name) {
     String operations = name + " " + program.operationCount() + " operations";
     String in = methods.size() > 1 ? " in " + methods.size() + " methods" : "";
@@ -78,8 +78,8 @@ public record ProgramPlan(
   }
 
   /**
-   * Returns the angles that are computed in methods of their own: those of each, or nothing where
-   * the method that runs the program has room for all of them.
+   * Returns the angles of each separate method for angles; empty if the main method has room for
+   * all of them.
    */
   public List<List<AngleGroup>> angleParts() {
     List<AngleGroup> runs = AngleGroup.of(angles());
@@ -90,7 +90,7 @@ public record ProgramPlan(
     return bytes > StraightLinePlanner.TOO_LONG ? grouped(runs, CodeSize::of) : List.of();
   }
 
-  /** Returns an estimate of the method that runs the program, but for its angles. */
+  /** Returns an estimate of the main method without its angles. */
   private int ownBytes() {
     if (isOneMethod()) {
       return CodeSize.of(methods.get(0));
@@ -137,7 +137,7 @@ public record ProgramPlan(
     return methods.size() == 1 && steps.size() == 1 && methods.get(0).parameters() == 0;
   }
 
-  /** Returns the steps, in methods of their own if they are too long for one. */
+  /** Returns the steps, divided into several methods if they are too long for one. */
   public List<List<CallSequence>> parts() {
     int bytes = 0;
     for (CallSequence step : steps) {
@@ -148,7 +148,7 @@ public record ProgramPlan(
         : grouped(steps, CodeSize::of);
   }
 
-  /** Returns what follows one another in as few groups as methods have room for. */
+  /** Returns consecutive elements in as few groups as the size of methods permits. */
   private static <T> List<List<T>> grouped(List<T> all, ToIntFunction<T> size) {
     List<List<T>> groups = new ArrayList<>();
     int bytes = 0;
@@ -169,7 +169,7 @@ public record ProgramPlan(
     return methods.get(call.method()).checks();
   }
 
-  /** Returns whether steps can end the program. */
+  /** Returns whether any of these steps can end the program. */
   public boolean checks(List<CallSequence> some) {
     for (CallSequence step : some) {
       for (CallSequence.Call call : step.calls()) {
@@ -181,7 +181,9 @@ public record ProgramPlan(
     return false;
   }
 
-  /** Returns the fields that every method of the program is given: workspace and parameters. */
+  /**
+   * Returns the fields that are passed to every method of the program: workspace and parameters.
+   */
   public List<String> fields() {
     List<String> fields = new ArrayList<>();
     if (slots > 0) {

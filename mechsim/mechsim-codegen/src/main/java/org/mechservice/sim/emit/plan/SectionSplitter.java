@@ -8,13 +8,13 @@ import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
 
 /**
- * Divides sections that are too long for a method; the order of operations stays.
+ * Divides sections that are too long for a method, without changing the order of operations.
  *
- * <p>A value that is put out, written out there while its section was whole, gets a place of its
- * own once it stands in another part: parts are divided again until none is too long.
+ * <p>An output value that was written out at its output gets a variable if its computation moves to
+ * another part. Parts are divided again until none is too long.
  */
 final class SectionSplitter {
-  /** Values that one part puts out at most. */
+  /** Largest number of outputs of one part. */
   private static final int OUTPUTS = 200;
 
   private final Program program;
@@ -43,7 +43,7 @@ final class SectionSplitter {
     return whole;
   }
 
-  /** A program in sections, where its values are used, and how long its sections are. */
+  /** A program in sections, with the uses of its values and the lengths of its sections. */
   static final class Division {
     private final Program program;
     private final ValueUsage usage;
@@ -98,7 +98,7 @@ final class SectionSplitter {
     putOut(section, endOf(s));
   }
 
-  /** Outputs and checks come behind all values, in parts without values. */
+  /** Writes outputs and checks after all values, in parts without values. */
   private void putOut(Program.Section section, int end) {
     List<Program.Output> outputs = section.outputs();
     int together = Math.min(OUTPUTS, partBytes / CodeSize.OUTPUT);

@@ -6,18 +6,18 @@ import org.mechservice.sim.emit.method.MethodPlan;
 import org.mechservice.sim.symbolic.Program;
 
 /**
- * Plans a program as straight-line methods: sections in order, as many to a method as the compiler
- * of the virtual machine likes to see together (CODEGEN §9: a method above 8 000 bytes is never
- * compiled, about 6 000 runs fastest).
+ * Plans a program as straight-line methods: sections in order, as many per method as run fastest
+ * (CODEGEN §9: the virtual machine never compiles a method above 8 000 bytes; about 6 000 run
+ * fastest).
  */
 final class StraightLinePlanner {
-  /** Bytes of code aimed at. */
+  /** Intended bytes of code of a method. */
   static final int METHOD_BYTES = 6000;
 
-  /** Bytes above which sections are distributed anew. */
+  /** Bytes above which sections are distributed again. */
   static final int TOO_LONG = 6600;
 
-  /** Bytes below which a method's calls would be all it has. */
+  /** Smallest intended size; a smaller method would consist of calls only. */
   private static final int LEAST_BYTES = METHOD_BYTES / 8;
 
   private StraightLinePlanner() {}
@@ -33,9 +33,9 @@ final class StraightLinePlanner {
   }
 
   /**
-   * Plans for shorter and shorter methods until none turns out too long.
+   * Plans for ever shorter methods until none is too long.
    *
-   * @param planner plans for methods of so many bytes, sections longer than that divided
+   * @param planner plans methods for a given number of bytes; longer sections are divided
    */
   static ProgramPlan within(IntFunction<ProgramPlan> planner) {
     int limit = METHOD_BYTES;

@@ -11,8 +11,8 @@ import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarOperation;
 
 /**
- * Gives values that cross methods an element of the workspace each; an element is given again once
- * the last method that reads it is over. Sines and cosines come first.
+ * Assigns an element of the workspace to each value that is used in several methods; an element is
+ * reused after the last method that reads it. Sines and cosines come first.
  */
 final class WorkspaceSlots {
   private final Map<Scalar, Integer> slotOf = new HashMap<>();
@@ -24,8 +24,8 @@ final class WorkspaceSlots {
 
   /**
    * @param chunkOfSection method of each section; not modified
-   * @param reuse whether elements are given again; otherwise the values of a section stand together
-   *     in their order, as those of every section alike do
+   * @param reuse whether elements are reused; otherwise the values of a section are contiguous and
+   *     in order, equally for all equal sections
    */
   WorkspaceSlots(Program program, ValueUsage usage, int[] chunkOfSection, boolean reuse) {
     this.usage = usage;

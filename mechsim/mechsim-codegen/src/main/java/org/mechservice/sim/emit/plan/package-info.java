@@ -1,9 +1,9 @@
 /**
- * How a program is divided into methods.
+ * The division of a program into methods.
  *
- * <p>{@link org.mechservice.sim.emit.plan.CodeLayout} is the entry. It plans a program in the form
- * that {@link org.mechservice.sim.emit.plan.CodeForm} asks for, or chooses the shorter one, and
- * returns a {@link org.mechservice.sim.emit.plan.ProgramPlan}: the methods, the order of their
+ * <p>{@link org.mechservice.sim.emit.plan.CodeLayout} is the entry point. It plans a program in the
+ * form that {@link org.mechservice.sim.emit.plan.CodeForm} asks for, or chooses the shorter one,
+ * and returns a {@link org.mechservice.sim.emit.plan.ProgramPlan}: the methods, the order of their
  * calls, and the length of the workspace.
  *
  * <p>{@code StraightLinePlanner} puts sections into methods in their order, as many as the compiler

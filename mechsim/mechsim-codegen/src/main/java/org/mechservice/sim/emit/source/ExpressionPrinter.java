@@ -11,7 +11,7 @@ import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarOperation;
 
 /**
- * Writes values as Java expressions, with no more parentheses than the order of operations needs.
+ * Writes values as Java expressions, with as few parentheses as the order of operations permits.
  */
 final class ExpressionPrinter {
   private static final int SUM = 1;
@@ -44,13 +44,13 @@ final class ExpressionPrinter {
     return names.of(originals.getOrDefault(value, value));
   }
 
-  /** Returns a value: its place, or else the operation that gives it. */
+  /** Returns the location of a value, or its operation if it has none. */
   String value(Scalar node) {
     ValueLocation place = places.get(node);
     return place == null ? operation(node) : place(place);
   }
 
-  /** Returns a place as an expression. */
+  /** Returns a location as an expression. */
   String place(ValueLocation place) {
     if (place instanceof ValueLocation.Local local) {
       return name(local.value());
@@ -71,7 +71,7 @@ final class ExpressionPrinter {
         : argument.name();
   }
 
-  /** Returns the operation that gives a value, even if it has a place. */
+  /** Returns the operation of a value, even if it has a location. */
   String operation(Scalar node) {
     return switch (node.operation()) {
       case CONSTANT -> numbers.of(node.value());
@@ -105,7 +105,8 @@ final class ExpressionPrinter {
   }
 
   /**
-   * A sum or product whose second operand only is one is written the other way round: same bits.
+   * Returns an operation with two operands. If only the second operand of a sum or product is
+   * itself one, the operands are exchanged, with the same bits.
    */
   private String binary(BinaryForm form) {
     int level = level(form.operation());

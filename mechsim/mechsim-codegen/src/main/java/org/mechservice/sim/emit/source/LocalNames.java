@@ -16,7 +16,7 @@ import org.mechservice.sim.symbolic.ScalarOperation;
  * with a number.
  */
 final class LocalNames {
-  /** Names that the methods use for something else. */
+  /** Names that the methods use for other purposes. */
   private static final Set<String> TAKEN =
       Set.of(
           "t",
@@ -57,7 +57,10 @@ final class LocalNames {
     }
   }
 
-  /** An input is called after its place in its array, a sine or cosine after the angle's number. */
+  /**
+   * Returns the name of an input from its index in its array, or of a sine or cosine from the
+   * angle's number.
+   */
   private static String nameOfGiven(Scalar node, ValueUsage usage, MethodSignature head) {
     if (node.operation() == ScalarOperation.INPUT) {
       MethodSignature.Argument argument = head.argumentOf(node.index());
@@ -84,7 +87,7 @@ final class LocalNames {
     names.put(node, distinct);
   }
 
-  /** Returns the name of a value that is placed or given. */
+  /** Returns the name of a value with a location. */
   String of(Scalar node) {
     return names.getOrDefault(node, "");
   }

@@ -40,7 +40,7 @@ public final class ProgramPrinter {
     }
   }
 
-  /** Writes the method of the interface, with what goes to its beginning and before its end. */
+  /** Writes the method of the interface, with lines for its beginning and its end. */
   public void method(List<String> first, List<String> last) {
     source.blank();
     if (head.isPublic()) {
@@ -94,7 +94,7 @@ public final class ProgramPrinter {
     return new ExpressionPrinter(method, head, names, numbers);
   }
 
-  /** The angles, or calls of the methods that take them. */
+  /** Writes the angles, or calls of the methods that compute them. */
   private void angles() {
     if (angleParts.isEmpty()) {
       angles(AngleGroup.of(plan.angles()));
@@ -130,7 +130,7 @@ public final class ProgramPrinter {
     return offset == 0 ? variable : variable + " + " + offset;
   }
 
-  /** The main method of a program in parts: its steps, or the parts that take them. */
+  /** Writes the main method of a program: its steps, or calls of the parts that contain them. */
   private void steps() {
     List<List<CallSequence>> parts = plan.parts();
     if (parts.size() == 1) {
@@ -175,7 +175,7 @@ public final class ProgramPrinter {
     call(text.append(')').toString(), plan.checks(call));
   }
 
-  /** A call that can end the program. */
+  /** Writes a call, with a check if it can end the program. */
   private void call(String call, boolean checks) {
     if (checks) {
       source.line("singular = " + call + ";");
@@ -293,7 +293,7 @@ public final class ProgramPrinter {
     }
   }
 
-  /** A value that is nowhere else in this method is named in a comment. */
+  /** Writes a store; a comment names a value that is not named elsewhere in this method. */
   private void store(Statement.Store store, ExpressionPrinter printer) {
     String value = printer.value(store.value());
     String name = names.of(store.value());

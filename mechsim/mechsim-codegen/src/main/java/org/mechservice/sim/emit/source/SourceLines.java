@@ -1,6 +1,6 @@
 package org.mechservice.sim.emit.source;
 
-/** Java source in the making: indented, at most 100 columns wide. */
+/** Builds Java source: indented, at most 100 columns wide. */
 public final class SourceLines {
   private static final int WIDTH = 100;
   private static final int CONTINUATION = 4;

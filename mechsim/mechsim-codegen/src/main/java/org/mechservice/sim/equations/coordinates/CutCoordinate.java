@@ -8,12 +8,12 @@ import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarVector;
 
 /**
- * A coordinate of a cut joint, which follows from the pose of the two bodies it joins.
+ * A coordinate of a cut joint, computed from the poses of its two bodies.
  *
- * @param frames the frames of the bodies between which it is measured
+ * @param frames the frames on the two bodies
  * @param term the coordinate with its derivatives
- * @param position its value, an angle with its whole turns, rad or m; of an angular velocity in a
- *     joint with Euler parameters there is none, and it is never used
+ * @param position its value, rad or m, an angle unwrapped; undefined and never used for an angular
+ *     velocity in a joint with Euler parameters
  */
 public record CutCoordinate(RelativeFrameMotion frames, PairTerm term, Scalar position) {
   /** Returns its rate, rad/s or m/s. */
@@ -21,7 +21,7 @@ public record CutCoordinate(RelativeFrameMotion frames, PairTerm term, Scalar po
     return term.rate(frames.omega(), frames.rate());
   }
 
-  /** Returns its second derivative, while the joints accelerate as swept, if they do. */
+  /** Returns its second derivative for the accelerations of the sweep, if there is one. */
   public Scalar acceleration(Optional<ForceSweep> sweep, ScalarVector none) {
     return term.acceleration(
         sweep.map(frames::alpha).orElse(none), sweep.map(frames::acceleration).orElse(none));

@@ -17,9 +17,9 @@ import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.spatial.Rotation;
 
 /**
- * The coordinates of cut joints in one program. Where an angle was at the last accepted step is an
- * input behind the state, in the order of {@link UnwrappedAngles}: of the angles that differ by
- * whole turns the nearest is meant.
+ * The coordinates of cut joints in one program. The angles at the last accepted step are inputs
+ * after the state, in the order of {@link UnwrappedAngles}; each angle is taken on the nearest
+ * whole turn.
  */
 public final class CutCoordinateTerms {
   private final Expressions expressions;
@@ -36,7 +36,7 @@ public final class CutCoordinateTerms {
     this.kinematics = kinematics;
   }
 
-  /** Returns the coordinate with a position. */
+  /** Returns the coordinate of a position. */
   public CutCoordinate ofPosition(ClosureCoordinate position) {
     ClosureCoordinate velocity = UnwrappedAngles.velocityOf(mechanism.mechanism(), position);
     CutCoordinate coordinate = ofVelocity(velocity);
@@ -52,7 +52,7 @@ public final class CutCoordinateTerms {
     return new CutCoordinate(coordinate.frames(), term, before.plus(way));
   }
 
-  /** Returns the coordinate with a velocity; its whole turns are not counted. */
+  /** Returns the coordinate of a velocity; its angle is not unwrapped. */
   CutCoordinate ofVelocity(ClosureCoordinate velocity) {
     return known.computeIfAbsent(velocity, this::derived);
   }

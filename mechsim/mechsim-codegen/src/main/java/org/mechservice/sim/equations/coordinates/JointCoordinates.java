@@ -8,7 +8,7 @@ import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.mechanism.Mechanism;
 
-/** Coordinates of joints, be they in the tree or cut. */
+/** Coordinates of joints of the tree and of cut joints. */
 public final class JointCoordinates {
   private final Mechanism mechanism;
   private final JointLinks joints;
@@ -34,7 +34,7 @@ public final class JointCoordinates {
         : joints.velocity((JointCoordinate) velocity);
   }
 
-  /** Returns the velocity that belongs to a position that has one of its own. */
+  /** Returns the velocity that is the rate of a position. */
   public Coordinate velocityOf(Coordinate position) {
     return position instanceof ClosureCoordinate cut
         ? UnwrappedAngles.velocityOf(mechanism, cut)

@@ -11,7 +11,7 @@ import org.mechservice.sim.symbolic.ScalarVector;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.expression.JointCoordinate;
 
-/** Coordinates of joints by the links they belong to. */
+/** Coordinates of tree joints through their links. */
 public final class JointLinks {
   private final Expressions expressions;
   private final Links mechanism;
@@ -27,7 +27,9 @@ public final class JointLinks {
     return mechanism.mechanism().joints().get(coordinate.joint()).type();
   }
 
-  /** Returns how many Euler parameters come before the other positions of a joint. */
+  /**
+   * Returns the difference between the numbers of positions and velocities of a coordinate's joint.
+   */
   private int surplus(JointCoordinate coordinate) {
     return type(coordinate).positionCount() - type(coordinate).velocityCount();
   }
@@ -51,7 +53,7 @@ public final class JointLinks {
     return coordinates.velocity(scalarLink(coordinate.joint(), coordinate.component()));
   }
 
-  /** Returns the velocity that belongs to a position that has one of its own. */
+  /** Returns the velocity that is the rate of a position. */
   public JointCoordinate velocityOf(JointCoordinate position) {
     int euler = surplus(position);
     return new JointCoordinate(position.joint(), position.component() - euler);
@@ -61,7 +63,7 @@ public final class JointLinks {
     return surplus(coordinate) > 0 && coordinate.component() < 3;
   }
 
-  /** Returns the link that a position with a velocity of its own belongs to. */
+  /** Returns the link of a position that is not an Euler parameter. */
   public Link link(JointCoordinate position) {
     JointCoordinate velocity = velocityOf(position);
     return scalarLink(velocity.joint(), velocity.component());

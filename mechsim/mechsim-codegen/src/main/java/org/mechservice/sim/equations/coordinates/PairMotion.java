@@ -9,8 +9,8 @@ import org.mechservice.sim.symbolic.ScalarVector;
 import org.mechservice.solver.expression.BodyPoint;
 
 /**
- * The line between two points of different bodies, in the axes of the link on which both bodies
- * hang.
+ * The line between two points of different bodies, in the axes of the nearest common ancestor of
+ * their links.
  */
 public final class PairMotion {
   private final LinkKinematics kinematics;

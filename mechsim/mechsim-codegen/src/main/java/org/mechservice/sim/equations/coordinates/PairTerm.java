@@ -4,7 +4,7 @@ import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarVector;
 
 /**
- * A function of the pose of body B seen from body A, with its derivatives: f' = byTurn · ω +
+ * A function of the pose of body B relative to body A, with its derivatives: f' = byTurn · ω +
  * byShift · ρ', f'' = byTurn · ω' + byShift · ρ'' + bend.
  *
  * @param value rad or m

@@ -28,7 +28,7 @@ public final class PairTerms implements PairForms<PairTerm> {
     this.rate = frames.rate();
   }
 
-  /** β = x · R y: ∂β = (R y) × x, and ω · (R y xᵀ − β 1) ω for its bend. */
+  /** Returns β = x · R y with ∂β = (R y) × x and the quadratic part ω · (R y xᵀ − β 1) ω. */
   private PairTerm product(AxisPair axes) {
     ScalarVector x = ScalarVector.of(expressions, axes.inA());
     ScalarVector carried = rotation.times(ScalarVector.of(expressions, axes.inB()));
@@ -72,7 +72,10 @@ public final class PairTerms implements PairForms<PairTerm> {
         false);
   }
 
-  /** f = 2 N / D, ∂f = (2 ∂N − f ∂D) / D, and [2 N − f D − 2 D' f'] / D of their bends. */
+  /**
+   * {@inheritDoc} f = 2 N / D has ∂f = (2 ∂N − f ∂D) / D and the quadratic part [2 N − f D − 2 D'
+   * f'] / D of those of N and D.
+   */
   @Override
   public PairTerm tilt(List<AxisPair> above, List<Double> sign, List<AxisPair> below) {
     PairTerm n = sum(above, sign);
@@ -89,7 +92,10 @@ public final class PairTerms implements PairForms<PairTerm> {
     return new PairTerm(value, byTurn, none, bend, false);
   }
 
-  /** ∂φ = (c ∂s − s ∂c) / (s² + c²), and (c s − s c − 2 φ' (s s' + c c')) / (s² + c²). */
+  /**
+   * {@inheritDoc} ∂φ = (c ∂s − s ∂c) / (s² + c²), with the quadratic part (c s − s c − 2 φ' (s s' +
+   * c c')) / (s² + c²).
+   */
   @Override
   public PairTerm turn(AxisPair sine, AxisPair cosine, double sense) {
     PairTerm s = product(sine);
@@ -120,7 +126,7 @@ public final class PairTerms implements PairForms<PairTerm> {
         false);
   }
 
-  /** Returns a difference less the whole periods nearest to it. */
+  /** Returns a difference minus the nearest whole number of periods. */
   public static Scalar nearest(Scalar difference, double period) {
     Expressions e = difference.expressions();
     Scalar periods = difference.over(e.constant(period)).plus(e.constant(0.5));

@@ -12,7 +12,7 @@ import org.mechservice.sim.symbolic.ScalarMatrix;
 import org.mechservice.sim.symbolic.ScalarVector;
 import org.mechservice.solver.expression.BodyFrame;
 
-/** How a frame of body 2 stands and moves as seen from a frame of body 1, in the axes of that. */
+/** Pose and motion of a frame of body 2 relative to a frame of body 1, in the axes of frame 1. */
 public final class RelativeFrameMotion {
   private final LinkKinematics kinematics;
   private final int link1;
@@ -21,7 +21,7 @@ public final class RelativeFrameMotion {
   private final ScalarVector r1;
   private final ScalarVector r2;
 
-  /** Axes of frame 1 to those of link 1. */
+  /** Rotation from the axes of frame 1 to those of link 1. */
   private final ScalarMatrix axes1;
 
   private final ScalarMatrix axes2;
@@ -73,7 +73,7 @@ public final class RelativeFrameMotion {
     return inFrame1(second.minus(kinematics.omega(link1)));
   }
 
-  /** Returns how fast the displacement changes for an observer on body 1, m/s. */
+  /** Returns the rate of the displacement relative to body 1, m/s. */
   public ScalarVector rate() {
     ScalarVector second = fromLink2(kinematics.velocityAt(link2, r2));
     ScalarVector carried = kinematics.velocityAt(link1, r1.plus(between));
@@ -81,8 +81,8 @@ public final class RelativeFrameMotion {
   }
 
   /**
-   * Returns the second derivative of the displacement for an observer on body 1, m/s², while the
-   * joints accelerate as swept: ρ'' = a_2 − a_1(r_2) − 2 ω_1 × ρ'.
+   * Returns the second derivative of the displacement relative to body 1, m/s², for the
+   * accelerations of a sweep: ρ'' = a_2 − a_1(r_2) − 2 ω_1 × ρ'.
    */
   public ScalarVector acceleration(ForceSweep sweep) {
     ScalarVector second = fromLink2(sweep.motion(link2).accelerationAt(r2));
@@ -92,7 +92,7 @@ public final class RelativeFrameMotion {
     return inFrame1(second.minus(carried)).minus(turned);
   }
 
-  /** Returns the derivative of the relative angular velocity for that observer, rad/s². */
+  /** Returns the derivative of the relative angular velocity relative to body 1, rad/s². */
   public ScalarVector alpha(ForceSweep sweep) {
     ScalarVector second = fromLink2(sweep.motion(link2).alpha());
     ScalarVector omega = inFrame1(kinematics.omega(link1));
@@ -100,7 +100,8 @@ public final class RelativeFrameMotion {
   }
 
   /**
-   * Adds to a row the components along velocities of a force and a moment as in {@link #addWrench}.
+   * Adds to a row the components of a force and a moment, as in {@link #addWrench}, along the
+   * velocities.
    */
   public void addRow(ScalarVector force, ScalarVector moment, VelocityRows rows, Scalar[] row) {
     Loads loads = new Loads(force.x().expressions(), kinematics.mechanism());

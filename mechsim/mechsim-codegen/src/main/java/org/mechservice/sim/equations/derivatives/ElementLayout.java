@@ -2,7 +2,9 @@ package org.mechservice.sim.equations.derivatives;
 
 import org.mechservice.solver.dynamics.tree.TreePattern;
 
-/** Where elements of M, ∂F/∂v and ∂F/∂q are put out. Rows and columns are {@link TreeOrder}. */
+/**
+ * Output indices of the elements of M, ∂F/∂v and ∂F/∂q. Rows and columns are in {@link TreeOrder}.
+ */
 sealed interface ElementLayout {
   /** Returns the output index of an element of M; the row is at least the column. */
   int mass(int row, int column);
@@ -14,9 +16,9 @@ sealed interface ElementLayout {
   int byPosition(int row, int column);
 
   /**
-   * As {@link org.mechservice.solver.dynamics.TreeStepModel} reads them.
+   * The sparse layout of {@link org.mechservice.solver.dynamics.TreeStepModel}.
    *
-   * @param pattern has all elements that may differ from zero
+   * @param pattern pattern of the elements that may differ from zero
    */
   record OfTree(TreePattern pattern) implements ElementLayout {
     @Override
@@ -42,10 +44,9 @@ sealed interface ElementLayout {
   }
 
   /**
-   * Whole matrices, as {@link org.mechservice.solver.closure.equations.LoopTerms.OfDerivatives} has
-   * them.
+   * The dense layout of {@link org.mechservice.solver.closure.equations.LoopTerms.OfDerivatives}.
    *
-   * @param places of the velocities
+   * @param places order of the velocities
    */
   record Dense(TreeOrder places) implements ElementLayout {
     @Override

@@ -3,7 +3,7 @@ package org.mechservice.sim.equations.derivatives;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
 
-/** Outputs elements of M, ∂F/∂v and ∂F/∂q, each with the terms of forces and rods. */
+/** Outputs the elements of M, ∂F/∂v and ∂F/∂q, each with the terms of forces and rods. */
 final class ElementSums {
   private final Program program;
   private final TreeOrder places;
@@ -28,7 +28,7 @@ final class ElementSums {
     this.massOfRods = massOfRods;
   }
 
-  /** Elements that neither body of which is on the way of the other. */
+  /** Outputs the elements between bodies of which neither is an ancestor of the other. */
   void putOutBetweenBranches() {
     program.section("Derivatives of forces between branches.", "forces");
     Scalar zero = program.expressions().zero();
@@ -45,19 +45,19 @@ final class ElementSums {
     }
   }
 
-  /** Puts an element of M out, the row no less than the column. */
+  /** Outputs an element of M whose row is not less than its column. */
   void putOutMass(int row, int column, Scalar mass) {
     int i = places.get(row).velocity();
     int j = places.get(column).velocity();
     putOut(at.mass(row, column), mass.plus(massOfRods[Math.max(i, j)][Math.min(i, j)]));
   }
 
-  /** Puts an element of ∂F/∂v out. */
+  /** Outputs an element of ∂F/∂v. */
   void putOutByVelocity(int row, int column, Scalar element) {
     putOut(at.byVelocity(row, column), element.plus(slopes.byVelocity(row, column)));
   }
 
-  /** Puts an element of ∂F/∂q out. */
+  /** Outputs an element of ∂F/∂q. */
   void putOutByPosition(int row, int column, Scalar element) {
     putOut(at.byPosition(row, column), element.plus(slopes.byPosition(row, column)));
   }

@@ -22,7 +22,7 @@ import org.mechservice.sim.symbolic.ScalarVector;
 /**
  * Terms of applied forces in the derivatives of the residual: −Sᵀ ∂w − ∂τ for each velocity and
  * each position along the tangent. The formulas of the forces are differentiated one direction at a
- * time; changed wrenches are swept inwards from the links they act on.
+ * time; the derivatives of the wrenches are swept inwards from their links.
  */
 final class ForceSlopes {
   private final Expressions expressions;
@@ -56,7 +56,7 @@ final class ForceSlopes {
     byVelocity = new Scalar[places.size()][places.size()];
   }
 
-  /** Differentiates. */
+  /** Differentiates all forces. */
   void derive() {
     for (int place = 0; place < places.size(); place++) {
       TreeOrder.Place at = places.get(place);
@@ -111,8 +111,8 @@ final class ForceSlopes {
   }
 
   /**
-   * Returns the elements that forces have beyond those of the tree, two places for each. The three
-   * velocities of a ball are coupled together: what turns its columns mixes them.
+   * Returns the elements of forces in addition to those of the tree, two places for each. The three
+   * velocities of a ball are coupled together, because the rotation of its columns mixes them.
    */
   List<Integer> coupled() {
     List<Integer> coupled = new ArrayList<>();

@@ -92,7 +92,7 @@ final class JointColumns {
   private Twist accelerationOfParent(Link link) {
     Motion parent = sweep.motion(link.parent());
     ScalarVector omega = kinematics.omega(link.parent());
-    // of the point of the body now at the origin, seen from outside: not the classical one
+    // spatial, not classical, acceleration of the body's point at the origin
     ScalarVector there =
         parent.acceleration().minus(omega.cross(kinematics.velocity(link.parent())));
     return seenFrom(link, parent.alpha(), there);

@@ -14,13 +14,13 @@ import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarVector;
 
 /**
- * The elements of the velocities of a link with themselves and with those on the way to the root:
- * quantities of its columns are carried inwards, link by link, and multiplied by the columns there.
+ * The elements between the velocities of a link and those of itself and its ancestors: quantities
+ * of its columns are transformed inwards, link by link, and multiplied by the columns there.
  *
- * <p>There are three passes to the root: with Iᶜ S and the change of a moment, with the wrenches of
+ * <p>Three passes lead to the root: with Iᶜ S and the change of a moment, with the wrenches of
  * ∂/∂v, and with those of ∂/∂q. Each step of a pass is a section that ends with its outputs, so
- * compiled code holds few values at a time. A single section per link would load all values of the
- * pass first and keep all elements until its end.
+ * compiled code needs few registers. A single section per link would load all values of the pass
+ * first and keep all elements until its end.
  */
 final class LinkRows {
   private final Program program;
@@ -49,8 +49,8 @@ final class LinkRows {
    * Derives the elements of the next link.
    *
    * @param own its columns; empty if it has no velocities in the state
-   * @param composite the link with all beyond it
-   * @param force wrench that they need, about the link's origin
+   * @param composite the link with all links beyond it
+   * @param force their inertia wrench, about the link's origin
    */
   void derive(List<JointColumns.Column> own, RigidComposite composite, Wrench force) {
     columns.add(own);
@@ -62,15 +62,15 @@ final class LinkRows {
     }
   }
 
-  /** Those of one link. */
+  /** The rows of one link. */
   private final class Rows {
     private final int link;
     private final List<JointColumns.Column> own;
 
-    /** The link and those on its way to the root. */
+    /** The link and its ancestors. */
     private final List<Integer> way = new ArrayList<>();
 
-    /** Elements of each of them and the link's columns. */
+    /** Elements between each of them and the link's columns. */
     private final List<Block> upper = new ArrayList<>();
 
     Rows(int link, List<JointColumns.Column> own) {
@@ -82,7 +82,7 @@ final class LinkRows {
       }
     }
 
-    /** M, and the rows of C and K. */
+    /** Derives M, and the rows of C and K. */
     void masses(RigidComposite composite) {
       Wrench[] inertia = wrenches(column -> composite.times(column.itself()));
       ScalarVector[] change =
@@ -135,7 +135,7 @@ final class LinkRows {
       putOut(lower.position, link, ancestor, elements::putOutByPosition);
     }
 
-    /** The columns of C. */
+    /** Derives the columns of C. */
     void velocities(RigidComposite composite) {
       program.section(title("C = S_j.(2 B S_k + I (psi' + S')_k)"), label());
       Wrench[] change =
@@ -149,7 +149,7 @@ final class LinkRows {
       }
     }
 
-    /** The columns of K. */
+    /** Derives the columns of K. */
     void positions(RigidComposite composite, Wrench force) {
       program.section(title("K = S_j.(2 B psi'_k + I psi''_k + S_k x* f)"), label());
       Wrench[] change =
@@ -170,7 +170,7 @@ final class LinkRows {
       }
     }
 
-    /** Subtracts [Sᵀ f]× if the rows are those of a ball that turn against it. */
+    /** Subtracts [Sᵀ f]× from the rows of a ball whose columns rotate relative to it. */
     private void turnRows(Scalar[][] position, Wrench force) {
       Link ball = links.get(link);
       if (!ball.isBall() || ball.inverse()) {
@@ -189,7 +189,7 @@ final class LinkRows {
       return own.stream().map(of).toArray(Wrench[]::new);
     }
 
-    /** Takes wrenches into the frame of the link at a step. */
+    /** Transforms wrenches to the frame of the link at a step. */
     private void inwards(Wrench[] wrenches, int step) {
       if (step > 0) {
         Link below = stepTo(step);
@@ -233,7 +233,7 @@ final class LinkRows {
     }
   }
 
-  /** Puts an element out. */
+  /** Outputs an element. */
   private interface Put {
     void element(int row, int column, Scalar value);
   }
@@ -250,7 +250,7 @@ final class LinkRows {
       position = new Scalar[rows][columns];
     }
 
-    /** Adds C [ω]× + M [ω']× to the columns of a ball that turn against it. */
+    /** Adds C [ω]× + M [ω']× to the columns of a ball that rotate relative to it. */
     void turn(Link columns) {
       if (!columns.isBall() || columns.inverse()) {
         return;

@@ -28,9 +28,9 @@ import org.mechservice.solver.closure.equations.UnwrappedAngles;
 
 /**
  * The derivatives of the residual M v' + b − τ of an open chain by v', v and q (RR-JF, NUMERICS
- * §2), each between a joint and those on its way to the root, O(n · depth): with Iᶜ, 2Bᶜ and fᶜ of
- * a link with all beyond it, for j on the way from k to the root (Singh, Russell and Wensing 2022;
- * Carpentier and Mansard 2018),
+ * §2), each between a joint and its ancestors, O(n · depth): with Iᶜ, 2Bᶜ and fᶜ of a link with all
+ * links beyond it, for j on the way from k to the root (Singh, Russell and Wensing 2022; Carpentier
+ * and Mansard 2018),
  *
  * <pre>
  * M_jk = S_jᵀ Iᶜ S_k
@@ -38,12 +38,12 @@ import org.mechservice.solver.closure.equations.UnwrappedAngles;
  * ∂F_j/∂q_k = S_jᵀ (2Bᶜ ψ'_k + Iᶜ ψ''_k + S_k ×* fᶜ)  ∂F_k/∂q_j = S_kᵀ (2Bᶜ ψ'_j + Iᶜ ψ''_j)
  * </pre>
  *
- * <p>These hold for columns fixed in the moving link. Those of a ball whose velocity is given in
- * the axes of its parent turn against the link: ∂F/∂q of its three columns gets ∂F/∂v [ω]× + M
- * [ω']×, its own rows less [Sᵀ fᶜ]×.
+ * <p>These equations hold for columns fixed in the moving link. The columns of a ball whose
+ * velocity is in the axes of its parent rotate relative to the link: ∂F/∂q of its three columns
+ * gets ∂F/∂v [ω]× + M [ω']×, its own rows less [Sᵀ fᶜ]×.
  *
- * <p>Where loops are closed, Jᵀ λ is a force like others, and so is what a rod needs at one end
- * because the other accelerates: how they change is differentiated with the applied forces.
+ * <p>With closed loops, Jᵀ λ is treated as a force, and so is the inertia force of a rod at one end
+ * due to the acceleration of the other: they are differentiated with the applied forces.
  */
 public final class ResidualDerivatives {
   /**
@@ -63,11 +63,11 @@ public final class ResidualDerivatives {
   private final TreeOrder places;
   private final ParentTransform toParent;
 
-  /** What rods between bodies add to M, by velocities of the state. */
+  /** Terms of rods between bodies in M, by velocities of the state. */
   private final Scalar[][] massOfRods;
 
   /**
-   * @param derivative where inputs of accelerations begin, as {@link Coordinates} counts them
+   * @param derivative first input of the accelerations, as in {@link Coordinates}
    */
   private ResidualDerivatives(Links mechanism, int derivative) {
     this.mechanism = mechanism;
@@ -113,12 +113,12 @@ public final class ResidualDerivatives {
     return UnwrappedAngles.of(mechanism.mechanism()).size();
   }
 
-  /** Adds loads that depend on more than the forces of the model. */
+  /** Adds further loads besides the forces of the model. */
   private interface FurtherLoads {
     void addTo(ForceSweep sweep, LinkKinematics kinematics, Loads loads);
   }
 
-  /** Adds −Jᵀ λ, and what rods need of both their ends. */
+  /** Adds −Jᵀ λ, and the coupling forces of rods. */
   private void addLoops(ForceSweep sweep, LinkKinematics kinematics, Loads loads) {
     VelocityRows rows = new VelocityRows(expressions, mechanism, coordinates);
     program.section("Rods.", "rods");

@@ -15,9 +15,9 @@ final class TreeOrder {
    * A place.
    *
    * @param link the link
-   * @param component which of its freedoms, counted as in the state
+   * @param component index among its degrees of freedom, as in the state
    * @param velocity index of the velocity in v
-   * @param parent the place before it on its way to the root; −1 for none
+   * @param parent the parent place; −1 for none
    */
   record Place(int link, int component, int velocity, int parent) {}
 
@@ -57,7 +57,7 @@ final class TreeOrder {
     return IntStream.range(firstOf[link], end).toArray();
   }
 
-  /** Returns whether a place is another or on its way to the root. */
+  /** Returns whether a place is equal to another or its ancestor. */
   boolean isOnWay(int place, int from) {
     int at = from;
     while (at > place) {

@@ -7,9 +7,9 @@
  * their derivatives ψ' and ψ''; {@code ForceSlopes} differentiates the applied forces, one
  * direction at a time.
  *
- * <p>{@code TreeOrder} numbers the velocities from the root outwards, {@code ElementLayout} says
- * where each element is put out, and {@code ElementSums} adds what inertia, forces and rods
- * contribute to it. Elements that are zero in every state are neither computed nor put out.
+ * <p>{@code TreeOrder} numbers the velocities from the root outwards, {@code ElementLayout} gives
+ * the output index of each element, and {@code ElementSums} adds the contributions of inertia,
+ * forces and rods. Elements that are zero in every state are neither computed nor output.
  *
  * <p>Depends on {@code links}, {@code kinematics}, {@code recursion}, {@code force} and {@code
  * loop}. Source: Singh, Russell and Wensing, "Efficient analytical derivatives of rigid-body

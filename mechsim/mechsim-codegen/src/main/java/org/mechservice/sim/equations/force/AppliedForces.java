@@ -38,7 +38,7 @@ import org.mechservice.solver.mechanism.force.SpringDamper;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.spatial.Rotation;
 
-/** The forces of a mechanism as equations of one program; each opens a section of its own. */
+/** The forces of a mechanism as equations of one program, each in its own section. */
 public final class AppliedForces {
   private final Program program;
   private final Expressions expressions;
@@ -61,7 +61,7 @@ public final class AppliedForces {
     this.formulas = new StateFormulas(expressions, joints, points, kinematics);
   }
 
-  /** Returns where links are and how they move. */
+  /** Returns the positions and velocities of the links. */
   public LinkKinematics kinematics() {
     return kinematics;
   }
@@ -69,7 +69,7 @@ public final class AppliedForces {
   /**
    * Derives the forces in file order, with their wrenches and joint forces.
    *
-   * @param checked whether the program ends where a force has no direction
+   * @param checked whether the program ends if a force has no direction
    */
   public Loads loads(boolean checked) {
     Loads loads = new Loads(expressions, mechanism);
@@ -92,7 +92,7 @@ public final class AppliedForces {
     return loads;
   }
 
-  /** Those of which there are equations; what classes of users compute is given. */
+  /** Returns the forces with equations; loads of user force classes are inputs. */
   private List<ForceElement> written() {
     return mechanism.mechanism().forces().stream()
         .filter(element -> !(element instanceof UserForceElement))
@@ -121,7 +121,7 @@ public final class AppliedForces {
     return sum;
   }
 
-  /** Returns the powers of all that has no potential energy, one per force in file order, W. */
+  /** Returns the power of the non-conservative part of each force, in file order, W. */
   public List<Scalar> powers() {
     List<Scalar> powers = new ArrayList<>();
     for (ForceElement element : written()) {
@@ -131,7 +131,7 @@ public final class AppliedForces {
     return powers;
   }
 
-  /** Returns the values that forces can put out, in file order. */
+  /** Returns the output values of all forces, in file order. */
   public List<Scalar> values() {
     List<Scalar> values = new ArrayList<>();
     for (ForceElement element : written()) {
@@ -176,7 +176,9 @@ public final class AppliedForces {
     throw new IllegalArgumentException("no equations for force " + element.name());
   }
 
-  /** Some coefficients must be known when code is generated, since it depends on them. */
+  /**
+   * Returns a coefficient that must be known at code generation, because the code depends on it.
+   */
   private double number(Expression coefficient) {
     Scalar value = formulas.scalar(coefficient);
     if (!value.isConstant()) {
@@ -195,7 +197,10 @@ public final class AppliedForces {
         number(s.smoothing()));
   }
 
-  /** A joint's spring counts positions, its force counts velocities. */
+  /**
+   * Returns the term of a joint's spring, whose component is an index among positions; that of its
+   * force is one among velocities.
+   */
   private ForceTerm jointSpring(JointSpringDamper s) {
     Coordinate position = s.coordinate();
     Coordinate velocity = joints.velocityOf(position);
@@ -281,7 +286,7 @@ public final class AppliedForces {
         f.law() == Bushing.Law.ENERGY);
   }
 
-  /** The height of a profile as a formula of the way along it. */
+  /** The height of a profile as a formula of the arc length along it. */
   private static final class Profile extends Formulas {
     private final Expressions expressions;
 
@@ -290,7 +295,7 @@ public final class AppliedForces {
       this.expressions = expressions;
     }
 
-    /** Returns what stands for the way until it is known. */
+    /** Returns the placeholder of the arc length. */
     Scalar way() {
       return expressions.input(Program.PLACEHOLDER);
     }

@@ -38,7 +38,7 @@ final class BushingTerm implements ForceTerm {
    * @param stiffness K row by row
    * @param damping C row by row
    * @param preload force, then moment
-   * @param byEnergy whether the moment belongs to the rotation by its power
+   * @param byEnergy whether the moment follows from its power
    */
   BushingTerm(
       Expressions expressions,
@@ -91,9 +91,9 @@ final class BushingTerm implements ForceTerm {
   }
 
   /**
-   * γ = (1 − θ/2 cot θ/2) / θ².
+   * Returns γ = (1 − θ/2 cot θ/2) / θ².
    *
-   * @param turn θ where it is not zero
+   * @param turn θ if it is not zero
    */
   private Scalar gamma(Scalar theta, Scalar turn, Scalar cotangent) {
     Scalar z = theta.squared();
@@ -107,7 +107,7 @@ final class BushingTerm implements ForceTerm {
     return choose(theta, e.constant(SERIES), series, closed);
   }
 
-  /** a + half φ × a + γ φ × (φ × a). */
+  /** Returns a + half φ × a + γ φ × (φ × a). */
   private ScalarVector turned(double factor, ScalarVector a) {
     ScalarVector once = phi.cross(a);
     ScalarVector twice = phi.cross(once);
@@ -129,7 +129,7 @@ final class BushingTerm implements ForceTerm {
     return byEnergy ? turned(0.5, plain) : plain;
   }
 
-  /** Near half a turn the rotation vector jumps. */
+  /** {@inheritDoc} The rotation vector jumps near half a turn. */
   @Override
   public Optional<Direction> direction() {
     return half.isConstant() ? Optional.empty() : Optional.of(new Direction(half, HALF_TURN));
@@ -152,7 +152,7 @@ final class BushingTerm implements ForceTerm {
     return sum;
   }
 
-  /** Power of force and moment, and the rate of the potential energy. */
+  /** {@inheritDoc} It is the power of force and moment plus the rate of the potential energy. */
   @Override
   public Scalar power() {
     ScalarVector omega = frames.omega();

@@ -8,8 +8,8 @@ import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarVector;
 
 /**
- * Push and friction of a surface. Legend: (x, y, z) the centre in the surface's frame; d = R + h(x)
- * − z; N = k pos(d)ⁿ + c d′ pos′(d); (sx, sy) sliding velocity at the lowest point.
+ * Normal force and friction of a surface. Legend: (x, y, z) the centre in the surface's frame; d =
+ * R + h(x) − z; N = k pos(d)ⁿ + c d′ pos′(d); (sx, sy) sliding velocity at the lowest point.
  */
 final class ContactTerm implements ForceTerm {
   /**
@@ -45,7 +45,7 @@ final class ContactTerm implements ForceTerm {
   private final Scalar fy;
 
   /**
-   * @param frames the sphere's frame (any axes) as seen from the surface's
+   * @param frames the sphere's frame (any axes) relative to the surface's
    * @param height of the profile under the centre, m
    * @param slope its derivative
    */
@@ -86,7 +86,7 @@ final class ContactTerm implements ForceTerm {
     return part.integral(c.exponent()).times(c.stiffness());
   }
 
-  /** Power of the wrench, and the rate of the potential energy. */
+  /** {@inheritDoc} It is the power of the wrench plus the rate of the potential energy. */
   @Override
   public Scalar power() {
     Scalar friction = fx.times(slideX).plus(fy.times(slideY));

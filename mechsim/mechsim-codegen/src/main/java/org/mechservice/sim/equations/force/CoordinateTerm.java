@@ -9,9 +9,9 @@ import org.mechservice.solver.expression.Coordinate;
 /**
  * A force on one coordinate of a joint.
  *
- * @param joints finds the coordinate
- * @param coordinate counts velocities
- * @param force positive drives the coordinate upwards, N·m or N
+ * @param joints coordinates of all joints
+ * @param coordinate component among velocities
+ * @param force force, positive if it increases the coordinate, N·m or N
  * @param potential its potential energy, J
  * @param power power of the part without potential energy, W
  */

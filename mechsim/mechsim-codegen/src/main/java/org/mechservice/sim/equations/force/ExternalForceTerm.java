@@ -20,7 +20,7 @@ final class ExternalForceTerm implements ForceTerm {
    * @param point in the link's axes
    * @param force in the link's axes
    * @param torque in the link's axes
-   * @param given components as the expressions give them
+   * @param given components in the axes of the expressions
    */
   ExternalForceTerm(
       LinkKinematics kinematics,

@@ -10,16 +10,18 @@ interface ForceTerm {
   /** Adds its wrenches on links and its joint forces. */
   void apply(Loads loads);
 
-  /** Returns the check that fails where the force has no direction, if there is such a state. */
+  /**
+   * Returns the check that fails in states in which the force has no direction, if there are any.
+   */
   default Optional<Direction> direction() {
     return Optional.empty();
   }
 
   /**
-   * A force has a direction where {@code size > least}.
+   * Condition {@code size > least} for a force to have a direction.
    *
-   * @param size what is checked
-   * @param least number at or below which there is none
+   * @param size checked value
+   * @param least largest value without a direction
    */
   record Direction(Scalar size, double least) {}
 
@@ -29,6 +31,6 @@ interface ForceTerm {
   /** Returns the power of the part without potential energy, W, positive into the mechanism. */
   Scalar power();
 
-  /** Returns the values it can put out, in the order in which the description names them. */
+  /** Returns its output values, in the order of the description. */
   List<Scalar> values();
 }

@@ -21,9 +21,9 @@ import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * Uniform slender rods between two points (NUMERICS §4). Of the energy (m/6) (v_A·v_A + v_A·v_B +
- * v_B·v_B) the squares belong to a mass m/3 at either end, which is added to the links. This class
- * has the remaining terms: the product, and the weight of m/6 at either end.
+ * Uniform slender rods between two points (NUMERICS §4). The squares in the energy (m/6) (v_A·v_A +
+ * v_A·v_B + v_B·v_B) are those of a mass m/3 at each end, which is added to the links. This class
+ * has the remaining terms: the product, and the weight of m/6 at each end.
  */
 public final class MassiveRodTerms {
   private final Expressions expressions;
@@ -33,7 +33,7 @@ public final class MassiveRodTerms {
   private final List<DistanceClosure> rods;
 
   /**
-   * @param mechanism with the ends of its rods as own masses, {@link #withEnds}
+   * @param mechanism mechanism with end masses of rods in its links, {@link #withEnds}
    */
   public MassiveRodTerms(
       Expressions expressions, Links mechanism, LinkKinematics kinematics, VelocityRows rows) {
@@ -54,7 +54,7 @@ public final class MassiveRodTerms {
     return rods;
   }
 
-  /** Returns a mechanism whose links carry a third of each rod's mass at either end. */
+  /** Returns a mechanism whose links include a third of each rod's mass at each end. */
   public static Links withEnds(Links mechanism) {
     List<Link> links = new ArrayList<>(mechanism.links());
     for (DistanceClosure rod : rods(mechanism)) {
@@ -130,7 +130,9 @@ public final class MassiveRodTerms {
     }
   }
 
-  /** Returns m/6 v_A·v_B of all rods: the kinetic energy that masses at their ends have not, J. */
+  /**
+   * Returns m/6 v_A·v_B of all rods: the kinetic energy in addition to that of the end masses, J.
+   */
   public Scalar kinetic() {
     Scalar sum = expressions.zero();
     for (DistanceClosure rod : rods) {
@@ -146,7 +148,7 @@ public final class MassiveRodTerms {
     return sum;
   }
 
-  /** Returns the potential energy of all rods that their ends do not carry as own masses, J. */
+  /** Returns the potential energy of all rods in addition to that of the end masses, J. */
   public Scalar potential(Mechanism described) {
     ScalarVector gravity = ScalarVector.of(expressions, described.gravity());
     Scalar sum = expressions.zero();
@@ -161,7 +163,10 @@ public final class MassiveRodTerms {
     return sum;
   }
 
-  /** How fast a point moves along an axis of the ancestor, by the velocities of the state. */
+  /**
+   * Returns the derivatives of a point's velocity along an axis of the ancestor by the velocities
+   * of the state.
+   */
   private Scalar[] row(int link, ScalarVector point, int ancestor, int axis) {
     Scalar[] row = rows.zeros();
     if (link != Links.ROOT) {

@@ -5,11 +5,11 @@ import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.solver.mechanism.force.Side;
 
 /**
- * A spring and damper of one coordinate z with rate z′: the tension T that resists z growing. With
- * x = z − z0: T = F0 + k x + c x′ on both sides, k pos(x) + c x′ pos′(x) above, −(k pos(y) + c y′
- * pos′(y)) with y = −x below.
+ * A spring and damper of one coordinate z with rate z′: the tension T, positive against growing z.
+ * With x = z − z0: T = F0 + k x + c x′ on both sides, k pos(x) + c x′ pos′(x) above, −(k pos(y) + c
+ * y′ pos′(y)) with y = −x below.
  *
- * @param side where it acts
+ * @param side side on which it acts
  * @param k stiffness
  * @param c damping
  * @param rest z0
@@ -17,7 +17,7 @@ import org.mechservice.solver.mechanism.force.Side;
  * @param eps smoothing of pos
  */
 record SpringLaw(Side side, Scalar k, Scalar c, Scalar rest, Scalar preload, double eps) {
-  /** Tension, relative to the terms it is made of, that counts as none. */
+  /** Tension, relative to its terms, that counts as zero. */
   private static final double NO_TENSION = 1e-9;
 
   private Scalar elongation(Scalar z) {

@@ -12,8 +12,8 @@ import org.mechservice.sim.symbolic.ScalarVector;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * A spring and damper along the line between two points: the force on point 2 is −T n. Where the
- * points coincide there is no line: a spring without tension there uses the direction of the
+ * A spring and damper along the line between two points: the force on point 2 is −T n. The line is
+ * not defined if the points coincide: a spring without tension there uses the direction of the
  * velocity u; any other spring has no direction.
  */
 final class SpringTerm implements ForceTerm {
@@ -29,8 +29,8 @@ final class SpringTerm implements ForceTerm {
 
   /**
    * @param name of the force, for messages
-   * @throws ModelBuildException N-031 if its points coincide wherever the joints are, and it has a
-   *     tension there
+   * @throws ModelBuildException N-031 if its points coincide in all positions and it has a tension
+   *     there
    */
   SpringTerm(String name, PairMotion pair, SpringLaw law) {
     this.pair = pair;
@@ -56,7 +56,7 @@ final class SpringTerm implements ForceTerm {
     return slack ? atZero(velocity.dot(velocity).squareRoot(), along) : along;
   }
 
-  /** Returns one value where the points coincide, another elsewhere. */
+  /** Returns one value if the points coincide, otherwise another. */
   private Scalar atZero(Scalar coincident, Scalar apart) {
     Expressions e = length.expressions();
     return e.function(MathFunction.CHOOSE, length, e.zero(), coincident, apart);

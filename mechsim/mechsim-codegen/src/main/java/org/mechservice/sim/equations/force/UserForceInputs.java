@@ -16,9 +16,9 @@ import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * What forces written as classes do: inputs behind the parameters of the model, in the order of
- * {@link org.mechservice.solver.dynamics.UserLoads}. Which bodies and joints they act on is known
- * only where the classes are loaded, so there is an input for every one.
+ * Loads of user forces: inputs after the parameters of the model, in the order of {@link
+ * org.mechservice.solver.dynamics.UserLoads}. Their bodies and joints are known only when the
+ * classes are loaded, so every body and joint has an input.
  */
 final class UserForceInputs {
   private final Expressions expressions;
@@ -35,7 +35,7 @@ final class UserForceInputs {
     first = Program.PARAMETER + mechanism.mechanism().parameters().size();
   }
 
-  /** Adds them. */
+  /** Adds all loads. */
   void apply(Loads loads) {
     for (int body = 0; body < tree.linkOfBody.length; body++) {
       addWrench(body, loads);
@@ -45,7 +45,9 @@ final class UserForceInputs {
     }
   }
 
-  /** A wrench is [moment; force] in the body's axes at the reference point of its link. */
+  /**
+   * Adds a wrench, which is [moment; force] in the body's axes at the reference point of its link.
+   */
   private void addWrench(int body, Loads loads) {
     int link = tree.linkOfBody[body];
     int at = first + 6 * link;
@@ -65,7 +67,10 @@ final class UserForceInputs {
         expressions.input(at), expressions.input(at + 1), expressions.input(at + 2));
   }
 
-  /** The extended velocities of a joint stand side by side, in the order of its components. */
+  /**
+   * Adds a joint force; the extended velocities of a joint are contiguous, in the order of its
+   * components.
+   */
   private void addForce(int velocity, Loads loads) {
     int joint = tree.joint[tree.linkOfVelocity[velocity]];
     int firstOfJoint = velocity;

@@ -31,7 +31,7 @@ public final class BodyPoints {
     return ScalarVector.of(expressions, place(mechanism, point));
   }
 
-  /** Returns the same as numbers. */
+  /** Returns the constant position of a point in its link. */
   public static Vector3 place(Links mechanism, BodyPoint point) {
     if (point.body() == BodyPoint.ROOT) {
       return point.position();

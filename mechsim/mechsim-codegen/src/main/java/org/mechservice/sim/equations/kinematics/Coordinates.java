@@ -25,12 +25,14 @@ public final class Coordinates {
   private final Map<Link, ScalarMatrix> rotations = new HashMap<>();
   private final int derivative;
 
-  /** No joint accelerates unless it is driven. */
+  /** Creates coordinates with zero joint accelerations, except those of driven joints. */
   public Coordinates(Program program, Links links) {
     this(program, links, NONE);
   }
 
-  /** Joints accelerate as inputs say, from {@code derivative} on those of y'. */
+  /**
+   * Creates coordinates with joint accelerations as inputs; y' begins at input {@code derivative}.
+   */
   public Coordinates(Program program, Links links, int derivative) {
     this.program = program;
     this.derivative = derivative;
@@ -61,7 +63,7 @@ public final class Coordinates {
         : named("v_", link, expressions.input(link.velocity()));
   }
 
-  /** Returns the known part of the link's acceleration: 0 unless it is driven or given. */
+  /** Returns the known joint acceleration of the link: 0 unless it is driven or an input. */
   public Scalar knownAcceleration(Link link) {
     if (link.isDriven()) {
       return named("a_", link, byTime.of(velocity(link)));
@@ -71,7 +73,7 @@ public final class Coordinates {
         : named("a_", link, expressions.input(derivative + link.velocity()));
   }
 
-  /** The same of a ball, as {@link #ballVelocity}. */
+  /** Returns the known joint acceleration of a ball, in the axes of {@link #ballVelocity}. */
   public ScalarVector knownBallAcceleration(Link link) {
     return derivative == NONE
         ? ScalarVector.zero(expressions)
@@ -88,7 +90,7 @@ public final class Coordinates {
     return program.named(kind + link.jointLabel(), value);
   }
 
-  /** Returns the way along z, m. */
+  /** Returns the displacement along z, m. */
   public Scalar way(Link link) {
     return position(link).times(link.way());
   }
@@ -118,7 +120,7 @@ public final class Coordinates {
         expressions.input(first), expressions.input(first + 1), expressions.input(first + 2));
   }
 
-  /** Returns the Euler parameters as the state has them. */
+  /** Returns the Euler parameters of the state. */
   public EulerParameterTerms eulerParameters(Link link) {
     Scalar[] e = new Scalar[4];
     for (int i = 0; i < 4; i++) {
@@ -141,8 +143,8 @@ public final class Coordinates {
   }
 
   /**
-   * Returns rates or moments along the freedoms of a ball as the state holds them: those of the
-   * file's body 2 relative to its body 1, in the axes of body 1.
+   * Converts rates or moments of a ball to the form of the state: those of the file's body 2
+   * relative to its body 1, in the axes of body 1.
    *
    * @param inLink in link axes, of the link relative to its parent
    */

@@ -20,7 +20,7 @@ public record EulerParameterTerms(List<Scalar> e) {
     return e.get(i);
   }
 
-  /** Returns a turn about a constant unit vector, given cosine and sine of half its angle. */
+  /** Returns a rotation about a constant unit vector, given cosine and sine of half its angle. */
   public static EulerParameterTerms about(Vector3 axis, Scalar cosineOfHalf, Scalar sineOfHalf) {
     return new EulerParameterTerms(
         List.of(
@@ -42,8 +42,8 @@ public record EulerParameterTerms(List<Scalar> e) {
   }
 
   /**
-   * Starts from the largest of the four, so that nothing small is divided by: 4 e0² = 1 + trace, 4
-   * ei² = 1 + 2 rii − trace.
+   * Computes the largest of the four first, so that no divisor is small: 4 e0² = 1 + trace, 4 ei² =
+   * 1 + 2 rii − trace.
    */
   private static double[] numbers(double[][] r) {
     double trace = r[0][0] + r[1][1] + r[2][2];

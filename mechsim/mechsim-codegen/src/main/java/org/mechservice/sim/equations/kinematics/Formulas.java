@@ -8,7 +8,7 @@ import org.mechservice.solver.expression.Expression;
 
 /** Formulas of the model file as scalars. Subclasses supply the leaves. */
 public abstract class Formulas {
-  /** Whole and half exponents up to here become products. */
+  /** Largest integer or half-integer exponent that becomes a product. */
   private static final int LARGEST_PRODUCT = 64;
 
   private final Expressions e;
@@ -44,13 +44,16 @@ public abstract class Formulas {
     return leaf(formula);
   }
 
-  /** A quotient is steep: its divisor may pass through zero or be infinite. */
+  /** Returns a quotient, marked as steep: its divisor may pass through zero or be infinite. */
   private Scalar quotient(Scalar dividend, Scalar divisor) {
     Scalar quotient = dividend.over(divisor);
     return divisor.isConstant() ? quotient : quotient.markedSteep();
   }
 
-  /** Products for whole and half exponents, in the order the solver multiplies in. */
+  /**
+   * Returns a power; products for integer and half-integer exponents, in the solver's order of
+   * multiplication.
+   */
   private Scalar power(Scalar base, Scalar exponent) {
     double n = exponent.isConstant() ? exponent.value() : Double.NaN;
     if (Math.abs(n) <= LARGEST_PRODUCT && n == Math.rint(n)) {

@@ -5,7 +5,10 @@ import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.ScalarVector;
 
-/** Puts accelerations or forces of the links' freedoms out where the state has their velocities. */
+/**
+ * Outputs accelerations or forces of the links' degrees of freedom at the indices of their
+ * velocities in the state.
+ */
 public final class JointOutputs {
   private final Links mechanism;
   private final Coordinates coordinates;
@@ -16,15 +19,15 @@ public final class JointOutputs {
   }
 
   /**
-   * Puts the values out.
+   * Outputs the values.
    *
-   * @param ofLink of each link the values of its freedoms, at the axes they have
+   * @param ofLink values of each link's degrees of freedom, by axis
    */
   public void putOut(ScalarVector[] ofLink, Program program) {
     putOut(ofLink, program, 0);
   }
 
-  /** The same, all places moved by {@code shift}. */
+  /** Outputs the values, with all indices increased by {@code shift}. */
   public void putOut(ScalarVector[] ofLink, Program program, int shift) {
     for (int i = 0; i < ofLink.length; i++) {
       Link link = mechanism.links().get(i);

@@ -13,8 +13,8 @@ import org.mechservice.sim.symbolic.ScalarVector;
 import org.mechservice.solver.spatial.Rotation;
 
 /**
- * Places and velocities of links, computed when something first needs them: forces, outputs.
- * Vectors are taken along the tree from link to link; differences of places start at the nearest
+ * Positions and velocities of links, computed on first use by forces or outputs. Vectors are
+ * transformed along the tree from link to link; differences of positions start at the nearest
  * common ancestor, so that they keep their digits far from the origin.
  */
 public final class LinkKinematics {
@@ -36,7 +36,7 @@ public final class LinkKinematics {
     this.velocity = new ScalarVector[links.size()];
   }
 
-  /** Returns what it is about. */
+  /** Returns the mechanism. */
   public Links mechanism() {
     return mechanism;
   }
@@ -93,7 +93,10 @@ public final class LinkKinematics {
     return known;
   }
 
-  /** In the order of operations of the first sweep, so that nothing is computed twice. */
+  /**
+   * Returns the angular velocity, with the operations in the order of the first sweep, so that
+   * nothing is computed twice.
+   */
   private ScalarVector angular(Link link, ScalarVector ofParent) {
     ScalarVector joint = link.axes().toChild(ofParent);
     if (link.isBall()) {
@@ -140,7 +143,7 @@ public final class LinkKinematics {
     return index == Links.ROOT ? zero() : velocity(index).plus(omega(index).cross(r));
   }
 
-  /** Returns the nearest link that both links hang on, or one of them, or the root. */
+  /** Returns the nearest common ancestor of two links, which may be one of them or the root. */
   public int commonAncestor(int first, int second) {
     int a = first;
     int b = second;
@@ -197,7 +200,7 @@ public final class LinkKinematics {
     return fromAncestor(Links.ROOT, index, rootAxes().transposed().times(v));
   }
 
-  /** Returns the place of a link's (the root's) point in the world. */
+  /** Returns the position of a link's (the root's) point in the world. */
   public ScalarVector placeInWorld(int index, ScalarVector r) {
     ScalarVector inRoot = pointFrom(Links.ROOT, index, r);
     ScalarVector root = ScalarVector.of(expressions, mechanism.mechanism().root().position());

@@ -5,7 +5,7 @@ import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
 
-/** How the positions change: q' = v, but e' = ½ (0, ω) ∘ e for Euler parameters (NUMERICS §1a). */
+/** The kinematic equations: q' = v, and e' = ½ (0, ω) ∘ e for Euler parameters (NUMERICS §1a). */
 public final class PositionRates {
   private final Program program;
   private final Links mechanism;
@@ -17,17 +17,17 @@ public final class PositionRates {
     this.coordinates = coordinates;
   }
 
-  /** Takes the rate of a position of the state. */
+  /** Receives the rate of a position of the state. */
   public interface Taker {
     void take(int position, Scalar rate);
   }
 
-  /** Puts the rates out in a section of their own. */
+  /** Outputs the rates in their own section. */
   public void putOut() {
     each(program::output);
   }
 
-  /** Derives the rates in a section of their own and hands them over. */
+  /** Derives the rates in their own section and passes them to a receiver. */
   public void each(Taker taker) {
     boolean balls = false;
     for (Link link : mechanism.links()) {

@@ -3,8 +3,8 @@
  *
  * <p>{@link org.mechservice.sim.equations.kinematics.Coordinates} is the main type. It names the
  * positions and velocities of one program and gives each link's rotation, with one sine and one
- * cosine per angle. {@link org.mechservice.sim.equations.kinematics.LinkKinematics} computes places
- * and velocities of links when something first needs them, {@link
+ * cosine per angle. {@link org.mechservice.sim.equations.kinematics.LinkKinematics} computes
+ * positions and velocities of links on first use, {@link
  * org.mechservice.sim.equations.kinematics.BodyPoints} gives points and axes of bodies in the
  * computing frames of their links, and {@link
  * org.mechservice.sim.equations.kinematics.JointSubspace} gives the motions S of a link for each of

@@ -8,8 +8,8 @@ import org.mechservice.solver.spatial.Vector3;
 /** Rotations between coordinate axes, with exact zeros and ones. */
 public final class Axes {
   /**
-   * What a direction cosine may be off 0 or ±1 to count as it: the rounding of a few products of
-   * rotations. The axes then turn by at most this many radians.
+   * Largest deviation of a direction cosine from 0 or ±1 that is removed: the rounding error of a
+   * few products of rotations. The axes change by at most this angle, rad.
    */
   static final double ROUNDING = 1e-15;
 
@@ -61,7 +61,10 @@ public final class Axes {
     return of(r);
   }
 
-  /** Returns a rotation that takes a unit vector to the z axis by at most two turns. */
+  /**
+   * Returns a rotation that maps a unit vector to the z axis, of at most two rotations about
+   * coordinate axes.
+   */
   static Rotation toZ(Vector3 direction) {
     Vector3 d = snapped(direction);
     double rho = Math.hypot(d.x(), d.y());
@@ -73,12 +76,12 @@ public final class Axes {
     return turn(1, d.z() / norm, -rho / norm).times(intoXz);
   }
 
-  /** Returns the vector with components that are 0 or ±1 up to rounding made so. */
+  /** Returns the vector with components replaced by 0 or ±1 if they differ only by rounding. */
   public static Vector3 snapped(Vector3 unit) {
     return new Vector3(snapped(unit.x()), snapped(unit.y()), snapped(unit.z()));
   }
 
-  /** Returns the rotation with elements that are 0 or ±1 up to rounding made so. */
+  /** Returns the rotation with elements replaced by 0 or ±1 if they differ only by rounding. */
   public static Rotation snapped(Rotation r) {
     double[][] elements = elements(r);
     for (double[] row : elements) {

@@ -10,16 +10,16 @@ import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * A constant rotation from child to parent axes, factored for few operations: first axes are
- * permuted and change signs, which takes no operation; then turns about coordinate axes follow. One
- * turn suffices for a rotation about a coordinate axis, three for any.
+ * A constant rotation from child to parent axes, factored for few operations: a signed permutation
+ * of the axes, which needs no operation, followed by rotations about coordinate axes. One such
+ * rotation suffices for a rotation about a coordinate axis, three for any rotation.
  *
- * @param permuted child components in places and signs of the first intermediate axes
- * @param turns the turns that follow, in order
+ * @param permuted signed permutation from child axes to the first intermediate axes
+ * @param turns the rotations that follow, in order
  */
 public record AxesChange(Rotation permuted, List<Turn> turns) {
   /**
-   * A turn about a coordinate axis.
+   * A rotation about a coordinate axis.
    *
    * @param axis 0, 1, 2 for x, y, z
    * @param cosine of its angle
@@ -31,7 +31,7 @@ public record AxesChange(Rotation permuted, List<Turn> turns) {
     }
   }
 
-  /** Takes a rotation apart; elements that are 0 or ±1 up to rounding are so exactly. */
+  /** Factors a rotation; elements that differ from 0 or ±1 only by rounding become exact. */
   static AxesChange of(Rotation childToParent) {
     Rotation rotation = Axes.snapped(childToParent);
     for (Rotation permutation : Axes.permutations()) {
@@ -55,7 +55,7 @@ public record AxesChange(Rotation permuted, List<Turn> turns) {
     return new AxesChange(Rotation.IDENTITY, eulerTurns(rotation));
   }
 
-  /** Returns whether a rotation takes a coordinate axis to a coordinate axis. */
+  /** Returns whether a rotation maps a coordinate axis to a coordinate axis. */
   private static boolean hasCoordinateAxis(Rotation rotation) {
     for (double[] row : Axes.elements(rotation)) {
       for (double element : row) {
@@ -77,8 +77,8 @@ public record AxesChange(Rotation permuted, List<Turn> turns) {
   }
 
   /**
-   * R = Rot(z, a) Rot(x, b) Rot(z, c), c first and a from what remains, so that their sum is right
-   * where b is small; turns about zero are left out.
+   * Returns the factors R = Rot(z, a) Rot(x, b) Rot(z, c), with c computed first and a from the
+   * remainder, so that their sum is accurate for small b; rotations by zero are omitted.
    */
   private static List<Turn> eulerTurns(Rotation rotation) {
     double[][] r = Axes.elements(rotation);

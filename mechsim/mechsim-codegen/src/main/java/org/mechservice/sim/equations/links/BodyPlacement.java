@@ -4,7 +4,7 @@ import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * Where a body is fixed in the link that carries it.
+ * The constant pose of a body in its link.
  *
  * @param link index of the link; {@link Links#ROOT} if the body is welded to the root
  * @param toLink from the body's own axes to the link's own axes

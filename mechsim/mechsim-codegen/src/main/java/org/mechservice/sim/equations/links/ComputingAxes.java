@@ -8,14 +8,14 @@ import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * Chooses the axes a link is computed in: z along its joint, x and y so that the program has the
+ * Chooses the computing axes of a link: z along its joint, x and y such that the program has the
  * fewest operations.
  *
- * <p>Axes that change places cost nothing. A constant turn between parent and child, and a body or
- * child joint that no longer lies along its axes, cost the operations weighed here.
+ * <p>A permutation of axes costs nothing. The costs here are those of a constant rotation between
+ * parent and child, and of a body or child joint that is not aligned with the axes.
  */
 public final class ComputingAxes {
-  /** Operations of one constant turn in all sweeps: three vectors and three matrices, twice. */
+  /** Operations of one constant rotation in all sweeps: three vectors and three matrices, twice. */
   private static final int TURN_COST = 110;
 
   /** Operations of one more component in the offset of a child joint. */
@@ -61,7 +61,10 @@ public final class ComputingAxes {
     return best;
   }
 
-  /** Starts from the link's own axes and from the parent's, and takes the joint's axis to z. */
+  /**
+   * Returns the candidates: the link's own axes and the parent's, each with the joint's axis
+   * rotated to z.
+   */
   private List<Rotation> candidates(Rotation inParent) {
     List<Rotation> candidates = new ArrayList<>();
     for (Rotation start : List.of(Rotation.IDENTITY, inParent)) {

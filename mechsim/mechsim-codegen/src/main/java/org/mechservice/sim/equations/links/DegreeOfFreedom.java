@@ -5,16 +5,16 @@ import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarVector;
 
 /**
- * One freedom of a link: it turns about a coordinate axis of its computing frame, or moves along z,
- * or does both in proportion.
+ * One degree of freedom of a link: a rotation about a coordinate axis of its computing frame, a
+ * displacement along z, or both in proportion.
  *
  * @param axis 0, 1, 2 for x, y, z
- * @param turns whether it turns
- * @param way along the axis per coordinate
+ * @param turns whether it rotates
+ * @param way displacement along the axis per coordinate
  */
 public record DegreeOfFreedom(int axis, boolean turns, double way) {
 
-  /** Returns the freedoms of a link in the order in which they are eliminated. */
+  /** Returns the degrees of freedom of a link in the order of elimination. */
   public static List<DegreeOfFreedom> of(Link link) {
     return link.isBall()
         ? List.of(
@@ -24,7 +24,7 @@ public record DegreeOfFreedom(int axis, boolean turns, double way) {
         : List.of(new DegreeOfFreedom(2, link.turns(), link.way()));
   }
 
-  /** Returns the component of a wrench, or of a share of one, along the freedom. */
+  /** Returns the component of a wrench along the degree of freedom. */
   public Scalar along(Wrench wrench) {
     Scalar sum = wrench.moment().x().expressions().zero();
     if (turns) {
@@ -33,12 +33,12 @@ public record DegreeOfFreedom(int axis, boolean turns, double way) {
     return way == 0 ? sum : sum.plus(wrench.force().at(axis).times(way));
   }
 
-  /** Returns whether the freedom is a plain turn or a plain move. */
+  /** Returns whether it is a pure rotation or a pure displacement. */
   public boolean isPlain() {
     return turns != (way != 0);
   }
 
-  /** Returns a wrench whose element on the axis of a plain freedom is replaced. */
+  /** Returns a wrench with its element on the axis of a plain degree of freedom replaced. */
   public Wrench with(Wrench wrench, Scalar onAxis) {
     if (!isPlain()) {
       return wrench;
@@ -56,7 +56,7 @@ public record DegreeOfFreedom(int axis, boolean turns, double way) {
         axis == 2 ? component : vector.z());
   }
 
-  /** Returns the link's own inertia along the freedom: kg·m², or kg. */
+  /** Returns the link's own inertia along the degree of freedom: kg·m², or kg. */
   public double ownInertia(Link link) {
     if (link.isBall()) {
       return SmallTensor.pivots(link.inertiaAtOrigin())[axis];

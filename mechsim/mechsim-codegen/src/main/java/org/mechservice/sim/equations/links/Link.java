@@ -8,23 +8,24 @@ import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * An elementary link with what is welded to it, in computing frames.
+ * An elementary link with all bodies welded to it, in computing frames.
  *
  * <p>The computing frame of a link has its origin at the joint's point on it and its z axis along
- * the joint. With q = 0 it stands at {@code offset} in the parent's computing frame, turned by
- * {@code axes}; a link that turns then turns about z, one that slides moves along z. The frame of a
- * link with Euler parameters has the link's own axes, and {@code axes} leads from the parent link's
- * own axes to the parent's computing axes. The root's computing frame is its body frame.
+ * the joint. At q = 0 it is at {@code offset} in the parent's computing frame, rotated by {@code
+ * axes}; the link rotates about z or slides along z. The frame of a link with Euler parameters has
+ * the link's own axes, and {@code axes} leads from the parent link's own axes to the parent's
+ * computing axes. The root's computing frame is its body frame.
  *
  * @param parent index of the parent; {@link Links#ROOT} for the root
- * @param kind how it moves
+ * @param kind its elementary motion
  * @param joint index of the joint in the mechanism
  * @param stateJoint index of the joint among those that have states; −1 for a driven joint
  * @param component its first velocity among those of the joint
  * @param position index of the link's first coordinate in the state [q; v]; −1 for a driven link
  * @param velocity index of its first velocity in the state [q; v]; −1 for a driven link
  * @param motion its coordinate as a function of time, if it is driven
- * @param way along z per coordinate: 1 for a slide, the pitch of a screw in m/rad, else 0
+ * @param way displacement along z per coordinate: 1 for a slide, the pitch of a screw in m/rad,
+ *     otherwise 0
  * @param inverse whether Euler parameters turn the parent relative to the link
  * @param offset from the parent's computing origin to the joint's point, in parent computing axes,
  *     m
@@ -38,7 +39,7 @@ import org.mechservice.solver.spatial.Vector3;
  * @param initialPosition the coordinate at the start, rad or m; 0 for Euler parameters
  * @param bodyLabel identifier of the link in programs
  * @param jointLabel identifier of its coordinate in programs
- * @param title body, joint and type as the file names them, for people
+ * @param title body, joint and type as named in the file, for comments
  */
 public record Link(
     int parent,
@@ -64,17 +65,17 @@ public record Link(
     String jointLabel,
     String title) {
 
-  /** Returns whether the link turns about z, and perhaps moves along it. */
+  /** Returns whether the link rotates about z, possibly also sliding along it. */
   public boolean turns() {
     return kind == LinkKind.TURN || kind == LinkKind.SCREW;
   }
 
-  /** Returns whether the link moves along z, and perhaps turns about it. */
+  /** Returns whether the link slides along z, possibly also rotating about it. */
   public boolean slides() {
     return way != 0;
   }
 
-  /** Returns whether the link turns as Euler parameters say. */
+  /** Returns whether Euler parameters give the link's rotation. */
   public boolean isBall() {
     return kind == LinkKind.BALL;
   }
@@ -84,12 +85,12 @@ public record Link(
     return motion.isPresent();
   }
 
-  /** Returns whether a constant rotation by more than a change of axes lies before the joint. */
+  /** Returns whether a constant rotation other than a permutation of axes precedes the joint. */
   public boolean hasConstantTurn() {
     return !axes.turns().isEmpty();
   }
 
-  /** Returns the link with more mass fixed in it. */
+  /** Returns the link with additional mass fixed in it. */
   public Link carrying(RigidGroups.MassProperties more) {
     RigidGroups.MassProperties all =
         new RigidGroups.MassProperties(mass, centerOfMass, inertia).plus(more);

@@ -7,9 +7,9 @@ import org.mechservice.solver.spatial.Vector3;
 /**
  * A mechanism in computing frames.
  *
- * @param mechanism what it describes
- * @param links what moves, from the root outwards: parents come before their children
- * @param bodies where each body is, in the mechanism's order
+ * @param mechanism the mechanism
+ * @param links moving links from the root outwards: parents come before their children
+ * @param bodies placement of each body, in the mechanism's order
  * @param positionCount number of positions in the state
  * @param velocityCount number of velocities in the state
  * @param gravity acceleration of free fall in root axes, m/s²
@@ -25,7 +25,7 @@ public record Links(
     Vector3 gravity,
     double fixedMass,
     Vector3 fixedCenter) {
-  /** Index of the root where a link is meant. */
+  /** Link index of the root. */
   public static final int ROOT = -1;
 
   public Links {
@@ -33,7 +33,7 @@ public record Links(
     bodies = List.copyOf(bodies);
   }
 
-  /** Returns the same with other links in the places of these. */
+  /** Returns the same mechanism with other links. */
   public Links with(List<Link> others) {
     return new Links(
         mechanism, others, bodies, positionCount, velocityCount, gravity, fixedMass, fixedCenter);

@@ -5,8 +5,8 @@ import org.mechservice.sim.symbolic.ScalarMatrix;
 import org.mechservice.sim.symbolic.ScalarVector;
 
 /**
- * How a computing frame moves: angular velocity, angular acceleration, and the acceleration of its
- * origin as a point of the body (the classical one), all in its own axes.
+ * Motion of a computing frame: angular velocity, angular acceleration, and the classical
+ * acceleration of its origin as a point of the body, all in its own axes.
  *
  * @param omega angular velocity, rad/s
  * @param alpha angular acceleration, rad/s²

@@ -7,11 +7,11 @@ import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * What is welded together, taken as one body: every elementary link is carried by itself or, if it
- * does not move, by the link it is welded to, or by the root.
+ * Groups of bodies welded together, each as one rigid body. The carrier of an elementary link is
+ * the link itself if it moves, otherwise the link to which it is welded, or the root.
  */
 public final class RigidGroups {
-  /** Carrier of what is welded to the root. */
+  /** Carrier of bodies welded to the root. */
   static final int ROOT = TreeGeometry.ROOT;
 
   /** Mass, its centre, and inertia about the centre, in the carrier's axes at its point. */

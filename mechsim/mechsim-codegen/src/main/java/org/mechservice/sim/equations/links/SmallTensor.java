@@ -2,7 +2,7 @@ package org.mechservice.sim.equations.links;
 
 import org.mechservice.solver.spatial.InertiaTensor;
 
-/** The pivots of a tensor of inertia when its axes are eliminated one after the other. */
+/** The pivots of a tensor of inertia in the successive elimination of its axes. */
 final class SmallTensor {
   private SmallTensor() {}
 

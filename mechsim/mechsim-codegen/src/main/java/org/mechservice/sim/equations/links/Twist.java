@@ -4,8 +4,7 @@ import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarVector;
 
 /**
- * A motion seen at the origin of the frame it is given in: a velocity, its rate, or one per
- * coordinate.
+ * A spatial motion at the origin of its frame: a velocity, its rate, or a velocity per coordinate.
  *
  * @param angular rad/s
  * @param linear of the point of the body at the origin, m/s
@@ -16,7 +15,9 @@ public record Twist(ScalarVector angular, ScalarVector linear) {
     return new Twist(angular.plus(other.angular), linear.plus(other.linear));
   }
 
-  /** Returns this × other: how a motion fixed in a frame changes that moves like this. */
+  /**
+   * Returns this × other: the rate of a motion that is fixed in a frame moving with this velocity.
+   */
   public Twist cross(Twist other) {
     return new Twist(
         angular.cross(other.angular),
@@ -28,7 +29,10 @@ public record Twist(ScalarVector angular, ScalarVector linear) {
     return angular.dot(wrench.moment()).plus(linear.dot(wrench.force()));
   }
 
-  /** Returns this ×* wrench: how a wrench fixed in a frame changes that moves like this. */
+  /**
+   * Returns this ×* wrench: the rate of a wrench that is fixed in a frame moving with this
+   * velocity.
+   */
   public Wrench cross(Wrench wrench) {
     return new Wrench(
         angular.cross(wrench.moment()).plus(linear.cross(wrench.force())),

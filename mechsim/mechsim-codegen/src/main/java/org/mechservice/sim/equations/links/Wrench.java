@@ -5,7 +5,7 @@ import org.mechservice.sim.symbolic.ScalarMatrix;
 import org.mechservice.sim.symbolic.ScalarVector;
 
 /**
- * A force and a moment about the origin of the frame they are given in.
+ * A force and a moment about the origin of their frame.
  *
  * @param moment N·m
  * @param force N
@@ -30,7 +30,7 @@ public record Wrench(ScalarVector moment, ScalarVector force) {
     return new Wrench(rotation.times(moment), rotation.times(force));
   }
 
-  /** Returns the same wrench in axes turned back: components v = Rot(axis, angle) · this. */
+  /** Returns the same wrench in axes rotated back: components v = Rot(axis, angle) · this. */
   public Wrench turned(int axis, Scalar cosine, Scalar sine) {
     return new Wrench(moment.turned(axis, cosine, sine), force.turned(axis, cosine, sine));
   }
@@ -40,7 +40,7 @@ public record Wrench(ScalarVector moment, ScalarVector force) {
     return new Wrench(axes.toParent(moment), axes.toParent(force));
   }
 
-  /** Returns the same wrench about a point from which this frame's origin lies at {@code r}. */
+  /** Returns the same wrench about a point from which this frame's origin is at {@code r}. */
   public Wrench shifted(ScalarVector r) {
     return new Wrench(moment.plus(r.cross(force)), force);
   }

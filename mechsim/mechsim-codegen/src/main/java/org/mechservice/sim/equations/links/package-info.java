@@ -2,20 +2,21 @@
  * A mechanism as a tree of rigid links in computing frames.
  *
  * <p>{@link org.mechservice.sim.equations.links.Links} is the main type: the moving links from the
- * root outwards, the bodies and where each is fixed in its link, and gravity. {@code LinkLayout}
- * makes it from a {@link org.mechservice.solver.mechanism.Mechanism}: {@code RigidGroups} joins
- * what is welded together, {@code ComputingAxes} chooses the axes of each link, and {@link
- * org.mechservice.sim.equations.links.AxesChange} takes a constant rotation apart into turns about
+ * root outwards, the placement of each body in its link, and gravity. {@code LinkLayout} makes it
+ * from a {@link org.mechservice.solver.mechanism.Mechanism}: {@code RigidGroups} joins welded
+ * bodies, {@code ComputingAxes} chooses the axes of each link, and {@link
+ * org.mechservice.sim.equations.links.AxesChange} factors a constant rotation into rotations about
  * coordinate axes.
  *
  * <p>The computing frame of a link has its origin at the joint's point on the body and its z axis
- * along the joint. A joint then turns or shifts along one coordinate axis, and the terms of the
- * other two axes stay apart, so that a program has fewer operations. {@link
- * org.mechservice.sim.equations.links.DegreeOfFreedom} says how one velocity moves its link; {@link
- * org.mechservice.sim.equations.links.Motion}, {@link org.mechservice.sim.equations.links.Twist}
- * and {@link org.mechservice.sim.equations.links.Wrench} are the spatial vectors of the equations.
+ * along the joint. A joint then rotates about or slides along one coordinate axis, and the terms of
+ * the other two axes are separate, so that a program has fewer operations. {@link
+ * org.mechservice.sim.equations.links.DegreeOfFreedom} describes the motion of a link by one
+ * velocity; {@link org.mechservice.sim.equations.links.Motion}, {@link
+ * org.mechservice.sim.equations.links.Twist} and {@link org.mechservice.sim.equations.links.Wrench}
+ * are the spatial vectors of the equations.
  *
- * <p>Depends on the mechanism of solver-mechanics and on symbolic scalars alone. The quantities are
+ * <p>Depends only on the mechanism of solver-mechanics and on symbolic scalars. The quantities are
  * those of Featherstone 2008, ch. 2 and 7.
  */
 @NullMarked

@@ -21,8 +21,8 @@ import org.mechservice.solver.closure.equations.LoopTerms;
 import org.mechservice.solver.closure.equations.UnwrappedAngles;
 
 /**
- * The terms of the equations of a mechanism with loops as programs, laid out as {@link LoopTerms}
- * says; counted angles follow [q; v]. Whatever is zero in every state is not put out.
+ * The terms of the equations of a mechanism with loops as programs, in the layout of {@link
+ * LoopTerms}; unwrapped angles follow [q; v]. Elements that are zero in every state are not output.
  */
 public final class LoopCode {
   private final Program program = new Program();
@@ -36,7 +36,7 @@ public final class LoopCode {
 
   /**
    * @param equations number of equations of the loops
-   * @param derivative where inputs of accelerations begin; −1: no joint accelerates
+   * @param derivative first input of the accelerations; −1 for zero accelerations
    */
   private LoopCode(Links mechanism, int equations, int derivative) {
     this.mechanism = MassiveRodTerms.withEnds(mechanism);
@@ -117,7 +117,7 @@ public final class LoopCode {
     put(LoopTerms.offsetAt(m, n) + row, equation.offset());
   }
 
-  /** Puts what the joints must bear out; returns how the links move for that. */
+  /** Outputs the joint forces of the bias; returns the sweep of the links' motion. */
   private ForceSweep putOutBias(int at) {
     ForceSweep sweep = new ForceSweep(program, mechanism, coordinates);
     Wrench[] needed = sweep.sweep();

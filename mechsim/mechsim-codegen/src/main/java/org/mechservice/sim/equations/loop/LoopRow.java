@@ -4,13 +4,13 @@ import java.util.Optional;
 import org.mechservice.sim.symbolic.Scalar;
 
 /**
- * An equation of a loop, Φ = 0, with what a closure needs of it.
+ * An equation of a loop, Φ = 0, with the quantities that a closure needs.
  *
  * @param value Φ, m or rad
  * @param rate Φ'
- * @param offset γ: Φ'' while no joint accelerates but the driven ones
- * @param jacobian by the velocities of the state, in their order
- * @param size the size of what it measures where that changes, m or 1 rad
+ * @param offset γ: Φ'' with zero accelerations of all joints that are not driven
+ * @param jacobian derivatives by the velocities of the state, in their order
+ * @param size the size of the measured quantity if it changes, m or 1 rad
  */
 @SuppressWarnings("ArrayRecordComponent") // made once, read once
 record LoopRow(

@@ -55,7 +55,7 @@ public final class LoopRows {
   private final TreeGeometry tree;
 
   /**
-   * @param sweep how the links accelerate while no joint does, if γ is wanted
+   * @param sweep accelerations of the links with zero joint accelerations, if γ is requested
    */
   public LoopRows(
       Program program,
@@ -75,7 +75,7 @@ public final class LoopRows {
     this.tree = new TreeGeometry(mechanism.mechanism());
   }
 
-  /** Takes an equation. */
+  /** Receives an equation. */
   interface Taker {
     void take(int row, LoopRow equation);
   }
@@ -161,7 +161,7 @@ public final class LoopRows {
     return new BodyFrame(point.body(), point.position(), Rotation.IDENTITY);
   }
 
-  /** Functions of the relative pose of two bodies: the last ones follow motions. */
+  /** Functions of the relative pose of two bodies; the last ones follow prescribed motions. */
   private final class Pair {
     private final BodyPoint a;
     private final BodyPoint b;
@@ -212,7 +212,7 @@ public final class LoopRows {
         Optional.empty());
   }
 
-  /** A coordinate less what it is prescribed to be. */
+  /** Returns a coordinate minus its prescribed value. */
   private LoopRow following(LoopRow row, PairTerm term, Expression motion) {
     Scalar wanted = new TimeFunctions(expressions).scalar(motion);
     Differentiation byTime =

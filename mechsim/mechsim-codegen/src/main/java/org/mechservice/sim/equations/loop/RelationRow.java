@@ -26,14 +26,14 @@ import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.JointCoordinate;
 
-/** A relation between positions of joints as an equation of a loop. */
+/** A coupling of joint positions as an equation of a loop. */
 final class RelationRow extends Formulas {
   /**
-   * A position the relation depends on.
+   * A position on which the coupling depends.
    *
-   * @param stand the input that stands for it while the relation is derived
-   * @param rate the one for its rate; of cut joints alone
-   * @param second the one for the rate of that
+   * @param stand the placeholder input for it while the coupling is differentiated
+   * @param rate the placeholder for its rate, for cut joints only
+   * @param second the placeholder for its second derivative
    */
   private record Leaf(Coordinate coordinate, Scalar stand, Scalar rate, Scalar second) {}
 
@@ -47,8 +47,8 @@ final class RelationRow extends Formulas {
   private final List<Leaf> leaves = new ArrayList<>();
 
   /**
-   * @param length what makes displacements comparable with angles, m
-   * @param sweep how the links accelerate while no joint does, if γ is wanted
+   * @param length length scale that makes displacements comparable with angles, m
+   * @param sweep accelerations of the links with zero joint accelerations, if γ is requested
    */
   RelationRow(
       Expressions expressions,
@@ -97,7 +97,7 @@ final class RelationRow extends Formulas {
     return cutsInPlace(statesInPlace(derived));
   }
 
-  /** Puts positions of joints of the tree in place, which motion changes as it does the state. */
+  /** Substitutes the placeholders of tree joints' positions, which are states. */
   private Scalar statesInPlace(Scalar derived) {
     Scalar found = derived;
     for (Leaf leaf : leaves) {
@@ -108,7 +108,7 @@ final class RelationRow extends Formulas {
     return found;
   }
 
-  /** Puts positions of cut joints and their rates in place, which are known as such. */
+  /** Substitutes the placeholders of cut joints' positions and rates, which are computed. */
   private Scalar cutsInPlace(Scalar derived) {
     Scalar found = derived;
     ScalarVector none = ScalarVector.zero(expressions);
@@ -158,7 +158,7 @@ final class RelationRow extends Formulas {
     }
   }
 
-  /** Adds the joint forces that a multiplier of the equation stands for. */
+  /** Adds the joint forces of a multiplier of the equation. */
   void addForces(Expression relation, Scalar multiplier, Loads loads) {
     Scalar derived = scalar(relation);
     for (Leaf leaf : leaves) {
@@ -188,7 +188,7 @@ final class RelationRow extends Formulas {
             MathFunction.CHOOSE, size, expressions.zero(), expressions.one(), size));
   }
 
-  /** The size of what a joint's position measures. */
+  /** Returns the size of a joint's position. */
   private double unit(Coordinate coordinate) {
     boolean turns =
         coordinate instanceof ClosureCoordinate position
@@ -197,7 +197,9 @@ final class RelationRow extends Formulas {
     return turns ? 1 : length;
   }
 
-  /** How things move while no joint accelerates: q' = v, t' = 1, and what stands for rates. */
+  /**
+   * Returns the rates with zero joint accelerations: q' = v, t' = 1, and the placeholders of rates.
+   */
   private Map<Scalar, Scalar> motion() {
     Map<Scalar, Scalar> motion = new HashMap<>();
     motion.put(expressions.input(Program.TIME), expressions.one());

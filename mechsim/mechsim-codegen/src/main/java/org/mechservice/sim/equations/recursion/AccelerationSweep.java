@@ -13,11 +13,12 @@ import org.mechservice.sim.symbolic.ScalarMatrix;
 import org.mechservice.sim.symbolic.ScalarVector;
 
 /**
- * Third sweep, outwards: joint accelerations q'' = u / D − (U / D) · A, with A what the joint
- * accelerations nearer the root add to the motion of the first sweep (Featherstone 2008, §7.2).
+ * Third sweep, outwards: joint accelerations q'' = u / D − (U / D) · A, with A the acceleration
+ * that the joint accelerations nearer the root add to the motion of the first sweep (Featherstone
+ * 2008, §7.2).
  */
 public final class AccelerationSweep {
-  /** What joint accelerations add: angular and linear acceleration of a computing frame. */
+  /** Angular and linear acceleration of a computing frame due to joint accelerations. */
   private record Added(ScalarVector alpha, ScalarVector acceleration) {}
 
   private final Program program;
@@ -53,9 +54,7 @@ public final class AccelerationSweep {
     return added[link].acceleration();
   }
 
-  /**
-   * Sweeps from the root to the leaves and puts the joint accelerations out, if they are wanted.
-   */
+  /** Sweeps from the root to the leaves and outputs the joint accelerations, if requested. */
   public void sweep() {
     for (int i = 0; i < added.length; i++) {
       Link link = links.get(i);
@@ -74,7 +73,7 @@ public final class AccelerationSweep {
   private void accelerate(int i, Link link) {
     List<DegreeOfFreedom> freedoms = DegreeOfFreedom.of(link);
     Scalar[] rates = new Scalar[freedoms.size()];
-    // what was eliminated last is known first
+    // degrees of freedom are solved for in reverse order of elimination
     for (int k = rates.length - 1; k >= 0; k--) {
       Wrench share = inertias.shares(i).get(k);
       Scalar taken =
@@ -95,7 +94,7 @@ public final class AccelerationSweep {
     }
   }
 
-  /** Angular accelerations in link axes, put out in the axes of the file's body 1. */
+  /** Outputs angular accelerations in link axes, converted to the axes of the file's body 1. */
   private void putOutBall(Link link, ScalarVector rates) {
     ScalarVector out = coordinates.ballToState(link, rates);
     program.named("vd_" + link.jointLabel(), out);

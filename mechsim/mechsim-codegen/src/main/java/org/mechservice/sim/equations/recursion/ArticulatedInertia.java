@@ -12,8 +12,8 @@ import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * What a body and all beyond it answer to an acceleration of the body's computing frame: moment n =
- * J α + H a about the origin and force f = Hᵀ α + M a.
+ * Articulated inertia of a body and all bodies beyond it: an acceleration of the body's computing
+ * frame requires the moment n = J α + H a about the origin and the force f = Hᵀ α + M a.
  *
  * @param rotational J, symmetric, kg·m²
  * @param coupling H, kg·m
@@ -42,7 +42,7 @@ public record ArticulatedInertia(
         translational.plus(other.translational));
   }
 
-  /** Returns the column along a freedom: the moment and force that move it. */
+  /** Returns the column of a degree of freedom: the moment and force of a unit acceleration. */
   public Wrench along(DegreeOfFreedom freedom) {
     int axis = freedom.axis();
     Wrench turning = new Wrench(rotational.column(axis), coupling.row(axis));
@@ -55,8 +55,8 @@ public record ArticulatedInertia(
   }
 
   /**
-   * Returns what remains when a freedom gives way: I − U Uᵀ / D. The row and column along the axis
-   * of a plain freedom are zero.
+   * Returns I − U Uᵀ / D, the inertia after the elimination of a degree of freedom. The row and
+   * column of a plain degree of freedom are zero.
    *
    * @param column U
    * @param share U / D
@@ -88,13 +88,13 @@ public record ArticulatedInertia(
                     : translational.at(i, j).minus(kf.at(i).times(f.at(j)))));
   }
 
-  /** Returns the same in other axes: components v = rotation · this. */
+  /** Returns the inertia in other axes: components v = rotation · this. */
   ArticulatedInertia in(ScalarMatrix rotation) {
     return new ArticulatedInertia(
         rotational.in(rotation), coupling.in(rotation), translational.in(rotation));
   }
 
-  /** Returns the same in axes turned back: R = Rot(axis, angle) takes this frame's axes there. */
+  /** Returns the inertia in axes rotated back by R = Rot(axis, angle). */
   ArticulatedInertia turned(int axis, Scalar cosine, Scalar sine) {
     return new ArticulatedInertia(
         rotational.turned(axis, cosine, sine),
@@ -102,14 +102,14 @@ public record ArticulatedInertia(
         translational.turned(axis, cosine, sine));
   }
 
-  /** Returns the same in parent axes. */
+  /** Returns the inertia in parent axes. */
   ArticulatedInertia toParent(AxesChange axes) {
     return new ArticulatedInertia(
         axes.toParent(rotational), axes.toParent(coupling), axes.toParent(translational));
   }
 
   /**
-   * Returns the same for a frame from which this one's origin lies at {@code r}: H' = H + [r]× M
+   * Returns the inertia for a frame from which this one's origin is at {@code r}: H' = H + [r]× M
    * and J' = J + [r]× H'ᵀ + ([r]× Hᵀ)ᵀ.
    */
   ArticulatedInertia shifted(ScalarVector r) {

@@ -14,11 +14,11 @@ import org.mechservice.sim.symbolic.ScalarVector;
 import org.mechservice.solver.spatial.InertiaTensor;
 
 /**
- * First sweep, outwards: how each body moves, and the wrench it needs for that, while no joint
- * accelerates, or as its acceleration is given (recursive Newton-Euler, Featherstone 2008, §5.3).
+ * First sweep, outwards: the motion of each body and its inertia wrench, with zero or given joint
+ * accelerations (recursive Newton-Euler, Featherstone 2008, §5.3).
  *
  * <p>Accelerations are those of points of the bodies, so no linear velocity occurs; W is formed
- * once per body and serves its centre of mass and all joints on it.
+ * once per body and used for its centre of mass and all its joints.
  */
 public final class ForceSweep {
   private final Program program;
@@ -37,11 +37,11 @@ public final class ForceSweep {
     this.motions = new Motion[mechanism.links().size()];
     this.spreads = new ScalarMatrix[mechanism.links().size()];
     ScalarVector none = ScalarVector.zero(expressions);
-    // A root that accelerates against gravity stands for gravity on every body.
+    // An acceleration of the root opposite to gravity represents gravity on every body.
     this.root = new Motion(none, none, ScalarVector.of(expressions, mechanism.gravity().negated()));
   }
 
-  /** Returns the wrench that each link's body needs, about its computing origin. */
+  /** Returns the inertia wrench of each link's body, about its computing origin. */
   public Wrench[] sweep() {
     Wrench[] needed = new Wrench[motions.length];
     for (int i = 0; i < motions.length; i++) {
@@ -58,7 +58,7 @@ public final class ForceSweep {
     return needed;
   }
 
-  /** Returns how a link moves, gravity as an acceleration of the root; after the sweep. */
+  /** Returns the motion of a link after the sweep, with gravity as an acceleration of the root. */
   public Motion motion(int link) {
     return link == Links.ROOT ? root : motions[link];
   }
@@ -89,7 +89,7 @@ public final class ForceSweep {
     };
   }
 
-  /** Motion of the child's frame at q = 0, in its own axes: that of the parent at the joint. */
+  /** Returns the motion of the parent at the joint, in the child's axes at q = 0. */
   private Motion atJoint(Link link) {
     Motion parent = link.parent() == Links.ROOT ? root : motions[link.parent()];
     ScalarVector acceleration = parent.acceleration();
@@ -132,7 +132,7 @@ public final class ForceSweep {
     return new Motion(joint.omega(), joint.alpha(), alongZ(acceleration, driven));
   }
 
-  /** The angular velocity v is given in parent axes. */
+  /** Returns the motion of a ball whose angular velocity v is in parent axes. */
   private Motion turnedBall(Link link, Motion joint) {
     ScalarMatrix toChild = coordinates.ballRotation(link).transposed();
     ScalarVector v = coordinates.ballVelocity(link);
@@ -143,7 +143,7 @@ public final class ForceSweep {
         toChild.times(joint.acceleration()));
   }
 
-  /** The angular velocity −v is given in the link's own axes. */
+  /** Returns the motion of a ball whose angular velocity −v is in the link's own axes. */
   private Motion turnedBack(Link link, Motion joint) {
     ScalarMatrix toChild = coordinates.ballRotation(link).transposed();
     ScalarVector back = coordinates.ballVelocity(link).map(Scalar::negated);

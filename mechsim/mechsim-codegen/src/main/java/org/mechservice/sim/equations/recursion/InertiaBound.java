@@ -9,12 +9,12 @@ import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.solver.kinematics.LinkKind;
 
 /**
- * A bound of the inertia beyond a joint with every joint beyond it locked: what an articulated
- * inertia is small against when the joint is singular.
+ * A bound of the inertia beyond a joint with all joints beyond it locked. The articulated inertia
+ * of a singular joint is very small relative to it.
  *
- * <p>The inertia of the bodies before they were projected, taken at its largest over all positions:
- * Σ m ρ² + trace I, with ρ the length of the way from the joint to the centre of mass. It costs
- * nothing when the program runs unless a joint slides on the way.
+ * <p>The bound is the largest rigid-body inertia over all positions: Σ m ρ² + trace I, with ρ the
+ * length of the path from the joint to the centre of mass. It is a constant unless a sliding joint
+ * is on the path.
  *
  * @param mass Σ m, kg
  * @param first Σ m ρ, kg·m
@@ -25,7 +25,7 @@ record InertiaBound(Scalar mass, Scalar first, Scalar second) {
   /**
    * Returns the bounds at every link's computing origin.
    *
-   * @param slid the way that a sliding joint adds, m
+   * @param slid the path length that a sliding joint adds, m
    */
   static InertiaBound[] of(Expressions expressions, List<Link> links, Function<Link, Scalar> slid) {
     InertiaBound[] bounds = new InertiaBound[links.size()];
@@ -53,8 +53,8 @@ record InertiaBound(Scalar mass, Scalar first, Scalar second) {
   }
 
   /**
-   * An overflowing bound is still a bound: the bounded value overflows too, and the run reports
-   * where.
+   * Returns a finite bound. If the bound overflows, the bounded value overflows too, and the run
+   * reports its position.
    */
   private static Scalar finite(Expressions expressions, double bound) {
     return expressions.constant(Math.min(bound, Double.MAX_VALUE));

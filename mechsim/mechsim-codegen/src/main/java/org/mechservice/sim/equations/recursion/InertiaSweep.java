@@ -13,12 +13,12 @@ import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarVector;
 
 /**
- * Second sweep, inwards: articulated inertias, and what the joints leave of the wrenches of the
- * first sweep (Featherstone 2008, §7.2, with the residual in place of the bias forces).
+ * Second sweep, inwards: articulated inertias and bias wrenches (Featherstone 2008, §7.2, with the
+ * residual wrenches of the first sweep as bias forces).
  *
  * <p>With U the column of the articulated inertia along the joint's axis, D its element on the
- * axis, and u the joint force less the wrench along the axis, the parent sees I − U Uᵀ / D and p +
- * U u / D.
+ * axis, and u the joint force less the wrench along the axis, I − U Uᵀ / D and p + U u / D are
+ * added to the parent.
  */
 public final class InertiaSweep {
   private final Program program;
@@ -33,8 +33,8 @@ public final class InertiaSweep {
   private final List<List<Scalar>> atRest = new ArrayList<>();
 
   /**
-   * @param wrenches what each body needs; overwritten with what all beyond it need
-   * @param jointForces what acts in the joints
+   * @param wrenches inertia wrench of each body; overwritten with the sum over all bodies beyond it
+   * @param jointForces applied joint forces
    * @param checked whether the program checks pivots
    */
   public InertiaSweep(
@@ -76,22 +76,27 @@ public final class InertiaSweep {
     return true;
   }
 
-  /** Returns U / D of each freedom of a link; the element along a plain freedom is 1. */
+  /** Returns U / D of each degree of freedom of a link; the element of a plain one is 1. */
   List<Wrench> shares(int link) {
     return shares.get(link);
   }
 
-  /** Returns u / D of each freedom of a link: its acceleration if its parent did not accelerate. */
+  /**
+   * Returns u / D of each degree of freedom of a link: its acceleration for a parent without
+   * acceleration.
+   */
   List<Scalar> atRest(int link) {
     return atRest.get(link);
   }
 
-  /** Returns what a link and all beyond it answer to an acceleration, its own freedoms locked. */
+  /**
+   * Returns the articulated inertia of a link and all links beyond it, with its own joint locked.
+   */
   public ArticulatedInertia inertia(int link) {
     return inertias[link];
   }
 
-  /** Returns the wrench that a link and all beyond it need while the link does not accelerate. */
+  /** Returns the bias wrench of a link and all links beyond it. */
   public Wrench wrench(int link) {
     return wrenches[link];
   }
@@ -122,7 +127,7 @@ public final class InertiaSweep {
         : "k = U / D, u = tau - p.z, I_p += X (I - U k') X', p_p += X (p + k u)";
   }
 
-  /** Lets a freedom give way; returns whether it can have an inertia. */
+  /** Eliminates a degree of freedom; returns whether it can have an inertia. */
   private boolean eliminate(
       int i, Link link, DegreeOfFreedom freedom, Scalar force, boolean passedOn) {
     String label = link.jointLabel() + (link.isBall() ? "_" + "xyz".charAt(freedom.axis()) : "");
@@ -134,7 +139,8 @@ public final class InertiaSweep {
     Scalar reciprocal = program.named("one_over_D_" + label, expressions.one().over(pivot));
     Wrench share = share(freedom, column, reciprocal, label);
     Scalar left = force.minus(freedom.along(wrenches[i]));
-    // The reciprocal pays where the column is divided too, which nothing needs at the root.
+    // The reciprocal saves operations if the column is divided too, which is not needed at the
+    // root.
     Scalar rate =
         program.named("u_over_D_" + label, passedOn ? left.times(reciprocal) : left.over(pivot));
     shares.get(i).add(share);
@@ -161,7 +167,7 @@ public final class InertiaSweep {
     return share;
   }
 
-  /** p + U u / D; along the axis of a plain freedom that is the joint force. */
+  /** Returns p + U u / D; its component along a plain degree of freedom is the joint force. */
   private static Wrench rest(
       DegreeOfFreedom freedom, Wrench wrench, Wrench column, Scalar rate, Scalar jointForce) {
     Wrench rest =
@@ -175,7 +181,7 @@ public final class InertiaSweep {
     return freedom.turns() ? jointForce : jointForce.times(1 / freedom.way());
   }
 
-  /** Adds what the parent sees of a link to the parent. */
+  /** Adds the inertia and wrench of a link to its parent. */
   private void pass(Link link, ArticulatedInertia inertia, Wrench wrench) {
     int p = link.parent();
     inertias[p] = inertias[p].plus(toParent.inertia(link, inertia));

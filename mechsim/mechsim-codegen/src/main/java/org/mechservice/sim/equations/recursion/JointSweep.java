@@ -11,8 +11,8 @@ import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarVector;
 
 /**
- * Inwards: what the joints must bear of the wrenches that the bodies need, beyond the forces
- * applied in them (recursive Newton-Euler, Featherstone 2008, §5.3).
+ * Inward sweep: the joint forces for the inertia wrenches of the bodies, minus the applied joint
+ * forces (recursive Newton-Euler, Featherstone 2008, §5.3).
  */
 public final class JointSweep {
   private final Program program;
@@ -28,9 +28,9 @@ public final class JointSweep {
   /**
    * Sweeps from the leaves to the root.
    *
-   * @param wrenches what each body needs; overwritten with what all beyond it need
-   * @param applied what acts in the joints
-   * @return of each link the force along its freedoms, at the axes they have
+   * @param wrenches inertia wrench of each body; overwritten with the sum over all bodies beyond it
+   * @param applied applied joint forces
+   * @return forces along each link's degrees of freedom, by axis
    */
   public ScalarVector[] sweep(Wrench[] wrenches, JointForces applied) {
     ScalarVector[] borne = new ScalarVector[wrenches.length];

@@ -7,7 +7,7 @@ import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarVector;
 
-/** What forces do to links and joints: collected while forces are derived, used by sweeps. */
+/** The applied loads on links and joints: forces add to them, sweeps read them. */
 public final class Loads implements JointForces {
   private final Expressions expressions;
   private final Wrench[] wrenches;
@@ -23,7 +23,7 @@ public final class Loads implements JointForces {
     Arrays.fill(jointForces, none);
   }
 
-  /** Adds a force at a link's point and a moment, in the link's axes; none on the root counts. */
+  /** Adds a force at a link's point and a moment, in the link's axes; has no effect on the root. */
   public void add(int link, ScalarVector point, ScalarVector force, ScalarVector moment) {
     if (link != Links.ROOT) {
       wrenches[link] = wrenches[link].plus(new Wrench(moment.plus(point.cross(force)), force));
@@ -31,8 +31,8 @@ public final class Loads implements JointForces {
   }
 
   /**
-   * Adds a force along a freedom of a link; of Euler parameters, a moment along an axis of the
-   * link.
+   * Adds a force along a degree of freedom of a link; for Euler parameters, a moment along an axis
+   * of the link.
    */
   public void addJointForce(int link, int axis, Scalar force) {
     Scalar zero = expressions.zero();

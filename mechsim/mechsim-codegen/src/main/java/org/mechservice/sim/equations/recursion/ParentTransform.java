@@ -8,7 +8,7 @@ import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarMatrix;
 import org.mechservice.sim.symbolic.ScalarVector;
 
-/** How the parent sees what a link has in its own computing frame. */
+/** Transformation of quantities from a link's computing frame to its parent's. */
 public final class ParentTransform {
   private final Expressions expressions;
   private final Coordinates coordinates;

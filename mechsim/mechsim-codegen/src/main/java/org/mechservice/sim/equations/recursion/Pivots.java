@@ -9,17 +9,19 @@ import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
 
 /**
- * Lets a program check the inertias it divides by: what the bodies beyond a joint answer to it with
- * the joints beyond it free, which vanishes where nothing resists.
+ * Adds checks of pivots to a program. A pivot is the inertia beyond a joint with all joints beyond
+ * it free; it is zero if the joint moves no inertia.
  */
 public final class Pivots {
-  /** A pivot below this part of the inertia it is left of is rounding (NUMERICS §2, DTR). */
+  /** Fraction of the locked inertia below which a pivot is rounding (NUMERICS §2, DTR). */
   private static final double SINGULAR = 64 * 0x1p-52;
 
-  /** Own inertia above this part of all inertia beyond the joint is never rounding. */
+  /**
+   * Fraction of all inertia beyond the joint above which a body's own inertia is never rounding.
+   */
   private static final double CLEARLY_POSITIVE = 1e-12;
 
-  /** The same where a joint slides on the way, so that the inertia beyond grows with q. */
+  /** The same fraction if a sliding joint is beyond, so that the inertia grows with q. */
   private static final double CLEARLY_POSITIVE_SLIDING = 1e-9;
 
   private final Program program;
@@ -44,9 +46,9 @@ public final class Pivots {
   }
 
   /**
-   * Lets the program check the pivot where it can vanish.
+   * Adds a check of a pivot that can be zero.
    *
-   * @return whether it vanishes always
+   * @return whether it is always zero
    */
   public boolean guarded(int i, DegreeOfFreedom freedom, Scalar pivot) {
     Link link = links.get(i);
@@ -65,12 +67,12 @@ public final class Pivots {
     return always;
   }
 
-  /** The size of the way along a sliding link. */
+  /** Returns the absolute displacement of a sliding link. */
   private Scalar slid(Link link) {
     return coordinates.way(link).squared().squareRoot();
   }
 
-  /** The same at the start, with a metre to spare. */
+  /** Returns the absolute displacement at the start plus one metre. */
   private Scalar slidAtStart(Link link) {
     return expressions.constant(1 + Math.abs(link.way() * link.initialPosition()));
   }

@@ -10,10 +10,10 @@ import org.mechservice.sim.symbolic.ScalarVector;
 import org.mechservice.solver.spatial.InertiaTensor;
 
 /**
- * A link with all beyond it as one rigid body, and how its inertia force changes with its velocity:
- * the operator 2 B = V ×* I − I V × + (·) ×* (I V), summed over the links. Written out, with
- * momentum I V = [n; l] and h = m c, most of it cancels: 2 B [ω; u] = [T ω; −2 l × ω] with T = W +
- * Wᵀ − h uᵀ − u hᵀ + 2 (h·u) 1 − n×, W = ω× J.
+ * A link with all links beyond it as one rigid body, and the velocity derivative of its inertia
+ * force: the operator 2 B = V ×* I − I V × + (·) ×* (I V), summed over the links. With momentum I V
+ * = [n; l] and h = m c most terms cancel: 2 B [ω; u] = [T ω; −2 l × ω] with T = W + Wᵀ − h uᵀ − u
+ * hᵀ + 2 (h·u) 1 − n×, W = ω× J.
  *
  * @param mass m, kg
  * @param moment h, kg·m
@@ -64,7 +64,7 @@ public record RigidComposite(
         momentum.plus(other.momentum));
   }
 
-  /** Returns the same inertia in other axes, given how vectors and matrices are rotated. */
+  /** Returns the same inertia in other axes, given the rotation of vectors and matrices. */
   RigidComposite in(AxesOf axes) {
     return new RigidComposite(
         mass,
@@ -74,7 +74,7 @@ public record RigidComposite(
         axes.vector(momentum));
   }
 
-  /** Takes vectors and matrices into other axes. */
+  /** Rotation of vectors and matrices to other axes. */
   interface AxesOf {
     ScalarVector vector(ScalarVector v);
 
@@ -82,8 +82,8 @@ public record RigidComposite(
   }
 
   /**
-   * Returns the same about a point from which this origin lies at {@code p}: h' = h + m p, J' = J +
-   * 2 (p·h) 1 − p hᵀ − h pᵀ + m ((p·p) 1 − p pᵀ), T' = T + 2 ((p·l) 1 − l pᵀ).
+   * Returns the same inertia about a point from which this origin is at {@code p}: h' = h + m p, J'
+   * = J + 2 (p·h) 1 − p hᵀ − h pᵀ + m ((p·p) 1 − p pᵀ), T' = T + 2 ((p·l) 1 − l pᵀ).
    */
   RigidComposite shifted(ScalarVector p) {
     ScalarVector half = moment.plus(p.map(x -> x.times(mass / 2)));

@@ -11,7 +11,7 @@ import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarVector;
 
 /**
- * The mass matrix by the velocities of the state, from composite inertias (Featherstone 2008,
+ * The mass matrix for the velocities of the state, from composite inertias (Featherstone 2008,
  * §6.2).
  */
 public final class StateMass {
@@ -25,12 +25,12 @@ public final class StateMass {
     this.rows = rows;
   }
 
-  /** Takes an element of M. */
+  /** Receives an element of M. */
   public interface Taker {
     void take(int row, int column, Scalar element);
   }
 
-  /** Derives the elements between each velocity and those on its way to the root. */
+  /** Derives the elements between each velocity and its ancestors. */
   public void each(Taker taker) {
     RigidComposite[] composites = composites();
     for (int i = links.size() - 1; i >= 0; i--) {
@@ -45,7 +45,7 @@ public final class StateMass {
     }
   }
 
-  /** The momentum of everything beyond a velocity, along the velocities on its way to the root. */
+  /** Derives a column: the components of the momentum beyond a velocity along its ancestors. */
   private void column(int link, int velocity, Wrench momentum, Taker taker) {
     Wrench carried = momentum;
     for (int i = link; i != Links.ROOT; i = links.get(i).parent()) {

@@ -6,13 +6,13 @@ import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
 
 /**
- * M = LᵀDL of a matrix that has elements only between each row and those on its way to the root:
- * eliminated from the leaves inwards there is no fill (Featherstone 2008, §6.5).
+ * Factors M = LᵀDL of a matrix with elements only between each row and its ancestors. Elimination
+ * from the leaves inwards causes no fill-in (Featherstone 2008, §6.5).
  */
 public final class TreeFactors {
   /** Checks a pivot. */
   public interface Check {
-    /** Returns whether the pivot of a row vanishes always. */
+    /** Returns whether the pivot of a row is always zero. */
     boolean vanishes(int row, Scalar pivot);
   }
 
@@ -23,7 +23,7 @@ public final class TreeFactors {
 
   /**
    * @param elements lower triangle of M; overwritten with L below and D on the diagonal
-   * @param ancestors rows on the way to the root, the nearest first
+   * @param ancestors ancestors of each row, the nearest first
    * @param labels names of rows
    */
   public TreeFactors(

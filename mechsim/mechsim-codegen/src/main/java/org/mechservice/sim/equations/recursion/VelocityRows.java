@@ -11,7 +11,7 @@ import org.mechservice.sim.equations.links.Wrench;
 import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.Scalar;
 
-/** What wrenches on links are along the velocities of the state: rows Sᵀ w. */
+/** Components of wrenches on links along the velocities of the state: rows Sᵀ w. */
 public final class VelocityRows {
   private final Expressions expressions;
   private final Links mechanism;
@@ -43,8 +43,8 @@ public final class VelocityRows {
   }
 
   /**
-   * Adds what a wrench on a link is along the velocities on its way to an ancestor, whose own are
-   * left out.
+   * Adds the components of a wrench on a link along the velocities between the link and an
+   * ancestor, without those of the ancestor.
    */
   public void add(int link, int ancestor, Wrench wrench, Scalar[] row) {
     Wrench carried = wrench;
@@ -61,12 +61,12 @@ public final class VelocityRows {
     }
   }
 
-  /** Returns a wrench on a link as its parent sees it. */
+  /** Returns a wrench on a link in its parent's frame. */
   Wrench toParent(Link link, Wrench wrench) {
     return toParent.wrench(link, wrench);
   }
 
-  /** Returns an inertia of a link as its parent sees it. */
+  /** Returns an inertia of a link in its parent's frame. */
   RigidComposite toParent(Link link, RigidComposite composite) {
     return toParent.composite(link, composite);
   }

@@ -1,20 +1,20 @@
 /**
- * The sweeps along the tree from which all formulations are made.
+ * The sweeps along the tree from which all formulations are built.
  *
  * <p>{@link org.mechservice.sim.equations.recursion.ForceSweep} goes outwards: the motion of each
- * link and the wrench that this motion needs (recursive Newton-Euler). {@link
- * org.mechservice.sim.equations.recursion.JointSweep} goes inwards: what the joints must bear of
- * those wrenches. {@link org.mechservice.sim.equations.recursion.InertiaSweep} forms articulated
- * inertias on the way in, and {@link org.mechservice.sim.equations.recursion.AccelerationSweep}
- * finds the joint accelerations on the way out.
+ * link and its inertia wrench (recursive Newton-Euler). {@link
+ * org.mechservice.sim.equations.recursion.JointSweep} goes inwards: the joint forces for those
+ * wrenches. {@link org.mechservice.sim.equations.recursion.InertiaSweep} goes inwards and forms
+ * articulated inertias, and {@link org.mechservice.sim.equations.recursion.AccelerationSweep} goes
+ * outwards and computes the joint accelerations.
  *
  * <p>{@link org.mechservice.sim.equations.recursion.ArticulatedInertia} and {@link
- * org.mechservice.sim.equations.recursion.RigidComposite} are the inertias carried along, {@link
- * org.mechservice.sim.equations.recursion.ParentTransform} takes them from a link to its parent,
- * {@link org.mechservice.sim.equations.recursion.TreeFactors} factors the mass matrix along the
- * tree, and {@link org.mechservice.sim.equations.recursion.Pivots} lets a program check what it
- * divides by. {@link org.mechservice.sim.equations.recursion.Loads} collects the applied forces
- * that a sweep takes in.
+ * org.mechservice.sim.equations.recursion.RigidComposite} are the two kinds of inertia, {@link
+ * org.mechservice.sim.equations.recursion.ParentTransform} transforms them from a link to its
+ * parent, {@link org.mechservice.sim.equations.recursion.TreeFactors} factors the mass matrix along
+ * the tree, and {@link org.mechservice.sim.equations.recursion.Pivots} adds checks of divisors to a
+ * program. {@link org.mechservice.sim.equations.recursion.Loads} collects the applied forces that a
+ * sweep reads.
  *
  * <p>Depends on {@code links} and {@code kinematics}. Sources: Featherstone 2008, §5.3, §6.2, §6.5
  * and §7.2; NUMERICS §2.

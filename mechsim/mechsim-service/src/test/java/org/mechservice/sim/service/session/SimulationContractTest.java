@@ -265,7 +265,7 @@ class SimulationContractTest {
     List<Failure.Step> steps =
         List.of(
             new Failure.Step(1, 1e-3, 4, 0.5, "accepted"),
-            new Failure.Step(1.001, 1e-3, 4, Double.NaN, "something was not finite"));
+            new Failure.Step(1.001, 1e-3, 4, Double.NaN, "a value was not finite"));
     Failure failed =
         new Failure(MessageCode.NOT_FINITE, "It is not finite.", 1.001, 1e-3, 4, "", "")
             .after(steps);

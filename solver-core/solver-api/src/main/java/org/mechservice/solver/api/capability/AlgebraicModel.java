@@ -8,13 +8,13 @@ public interface AlgebraicModel extends ExplicitModel, Defects {
   /**
    * Finds the state at an output time.
    *
-   * @param t time, s; not before that of the last call
-   * @param y overwritten with the state [q; v]; {@link #derivative} holds for it until the next
+   * @param t time, s; not before the time of the last call
+   * @param y overwritten with the state [q; v]; {@link #derivative} is valid for it until the next
    *     call
    * @return {@link #REGULAR}, or {@link Defects#DEFECT} if there is none
    */
   int find(double t, double[] y);
 
-  /** Returns how many corrections were made in all. */
+  /** Returns the total number of corrections. */
   long iterations();
 }

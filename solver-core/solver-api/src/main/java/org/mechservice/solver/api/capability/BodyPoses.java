@@ -3,8 +3,8 @@ package org.mechservice.solver.api.capability;
 import java.util.List;
 
 /**
- * A model built with the column group {@code bodies}: it knows where its bodies are and how they
- * move.
+ * A model built with the column group {@code bodies}: it computes poses and velocities of its
+ * bodies.
  */
 public interface BodyPoses {
   /** Numbers per body: x, y, z, e0, e1, e2, e3, vx, vy, vz, wx, wy, wz. */

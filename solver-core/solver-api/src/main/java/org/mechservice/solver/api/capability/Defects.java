@@ -5,9 +5,9 @@ import java.util.Optional;
 import org.mechservice.solver.api.run.Failure;
 import org.mechservice.solver.catalogue.MessageCode;
 
-/** A model that can say why it has no derivative or residual in a state. */
+/** A model that gives the reason why it has no derivative or residual at a state. */
 public interface Defects {
-  /** Returned by an evaluation that failed for the reason {@link #lastDefect} gives. */
+  /** Result of an evaluation that failed; {@link #lastDefect} gives the reason. */
   int DEFECT = -2;
 
   /**
@@ -18,20 +18,20 @@ public interface Defects {
   Defect lastDefect();
 
   /**
-   * Returns what in the model may keep an integration from going on from the last accepted state: a
-   * singular position of its loops, or a loop that does not close at the state last tried.
+   * Returns the reason in the model why an integration cannot continue from the last accepted
+   * state: a singular position of its loops, or a loop that does not close at the last attempted
+   * state.
    */
   default Optional<Defect> obstacle() {
     return Optional.empty();
   }
 
   /**
-   * Returns which force is given by a formula without a finite value where a run stands that has
-   * failed, or where it tried to go: no evaluation looks for the root of a negative number, a
-   * division by zero or an overflow.
+   * Returns the force whose formula has no finite value near the last state of a failed run.
+   * Evaluations do not check for the root of a negative number, a division by zero or an overflow.
    *
-   * @param t time the run stands at, s
-   * @param y state [q; v] there, perhaps with multipliers behind; may be changed and put back
+   * @param t time that the run has reached, s
+   * @param y state [q; v] there, possibly followed by multipliers; may be changed and restored
    * @param yDot its derivative; not used if no step was tried; not modified
    * @param tried the last steps
    */
@@ -44,9 +44,9 @@ public interface Defects {
    * Why a model cannot be evaluated.
    *
    * @param code entry of the error catalogue, such as {@code N-030}
-   * @param part the joint, body, force or constraint it lies at
-   * @param cause what is wrong, with numbers and units, in one sentence
-   * @param advice what to do about it
+   * @param part the joint, body, force or constraint concerned
+   * @param cause the cause in one sentence, with numbers and units
+   * @param advice the remedy
    */
   record Defect(MessageCode code, String part, String cause, String advice) {}
 }

@@ -1,8 +1,9 @@
 package org.mechservice.solver.api.capability;
 
 /**
- * A model of closed loops integrated in independent coordinates: the others follow from them
- * (NUMERICS §3). The integrator carries all, tests the independent ones.
+ * A model of closed loops integrated in independent coordinates, which determine the others
+ * (NUMERICS §3). The integrator carries all coordinates and applies the error test to the
+ * independent ones.
  */
 public interface DependentStates {
   /** Returns whether a component of the state is independent at present. */
@@ -13,12 +14,12 @@ public interface DependentStates {
    *
    * @param t time, s
    * @param y state; independent components are kept, dependent ones are starting values at entry
-   * @return false if the loops cannot be closed there
+   * @return false if the loops cannot be closed
    */
   boolean complete(double t, double[] y);
 
   /**
-   * Takes note of an accepted step and may choose other components as independent.
+   * Records an accepted step; may choose other components as independent.
    *
    * @return whether the choice has changed
    */

@@ -6,15 +6,15 @@ package org.mechservice.solver.api.capability;
  * #result} of the force.
  */
 public interface DirectedForces {
-  /** What an evaluation returns for force 0; for others less. */
+  /** Result of an evaluation for force 0; lower numbers for the others. */
   int FIRST = -3;
 
-  /** Returns what an evaluation returns for a force, by its place in the file. */
+  /** Returns the result of an evaluation for a force, by its index in the file. */
   static int result(int force) {
     return FIRST - force;
   }
 
-  /** Returns the force for which an evaluation returned a result. */
+  /** Returns the force of a result. */
   static int force(int result) {
     return FIRST - result;
   }
@@ -22,7 +22,7 @@ public interface DirectedForces {
   /**
    * Returns the name of a force that can lose its direction.
    *
-   * @param force its place in the file
+   * @param force its index in the file
    */
   String directedForce(int force);
 }

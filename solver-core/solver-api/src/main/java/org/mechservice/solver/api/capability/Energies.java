@@ -1,6 +1,6 @@
 package org.mechservice.solver.api.capability;
 
-/** A model that knows its mechanical energy. */
+/** A model that computes its mechanical energy. */
 public interface Energies {
   /**
    * Evaluates kinetic and potential energy.

@@ -5,7 +5,7 @@ import org.mechservice.solver.api.ModelDescription;
 
 /** A model in explicit form, y' = f(t, y). */
 public interface ExplicitModel extends Model {
-  /** What {@link #derivative} returns when every articulated inertia is regular. */
+  /** Result of {@link #derivative} if every articulated inertia is regular. */
   int REGULAR = -1;
 
   /**
@@ -16,9 +16,8 @@ public interface ExplicitModel extends Model {
    * @param yDot derivative of the state, same layout; overwritten
    * @return {@link #REGULAR}; or the index in {@link ModelDescription#joints()} of the joint beyond
    *     which there is no inertia (its block of the joint-space inertia is singular); or {@link
-   *     Defects#DEFECT} if the model implements {@link Defects} and can say more; or what {@link
-   *     DirectedForces} returns if the model implements that. Unless regular, {@code yDot} is
-   *     meaningless
+   *     Defects#DEFECT} if the model implements {@link Defects}; or a result of {@link
+   *     DirectedForces} if the model implements that. Unless regular, {@code yDot} is undefined
    */
   int derivative(double t, double[] y, double[] yDot);
 }

@@ -1,12 +1,12 @@
 package org.mechservice.solver.api.capability;
 
 /**
- * A residual model that knows its Jacobian and how to solve with it: along the tree, with n
- * equations for the 2n of [q; v] (NUMERICS §2).
+ * A residual model with its Jacobian and its own linear solver, which eliminates along the tree and
+ * reduces the 2n equations of [q; v] to n (NUMERICS §2).
  */
 public interface LinearisedModel extends ResidualModel {
   /**
-   * Evaluates and keeps ∂F/∂y and ∂F/∂y'.
+   * Evaluates and stores ∂F/∂y and ∂F/∂y'.
    *
    * @return false if one of them is not finite
    */
@@ -30,12 +30,12 @@ public interface LinearisedModel extends ResidualModel {
    * Solves ∂F/∂y' d = r; the last factors stay.
    *
    * @param r right-hand side at entry, d at return
-   * @return false, with r as it was, if ∂F/∂y' is singular or not kept by itself
+   * @return false, with r as it was, if ∂F/∂y' is singular or not stored separately
    */
   default boolean solveForDerivative(double[] r) {
     return false;
   }
 
-  /** Returns the unknown at whose column the last {@link #factor} failed. */
+  /** Returns the unknown at whose column the last {@link #factor} failed, an index into y. */
   int singularUnknown();
 }

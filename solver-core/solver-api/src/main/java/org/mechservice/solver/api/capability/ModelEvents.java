@@ -3,20 +3,20 @@ package org.mechservice.solver.api.capability;
 import java.util.List;
 
 /**
- * What happens along a run of a model: where functions of time and state pass through zero, and
- * where its equations jump at known times. Workspace of one run and thread.
+ * The events of a model in a run: zero crossings of functions of time and state, and jumps of its
+ * equations at known times. Workspace of one run and thread.
  */
 public interface ModelEvents {
   /**
-   * Begins a run: looks for what happens at known times.
+   * Begins a run: finds the jumps at known times.
    *
-   * @param from begin of the run, s
+   * @param from start of the run, s
    * @param to its end, s
    * @return the times at which the equations jump
    */
   List<Double> begin(double from, double to);
 
-  /** Returns the events, in file order, then the jumps of prescribed motions in the run begun. */
+  /** Returns the events, in file order, then the jumps of prescribed motions in this run. */
   List<Kind> kinds();
 
   /**
@@ -29,7 +29,7 @@ public interface ModelEvents {
   void values(double t, double[] y, double[] g);
 
   /**
-   * Changes the state as those events ask that have occurred.
+   * Applies the changes of the events that have occurred to the state.
    *
    * @param occurred one truth value per event; not modified
    * @param t time, s
@@ -37,20 +37,20 @@ public interface ModelEvents {
    */
   void change(boolean[] occurred, double t, double[] y);
 
-  /** Returns whether an event that occurs sets a component of the state. */
+  /** Returns whether an event sets a component of the state. */
   boolean changes(int event, int component);
 
   /**
-   * Returns where to evaluate instead of at {@code t}, which may be the very time at which a motion
-   * jumps: before it until {@link #goOn}, then behind it.
+   * Returns the time for evaluations at {@code t}, which may be the time of a jump: a time before
+   * the jump until {@link #continueFrom}, afterwards a time after it; otherwise {@code t}.
    */
-  double beside(double t);
+  double evaluationTime(double t);
 
-  /** Notes that the run goes on from events at a time. */
-  void goOn(double t);
+  /** Records that the run continues after events at a time. */
+  void continueFrom(double t);
 
   /**
-   * Returns the first time behind the events that have occurred.
+   * Returns the first time after the events that have occurred.
    *
    * @param occurred one truth value per event; not modified
    * @param t time at which they were found, s
@@ -58,7 +58,7 @@ public interface ModelEvents {
    */
   double after(boolean[] occurred, double t);
 
-  /** Which passages through zero count. */
+  /** The direction of zero crossings that count. */
   enum Direction {
     /** From below to above. */
     RISING,
@@ -68,15 +68,15 @@ public interface ModelEvents {
     BOTH
   }
 
-  /** What happens at a passage. */
+  /** The action at a zero crossing. */
   enum Action {
     /** The run ends there. */
     STOP,
-    /** The instant becomes a row of the results. */
+    /** The time becomes a row of the results. */
     RECORD,
-    /** Coordinates take new values; the run goes on from there. */
+    /** Coordinates get new values; the run continues from there. */
     SET,
-    /** The velocity of a driven joint jumps; others take their part of the impulse. */
+    /** The velocity of a driven joint jumps; other velocities change by the impulse. */
     IMPULSE,
     /** The position of a driven joint jumps; the run ends there as failed. */
     BREAK
@@ -86,8 +86,8 @@ public interface ModelEvents {
    * An event.
    *
    * @param name name in the model file, of the event or of the driven joint
-   * @param direction which passages count
-   * @param action what happens
+   * @param direction direction of the crossings that count
+   * @param action the action
    */
   record Kind(String name, Direction direction, Action action) {}
 }

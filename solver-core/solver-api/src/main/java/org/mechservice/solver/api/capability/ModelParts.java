@@ -6,9 +6,9 @@ import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.result.ResultColumns;
 
 /**
- * A model made of parts: its equations, the events along its runs, and the result columns beside
- * joints, energies and poses. {@link #of} takes every model apart, whether it is made of parts or
- * is equations alone.
+ * The parts of a model: its equations, its events, and its result columns beside joints, energies
+ * and poses. {@link #of} returns the parts of any model; a model that consists of equations only
+ * has no events and no columns.
  *
  * @param equations the equations, with the capabilities they implement
  * @param events the events; empty if the model has none

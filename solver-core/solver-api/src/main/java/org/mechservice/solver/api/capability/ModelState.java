@@ -1,12 +1,12 @@
 package org.mechservice.solver.api.capability;
 
 /**
- * A model whose equations depend on more than t and y: on the choice of independent coordinates, on
- * starting values of an iteration, on a contact that is closed. A run of such a model can be saved
- * and taken up again only if the model tells that state.
+ * A model whose equations depend on an internal state besides t and y: the choice of independent
+ * coordinates, starting values of an iteration, a closed contact. A run of such a model can be
+ * saved and resumed only through this interface.
  */
 public interface ModelState {
-  /** Returns how many numbers the state is, the same for all of the model's life. */
+  /** Returns the length of the state, which is constant for a model. */
   int stateLength();
 
   /**
@@ -17,7 +17,7 @@ public interface ModelState {
   void saveState(double[] state);
 
   /**
-   * Takes the state up again.
+   * Restores the state.
    *
    * @param state as written by {@link #saveState}; not modified
    */

@@ -1,10 +1,10 @@
 package org.mechservice.solver.api.capability;
 
-/** A model with forces or motions that put energy in or take it out. */
+/** A model with forces or motions that add or remove energy. */
 public interface PowerInput {
   /**
-   * Returns the power of everything that has no potential energy: dampers, friction, prescribed
-   * motions, forces given by expressions or classes; W, positive into the mechanism.
+   * Returns the power of all forces without potential energy: dampers, friction, prescribed
+   * motions, forces given by expressions, user forces; W, positive into the mechanism.
    *
    * @param t time, s
    * @param y state [q; v]; not modified
@@ -12,8 +12,8 @@ public interface PowerInput {
   double power(double t, double[] y);
 
   /**
-   * Returns the sum of the sizes of the same powers, each taken by itself, W: what flows through
-   * the mechanism where the sum of the powers is small.
+   * Returns the sum of the absolute values of these powers, W: the energy flow through the
+   * mechanism even if the sum of the powers is small.
    *
    * @param t time, s
    * @param y state [q; v]; not modified
@@ -23,8 +23,8 @@ public interface PowerInput {
   }
 
   /**
-   * Returns whether {@link #power} leaves nothing out. It does where loops contain motions that are
-   * prescribed in time: their forces are multipliers, which no state tells.
+   * Returns whether {@link #power} is complete. It is not if loops contain prescribed motions:
+   * their forces are multipliers, which do not follow from the state.
    */
   default boolean holdsAllPower() {
     return true;

@@ -3,24 +3,27 @@ package org.mechservice.solver.api.capability;
 import org.mechservice.solver.api.ModelDescription;
 
 /**
- * A model that has a residual form, F(t, y, y') = 0, too.
+ * A model that also has a residual form, F(t, y, y') = 0.
  *
  * <p>The unknowns begin with the state [q; v] of the {@link ModelDescription}; multipliers, if
- * there are any, follow. The explicit form serves the start and the output of accelerations.
+ * there are any, follow. The explicit form is used at the start and for the output of
+ * accelerations.
  */
 public interface ResidualModel extends ExplicitModel {
-  /** Returns the number of unknowns: that of states, and of multipliers. */
+  /** Returns the number of unknowns: states and multipliers. */
   default int unknownCount() {
     return description().stateCount();
   }
 
-  /** Returns whether an unknown's derivative appears in F; if not, it is in no error test. */
+  /**
+   * Returns whether an unknown's derivative appears in F; error tests leave out the other unknowns.
+   */
   default boolean isDifferential(int unknown) {
     return true;
   }
 
   /**
-   * Completes a state to unknowns and derivatives that obey the equations.
+   * Completes a state to unknowns and derivatives that satisfy the equations.
    *
    * @param t time, s
    * @param y unknowns, length {@link #unknownCount()}; the state is given, multipliers are

@@ -6,7 +6,7 @@ import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
 
-/** A model whose rows are no states: the modes of small motions, or their equations. */
+/** A model whose rows are not states: the modes of small motions, or their equations. */
 public interface ResultTable extends Model, Defects {
   /** Returns the columns of the table; the first is time. */
   List<Variable> columns();
@@ -15,9 +15,9 @@ public interface ResultTable extends Model, Defects {
    * Computes the table at one instant.
    *
    * @param t time, s
-   * @param sink takes the rows, with as many numbers as there are columns
+   * @param sink receives the rows, with as many numbers as there are columns
    * @return {@link ExplicitModel#REGULAR}, or {@link Defects#DEFECT} if there is none
-   * @throws IOException if the sink could not keep a row
+   * @throws IOException if the sink could not store a row
    */
   int tabulate(double t, ResultSink sink) throws IOException;
 }

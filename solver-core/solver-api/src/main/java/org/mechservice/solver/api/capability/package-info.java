@@ -4,15 +4,16 @@
  *
  * <p>A model supplies its equations in one of four forms: {@link ExplicitModel} (y' = f(t, y)),
  * {@link ResidualModel} (F(t, y, y') = 0), {@link AlgebraicModel} (a state at every instant) or
- * {@link ResultTable} (rows that are no states). {@link LinearisedModel} adds the Jacobian.
+ * {@link ResultTable} (rows that are not states). {@link LinearisedModel} adds the Jacobian.
  *
- * <p>The others are added where a scene has something to add: {@link DependentStates} and {@link
+ * <p>A model implements the others if its scene needs them: {@link DependentStates} and {@link
  * ProjectedStates} for closed loops, {@link ModelEvents} and {@link StateJumps} for contacts and
- * switches, {@link ModelState} for whatever the equations depend on beside t and y, {@link
- * BodyPoses}, {@link Energies}, {@link PowerInput} and {@link MomentumBalance} for what is recorded
- * and watched. {@link Defects} and {@link DirectedForces} name what went wrong in an evaluation.
+ * switches, {@link ModelState} for an internal state of the equations besides t and y, {@link
+ * BodyPoses}, {@link Energies}, {@link PowerInput} and {@link MomentumBalance} for quantities that
+ * are recorded and monitored. {@link Defects} and {@link DirectedForces} give the reason of a
+ * failed evaluation.
  *
- * <p>{@link ModelParts} joins equations with events and with columns that are computed beside them,
- * and takes any model apart into these.
+ * <p>{@link ModelParts} combines equations with events and further columns, and returns these parts
+ * of any model.
  */
 package org.mechservice.solver.api.capability;

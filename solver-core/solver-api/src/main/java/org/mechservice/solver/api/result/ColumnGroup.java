@@ -6,10 +6,7 @@ import java.util.Set;
 import org.mechservice.solver.api.capability.BodyPoses;
 import org.mechservice.solver.api.capability.MomentumBalance;
 
-/**
- * Groups of result columns that can be asked for; time and the joints' positions and velocities
- * always come first.
- */
+/** Groups of result columns; time and the joints' positions and velocities always come first. */
 public enum ColumnGroup {
   /** Joint positions and velocities; always present. */
   JOINTS,
@@ -27,10 +24,12 @@ public enum ColumnGroup {
   REACTIONS,
   /** Values of the applied forces ({@link ResultColumns}). */
   FORCES,
-  /** What the user asked for by expression ({@link ResultColumns}). */
+  /** User-defined outputs, given by expressions ({@link ResultColumns}). */
   OUTPUTS,
-  /** Momentum of the whole and the impulse that has acted on it ({@link MomentumBalance}). */
-  MOMENTUM;
+  /** Total momentum and the impulse that has acted on the mechanism ({@link MomentumBalance}). */
+  MOMENTUM,
+  /** Motion and power of driven joints, which have no states ({@link ResultColumns}). */
+  DRIVES;
 
   /** Returns the group's name on the command line. */
   public String label() {
@@ -38,10 +37,10 @@ public enum ColumnGroup {
   }
 
   /**
-   * Returns the groups of some labels, and that of the joints.
+   * Returns the groups with the given labels, and that of the joints.
    *
    * @param labels separated by commas
-   * @throws IllegalArgumentException if one is the label of no group
+   * @throws IllegalArgumentException if there is no group with one of the labels
    */
   public static Set<ColumnGroup> of(String labels) {
     Set<ColumnGroup> groups = EnumSet.of(JOINTS);

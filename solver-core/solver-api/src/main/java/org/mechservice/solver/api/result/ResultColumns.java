@@ -29,12 +29,12 @@ public interface ResultColumns {
    *
    * @param t time, s
    * @param y state [q; v]; not modified
-   * @param values as many numbers as {@link #columns} names, from {@code at}; overwritten
-   * @param at where they begin
+   * @param values one number per column of {@link #columns}, from {@code at}; overwritten
+   * @param at index of the first
    */
   void values(ColumnGroup group, double t, double[] y, double[] values, int at);
 
-  /** Returns the balance of momentum that a run is to follow, if its columns are among these. */
+  /** Returns the balance of momentum that a run must update, if its columns are among these. */
   default Optional<MomentumBalance> momentum() {
     return Optional.empty();
   }

@@ -1,7 +1,7 @@
 package org.mechservice.solver.api.result;
 
 /**
- * A quantity that is put out: one column of the results.
+ * A quantity in the results: one column.
  *
  * @param name column name, such as {@code j1.q}
  * @param unit SI unit, {@code 1} for a pure number

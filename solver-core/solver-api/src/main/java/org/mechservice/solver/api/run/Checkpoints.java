@@ -4,11 +4,11 @@ import java.io.IOException;
 import java.util.Optional;
 
 /**
- * Keeps what a run needs to be taken up again with the same bits, and gives back what another run
- * left.
+ * Stores checkpoints, from which a run can be resumed with the same bits, and returns the
+ * checkpoint of an earlier run.
  */
 public interface Checkpoints {
-  /** Keeps nothing and begins at the start. */
+  /** Stores nothing; the run begins at its start. */
   Checkpoints NONE =
       new Checkpoints() {
         @Override
@@ -30,7 +30,7 @@ public interface Checkpoints {
         public void keep(byte[] checkpoint) {}
       };
 
-  /** Returns what identifies the model to the bit, such as the SHA-256 of its JAR. */
+  /** Returns an exact identification of the model, such as the SHA-256 of its JAR. */
   String modelHash();
 
   /**
@@ -38,13 +38,14 @@ public interface Checkpoints {
    */
   double secondsBetween();
 
-  /** Returns the checkpoint to go on from; empty: the run begins at the start. */
+  /** Returns the checkpoint to resume from; empty if the run begins at its start. */
   Optional<byte[]> saved();
 
   /**
-   * Keeps a checkpoint in place of the one before. All rows before it were handed to the sink.
+   * Stores a checkpoint in place of the previous one. All rows before it have been passed to the
+   * sink.
    *
-   * @throws IOException if it cannot be kept
+   * @throws IOException if it cannot be stored
    */
   void keep(byte[] checkpoint) throws IOException;
 }

@@ -4,16 +4,16 @@ import java.util.List;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * Why a run could not go on.
+ * The reason why a run could not continue.
  *
  * @param code entry of the error catalogue, such as {@code N-001}
- * @param cause what happened, in one sentence
- * @param time simulated time at which it happened, s
- * @param stepSize step tried, s; 0 before the first step
- * @param order order of the method tried; 0 before the first step
- * @param part the joint, body or state it happened at; empty if none can be named
- * @param advice what to do about it
- * @param lastSteps steps tried last, in order of time; empty if it did not happen in a step
+ * @param cause the cause in one sentence
+ * @param time simulated time of the failure, s
+ * @param stepSize attempted step, s; 0 before the first step
+ * @param order order of the attempted method; 0 before the first step
+ * @param part the joint, body or state concerned; empty if none can be named
+ * @param advice the remedy
+ * @param lastSteps last attempted steps, in order of time; empty if the failure was not in a step
  */
 public record Failure(
     MessageCode code,
@@ -29,7 +29,7 @@ public record Failure(
     lastSteps = List.copyOf(lastSteps);
   }
 
-  /** A failure without the steps that led to it. */
+  /** Creates a failure without the steps that led to it. */
   public Failure(
       MessageCode code,
       String cause,
@@ -42,16 +42,16 @@ public record Failure(
   }
 
   /**
-   * A step that was tried.
+   * An attempted step.
    *
-   * @param time simulated time at which it began, s
+   * @param time simulated time of its start, s
    * @param stepSize s
    * @param order order of the method
-   * @param error estimated error over what the tolerances allow; NaN if it did not get so far
-   * @param result what became of it, such as {@code accepted}
+   * @param error estimated error divided by the permitted one; NaN if it was not computed
+   * @param result outcome of the step, such as {@code accepted}
    */
   public record Step(double time, double stepSize, int order, double error, String result) {
-    /** Result of a step of which the implicit equations were not solved. */
+    /** Result of a step whose implicit equations were not solved. */
     public static final String UNSOLVED = "its equations were not solved";
 
     @Override

@@ -5,13 +5,13 @@ public sealed interface Outcome {
   /** The end of the interval was reached. */
   record Completed() implements Outcome {}
 
-  /** Somebody asked the run to stop; the rows up to then are valid. */
+  /** The run was stopped on request; the rows up to then are valid. */
   record Stopped() implements Outcome {}
 
   /**
-   * The run could not go on; the rows up to then are valid.
+   * The run could not continue; the rows up to then are valid.
    *
-   * @param failure why
+   * @param failure the reason
    */
   record Failed(Failure failure) implements Outcome {}
 }

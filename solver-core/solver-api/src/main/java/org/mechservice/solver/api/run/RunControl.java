@@ -4,18 +4,18 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * Steers and watches one run from other threads: stop, pause, go on to a time, take a single step,
- * see how far it is.
+ * Controls and monitors one run from other threads: stop, pause, continue to a time, take a single
+ * step, read the progress.
  *
  * <p>The solver calls {@link #proceed} after every accepted step and {@link #stopRequested} at
- * every evaluation; all other methods are for the watchers. A run that is watched from another
- * process overrides {@link #holdsAt} and {@link #proceed} to ask there.
+ * every evaluation; all other methods are for the controlling threads. A subclass for a run that
+ * another process controls overrides {@link #holdsAt} and {@link #proceed} to query that process.
  */
 public class RunControl {
-  /** Gives the state of a run between two steps, in the thread of the run. */
+  /** Source of the state of a run between two steps, in the thread of the run. */
   public interface StateSource {
     /**
-     * Copies the state at the time reached.
+     * Copies the present state.
      *
      * @param state as in the rows, without time; overwritten
      */
@@ -29,8 +29,8 @@ public class RunControl {
   private volatile long steps;
 
   private boolean held;
-  // Read by the solver at every step without the lock: who stops a run must not wait for a solver
-  // that has lost its processor while it held it.
+  // The solver reads this at every step without the lock: stop() must not wait for a solver thread
+  // that was suspended while it held the lock.
   private volatile double holdAt = Double.POSITIVE_INFINITY;
   private volatile long stepsAllowed = Long.MAX_VALUE;
   private Optional<StateSource> states = Optional.empty();
@@ -38,7 +38,7 @@ public class RunControl {
   private double[] stateAskedFor = {};
   private double stateTime;
 
-  /** Asks the run to stop; it does so within one evaluation, also while it is paused. */
+  /** Requests the run to stop; it stops within one evaluation, also while it is paused. */
   public final void stop() {
     stopRequested = true;
     synchronized (this) {
@@ -46,25 +46,25 @@ public class RunControl {
     }
   }
 
-  /** Returns whether the run was asked to stop. */
+  /** Returns whether a stop was requested. */
   public final boolean stopRequested() {
     return stopRequested;
   }
 
-  /** Holds the run after its current step. */
+  /** Pauses the run after its current step. */
   public synchronized void pause() {
     stepsAllowed = steps;
     notifyAll();
   }
 
-  // A run that may go on is no longer held, even before its thread has woken up: who asks for a
-  // step and waits until the run is held again must not be answered by the hold before the step.
+  // A run that may continue is no longer held, even before its thread has woken up: a caller that
+  // requests a step and waits for the next hold must not see the hold before the step.
   private void letGo() {
     held = held && mustHold();
     notifyAll();
   }
 
-  /** Lets the run go on to its end. */
+  /** Lets the run continue to its end. */
   public synchronized void resume() {
     stepsAllowed = Long.MAX_VALUE;
     holdAt = Double.POSITIVE_INFINITY;
@@ -72,7 +72,7 @@ public class RunControl {
   }
 
   /**
-   * Lets the run go on until a step reaches a time, then holds it.
+   * Lets the run continue until a step reaches a time, then pauses it.
    *
    * @param until simulated time, s
    */
@@ -82,7 +82,7 @@ public class RunControl {
     letGo();
   }
 
-  /** Lets the run take one accepted step, then holds it. */
+  /** Lets the run take one accepted step, then pauses it. */
   public synchronized void step() {
     holdAt = Double.POSITIVE_INFINITY;
     stepsAllowed = steps + 1;
@@ -95,7 +95,7 @@ public class RunControl {
   }
 
   /**
-   * Waits until the run is held, or the time is over.
+   * Waits until the run is held, or until a time-out.
    *
    * @param millis longest wait, ms
    * @return whether the run is held
@@ -113,9 +113,9 @@ public class RunControl {
   }
 
   /**
-   * For the solver: says who gives the state from now on.
+   * For the solver: sets the source of the state.
    *
-   * @param source asked in the thread of the run alone, between two steps; empty: nobody any more
+   * @param source called only in the thread of the run, between two steps; empty for none
    */
   public final synchronized void giveStates(Optional<StateSource> source) {
     states = source;
@@ -123,11 +123,13 @@ public class RunControl {
   }
 
   /**
-   * Asks for the state at the step reached, also while the run is held. Only one watcher at a time.
+   * Reads the state at the last step, also while the run is held. Only one thread may call this at
+   * a time.
    *
-   * @param state overwritten if it is given
+   * @param state overwritten if available
    * @param millis longest wait for the end of a step, ms
-   * @return the time of the state, s; empty if the run gives none, or no step has ended so soon
+   * @return the time of the state, s; empty if the run has no source of states, or no step has
+   *     ended in time
    */
   public final synchronized OptionalDouble state(double[] state, long millis)
       throws InterruptedException {
@@ -171,19 +173,19 @@ public class RunControl {
     return order;
   }
 
-  /** Returns how many steps were accepted. */
+  /** Returns the number of accepted steps. */
   public long steps() {
     return steps;
   }
 
   /**
-   * For the solver: notes where the run is and holds it while that was asked for.
+   * For the solver: records the progress and blocks while a pause is requested.
    *
    * @param time time reached, s
    * @param stepSize last accepted step, s; 0 at the start
    * @param order its order; 0 at the start
    * @param steps accepted steps so far
-   * @return whether the run shall go on; false after {@link #stop} or an interrupt
+   * @return whether the run must continue; false after {@link #stop} or an interrupt
    */
   public boolean proceed(double time, double stepSize, int order, long steps) {
     this.stepSize = stepSize;
@@ -201,7 +203,7 @@ public class RunControl {
 
   /**
    * For the solver: returns whether {@link #proceed}, which is called next with the same arguments,
-   * would hold the run.
+   * would pause the run.
    *
    * @param time time reached, s
    * @param stepSize last accepted step, s

@@ -7,28 +7,27 @@ import java.util.OptionalDouble;
 import org.mechservice.solver.catalogue.Accuracy;
 
 /**
- * What a run did and what it cost.
+ * The report of a run: its outcome, its counts and its notes.
  *
- * @param outcome how it ended
+ * @param outcome its outcome
  * @param model name of the model
  * @param formulation formulation of the equations, such as {@code DTR}
- * @param settings the settings used, with nothing left automatic
+ * @param settings the settings used, with all automatic choices resolved
  * @param steps accepted steps
  * @param rejectedSteps steps that failed the error test
  * @param evaluations evaluations of the right-hand side
- * @param rows result rows put out
+ * @param rows result rows written
  * @param timeReached simulated time at the end of the run, s
  * @param wallTime wall-clock time of the run, s
  * @param energyDrift largest |E(t) − E(0)| at the output times, J; empty if the energy is not
- *     constant by nature or not known
+ *     constant or not known
  * @param energyScale the largest of kinetic energy, change of potential energy, and the mean of
- *     what was put in and taken out, J; what the drift is judged by
- * @param stiffnessSuspected whether the integrator took a long run of steps that only its
- *     stability, not its accuracy, kept small
- * @param jacobians Jacobians formed; 0, like the next, for integrators that solve no equations
+ *     added and removed energy, J; the reference of the drift
+ * @param stiffnessSuspected whether stability, not accuracy, kept many successive steps small
+ * @param jacobians Jacobians formed; 0, like the next, for explicit integrators
  * @param factorisations matrices factored
- * @param limits states that made steps be rejected, most often first
- * @param notes what the model had to say about the run
+ * @param limits states that caused rejected steps, most frequent first
+ * @param notes notes about the run
  * @param solverVersion version of the solver that ran
  */
 public record RunReport(
@@ -51,7 +50,7 @@ public record RunReport(
     List<RunNotes.Note> notes,
     String solverVersion) {
 
-  /** States named in the report; the others limit it less. */
+  /** Largest number of states named in the report. */
   private static final int MOST_LIMITS = 5;
 
   public RunReport {
@@ -60,11 +59,12 @@ public record RunReport(
   }
 
   /**
-   * How often a state made a step be rejected.
+   * Number of steps rejected because of a state.
    *
    * @param state its name
-   * @param inaccurate how often its error was the largest
-   * @param unsolved how often the equations of an implicit step failed by it, or it was not finite
+   * @param inaccurate number of steps in which its error was the largest
+   * @param unsolved number of steps in which the implicit equations failed because of it, or it was
+   *     not finite
    */
   public record Limit(String state, long inaccurate, long unsolved) {
     @Override
@@ -74,7 +74,7 @@ public record RunReport(
     }
   }
 
-  /** A run that solved no equations and of which nothing is noted. */
+  /** Creates the report of a run with an explicit integrator and without notes. */
   public RunReport(
       Outcome outcome,
       String model,
@@ -113,8 +113,8 @@ public record RunReport(
 
   /**
    * Returns the report as ordered key and value pairs, values being {@link String}, {@link Long} or
-   * {@link Double}; what does not apply to the run is absent; notes are one a line. Times in s,
-   * energies in J. This is the content of the report's JSON form.
+   * {@link Double}; entries that do not apply to the run are absent; each note is on one line.
+   * Times in s, energies in J. This is the content of the report's JSON form.
    */
   public Map<String, Object> asMap() {
     Map<String, Object> map = new LinkedHashMap<>();

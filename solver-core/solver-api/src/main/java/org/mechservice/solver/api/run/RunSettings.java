@@ -4,23 +4,23 @@ import java.util.List;
 import org.mechservice.solver.catalogue.Accuracy;
 
 /**
- * When a run starts and ends, which rows it puts out, and how it is integrated.
+ * The interval of a run, the times of its rows, its integrator and its tolerances.
  *
  * @param tStart start, s
  * @param tEnd end, s; at or after the start
- * @param tStep distance of the output rows, s; positive. The end is a row even where the distance
- *     does not divide the interval
+ * @param tStep distance of the output rows, s; positive. The end is a row even if the distance does
+ *     not divide the interval
  * @param integrator {@code ode113}, {@code DE}, {@code ode15s}, {@code ode15sR} or {@code
- *     switching}, which is ode113 and, where the motion is stiff, ode15s
+ *     switching}, which is ode113 and, while the motion is stiff, ode15s
  * @param relativeTolerance local error relative to the state
  * @param absoluteTolerance local error below which a displacement does not matter, m
  * @param maxStep largest step, s; infinite: the integrator's own bound
- * @param initialStep first step tried, s; 0: the integrator's own choice
+ * @param initialStep first attempted step, s; 0: the integrator's own choice
  * @param maxOrder highest order used; 0: the method's own highest
  * @param angleTolerance as {@code absoluteTolerance} of angles, rad, and of Euler parameters
  * @param velocityTolerance of rates of displacements, m/s
  * @param angularVelocityTolerance of angular velocities, rad/s
- * @param accuracy how closely the error at the end keeps to the tolerances
+ * @param accuracy relation of the final error to the tolerances
  */
 public record RunSettings(
     double tStart,
@@ -93,7 +93,7 @@ public record RunSettings(
         absoluteTolerance);
   }
 
-  /** Settings of standard accuracy that leave the step sizes and the order to the integrator. */
+  /** Settings of standard accuracy; the integrator chooses step sizes and order. */
   public RunSettings(
       double tStart,
       double tEnd,
@@ -113,7 +113,7 @@ public record RunSettings(
         0);
   }
 
-  /** Returns whether one absolute tolerance holds for all states. */
+  /** Returns whether all states have the same absolute tolerance. */
   public boolean hasOneTolerance() {
     return angleTolerance == absoluteTolerance
         && velocityTolerance == absoluteTolerance

@@ -26,9 +26,10 @@ public final class LoopDefect {
     return new Defect(
         MessageCode.SINGULAR_POSITION,
         equation,
-        "The loops start in a singular position: fewer of their equations are independent than"
-            + " close by, and no independent coordinates can be chosen.",
-        "Start a little beside this position, or choose penalty closure, which needs none.");
+        "The loops start in a singular position: fewer of their equations are independent than at"
+            + " neighbouring positions, and no independent coordinates can be chosen.",
+        "Start at a neighbouring position, or choose penalty closure, which needs no independent"
+            + " coordinates.");
   }
 
   /** No positions or velocities fit the independent ones. */
@@ -36,8 +37,8 @@ public final class LoopDefect {
     return new Defect(
         MessageCode.LOOPS_NOT_CLOSED,
         equation,
-        "The loops cannot be closed: no positions and velocities were found that fit the"
-            + " independent coordinates; the residual of this constraint is "
+        "The loops cannot be closed: there are no positions and velocities for the independent"
+            + " coordinates; the residual of this constraint is "
             + number(residual)
             + " "
             + unit

@@ -5,10 +5,13 @@ import org.mechservice.solver.api.run.RunNotes.Note;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * A finding about a mechanism's loops for its user. @param kind kind of finding @param part the
- * constraint or constraints and their equations; empty if none can be named @param amount residual
- * or other number, in {@code unit} @param unit SI unit of the amount @param time time of the
- * finding, s
+ * A finding about a mechanism's loops for its user.
+ *
+ * @param kind kind of finding
+ * @param part the constraint or constraints and their equations; empty if none can be named
+ * @param amount residual or other number, in {@code unit}
+ * @param unit SI unit of the amount
+ * @param time time of the finding, s
  */
 public record LoopFinding(Kind kind, String part, double amount, String unit, double time) {
 
@@ -27,7 +30,7 @@ public record LoopFinding(Kind kind, String part, double amount, String unit, do
     /** The loops start in a singular position; the amount is the loss of rank. */
     SINGULAR_START(MessageCode.START_POSITION_SINGULAR, true),
     /**
-     * The loops came through a singular position, or very near to one; the amount is the smallest
+     * The loops passed a singular position, or came very near to one; the amount is the smallest
      * pivot of their equations over the largest it was in the run.
      */
     SINGULAR_PASSED(MessageCode.SINGULAR_POSITION_PASSED, true),
@@ -101,7 +104,7 @@ public record LoopFinding(Kind kind, String part, double amount, String unit, do
                   : (long) amount
                       + " equations of the loops follow from the others and are left out: ")
               + part
-              + ". The motion does not depend on which; reactions are those of least size.";
+              + ". The motion does not depend on which; reactions are those of least norm.";
       case SINGULAR_START ->
           "The loops start in a singular position, which hides "
               + (amount == 1 ? "one" : (long) amount)
@@ -109,7 +112,7 @@ public record LoopFinding(Kind kind, String part, double amount, String unit, do
               + part
               + ".";
       case SINGULAR_PASSED ->
-          "The loops came through a singular position, or very near to one: the smallest pivot of"
+          "The loops passed a singular position, or came very near to one: the smallest pivot of"
               + " their equations sank to "
               + number
               + " of what it was, at "

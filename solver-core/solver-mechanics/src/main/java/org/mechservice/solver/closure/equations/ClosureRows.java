@@ -74,16 +74,19 @@ abstract class ClosureRows {
   abstract void addForces(int row, double multiplier, double[] wrench, double[] tau);
 
   /**
-   * Adds the derivatives of the multipliers' forces by poses of links and by coordinates. @param
-   * multipliers one per equation of all closures; this closure's from {@code at} @param factor
-   * factor of the multipliers
+   * Adds the derivatives of the multipliers' forces by poses of links and by coordinates.
+   *
+   * @param multipliers one per equation of all closures; this closure's from {@code at}
+   * @param factor factor of the multipliers
    */
   abstract void linearise(double[] multipliers, int at, double factor, ForceJacobian sink);
 
   /**
-   * Adds the structure of the equations. @param ways links whose joints they depend on; added
-   * to @param loaded links on which {@link #addForces} exerts wrenches; added to @param velocities
-   * extended velocities on which it exerts forces; added to
+   * Adds the structure of the equations.
+   *
+   * @param ways links whose joints they depend on; added to
+   * @param loaded links on which {@link #addForces} exerts wrenches; added to
+   * @param velocities extended velocities on which it exerts forces; added to
    */
   abstract void addSupport(BitSet ways, BitSet loaded, BitSet velocities);
 

@@ -255,9 +255,9 @@ public final class LoopEquations {
   }
 
   /**
-   * Copies Φ, Φ' and J from the terms of generated code. @param terms laid out as in {@link
-   * LoopTerms}; not modified
+   * Copies Φ, Φ' and J from the terms of generated code.
    *
+   * @param terms laid out as in {@link LoopTerms}; not modified
    * @param velocities number of velocities of the state
    */
   public void take(double[] terms, int velocities) {

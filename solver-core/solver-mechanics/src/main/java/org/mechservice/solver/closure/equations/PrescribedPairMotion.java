@@ -46,14 +46,17 @@ public final class PrescribedPairMotion {
     evaluation.rates();
   }
 
-  double value(int index) {
+  /** Returns the position of a coordinate, rad or m. */
+  public double value(int index) {
     return evaluation.value(index);
   }
 
-  double rate(int index) {
+  /** Returns the velocity of a coordinate, rad/s or m/s. */
+  public double rate(int index) {
     return evaluation.rate(index);
   }
 
+  /** Returns the acceleration of a coordinate, rad/s² or m/s². */
   public double acceleration(int index) {
     return evaluation.secondRate(index);
   }

@@ -154,7 +154,8 @@ public final class Completion {
 
   /** Overwrites dependent positions and velocities; returns false if there is no solution. */
   boolean complete(double t, double[] y) {
-    boolean done = !watch.creeps() && completePositions(t, y) && completeVelocities(t, y);
+    boolean done =
+        !watch.stallsAtSingularity() && completePositions(t, y) && completeVelocities(t, y);
     watch.tried(done);
     return done;
   }

@@ -142,8 +142,10 @@ public abstract class LoopModel
   abstract void jumped(double t, double[] y, boolean closed);
 
   /**
-   * Evaluates multipliers and reactions, which {@link #reactions} returns. @param y state that
-   * closes the loops; not modified @return as {@link #derivative}
+   * Evaluates multipliers and reactions, which {@link #reactions} returns.
+   *
+   * @param y state that closes the loops; not modified
+   * @return as {@link #derivative}
    */
   public final int react(double t, double[] y) {
     int moved = derivative(t, y, derivative);

@@ -149,8 +149,9 @@ public abstract class Partition {
   }
 
   /**
-   * Makes a new choice if its smallest pivot is larger than a bound; otherwise changes
-   * nothing. @return whether the choice has changed
+   * Makes a new choice if its smallest pivot is larger than a bound; otherwise changes nothing.
+   *
+   * @return whether the choice has changed
    */
   abstract boolean chooseBetter(SparseMatrix a, double bound);
 

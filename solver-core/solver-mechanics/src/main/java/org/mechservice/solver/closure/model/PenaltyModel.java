@@ -87,7 +87,7 @@ public class PenaltyModel extends LoopModel implements ProjectedStates, ModelSta
 
   @Override
   public final boolean project(double t, double[] y) {
-    boolean done = !watch.creeps() && projection.project(t, y);
+    boolean done = !watch.stallsAtSingularity() && projection.project(t, y);
     watch.tried(done);
     return done;
   }

@@ -76,8 +76,8 @@ final class SingularityMonitor {
   private int closer;
 
   /**
-   * @param partition partition of the velocities, which computes pivots @param notes receives a
-   *     finding for each singular position passed
+   * @param partition partition of the velocities, which computes pivots
+   * @param notes receives a finding for each singular position passed
    */
   SingularityMonitor(LoopEquations loops, Partition partition, Consumer<LoopFinding> notes) {
     this.loops = loops;
@@ -122,7 +122,9 @@ final class SingularityMonitor {
 
   /**
    * Records the start state, after the partition has chosen. A singular start is reported once, not
-   * again when the run leaves it. @return whether the start is regular
+   * again when the run leaves it.
+   *
+   * @return whether the start is regular
    */
   boolean begin(double t) {
     double pivot = partition.bestPivot();
@@ -137,7 +139,7 @@ final class SingularityMonitor {
    * Returns whether ever shorter steps approach a singular position without reaching it, so that
    * the run cannot continue.
    */
-  boolean creeps() {
+  boolean stallsAtSingularity() {
     return closer >= CREEPING;
   }
 

@@ -35,8 +35,8 @@ public final class ResidualDifferences {
   }
 
   /**
-   * @param pattern sparsity pattern of the derivatives @param forceCount length of the array that
-   *     {@link Forces} writes
+   * @param pattern sparsity pattern of the derivatives
+   * @param forceCount length of the array that {@link Forces} writes
    */
   public ResidualDifferences(
       ResidualJacobian jacobian,

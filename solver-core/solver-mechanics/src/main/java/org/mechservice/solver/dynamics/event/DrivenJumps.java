@@ -119,7 +119,7 @@ final class DrivenJumps {
   }
 
   /** Records that the run continues from a time, after the jumps up to it have been applied. */
-  void goOn(double t) {
+  void continueFrom(double t) {
     wentOn = t;
   }
 
@@ -127,7 +127,7 @@ final class DrivenJumps {
    * Returns a time on one side of the jump at {@code t}: after the jump once it has been applied,
    * before it until then; {@code t} itself away from jumps.
    */
-  double beside(double t) {
+  double evaluationTime(double t) {
     double beside = t;
     for (Track track : tracks) {
       MotionJump nearest = track.nearest(t);
@@ -151,7 +151,9 @@ final class DrivenJumps {
 
   /**
    * Changes free velocities by the impulses of jumps of driven ones; sets NaN if one has no
-   * inertia. @param at index of the first jump in {@code occurred}
+   * inertia.
+   *
+   * @param at index of the first jump in {@code occurred}
    */
   void change(boolean[] occurred, int at, double t, double[] y) {
     int free = held.length;

@@ -30,8 +30,9 @@ public final class StateEvents implements ModelEvents {
   /**
    * Prepares the events of a mechanism.
    *
-   * @param code generated code for their expressions, if any @throws IllegalArgumentException if an
-   *     expression refers to an element that the mechanism does not have
+   * @param code generated code for their expressions, if any
+   * @throws IllegalArgumentException if an expression refers to an element that the mechanism does
+   *     not have
    */
   public StateEvents(Mechanism mechanism, Optional<WrittenValues> code) {
     this.mechanism = mechanism;
@@ -133,13 +134,13 @@ public final class StateEvents implements ModelEvents {
   }
 
   @Override
-  public double beside(double t) {
-    return driven.isPresent() ? driven.get().beside(t) : t;
+  public double evaluationTime(double t) {
+    return driven.isPresent() ? driven.get().evaluationTime(t) : t;
   }
 
   @Override
-  public void goOn(double t) {
-    driven.ifPresent(jumps -> jumps.goOn(t));
+  public void continueFrom(double t) {
+    driven.ifPresent(jumps -> jumps.continueFrom(t));
   }
 
   @Override
@@ -153,7 +154,7 @@ public final class StateEvents implements ModelEvents {
     driven = jumps.isEmpty() ? Optional.empty() : Optional.of(new DrivenJumps(motion, jumps));
     List<Double> times = new ArrayList<>();
     for (double time : mechanism.timeJumps(from, to)) {
-      if (beside(time) == time) {
+      if (evaluationTime(time) == time) {
         times.add(time);
       }
     }

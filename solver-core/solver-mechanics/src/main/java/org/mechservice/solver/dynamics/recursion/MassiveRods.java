@@ -204,8 +204,9 @@ public final class MassiveRods {
    * Adds the momentum of all rods after a sweep: m/2 (v_A + v_B), and m/6 (2 r_A × v_A + r_A × v_B
    * + r_B × v_A + 2 r_B × v_B).
    *
-   * @param point reference point of r, m @param sum [linear; angular], world axes, N·s, N·m·s;
-   *     added to @param sizes sizes of the contributions, linear and angular; added to
+   * @param point reference point of r, m
+   * @param sum [linear; angular], world axes, N·s, N·m·s; added to
+   * @param sizes sizes of the contributions, linear and angular; added to
    */
   void addMomentum(TreeMotion motion, double[] point, double[] sum, double[] sizes) {
     for (int rod = 0; rod < rods.length; rod++) {

@@ -24,9 +24,10 @@ public final class PivotCheck {
   }
 
   /**
-   * Checks a pivot. @param velocity velocity of the pivot @param scale value of the pivot if all
-   * joints beyond were locked
+   * Checks a pivot.
    *
+   * @param velocity velocity of the pivot
+   * @param scale value of the pivot if all joints beyond were locked
    * @return whether it differs from zero
    */
   public boolean regular(int velocity, double pivot, double scale) {

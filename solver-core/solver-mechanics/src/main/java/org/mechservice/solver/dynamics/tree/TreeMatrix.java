@@ -172,8 +172,8 @@ public final class TreeMatrix implements TreeElements {
   /**
    * Overwrites the matrix by its factors.
    *
-   * @param check checks the pivots @param scale reference size of each pivot, one number per
-   *     velocity of the state
+   * @param check checks the pivots
+   * @param scale reference size of each pivot, one number per velocity of the state
    * @return {@link ExplicitModel#REGULAR}, or the velocity of the first pivot that is zero
    */
   public int factor(PivotCheck check, double[] scale) {
@@ -249,9 +249,9 @@ public final class TreeMatrix implements TreeElements {
 
   /**
    * Returns the motion without inertia, after {@link #factor} has found a zero pivot: the velocity
-   * found moves by 1, and the velocities beyond it such that M times the motion is zero
-   * there. @param velocity result of {@code factor}
+   * found moves by 1, and the velocities beyond it such that M times the motion is zero there.
    *
+   * @param velocity result of {@code factor}
    * @return one number per velocity of the state
    */
   public double[] unresistedMotion(int velocity) {

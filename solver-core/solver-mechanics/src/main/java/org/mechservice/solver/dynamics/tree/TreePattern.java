@@ -34,18 +34,20 @@ public final class TreePattern {
   final boolean bareTree;
 
   /**
-   * Determines the pattern of a tree. @param pairs links coupled by rods or forces, two numbers per
-   * pair; pairs with {@link TreeGeometry#ROOT} have no effect
+   * Determines the pattern of a tree.
+   *
+   * @param pairs links coupled by rods or forces, two numbers per pair; pairs with {@link
+   *     TreeGeometry#ROOT} have no effect
    */
   public TreePattern(TreeGeometry tree, int[] pairs) {
     this(outwards(tree), parents(tree), ways(tree, pairs));
   }
 
   /**
-   * Determines the pattern of a tree given by places. @param velocityAt velocity of the state at
-   * each place, outwards; not modified @param parent parent of each place, −1 for none; not
-   * modified
+   * Determines the pattern of a tree given by places.
    *
+   * @param velocityAt velocity of the state at each place, outwards; not modified
+   * @param parent parent of each place, −1 for none; not modified
    * @param coupled further elements, two places for each; not modified
    */
   public TreePattern(int[] velocityAt, int[] parent, int[] coupled) {

@@ -25,8 +25,9 @@ public abstract class AppliedForce {
   }
 
   /**
-   * Sets the values of tunable parameters. @return false if a coefficient is not finite or out of
-   * range; see {@link #defect()}
+   * Sets the values of tunable parameters.
+   *
+   * @return false if a coefficient is not finite or out of range; see {@link #defect()}
    */
   public abstract boolean parameters(double[] values);
 

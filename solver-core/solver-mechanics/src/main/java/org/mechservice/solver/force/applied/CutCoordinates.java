@@ -31,8 +31,9 @@ public final class CutCoordinates {
   }
 
   /**
-   * Returns the component among the joint's velocities that is the rate of a position. @throws
-   * IllegalArgumentException if it is an Euler parameter, or does not exist
+   * Returns the component among the joint's velocities that is the rate of a position.
+   *
+   * @throws IllegalArgumentException if it is an Euler parameter, or does not exist
    */
   public static int velocityOfPosition(CutJoint cut, int component) {
     Joint joint = cut.joint();

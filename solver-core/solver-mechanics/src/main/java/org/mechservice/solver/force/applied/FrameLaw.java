@@ -3,8 +3,10 @@ package org.mechservice.solver.force.applied;
 /** A force between two bodies as a function of their relative motion, see {@link FrameMotion}. */
 public interface FrameLaw {
   /**
-   * Sets the coefficients. @param force receives the defect of an unusable coefficient @return
-   * false if they cannot be used
+   * Sets the coefficients.
+   *
+   * @param force receives the defect of an unusable coefficient
+   * @return false if they cannot be used
    */
   boolean parameters(double[] values, AppliedForce force);
 

@@ -185,8 +185,9 @@ public final class FrameMotion {
 
   /**
    * Writes the change of the relative motion for a small twist of a body, with the components of
-   * its velocity held constant. @param first whether body 1 moves
+   * its velocity held constant.
    *
+   * @param first whether body 1 moves
    * @param xi [rotation; displacement] in link axes; not modified
    * @param place change of [rotation; displacement] of frame 2 in frame 1; overwritten
    * @param velocity change of {@link #twist}; overwritten

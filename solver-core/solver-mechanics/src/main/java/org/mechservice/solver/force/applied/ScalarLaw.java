@@ -3,8 +3,10 @@ package org.mechservice.solver.force.applied;
 /** A force on one coordinate as a function of its position and velocity. */
 public interface ScalarLaw {
   /**
-   * Sets the coefficients. @param force receives the defect of an unusable coefficient @return
-   * false if they cannot be used
+   * Sets the coefficients.
+   *
+   * @param force receives the defect of an unusable coefficient
+   * @return false if they cannot be used
    */
   boolean parameters(double[] values, AppliedForce force);
 

@@ -6,9 +6,10 @@ import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.mechanism.Joint;
 
 /**
- * Indices of a tree joint's coordinate among the extended positions and velocities. @param position
- * index of the position, or −1 if a velocity is not the rate of one @param velocity index of its
- * rate, or −1 for an Euler parameter
+ * Indices of a tree joint's coordinate among the extended positions and velocities.
+ *
+ * @param position index of the position, or −1 if a velocity is not the rate of one
+ * @param velocity index of its rate, or −1 for an Euler parameter
  */
 public record TreeCoordinate(int position, int velocity) {
 

@@ -19,8 +19,9 @@ public final class ExpressionInputs {
   private final double[][] gradients;
 
   /**
-   * Prepares expressions, with parameters at the mechanism's values. @throws
-   * IllegalArgumentException if one refers to an element that the mechanism does not have
+   * Prepares expressions, with parameters at the mechanism's values.
+   *
+   * @throws IllegalArgumentException if one refers to an element that the mechanism does not have
    */
   public ExpressionInputs(TreeMotion motion, List<Expression> expressions) {
     tape = new TapeEvaluation(new Tape(expressions));

@@ -43,8 +43,10 @@ public final class ForceFormulas {
   }
 
   /**
-   * Decomposes the formulas of a mechanism's forces. @return empty if all of them have a value and
-   * a derivative in every state of moderate size, or if there are too many
+   * Decomposes the formulas of a mechanism's forces.
+   *
+   * @return empty if all of them have a value and a derivative in every state of moderate size, or
+   *     if there are too many
    */
   public static Optional<ForceFormulas> of(Mechanism mechanism) {
     ForceFormulas formulas = new ForceFormulas(mechanism);

@@ -14,8 +14,10 @@ public final class FormulaCheck {
   }
 
   /**
-   * Prepares the check. @param motion swept by the caller, with poses in the world @return empty if
-   * all formulas always have values
+   * Prepares the check.
+   *
+   * @param motion swept by the caller, with poses in the world
+   * @return empty if all formulas always have values
    */
   public static Optional<FormulaCheck> of(TreeMotion motion) {
     return ForceFormulas.of(motion.tree().mechanism()).map(f -> new FormulaCheck(f, motion));

@@ -52,16 +52,17 @@ final class FormulaFinding {
             changed ->
                 changed.defect(
                     MessageCode.STEP_TOO_SMALL,
-                    "The error test fails however small the step: "
-                        + changed.says(" within one", t),
+                    "The error test fails at every step size: " + changed.says(" within one", t),
                     "A pole, an overflow or a jump lies there: give the formula a bounded value"
                         + " and slope, make the jump an event, or end the run before."));
   }
 
   /**
    * Finds the force that changes most between neighbouring states, if it jumps or is nearly
-   * vertical. @param here values at {@code t}; not modified @param beside values at a state that
-   * differs slightly in one component; not modified
+   * vertical.
+   *
+   * @param here values at {@code t}; not modified
+   * @param beside values at a state that differs slightly in one component; not modified
    */
   static Optional<Defect> tooSteep(double t, String lines, double[] here, double[] beside) {
     return fastest(lines, here, beside, STEEP)

@@ -40,9 +40,10 @@ public final class SampleStates {
    * solution.
    *
    * @param lines of {@link ForceFormulas}
-   * @param t time that the run has reached, s @param y state there; its components are changed and
-   *     restored @param yDot its derivative; not modified @param steps lengths of the last
-   *     attempted steps
+   * @param t time that the run has reached, s
+   * @param y state there; its components are changed and restored
+   * @param yDot its derivative; not modified
+   * @param steps lengths of the last attempted steps
    */
   public static Optional<Defect> search(
       String lines,

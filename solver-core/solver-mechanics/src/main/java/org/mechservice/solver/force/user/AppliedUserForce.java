@@ -213,7 +213,8 @@ public final class AppliedUserForce extends AppliedForce implements ForceBlocks 
     return fail(
         MessageCode.USER_FORCE_FAILED,
         "Its class threw " + described(failure) + ".",
-        "Correct the class; in a state it cannot handle it may give forces that are not finite.");
+        "Correct the class; at a state that it cannot handle it may return forces that are not"
+            + " finite.");
   }
 
   @Override

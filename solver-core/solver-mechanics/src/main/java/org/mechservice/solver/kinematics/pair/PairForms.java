@@ -5,8 +5,9 @@ import org.mechservice.solver.spatial.Vector3;
 
 /**
  * Visitor of the kinds of functions of the relative pose, for other representations such as
- * generated code. ρ is B's point from A's point and R the rotation of B, both in A's axes. @param
- * <T> representation of a function
+ * generated code. ρ is B's point from A's point and R the rotation of B, both in A's axes.
+ *
+ * @param <T> representation of a function
  */
 public interface PairForms<T> {
   /** ρ · axis. */

@@ -50,7 +50,8 @@ public final class RelativeMotion {
   private final double[] wrenchB = new double[6];
 
   /**
-   * @param a point of body A @param b point of body B
+   * @param a point of body A
+   * @param b point of body B
    */
   public RelativeMotion(TreeGeometry tree, BodyPoint a, BodyPoint b) {
     this.tree = tree;

@@ -9,8 +9,8 @@ import org.mechservice.solver.mechanism.Origin;
  * and of cut ones, but no velocities.
  *
  * @param name name in the model file
- * @param relation expression that is zero during the motion; coordinates in SI units @param origin
- *     position in the model file
+ * @param relation expression that is zero during the motion; coordinates in SI units
+ * @param origin position in the model file
  */
 public record CoordinateClosure(String name, Expression relation, Origin origin)
     implements LoopClosure {}

@@ -12,8 +12,8 @@ import org.mechservice.solver.mechanism.Origin;
  * @param point2 end on the file's body 2
  * @param distance m, positive; two points that coincide are a {@link JointClosure} of type S
  * @param rodMass mass of a uniform slender rod between the points, kg, not negative; 0 for none.
- *     The rod has no inertia about its own axis (NUMERICS §4) @param origin position in the model
- *     file
+ *     The rod has no inertia about its own axis (NUMERICS §4)
+ * @param origin position in the model file
  */
 public record DistanceClosure(
     String name, BodyPoint point1, BodyPoint point2, double distance, double rodMass, Origin origin)

@@ -12,7 +12,8 @@ import org.mechservice.solver.mechanism.StartRole;
  * bodies (MECHML §4). Its coordinates are not states; they follow from the poses of the two bodies.
  *
  * @param joint the joint; either of its bodies may be the root. Its start values are not part of
- *     the state @param startRole freedom of assembly to change the start values
+ *     the state
+ * @param startRole freedom of assembly to change the start values
  * @param motion prescribed motion: one expression of time per coordinate, rad or m; empty if the
  *     joint moves freely
  */

@@ -36,7 +36,8 @@ import org.mechservice.solver.mechanism.Origin;
  * @param stiffness K row by row, 36: N/m, N/rad, N·m/m, N·m/rad
  * @param damping C row by row, 36: N·s/m, N·s/rad, N·s, N·m·s/rad
  * @param preload force and moment on body 2 at rest, 6: N, N·m
- * @param law relation of moment and rotation vector @param origin position in the model file
+ * @param law relation of moment and rotation vector
+ * @param origin position in the model file
  */
 public record Bushing(
     String name,

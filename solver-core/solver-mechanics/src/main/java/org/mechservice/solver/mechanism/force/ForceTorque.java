@@ -11,9 +11,11 @@ import org.mechservice.solver.mechanism.Origin;
 
 /**
  * A force at a point of a body and a torque on the body, given by expressions. They are external
- * loads without a reaction on the mechanism and without potential energy. @param name name in the
- * model file @param point point of application @param axes axes of the components
+ * loads without a reaction on the mechanism and without potential energy.
  *
+ * @param name name in the model file
+ * @param point point of application
+ * @param axes axes of the components
  * @param components three of the force, N, then three of the torque, N·m; of t, parameters and the
  *     state
  * @param origin position in the model file

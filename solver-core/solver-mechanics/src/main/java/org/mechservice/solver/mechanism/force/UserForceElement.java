@@ -15,8 +15,8 @@ import org.mechservice.solver.mechanism.Origin;
  *
  * @param name name in the model file
  * @param className fully qualified name of the class
- * @param points every point of the model file, for use by the class @param origin position in the
- *     model file
+ * @param points every point of the model file, for use by the class
+ * @param origin position in the model file
  */
 public record UserForceElement(
     String name, String className, List<NamedPoint> points, Origin origin) implements ForceElement {

@@ -1,16 +1,16 @@
 package org.mechservice.solver.ode.newton;
 
-import java.util.BitSet;
+import java.util.Arrays;
 import org.mechservice.solver.linear.MatrixLayout;
 import org.mechservice.solver.ode.SparseSystem;
 import org.mechservice.solver.ode.SystemParts;
 
 /**
- * The columns of a matrix of derivatives in groups that share no row: one evaluation with all
- * columns of a group moved tells what each of them does. Of a band these are columns as far apart
- * as it is wide. Where a {@link SparseSystem} tells its pattern, each group takes from the columns
- * left, in their order, every one that shares no row with those it has (Curtis, Powell and Reid, J.
- * Inst. Maths Applics 13 (1974) 117).
+ * The columns of a matrix of derivatives in groups whose columns share no row. One evaluation with
+ * all columns of a group moved yields all their elements. The columns of a group of a band are one
+ * bandwidth apart. With the pattern of a {@link SparseSystem} each column, in their order, joins
+ * the first group that shares no row with it (Curtis, Powell and Reid, J. Inst. Maths Applics 13
+ * (1974) 117).
  */
 public final class ColumnGroups {
   private static final int NONE = -1;
@@ -21,10 +21,10 @@ public final class ColumnGroups {
   /** Column that follows a column in its group, or none; length n. */
   private final int[] next;
 
-  /** Rows of each column, length n; of length 0 if all of the layout may differ from zero. */
-  private final BitSet[] rows;
+  /** Ascending rows of each column; of length 0 if all of the layout may differ from zero. */
+  private final int[][] rows;
 
-  private ColumnGroups(int[] first, int[] next, BitSet[] rows) {
+  private ColumnGroups(int[] first, int[] next, int[][] rows) {
     this.first = first;
     this.next = next;
     this.rows = rows;
@@ -54,44 +54,76 @@ public final class ColumnGroups {
       int after = j + layout.columnDistance();
       next[j] = after < n ? after : NONE;
     }
-    return new ColumnGroups(first, next, new BitSet[0]);
+    return new ColumnGroups(first, next, new int[0][]);
   }
 
   private static ColumnGroups ofPattern(SparseSystem pattern, int n) {
-    BitSet[] rows = new BitSet[n];
+    int[][] rows = new int[n][];
+    int[] degree = new int[n];
     for (int j = 0; j < n; j++) {
-      rows[j] = new BitSet(n);
-      for (int i = 0; i < n; i++) {
-        rows[j].set(i, pattern.couples(i, j));
+      rows[j] = rowsOf(pattern, j, n);
+      for (int i : rows[j]) {
+        degree[i]++;
       }
     }
-    BitSet first = new BitSet(n);
-    int[] next = new int[n];
-    BitSet left = new BitSet(n);
-    left.set(0, n);
-    while (!left.isEmpty()) {
-      first.set(left.nextSetBit(0));
-      collect(left, rows, next);
+    int[][] groupsOfRow = new int[n][];
+    for (int i = 0; i < n; i++) {
+      groupsOfRow[i] = new int[degree[i]];
     }
-    return new ColumnGroups(first.stream().toArray(), next, rows);
+    return firstFit(rows, groupsOfRow);
   }
 
-  /** Takes the columns of one group out of those that are left. */
-  private static void collect(BitSet left, BitSet[] rows, int[] next) {
-    BitSet taken = new BitSet(rows.length);
-    int last = NONE;
-    for (int j = left.nextSetBit(0); j >= 0; j = left.nextSetBit(j + 1)) {
-      if (rows[j].intersects(taken)) {
-        continue;
+  /** Returns the rows of a column in ascending order. */
+  private static int[] rowsOf(SparseSystem pattern, int column, int n) {
+    int[] found = new int[4];
+    int count = 0;
+    for (int i = 0; i < n; i++) {
+      if (pattern.couples(i, column)) {
+        if (count == found.length) {
+          found = Arrays.copyOf(found, 2 * count);
+        }
+        found[count++] = i;
       }
-      taken.or(rows[j]);
-      left.clear(j);
-      next[j] = NONE;
-      if (last != NONE) {
-        next[last] = j;
-      }
-      last = j;
     }
+    return Arrays.copyOf(found, count);
+  }
+
+  /**
+   * Puts each column, in their order, into the first group that has none of its rows. The time is
+   * the sum over the rows of the number of their elements squared.
+   *
+   * @param groupsOfRow a workspace: for each row as many places as it has elements
+   */
+  private static ColumnGroups firstFit(int[][] rows, int[][] groupsOfRow) {
+    int n = rows.length;
+    int[] filled = new int[n]; // groups known of each row
+    int[] first = new int[n];
+    int[] last = new int[n];
+    int[] next = new int[n];
+    int[] excludedFor = new int[n]; // the last column, plus 1, that a group is excluded for
+    int count = 0;
+    for (int j = 0; j < n; j++) {
+      for (int i : rows[j]) {
+        for (int k = 0; k < filled[i]; k++) {
+          excludedFor[groupsOfRow[i][k]] = j + 1;
+        }
+      }
+      int group = 0;
+      while (excludedFor[group] == j + 1) {
+        group++;
+      }
+      for (int i : rows[j]) {
+        groupsOfRow[i][filled[i]++] = group;
+      }
+      if (group == count) {
+        first[count++] = j;
+      } else {
+        next[last[group]] = j;
+      }
+      last[group] = j;
+      next[j] = NONE;
+    }
+    return new ColumnGroups(Arrays.copyOf(first, count), next, rows);
   }
 
   /** Returns the number of groups. */
@@ -111,6 +143,6 @@ public final class ColumnGroups {
 
   /** Returns whether an element that the layout has may differ from zero. */
   public boolean couples(int row, int column) {
-    return rows.length == 0 || rows[column].get(row);
+    return rows.length == 0 || Arrays.binarySearch(rows[column], row) >= 0;
   }
 }

@@ -102,7 +102,7 @@ public final class DaeProblem implements ResidualSystem {
 
   /** Returns the problem with analytic derivatives, in place of differences and of a product. */
   public DaeProblem withJacobians(Jacobians jacobians) {
-    return with(ResidualJacobianSystem.class, new KnownJacobians(this, jacobians));
+    return with(ResidualJacobianSystem.class, new WithJacobians(this, jacobians));
   }
 
   /**
@@ -185,15 +185,26 @@ public final class DaeProblem implements ResidualSystem {
     Optional<JacobianProduct> product =
         kind == ResidualJacobianSystem.class ? parts.part(JacobianProduct.class) : Optional.empty();
     return product.isPresent()
-        ? Optional.of(
-            kind.cast(
-                new FormedJacobians(this, product.get(), new ProductColumns(this, dimension))))
+        ? Optional.of(kind.cast(new WithJacobians(this, formed(product.get()))))
         : parts.part(kind);
   }
 
-  /** F with derivatives written by the user. */
-  private record KnownJacobians(ResidualSystem system, Jacobians known)
-      implements ResidualJacobianSystem {
+  /** Forms the derivatives from products with vectors; the result is for one integration. */
+  private Jacobians formed(JacobianProduct product) {
+    ProductColumns columns = new ProductColumns(this, dimension);
+    return (t, y, yDot, fy, fyDot) -> {
+      for (int group = 0; group < columns.groupCount(); group++) {
+        double[] v = columns.direction(group);
+        product.evaluate(t, y, yDot, v, columns.zero, columns.product);
+        columns.store(group, fy);
+        product.evaluate(t, y, yDot, columns.zero, v, columns.product);
+        columns.store(group, fyDot);
+      }
+    };
+  }
+
+  /** A system together with its derivatives. */
+  record WithJacobians(ResidualSystem system, Jacobians known) implements ResidualJacobianSystem {
     @Override
     public int dimension() {
       return system.dimension();
@@ -207,32 +218,6 @@ public final class DaeProblem implements ResidualSystem {
     @Override
     public void jacobians(double t, double[] y, double[] yDot, double[] fy, double[] fyDot) {
       known.evaluate(t, y, yDot, fy, fyDot);
-    }
-  }
-
-  /** Derivatives formed from products with vectors. A workspace, made for one integration. */
-  private record FormedJacobians(
-      ResidualSystem system, JacobianProduct known, ProductColumns columns)
-      implements ResidualJacobianSystem {
-    @Override
-    public int dimension() {
-      return system.dimension();
-    }
-
-    @Override
-    public void residual(double t, double[] y, double[] yDot, double[] residual) {
-      system.residual(t, y, yDot, residual);
-    }
-
-    @Override
-    public void jacobians(double t, double[] y, double[] yDot, double[] fy, double[] fyDot) {
-      for (int group = 0; group < columns.groupCount(); group++) {
-        double[] v = columns.direction(group);
-        known.evaluate(t, y, yDot, v, columns.zero, columns.product);
-        columns.store(group, fy);
-        known.evaluate(t, y, yDot, columns.zero, v, columns.product);
-        columns.store(group, fyDot);
-      }
     }
   }
 }

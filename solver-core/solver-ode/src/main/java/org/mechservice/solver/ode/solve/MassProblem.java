@@ -129,36 +129,24 @@ public final class MassProblem {
     private Optional<JacobianSystem> scaled() {
       return problem
           .part(JacobianSystem.class)
-          .map(known -> new ScaledJacobian(this, known, mass, layoutOf(problem)));
+          .map(known -> new OdeProblem.WithJacobian(this, scaled(known)));
+    }
+
+    private OdeProblem.Jacobian scaled(JacobianSystem known) {
+      MatrixLayout layout = layoutOf(problem);
+      return (t, y, fy) -> {
+        known.jacobian(t, y, fy);
+        for (int j = 0; j < layout.dimension(); j++) {
+          for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
+            fy[layout.index(i, j)] /= mass.element(i, i);
+          }
+        }
+      };
     }
   }
 
   private static MatrixLayout layoutOf(OdeProblem problem) {
     return PartsOfProblem.layout(problem, problem.dimension());
-  }
-
-  private record ScaledJacobian(
-      OdeSystem system, JacobianSystem known, MassMatrix mass, MatrixLayout layout)
-      implements JacobianSystem {
-    @Override
-    public int dimension() {
-      return system.dimension();
-    }
-
-    @Override
-    public void derivative(double t, double[] y, double[] yDot) {
-      system.derivative(t, y, yDot);
-    }
-
-    @Override
-    public void jacobian(double t, double[] y, double[] fy) {
-      known.jacobian(t, y, fy);
-      for (int j = 0; j < layout.dimension(); j++) {
-        for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
-          fy[layout.index(i, j)] /= mass.element(i, i);
-        }
-      }
-    }
   }
 
   /** M y' − f(t, y) = 0. */
@@ -201,7 +189,9 @@ public final class MassProblem {
         return problem.part(SparseSystem.class).map(this::pattern).map(kind::cast);
       }
       if (kind == ResidualJacobianSystem.class) {
-        return problem.part(JacobianSystem.class).map(known -> kind.cast(derivatives(known)));
+        return problem
+            .part(JacobianSystem.class)
+            .map(known -> kind.cast(new DaeProblem.WithJacobians(this, derivatives(known))));
       }
       return kind == LinearisedSystem.class ? Optional.empty() : problem.part(kind);
     }
@@ -216,9 +206,24 @@ public final class MassProblem {
       return (i, j) -> ofFunction.couples(i, j) || mass.element(i, j) != 0;
     }
 
-    private ResidualJacobianSystem derivatives(JacobianSystem known) {
+    /** ∂F/∂y = −∂f/∂y and ∂F/∂y' = M. */
+    private DaeProblem.Jacobians derivatives(JacobianSystem known) {
       MatrixLayout layout = PartsOfProblem.layout(this, f.length);
-      return new ResidualDerivatives(this, known, layoutOf(problem), mass, layout);
+      MatrixLayout ofFunction = layoutOf(problem);
+      MatrixLayout ofMass = mass.layout();
+      double[] jacobian = new double[ofFunction.length()];
+      return (t, y, yDot, fy, fyDot) -> {
+        Arrays.fill(jacobian, 0);
+        known.jacobian(t, y, jacobian);
+        for (int j = 0; j < f.length; j++) {
+          for (int i = ofFunction.firstRow(j); i <= ofFunction.lastRow(j); i++) {
+            fy[layout.index(i, j)] = -jacobian[ofFunction.index(i, j)];
+          }
+          for (int i = ofMass.firstRow(j); i <= ofMass.lastRow(j); i++) {
+            fyDot[layout.index(i, j)] = mass.element(i, j);
+          }
+        }
+      };
     }
   }
 
@@ -232,56 +237,6 @@ public final class MassProblem {
     @Override
     public int upperBandwidth() {
       return Math.max(ofFunction.upperBandwidth(), ofMass.upper());
-    }
-  }
-
-  /** ∂F/∂y = −∂f/∂y and ∂F/∂y' = M. */
-  private static final class ResidualDerivatives implements ResidualJacobianSystem {
-    private final ResidualSystem system;
-    private final JacobianSystem known;
-    private final MatrixLayout ofFunction;
-    private final MassMatrix mass;
-    private final MatrixLayout layout;
-
-    /** ∂f/∂y by the layout of f. */
-    private final double[] jacobian;
-
-    ResidualDerivatives(
-        ResidualSystem system,
-        JacobianSystem known,
-        MatrixLayout ofFunction,
-        MassMatrix mass,
-        MatrixLayout layout) {
-      this.system = system;
-      this.known = known;
-      this.ofFunction = ofFunction;
-      this.mass = mass;
-      this.layout = layout;
-      jacobian = new double[ofFunction.length()];
-    }
-
-    @Override
-    public int dimension() {
-      return system.dimension();
-    }
-
-    @Override
-    public void residual(double t, double[] y, double[] yDot, double[] residual) {
-      system.residual(t, y, yDot, residual);
-    }
-
-    @Override
-    public void jacobians(double t, double[] y, double[] yDot, double[] fy, double[] fyDot) {
-      Arrays.fill(jacobian, 0);
-      known.jacobian(t, y, jacobian);
-      for (int j = 0; j < dimension(); j++) {
-        for (int i = ofFunction.firstRow(j); i <= ofFunction.lastRow(j); i++) {
-          fy[layout.index(i, j)] = -jacobian[ofFunction.index(i, j)];
-        }
-        for (int i = mass.layout().firstRow(j); i <= mass.layout().lastRow(j); i++) {
-          fyDot[layout.index(i, j)] = mass.element(i, j);
-        }
-      }
     }
   }
 }

@@ -62,7 +62,7 @@ public final class OdeProblem implements OdeSystem {
 
   /** Returns the problem with an analytic Jacobian, in place of differences and of a product. */
   public OdeProblem withJacobian(Jacobian jacobian) {
-    return with(JacobianSystem.class, new KnownJacobian(this, jacobian));
+    return with(JacobianSystem.class, new WithJacobian(this, jacobian));
   }
 
   /**
@@ -143,13 +143,25 @@ public final class OdeProblem implements OdeSystem {
     Optional<JacobianProduct> product =
         kind == JacobianSystem.class ? parts.part(JacobianProduct.class) : Optional.empty();
     return product.isPresent()
-        ? Optional.of(
-            kind.cast(new FormedJacobian(this, product.get(), new ProductColumns(this, dimension))))
+        ? Optional.of(kind.cast(new WithJacobian(this, formed(product.get()))))
         : parts.part(kind);
   }
 
-  /** f with a Jacobian written by the user. */
-  private record KnownJacobian(OdeSystem system, Jacobian known) implements JacobianSystem {
+  /**
+   * Forms the Jacobian from products with vectors; the result is a workspace of one integration.
+   */
+  private Jacobian formed(JacobianProduct product) {
+    ProductColumns columns = new ProductColumns(this, dimension);
+    return (t, y, fy) -> {
+      for (int group = 0; group < columns.groupCount(); group++) {
+        product.evaluate(t, y, columns.direction(group), columns.product);
+        columns.store(group, fy);
+      }
+    };
+  }
+
+  /** A system together with its Jacobian. */
+  record WithJacobian(OdeSystem system, Jacobian known) implements JacobianSystem {
     @Override
     public int dimension() {
       return system.dimension();
@@ -163,28 +175,6 @@ public final class OdeProblem implements OdeSystem {
     @Override
     public void jacobian(double t, double[] y, double[] fy) {
       known.evaluate(t, y, fy);
-    }
-  }
-
-  /** A Jacobian formed from products with vectors. A workspace, made for one integration. */
-  private record FormedJacobian(OdeSystem system, JacobianProduct known, ProductColumns columns)
-      implements JacobianSystem {
-    @Override
-    public int dimension() {
-      return system.dimension();
-    }
-
-    @Override
-    public void derivative(double t, double[] y, double[] yDot) {
-      system.derivative(t, y, yDot);
-    }
-
-    @Override
-    public void jacobian(double t, double[] y, double[] fy) {
-      for (int group = 0; group < columns.groupCount(); group++) {
-        known.evaluate(t, y, columns.direction(group), columns.product);
-        columns.store(group, fy);
-      }
     }
   }
 }

@@ -145,4 +145,52 @@ class PoleTest {
     }
     assertThat(run.failure().cause()).isIn(Cause.UNBOUNDED, Cause.STEP_TOO_SMALL);
   }
+
+  /**
+   * Oscillators of their own frequencies, each with a ripple far below the tolerance and too fast
+   * for the steps. In a large system some derivative passes zero, and some ripple looks like a
+   * pole, in every step.
+   */
+  private static OdeSystem oscillators(int count) {
+    return new OdeSystem() {
+      @Override
+      public int dimension() {
+        return 3 * count;
+      }
+
+      @Override
+      public void derivative(double t, double[] y, double[] yDot) {
+        for (int i = 0; i < count; i++) {
+          double frequency = 1 + (double) i / count;
+          yDot[3 * i] = y[3 * i + 1];
+          yDot[3 * i + 1] = -frequency * frequency * y[3 * i];
+          yDot[3 * i + 2] = 1e-9 * StrictMath.cos((40 + i) * t);
+        }
+      }
+    };
+  }
+
+  @ParameterizedTest
+  @EnumSource(names = {"ODE113", "DE"})
+  void stepTakesTwoEvaluationsHoweverLargeTheSystem(Method method) {
+    for (double tolerance : new double[] {1e-2, 1e-3, 1e-6}) {
+      for (int count : new int[] {1, 10, 1000}) {
+        Integrator run = method.maker.apply(new IntegratorSettings(tolerance, tolerance));
+        double[] y0 = new double[3 * count];
+        for (int i = 0; i < count; i++) {
+          y0[3 * i] = StrictMath.cos(i);
+          y0[3 * i + 1] = StrictMath.sin(i);
+        }
+        StepResult result = run.start(oscillators(count), 0, y0, 20);
+        while (result == StepResult.ADVANCED) {
+          result = run.step();
+        }
+        assertThat(result).isEqualTo(StepResult.REACHED_END);
+        long tried = run.statistics().steps() + run.statistics().rejectedSteps();
+        assertThat(run.statistics().evaluations())
+            .as("%s oscillators at %s", count, tolerance)
+            .isLessThanOrEqualTo(2 * tried + 2);
+      }
+    }
+  }
 }

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -69,6 +70,32 @@ class ColumnGroupsTest {
         assertThat(group).noneMatch(l -> l != j && shareARow(pattern, n, l, j));
       }
     }
+  }
+
+  /** Curtis, Powell and Reid: a group takes every column left that shares no row with it. */
+  @ParameterizedTest
+  @ValueSource(ints = {1, 2, 3, 4, 5, 6})
+  void groupsAreThoseFilledOneAfterTheOther(int seed) {
+    Random random = new Random(seed);
+    int n = 10 * seed;
+    boolean[][] coupled = new boolean[n][n];
+    for (int i = 0; i < 3 * n; i++) {
+      coupled[random.nextInt(n)][random.nextInt(n)] = true;
+    }
+    SparseSystem pattern = (i, j) -> coupled[i][j];
+    List<Integer> left = new ArrayList<>(IntStream.range(0, n).boxed().toList());
+    List<List<Integer>> expected = new ArrayList<>();
+    while (!left.isEmpty()) {
+      List<Integer> group = new ArrayList<>();
+      for (int j : left) {
+        if (group.stream().noneMatch(l -> shareARow(pattern, n, l, j))) {
+          group.add(j);
+        }
+      }
+      left.removeAll(group);
+      expected.add(group);
+    }
+    assertThat(groups(n, pattern)).isEqualTo(expected);
   }
 
   @ParameterizedTest

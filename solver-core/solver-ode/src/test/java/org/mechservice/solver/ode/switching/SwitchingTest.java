@@ -89,6 +89,42 @@ class SwitchingTest {
     assertThat(run.statistics().evaluations()).isLessThan(100_000);
   }
 
+  /**
+   * Rounding changes the last digits of f between prediction and correction, which differ by less
+   * than f moves: in the short first steps that is h L of 2 to 300 for a pendulum with h L below
+   * 0.001.
+   */
+  @ParameterizedTest
+  @ValueSource(doubles = {1e-3, 1e-6, 1e-9})
+  void roundingInTheFirstStepsDoesNotLookLikeStiffness(double tolerance) {
+    for (double rounding : new double[] {1e-15, 1e-13, 1e-11}) {
+      for (int i = 0; i < 60; i++) {
+        double stiffness = 1 + 0.01 * i;
+        Ode pendulum =
+            new Ode(
+                2,
+                (t, y, yDot) -> {
+                  yDot[0] = y[1];
+                  double exact = -stiffness * StrictMath.sin(y[0]);
+                  yDot[1] = exact * (1 + rounding * lastDigits(y[1]));
+                });
+        Switching run = new Switching(new IntegratorSettings(tolerance, 1e-3 * tolerance));
+        StepResult result = run.start(pendulum, 0, new double[] {1 + 0.013 * i, 0}, 100);
+        for (int step = 0; step < 20 && result == StepResult.ADVANCED; step++) {
+          result = run.step();
+        }
+        assertThat(result).isEqualTo(StepResult.ADVANCED);
+        assertThat(run.methodChangeCount()).isZero();
+      }
+    }
+  }
+
+  /** Returns a number from −1 to 1 that differs at random between neighbouring values. */
+  private static double lastDigits(double value) {
+    long mixed = Double.doubleToLongBits(value) * 0x9E3779B97F4A7C15L;
+    return (mixed >> 11) * 0x1p-52;
+  }
+
   @Test
   void slidingAlongWhatIsOnlySteepIsLeftToTheStiffMethod() {
     Ode steep =

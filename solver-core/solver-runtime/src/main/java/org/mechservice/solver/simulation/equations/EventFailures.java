@@ -6,11 +6,11 @@ import org.mechservice.solver.api.capability.Defects;
 import org.mechservice.solver.api.run.Failure;
 import org.mechservice.solver.catalogue.MessageCode;
 
-/** Says why a run could not go on after an event. */
+/** Failures of a run after an event. */
 final class EventFailures {
   private EventFailures() {}
 
-  /** Explains an event that sets a state to what is no number. */
+  /** Explains an event that sets a state to a value that is not finite. */
   static Failure eventNotFinite(double t, String event, String state) {
     return atEvent(
         MessageCode.EVENT_VALUE_NOT_FINITE,
@@ -24,13 +24,13 @@ final class EventFailures {
   static Failure eventOpensLoops(double t, String event, Optional<Defects.Defect> why) {
     return atEvent(
         MessageCode.EVENT_BREAKS_LOOPS,
-        "The loops cannot be closed after what the event sets.",
+        "The loops cannot be closed with the values that the event sets.",
         t,
         why.map(defect -> event + ", " + defect.part()).orElse(event),
-        "Set values that the mechanism can take.");
+        "Set values that are possible for the mechanism.");
   }
 
-  /** Explains an event that sets a state which the loops have another value for. */
+  /** Explains an event that sets a state to a value that contradicts the loops. */
   static Failure eventContradictsLoops(
       double t, String event, String state, double given, double wanted) {
     return atEvent(

@@ -46,7 +46,7 @@ public final class ExplicitLoopForm implements EquationForm {
 
     @Override
     public boolean project(double t, double[] y) {
-      return loops.project(beside(t), y);
+      return loops.project(evaluationTime(t), y);
     }
 
     @Override

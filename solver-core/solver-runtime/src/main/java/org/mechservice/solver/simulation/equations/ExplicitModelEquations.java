@@ -5,7 +5,7 @@ import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.OdeSystem;
 import org.mechservice.solver.ode.StepResult;
 
-/** A model in explicit form as the integrator sees it. */
+/** The explicit form of a model for an integrator. */
 class ExplicitModelEquations extends ModelEquations implements OdeSystem {
   private final ExplicitModel model;
 

@@ -3,13 +3,13 @@ package org.mechservice.solver.simulation.equations;
 import org.mechservice.solver.api.capability.DependentStates;
 import org.mechservice.solver.ode.CompletedSystem;
 
-/** What a model knows of its dependent states, in the integrator's words. */
+/** Adapter of a model's dependent states to the integrator's interface. */
 interface LoopCompletion extends CompletedSystem {
-  /** Returns what the model knows. */
+  /** Returns the model's dependent states. */
   DependentStates loops();
 
-  /** Returns where to evaluate instead of at {@code t}. */
-  double beside(double t);
+  /** Returns the time for evaluations at {@code t}. */
+  double evaluationTime(double t);
 
   @Override
   default boolean independent(int component) {
@@ -18,11 +18,11 @@ interface LoopCompletion extends CompletedSystem {
 
   @Override
   default boolean complete(double t, double[] y) {
-    return loops().complete(beside(t), y);
+    return loops().complete(evaluationTime(t), y);
   }
 
   @Override
   default boolean accepted(double t, double[] y) {
-    return loops().accepted(beside(t), y);
+    return loops().accepted(evaluationTime(t), y);
   }
 }

@@ -25,8 +25,8 @@ import org.mechservice.solver.ode.StepResult;
 import org.mechservice.solver.ode.UnitNormGroups;
 
 /**
- * What every form of a model's equations tells an integrator: which states are Euler parameters;
- * and what the last evaluation that failed had to say.
+ * Common part of all forms of a model's equations: groups of Euler parameters, error scales, times
+ * of jumps, and the defect of the last failed evaluation.
  */
 public abstract class ModelEquations implements UnitNormGroups, PiecewiseSystem, SavedSystem {
   private static final int EULER_PARAMETERS = 4;
@@ -95,10 +95,10 @@ public abstract class ModelEquations implements UnitNormGroups, PiecewiseSystem,
    */
   public abstract StepResult start(Integrator integrator, double t0, double[] y0, double tEnd);
 
-  /** Goes on with an integration of these equations that was saved. */
+  /** Resumes a saved integration of these equations. */
   public abstract StepResult resume(Integrator integrator, byte[] saved);
 
-  /** Carries the model's own state over, if it has one. */
+  /** Saves or restores the model's internal state, if it has one. */
   @Override
   public final void transfer(SavedState state) {
     if (model instanceof ModelState own) {
@@ -106,7 +106,7 @@ public abstract class ModelEquations implements UnitNormGroups, PiecewiseSystem,
     }
   }
 
-  /** Carries over what has a state of its own. */
+  /** Saves or restores an internal state. */
   public static void transfer(ModelState own, SavedState state) {
     double[] numbers = new double[own.stateLength()];
     own.saveState(numbers);
@@ -117,16 +117,16 @@ public abstract class ModelEquations implements UnitNormGroups, PiecewiseSystem,
   }
 
   /**
-   * Makes an interpolated state exact, where the model's loops determine it.
+   * Closes the loops at an interpolated state.
    *
    * @param y unknowns; overwritten
    * @return false if the loops cannot be closed there
    */
   public final boolean closeLoops(double t, double[] y) {
     if (model instanceof DependentStates loops) {
-      return loops.complete(beside(t), y);
+      return loops.complete(evaluationTime(t), y);
     }
-    return !(model instanceof ProjectedStates loops) || loops.project(beside(t), y);
+    return !(model instanceof ProjectedStates loops) || loops.project(evaluationTime(t), y);
   }
 
   /**
@@ -140,17 +140,17 @@ public abstract class ModelEquations implements UnitNormGroups, PiecewiseSystem,
     return model instanceof StateJumps loops ? loops.jump(t, y, set) : closeLoops(t, y);
   }
 
-  /** Takes what happens along the run. */
+  /** Sets the events of the run. */
   final void follow(RunEvents along) {
     events = along;
   }
 
-  /** Returns where to evaluate instead of at {@code t}, at which a prescribed motion may jump. */
-  public final double beside(double t) {
-    return events.beside(t);
+  /** Returns the time for evaluations at {@code t}, at which a prescribed motion may jump. */
+  public final double evaluationTime(double t) {
+    return events.evaluationTime(t);
   }
 
-  /** Takes the times at which the equations jump. */
+  /** Sets the times at which the equations jump. */
   final void breakAt(List<Double> times) {
     breakpoints = List.copyOf(times);
   }
@@ -173,7 +173,7 @@ public abstract class ModelEquations implements UnitNormGroups, PiecewiseSystem,
     return model;
   }
 
-  /** Keeps what an evaluation returned; values of one that failed are made not finite. */
+  /** Stores the result of an evaluation; the values of a failed one are set to NaN. */
   final void note(int evaluated, double[] values) {
     result = evaluated;
     if (evaluated != ExplicitModel.REGULAR) {
@@ -189,7 +189,7 @@ public abstract class ModelEquations implements UnitNormGroups, PiecewiseSystem,
   }
 
   /**
-   * Returns why a run failed, if the model can tell; for the arguments see {@link
+   * Returns why a run failed, if the model gives a reason; for the arguments see {@link
    * Defects#withoutValue}.
    */
   public final Optional<Defects.Defect> defect(
@@ -199,7 +199,7 @@ public abstract class ModelEquations implements UnitNormGroups, PiecewiseSystem,
     return formula.isPresent() ? formula : defect();
   }
 
-  /** Returns why the last evaluation failed, if the model can tell. */
+  /** Returns why the last evaluation failed, if the model gives a reason. */
   public Optional<Defects.Defect> defect() {
     if (result <= DirectedForces.FIRST && model instanceof DirectedForces forces) {
       return Optional.of(withoutDirection(forces, result));
@@ -218,7 +218,7 @@ public abstract class ModelEquations implements UnitNormGroups, PiecewiseSystem,
         "Move a point or turn a frame, or use an element that suits the motion.");
   }
 
-  /** Returns what may have kept the integration from going on, if the model can tell. */
+  /** Returns why the integration could not continue, if the model gives a reason. */
   public final Optional<Defects.Defect> obstacle() {
     return model instanceof Defects able ? able.obstacle() : Optional.empty();
   }

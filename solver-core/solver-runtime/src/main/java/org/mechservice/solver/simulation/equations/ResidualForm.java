@@ -101,8 +101,8 @@ public final class ResidualForm implements EquationForm {
   }
 
   /**
-   * With the model's own linear algebra, loops among the equations. What the iteration leaves of
-   * their residuals would not shrink with the next step, so it is projected away.
+   * With the model's own linear algebra, loops among the equations. Residuals that the iteration
+   * leaves would not decrease in the next step, so a projection removes them.
    */
   private static final class OnManifold extends Linearised implements ProjectedSystem {
     private final ProjectedStates loops;
@@ -114,7 +114,7 @@ public final class ResidualForm implements EquationForm {
 
     @Override
     public boolean project(double t, double[] y) {
-      return loops.project(beside(t), y);
+      return loops.project(evaluationTime(t), y);
     }
 
     @Override

@@ -10,7 +10,7 @@ import org.mechservice.solver.ode.ResidualIntegrator;
 import org.mechservice.solver.ode.ResidualSystem;
 import org.mechservice.solver.ode.StepResult;
 
-/** A model in residual form as the integrator sees it. */
+/** The residual form of a model for an integrator. */
 class ResidualModelEquations extends ModelEquations implements ResidualSystem {
   private final ResidualModel model;
 

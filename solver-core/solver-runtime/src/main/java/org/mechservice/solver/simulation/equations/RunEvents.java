@@ -7,11 +7,11 @@ import org.mechservice.solver.api.run.Failure;
 import org.mechservice.solver.api.run.RunNotes.Note;
 import org.mechservice.solver.ode.Integrator;
 
-/** What happens along a run besides its equations: here, nothing. */
+/** The events of a run; this class has none. */
 public class RunEvents {
   RunEvents() {}
 
-  /** Returns the integrator that notices what happens. */
+  /** Returns an integrator that locates the events. */
   public Integrator watch(Integrator integrator) {
     return integrator;
   }
@@ -23,33 +23,33 @@ public class RunEvents {
     return Double.POSITIVE_INFINITY;
   }
 
-  /** Takes note of the row of {@link #dueRow}. */
+  /** Records that the row of {@link #dueRow} was written. */
   public void rowWritten() {}
 
-  /** Returns the energy that changes of the state have put in since this was asked last, J. */
-  public double takeWork() {
+  /** Returns the energy that changes of the state have added since the last call, J. */
+  public double workOfEvents() {
     return 0;
   }
 
-  /** Returns where to evaluate instead of at {@code t}, at which a prescribed motion may jump. */
-  double beside(double t) {
+  /** Returns the time for evaluations at {@code t}, at which a prescribed motion may jump. */
+  double evaluationTime(double t) {
     return t;
   }
 
-  /** Takes the balance of momentum, which is told what changes of the state do to it. */
-  public void tell(MomentumBalance momentum) {}
+  /** Sets the balance of momentum, to which changes of the state are added. */
+  public void setMomentumBalance(MomentumBalance momentum) {}
 
-  /** Returns what happened, for the report. */
+  /** Returns notes on the events, for the report. */
   public List<Note> notes() {
     return List.of();
   }
 
-  /** Returns why the run cannot go on, if an event could not do what it says. */
+  /** Returns the failure of the run if the action of an event failed. */
   public Optional<Failure> failure() {
     return Optional.empty();
   }
 
-  /** Returns the event that a failure of the integrator lies at; empty if none can be named. */
+  /** Returns the event at which the integrator failed; empty if none can be named. */
   public String part() {
     return "";
   }

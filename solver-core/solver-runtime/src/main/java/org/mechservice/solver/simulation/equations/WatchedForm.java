@@ -6,8 +6,8 @@ import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.run.RunSettings;
 
 /**
- * The equations of models along whose runs something happens. Apart from the other forms, so that a
- * JAR for a scene without events does not carry their machinery.
+ * The equations of models with events. It is separate from the other forms, so that a JAR for a
+ * scene without events does not contain these classes.
  *
  * @param equations the form of the equations
  */

@@ -18,14 +18,14 @@ import org.mechservice.solver.ode.SavedSystem;
 import org.mechservice.solver.ode.events.EventFunctions;
 import org.mechservice.solver.ode.events.EventIntegration;
 
-/** The events of a model in a run: they are looked for, done and remembered. */
+/** The events of a model in a run: it locates them, applies their actions and records them. */
 final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem {
-  /** Events told one by one; of those after them only the number is. */
+  /** Largest number of events with their own note; only the number of the others is reported. */
   private static final int MOST_TOLD = 200;
 
   /**
-   * How far a component that an event sets may be off when loops have been closed, relative to its
-   * size or one.
+   * Largest change by closing the loops of a component that an event sets, relative to its size or
+   * one.
    */
   private static final double KEPT = 1e-8;
 
@@ -56,11 +56,11 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   }
 
   /**
-   * An event that has happened.
+   * An event that has occurred.
    *
-   * @param energy by which it has changed the energy, with those at the same time, J; NaN if there
-   *     is nothing to say
-   * @param byLoops the part of that which closing the loops again has changed, J; likewise
+   * @param energy change of the energy by it and by events at the same time, J; NaN if there is
+   *     none
+   * @param byLoops part of that change due to closing the loops, J; likewise
    */
   private record Occurrence(int event, double time, double energy, double byLoops) {}
 
@@ -128,9 +128,9 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
     }
   }
 
-  /** Changes the state and closes loops again; returns false if that cannot be done. */
+  /** Changes the state and closes the loops; returns false on failure. */
   private boolean change(double t, double[] y, boolean[] occurred) {
-    double tBefore = events.beside(t);
+    double tBefore = events.evaluationTime(t);
     double tAfter = events.after(occurred, t);
     double before = energy(tBefore, y);
     double[] from = momentum.isPresent() ? y.clone() : y;
@@ -158,12 +158,12 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
     momentum.ifPresent(balance -> balance.jump(tBefore, from, tAfter, y));
     double after = energy(tAfter, y);
     work += after - before;
-    tellEnergy(after - before, Arrays.equals(y, wanted) ? Double.NaN : after - open);
+    recordEnergy(after - before, Arrays.equals(y, wanted) ? Double.NaN : after - open);
     return true;
   }
 
-  /** Adds to the event told last what it did to the energy. */
-  private void tellEnergy(double change, double byLoops) {
+  /** Adds the change of energy to the last recorded event. */
+  private void recordEnergy(double change, double byLoops) {
     int last = told.size() - 1;
     if (count == told.size() && equations.model() instanceof Energies) {
       Occurrence one = told.get(last);
@@ -184,7 +184,7 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   private static Failure motionJumps(double t, String joint) {
     return new Failure(
         MessageCode.DRIVEN_POSITION_JUMPS,
-        "The position prescribed for a driven joint jumps, and no mechanism can follow.",
+        "The position prescribed for a driven joint jumps, which no mechanism can follow.",
         t,
         0,
         0,
@@ -205,13 +205,13 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   }
 
   @Override
-  double beside(double t) {
-    return events.beside(t);
+  double evaluationTime(double t) {
+    return events.evaluationTime(t);
   }
 
   @Override
   public void restarting(double t) {
-    events.goOn(t);
+    events.continueFrom(t);
   }
 
   @Override
@@ -225,14 +225,14 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   }
 
   @Override
-  public double takeWork() {
+  public double workOfEvents() {
     double taken = work;
     work = 0;
     return taken;
   }
 
   @Override
-  public void tell(MomentumBalance balance) {
+  public void setMomentumBalance(MomentumBalance balance) {
     momentum = Optional.of(balance);
   }
 
@@ -274,7 +274,9 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
       case RECORD -> "Event " + name + " is recorded";
       case SET -> "Event " + name + " changes the state";
       case IMPULSE ->
-          "The velocity of driven joint " + name + " jumps, and the others take the impulse";
+          "The velocity of driven joint "
+              + name
+              + " jumps, and the other velocities change by the impulse";
       case BREAK -> "The position of driven joint " + name + " jumps";
     };
   }

@@ -1,5 +1,5 @@
 /**
- * The equations of a model as an integrator takes them.
+ * The equations of a model in the form that an integrator needs.
  *
  * <p>An {@link org.mechservice.solver.simulation.equations.EquationForm} makes {@link
  * org.mechservice.solver.simulation.equations.ModelEquations} of a model: {@code ExplicitForm}
@@ -9,9 +9,9 @@
  * main class reaches, so each form is a class of its own: a scene without events or loops carries
  * no code for them.
  *
- * <p>{@link org.mechservice.solver.simulation.equations.RunEvents} is what a run asks about events:
- * rows that fall due at them, the energy they put in, notes for the report, and the failure of an
- * event that cannot do what the model says. {@code WatchedRun} answers for a model with events.
+ * <p>{@link org.mechservice.solver.simulation.equations.RunEvents} gives a run the facts about
+ * events: rows at them, the energy that they add, notes for the report, and the failure of an event
+ * whose action is impossible. {@code WatchedRun} implements it for a model with events.
  *
  * <p>{@code solver.simulation} runs these equations from start to end.
  */

@@ -1,0 +1,110 @@
+package org.mechservice.cli.picture;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.stream.Stream;
+import org.mechservice.cli.shell.ExitStatus;
+import org.mechservice.cli.shell.MechVersion;
+import org.mechservice.cli.shell.OutputFile;
+import org.mechservice.cli.shell.UsageException;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.view.drawing.Theme;
+import org.mechservice.view.plot.Plot;
+import org.mechservice.view.plot.PlotPage;
+import org.mechservice.view.plot.PlotPicture;
+import org.mechservice.view.plot.PlotRequest;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code mech plot}: curves of results. */
+@Command(
+    name = "plot",
+    description = "Draws the curves of results, of several runs over each other.",
+    mixinStandardHelpOptions = true,
+    versionProvider = MechVersion.class)
+public final class PlotCommand implements Callable<Integer> {
+  private static final List<String> FORMATS =
+      List.of(PictureFile.SVG, PictureFile.PNG, PictureFile.HTML);
+
+  @Parameters(
+      arity = "1..*",
+      paramLabel = "R.csv|COLUMN",
+      description =
+          "Result files, and the names of columns; * and ? stand for other characters. Without"
+              + " columns the coordinates of the joints are drawn.")
+  private List<String> words = List.of();
+
+  @Option(
+      names = {"-o", "--output"},
+      required = true,
+      paramLabel = "FILE.svg|png|html",
+      description = "The picture to write, or a page with zoom and values at the cursor.")
+  private Path target = Path.of("");
+
+  @Option(
+      names = "--x",
+      paramLabel = "COLUMN",
+      description = "Column of the horizontal axis instead of the time, for phase plots.")
+  private Optional<String> x = Optional.empty();
+
+  @Option(
+      names = "--dark",
+      description =
+          "Light lines on black. Without it PNG files are light, SVG and HTML files as their reader"
+              + " prefers.")
+  private boolean dark;
+
+  @Spec private CommandSpec spec = CommandSpec.create();
+
+  @Override
+  public Integer call() throws IOException {
+    String format = PictureFile.format(target, FORMATS);
+    List<Path> files = words.stream().filter(PlotCommand::isFile).map(Path::of).toList();
+    List<String> columns =
+        words.stream()
+            .filter(word -> !isFile(word))
+            .flatMap(word -> Stream.of(word.split(",", -1)))
+            .map(String::strip)
+            .filter(word -> !word.isEmpty())
+            .toList();
+    if (files.isEmpty()) {
+      throw new UsageException(
+          MessageCode.OPTION_UNUSABLE + " no result file is named, such as r.csv");
+    }
+    Plot plot = new PlotRequest(distinct(files), columns, x).read();
+    if (format.equals(PictureFile.HTML)) {
+      String page = PlotPage.of(plot, dark ? Theme.DARK : Theme.AUTOMATIC);
+      OutputFile.write(target, page.getBytes(StandardCharsets.UTF_8));
+    } else {
+      PictureFile.write(target, format, PlotPicture.draw(plot), dark);
+    }
+    plot.notes().forEach(spec.commandLine().getErr()::println);
+    return ExitStatus.DONE;
+  }
+
+  private static boolean isFile(String word) {
+    return word.toLowerCase(Locale.ROOT).endsWith(".csv") || Files.isRegularFile(Path.of(word));
+  }
+
+  private static List<Path> distinct(List<Path> files) {
+    List<Path> distinct = new ArrayList<>();
+    for (Path file : files) {
+      if (distinct.contains(file)) {
+        throw new UsageException(
+            MessageCode.OPTION_UNUSABLE + " " + file + " is named twice; name each file once");
+      }
+      distinct.add(file);
+    }
+    return distinct;
+  }
+}

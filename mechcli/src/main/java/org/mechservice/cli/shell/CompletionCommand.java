@@ -1,0 +1,43 @@
+package org.mechservice.cli.shell;
+
+import java.util.List;
+import java.util.concurrent.Callable;
+import org.mechservice.solver.catalogue.MessageCode;
+import picocli.AutoComplete;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code mech completion}: a script that completes commands and options in the shell. */
+@Command(
+    name = "completion",
+    description = {
+      "Prints a script that completes commands, options and their values.",
+      "bash: source <(mech completion bash)%nzsh:  source <(mech completion zsh)"
+    },
+    mixinStandardHelpOptions = true,
+    versionProvider = MechVersion.class)
+public final class CompletionCommand implements Callable<Integer> {
+  private static final List<String> SHELLS = List.of("bash", "zsh");
+
+  @Parameters(paramLabel = "bash|zsh", description = "The shell.")
+  private String shell = "";
+
+  @Spec private CommandSpec spec = CommandSpec.create();
+
+  @Override
+  public Integer call() {
+    if (!SHELLS.contains(shell)) {
+      throw new UsageException(
+          MessageCode.OPTION_UNUSABLE
+              + " completion: there is no script for \""
+              + shell
+              + "\"; there are "
+              + String.join(" and ", SHELLS));
+    }
+    // One script for both: it makes zsh read bash's completions.
+    spec.commandLine().getOut().print(AutoComplete.bash("mech", spec.root().commandLine()));
+    return ExitStatus.DONE;
+  }
+}

@@ -1,0 +1,517 @@
+package org.mechservice.library;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.EnumSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
+import org.mechservice.mechml.MechmlModel;
+import org.mechservice.mechml.ModelParameter;
+import org.mechservice.mechml.ReadOptions;
+import org.mechservice.mechml.SimulationSettings;
+import org.mechservice.mechml.SimulationTask;
+import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.mechml.resolve.MechmlReader;
+import org.mechservice.sim.check.CheckReport;
+import org.mechservice.sim.emit.plan.CodeForm;
+import org.mechservice.sim.model.BuildOptions;
+import org.mechservice.sim.model.CompiledModel;
+import org.mechservice.sim.model.ModelColumns;
+import org.mechservice.sim.model.ModelFactory;
+import org.mechservice.sim.packaging.JarImage;
+import org.mechservice.sim.packaging.ModelJars;
+import org.mechservice.sim.scene.IntegratorSelection;
+import org.mechservice.sim.user.UserClasses;
+import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.api.result.ResultSink;
+import org.mechservice.solver.api.run.Checkpoints;
+import org.mechservice.solver.api.run.Outcome;
+import org.mechservice.solver.api.run.RunControl;
+import org.mechservice.solver.api.run.RunReport;
+import org.mechservice.solver.api.run.RunRequest;
+import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.catalogue.MethodNames;
+import org.mechservice.solver.simulation.RuntimeSolver;
+import org.mechservice.solver.text.ResultFile;
+import org.mechservice.solver.text.Sha256;
+
+/**
+ * A model with the settings of its run, to be changed, checked, simulated and analysed in this
+ * process. It runs what {@code mech simulate} runs: the rows are the same to the bit.
+ *
+ * <pre>{@code
+ * MechModel car = MechModel.read(Path.of("car.xml")).set("k", 2.1e4).until(5).every(0.01);
+ * System.out.println(car.check().text());
+ * Trajectory motion = car.simulate();
+ * double[] time = motion.time();
+ * double[] height = motion.column("height.q");
+ * System.out.println(motion.unit("height.q") + " " + motion.report().steps());
+ * Trajectory modes = car.modes();
+ * car.simulate(Path.of("car.csv"));
+ * car.writeJar(Path.of("car.jar"));
+ * }</pre>
+ *
+ * <p>Immutable: each change returns another model. Code is generated once, when it is first needed.
+ * May be used by several threads.
+ */
+public final class MechModel {
+  /**
+   * What was read.
+   *
+   * @param fileName name for messages
+   * @param content the file's bytes
+   * @param userCode the folders in which classes of forces are sought
+   */
+  @SuppressWarnings("ArrayRecordComponent") // never compared
+  private record Source(String fileName, byte[] content, List<Path> userCode) {}
+
+  private final Source source;
+  private final ReadOptions reading;
+  private final UnaryOperator<SimulationSettings> changes;
+  private final boolean strict;
+  private final OptionalDouble maxDrift;
+  private final MechmlModel model;
+  private final UserClasses userClasses;
+  private Optional<CompiledModel> compiled = Optional.empty();
+
+  private MechModel(
+      Source source,
+      ReadOptions reading,
+      UnaryOperator<SimulationSettings> changes,
+      boolean strict,
+      OptionalDouble maxDrift,
+      MechmlModel model,
+      UserClasses userClasses) {
+    this.source = source;
+    this.reading = reading;
+    this.changes = changes;
+    this.strict = strict;
+    this.maxDrift = maxDrift;
+    this.model = model;
+    this.userClasses = userClasses;
+  }
+
+  /**
+   * Reads a model.
+   *
+   * @param file MechML file; classes that its forces name are sought beside it
+   * @param userCode further folders in which they are sought
+   * @throws IOException if a file cannot be read
+   * @throws MechmlException if the model cannot be used; says what, where and what to write instead
+   */
+  public static MechModel read(Path file, Path... userCode) throws IOException, MechmlException {
+    List<Path> folders = new ArrayList<>();
+    folders.add(file.toRealPath().resolveSibling("."));
+    folders.addAll(List.of(userCode));
+    return read(
+        new Source(file.toString(), Files.readAllBytes(file), List.copyOf(folders)),
+        ReadOptions.NONE);
+  }
+
+  /**
+   * Reads a model that is no file.
+   *
+   * @param name its name in messages
+   * @param mechml its text
+   * @throws MechmlException if it cannot be used
+   */
+  public static MechModel of(String name, String mechml) throws MechmlException {
+    try {
+      return read(
+          new Source(name, mechml.getBytes(StandardCharsets.UTF_8), List.of()), ReadOptions.NONE);
+    } catch (IOException e) {
+      throw new IllegalStateException("no file is read", e);
+    }
+  }
+
+  private static MechModel read(Source source, ReadOptions reading)
+      throws IOException, MechmlException {
+    MechmlModel model = MechmlReader.read(source.fileName, source.content, reading);
+    UserClasses classes = ForceFiles.sought(model.mechanism(), source.userCode);
+    return new MechModel(
+        source, reading, settings -> settings, false, OptionalDouble.empty(), model, classes);
+  }
+
+  /** Returns the model's name. */
+  public String name() {
+    return model.mechanism().name();
+  }
+
+  /** Returns the parameters of the file, as it gives them, in its order. */
+  public List<ModelParameter> parameters() {
+    return model.parameters();
+  }
+
+  /** Returns the names of the simulations of the file, in its order; empty where one has none. */
+  public List<String> simulations() {
+    return model.simulations().stream().map(SimulationSettings::name).toList();
+  }
+
+  /**
+   * Returns the model with another value of a parameter.
+   *
+   * @param value in the unit that the file gives the parameter
+   * @throws MechmlException if there is no such parameter, or the model cannot be used so
+   */
+  public MechModel set(String parameter, double value) throws MechmlException {
+    return set(parameter, Double.toString(value));
+  }
+
+  /**
+   * Returns the model with another value of a parameter.
+   *
+   * @param value number or expression of the file's language, in the unit that the file gives it
+   * @throws MechmlException if there is no such parameter, or the model cannot be used so
+   */
+  public MechModel set(String parameter, String value) throws MechmlException {
+    Map<String, String> values = new LinkedHashMap<>(reading.values());
+    values.put(parameter, value);
+    return reread(new ReadOptions(reading.simulation(), values, reading.tunable()));
+  }
+
+  /**
+   * Returns the model with another simulation of its file.
+   *
+   * @param nameOrNumber its name, or its number from 1
+   * @throws MechmlException if there is none of that name
+   */
+  public MechModel simulation(String nameOrNumber) throws MechmlException {
+    return reread(new ReadOptions(Optional.of(nameOrNumber), reading.values(), reading.tunable()));
+  }
+
+  private MechModel reread(ReadOptions other) throws MechmlException {
+    return new MechModel(
+        source,
+        other,
+        changes,
+        strict,
+        maxDrift,
+        MechmlReader.read(source.fileName, source.content, other),
+        userClasses);
+  }
+
+  /** Returns the model with runs that end at another time, s. */
+  public MechModel until(double tEnd) {
+    return run(run -> run.withOutput(tEnd, run.tStep()));
+  }
+
+  /** Returns the model with another distance of the rows, s. */
+  public MechModel every(double tStep) {
+    return run(run -> run.withOutput(run.tEnd(), tStep));
+  }
+
+  /** Returns the model with another integrator, such as {@code ode15s}, or {@code auto}. */
+  public MechModel integrator(String name) {
+    return run(run -> run.withIntegrator(name));
+  }
+
+  /**
+   * Returns the model with other tolerances.
+   *
+   * @param relative of each step, relative to the state
+   * @param absolute one for all states, SI, or four: of displacements, angles, velocities, angular
+   *     velocities
+   */
+  public MechModel tolerances(double relative, double... absolute) {
+    if (absolute.length != 1 && absolute.length != 4) {
+      throw new IllegalArgumentException(
+          "there is one absolute tolerance or four, not " + absolute.length);
+    }
+    List<Double> each = Arrays.stream(absolute).boxed().toList();
+    return run(run -> run.withRelativeTolerance(relative).withTolerances(each));
+  }
+
+  private MechModel run(UnaryOperator<RunSettings> change) {
+    return changed(
+        old ->
+            new SimulationSettings(
+                old.name(),
+                old.task(),
+                change.apply(old.run()),
+                old.absoluteTolerances(),
+                old.formulation(),
+                old.closure(),
+                old.columns(),
+                old.events()));
+  }
+
+  /** Returns the model with another formulation: {@code auto}, {@code DTR}, {@code RR} etc. */
+  public MechModel formulation(String name) {
+    return changed(
+        old ->
+            new SimulationSettings(
+                old.name(),
+                old.task(),
+                old.run(),
+                old.absoluteTolerances(),
+                name,
+                old.closure(),
+                old.columns(),
+                old.events()));
+  }
+
+  /** Returns the model with runs that put out these columns besides time and the joints' states. */
+  public MechModel columns(ColumnGroup... groups) {
+    List<String> labels = Stream.of(groups).map(ColumnGroup::label).toList();
+    List<String> shown = labels.isEmpty() ? List.of(ColumnGroup.JOINTS.label()) : labels;
+    return changed(
+        old ->
+            new SimulationSettings(
+                old.name(),
+                old.task(),
+                old.run(),
+                old.absoluteTolerances(),
+                old.formulation(),
+                old.closure(),
+                shown,
+                old.events()));
+  }
+
+  private MechModel changed(UnaryOperator<SimulationSettings> change) {
+    return new MechModel(
+        source,
+        reading,
+        old -> change.apply(changes.apply(old)),
+        strict,
+        maxDrift,
+        model,
+        userClasses);
+  }
+
+  /** Returns the model with runs that end at their first warning. */
+  public MechModel strict() {
+    return new MechModel(source, reading, changes, true, maxDrift, model, userClasses);
+  }
+
+  /**
+   * Returns the model with runs that end where their energy balance drifts by more than a part of
+   * the energy scale.
+   */
+  public MechModel maxDrift(double part) {
+    return new MechModel(
+        source, reading, changes, strict, OptionalDouble.of(part), model, userClasses);
+  }
+
+  /** Returns what is known about the model before it runs, as {@code mech check} tells it. */
+  public CheckReport check() {
+    return CheckReport.of(model);
+  }
+
+  /**
+   * Runs the simulation that the file describes.
+   *
+   * @return its rows
+   * @throws RunFailedException if it could not go on to its end; has the rows up to there
+   * @throws IllegalArgumentException if a setting does not fit the model; says why
+   */
+  public Trajectory simulate() {
+    return simulate(new RunControl());
+  }
+
+  /**
+   * Runs the simulation that the file describes, under control.
+   *
+   * @param control stops the run, which then returns the rows up to there, pauses it and shows its
+   *     progress to other threads
+   * @throws RunFailedException if it could not go on to its end; has the rows up to there
+   */
+  public Trajectory simulate(RunControl control) {
+    RowMemory rows = new RowMemory();
+    try {
+      RunReport report = run(rows, control, Checkpoints.NONE);
+      Trajectory trajectory = new Trajectory(rows, report);
+      if (report.outcome() instanceof Outcome.Failed failed) {
+        throw new RunFailedException(failed.failure(), report, Optional.of(trajectory));
+      }
+      return trajectory;
+    } catch (IOException e) {
+      throw new IllegalStateException("rows in memory are not written", e);
+    }
+  }
+
+  /**
+   * Runs the simulation and writes a CSV file, and the units beside it in a file that ends in
+   * {@code .units.json}.
+   *
+   * @return what happened
+   * @throws IOException if the file cannot be written
+   * @throws RunFailedException if it could not go on to its end; the rows up to there are in the
+   *     file
+   */
+  public RunReport simulate(Path csv) throws IOException {
+    try (ResultFile file = new ResultFile(csv)) {
+      RunReport report = run(file, new RunControl(), Checkpoints.NONE);
+      file.keep();
+      return completed(report);
+    }
+  }
+
+  /**
+   * Runs the simulation and hands each row to a sink as it arises.
+   *
+   * @param control stops and pauses the run
+   * @param checkpoints keeps what a run needs to be taken up again with the same bits; {@link
+   *     Checkpoints#modelHash} may be {@link #sha256}
+   * @return what happened
+   * @throws IOException if the sink or the checkpoints throw it
+   * @throws RunFailedException if the run could not go on to its end
+   */
+  public RunReport simulate(ResultSink sink, RunControl control, Checkpoints checkpoints)
+      throws IOException {
+    return completed(run(sink, control, checkpoints));
+  }
+
+  private static RunReport completed(RunReport report) {
+    if (report.outcome() instanceof Outcome.Failed failed) {
+      throw new RunFailedException(failed.failure(), report, Optional.empty());
+    }
+    return report;
+  }
+
+  private RunReport run(ResultSink sink, RunControl control, Checkpoints checkpoints)
+      throws IOException {
+    SimulationSettings asked = changes.apply(model.settings());
+    RunRequest request =
+        new RunRequest(
+            asked.run().withIntegrator(selection(asked).integrator()),
+            ModelColumns.shown(asked),
+            strict,
+            maxDrift);
+    return new RuntimeSolver().run(compiled().newInstance(), request, sink, control, checkpoints);
+  }
+
+  private IntegratorSelection selection(SimulationSettings asked) {
+    String given = asked.run().integrator();
+    if (!(asked.task() instanceof SimulationTask.Dynamic)) {
+      return new IntegratorSelection(MethodNames.NONE, Optional.empty());
+    }
+    return given.equals(MethodNames.AUTO)
+        ? IntegratorSelection.of(asked.formulation(), model.mechanism(), asked.run())
+        : new IntegratorSelection(given, Optional.empty());
+  }
+
+  /** As the service builds it: runs that differ in settings only share one class. */
+  private synchronized CompiledModel compiled() {
+    if (compiled.isEmpty()) {
+      compiled = Optional.of(built(model.settings().run()));
+    }
+    return compiled.get();
+  }
+
+  private CompiledModel built(RunSettings run) {
+    SimulationSettings asked = changes.apply(model.settings());
+    IntegratorSelection chosen = selection(asked);
+    BuildOptions options =
+        new BuildOptions(
+            asked.formulation(),
+            asked.closure(),
+            false,
+            CodeForm.AUTO,
+            ModelColumns.shown(asked),
+            run.withIntegrator(chosen.integrator()),
+            chosen.reason());
+    return ModelFactory.compile(model, options, ModelFactory.generate(model, options), userClasses);
+  }
+
+  /** Returns the SHA-256 of the model's class files, which identifies it to the bit. */
+  public String sha256() {
+    return compiled().sha256();
+  }
+
+  /**
+   * Finds where the mechanism comes to rest, prescribed motions held as at the start.
+   *
+   * @return one row, of all columns but those of energy
+   * @throws RunFailedException if there is no equilibrium to be found
+   */
+  public Trajectory equilibrium() {
+    return as(SimulationTask.StaticEquilibrium.DEFAULT)
+        .run(run -> run.withOutput(run.tStart(), run.tStep()))
+        .simulate();
+  }
+
+  /**
+   * Computes the frequencies, dampings and shapes of small motions about the start.
+   *
+   * @return a row for each mode, the slowest first
+   * @throws RunFailedException if a force has no derivative there
+   */
+  public Trajectory modes() {
+    return as(new SimulationTask.Linearization(false, true)).simulate();
+  }
+
+  /**
+   * Computes the matrices of small motions about the start, M z'' + C z' + K z = 0.
+   *
+   * @return a row for each equation
+   * @throws RunFailedException if a force has no derivative there
+   */
+  public Trajectory linearise() {
+    return as(new SimulationTask.Linearization(false, false)).simulate();
+  }
+
+  /** Computes the motion of driven coordinates and of all that depend on them, without forces. */
+  public Trajectory kinematics() {
+    return as(new SimulationTask.Kinematic()).simulate();
+  }
+
+  /** Computes the forces in the driven coordinates that produce the prescribed motion. */
+  public Trajectory inverseDynamics() {
+    return as(new SimulationTask.InverseDynamic()).simulate();
+  }
+
+  private MechModel as(SimulationTask task) {
+    SimulationSettings old = model.settings();
+    SimulationSettings other =
+        new SimulationSettings(
+            old.name(),
+            task,
+            old.run().withIntegrator(MethodNames.NONE),
+            old.absoluteTolerances(),
+            old.formulation(),
+            old.closure(),
+            old.columns(),
+            old.events());
+    MechmlModel same =
+        new MechmlModel(
+            model.mechanism(),
+            other,
+            model.simulations(),
+            model.parameters(),
+            model.outputs(),
+            model.unused(),
+            model.warnings());
+    return new MechModel(source, reading, changes, strict, maxDrift, same, userClasses);
+  }
+
+  /**
+   * Writes the model as a JAR that holds the solver too: {@code java -jar} runs it.
+   *
+   * @throws IOException if it cannot be written
+   */
+  public void writeJar(Path jar) throws IOException {
+    CompiledModel model = built(changes.apply(this.model.settings()).run());
+    JarImage image = ModelJars.standalone(model, Sha256.of(source.content));
+    Files.write(jar, image.bytes());
+  }
+
+  /** Returns the groups of columns that runs put out. */
+  public Set<ColumnGroup> columns() {
+    return EnumSet.copyOf(ModelColumns.shown(changes.apply(model.settings())));
+  }
+
+  @Override
+  public String toString() {
+    return "model \"" + name() + "\" of " + source.fileName;
+  }
+}

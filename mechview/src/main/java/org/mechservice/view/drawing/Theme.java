@@ -1,0 +1,11 @@
+package org.mechservice.view.drawing;
+
+/** Whose colours a picture has. */
+public enum Theme {
+  /** Dark lines on white. */
+  LIGHT,
+  /** Light lines on black. */
+  DARK,
+  /** As its reader prefers, light where that is not known. */
+  AUTOMATIC
+}

@@ -1,0 +1,25 @@
+"""Multibody simulation: models in MechML, simulated and analysed.
+
+>>> import mechservice
+>>> model = mechservice.read("examples/pendulum/pendulum.xml")
+>>> motion = model.simulate(t_end=1, t_step=0.5)
+>>> motion["j1.q"].round(4).tolist()
+[0.0, 0.6613, 1.3977]
+>>> motion.unit("j1.q")
+'rad'
+"""
+
+from ._errors import MechError, ModelError, RunError
+from ._model import Model, parse, read, sweep
+from ._trajectory import Trajectory
+
+__all__ = [
+    "MechError",
+    "Model",
+    "ModelError",
+    "RunError",
+    "Trajectory",
+    "parse",
+    "read",
+    "sweep",
+]

@@ -1,0 +1,142 @@
+package org.mechservice.solver.analysis;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.api.result.Variable;
+import org.mechservice.solver.closure.equations.LoopEquations;
+import org.mechservice.solver.closure.equations.PrescribedPairMotion;
+import org.mechservice.solver.mechanism.Joint;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.Parameter;
+import org.mechservice.solver.mechanism.closure.JointClosure;
+
+/**
+ * The driven coordinates of a mechanism with their motion and their forces: those of the tree
+ * first, then those of cut joints. A driven joint has as many positions as velocities.
+ */
+final class Drives {
+  private final EquationsOfMotion equations;
+  private final List<Coordinate> coordinates = new ArrayList<>();
+  private final List<PrescribedPairMotion> cutMotions = new ArrayList<>();
+
+  /** First of the coordinates that belong to cut joints. */
+  private final int inTree;
+
+  /** A driven coordinate: component {@code index} of {@code count} of a joint. */
+  private record Coordinate(Joint joint, int index, int count, Source source) {
+    String name(String kind) {
+      return joint.name() + kind + (count == 1 ? "" : "[" + index + "]");
+    }
+  }
+
+  /**
+   * Source of motion and force of a coordinate of a cut joint.
+   *
+   * @param motion index of its joint's motion
+   * @param row equation of the loops whose multiplier is the opposite of its force
+   */
+  private record Source(int motion, int row) {
+    static final Source TREE = new Source(-1, -1);
+  }
+
+  Drives(EquationsOfMotion equations) {
+    this.equations = equations;
+    Mechanism mechanism = equations.tree.mechanism();
+    for (int j = 0; j < mechanism.joints().size(); j++) {
+      if (mechanism.isDriven(j)) {
+        Joint joint = mechanism.joints().get(j);
+        int count = joint.type().velocityCount();
+        for (int i = 0; i < count; i++) {
+          coordinates.add(new Coordinate(joint, i, count, Source.TREE));
+        }
+      }
+    }
+    inTree = coordinates.size();
+    addCut(mechanism);
+  }
+
+  /** The equations of a cut joint's motion are the last of that joint. */
+  private void addCut(Mechanism mechanism) {
+    LoopEquations loops = equations.loops;
+    double[] parameters = mechanism.parameters().stream().mapToDouble(Parameter::value).toArray();
+    for (int row = 0; row < loops.count(); row++) {
+      boolean last = row + 1 == loops.count() || loops.closure(row + 1) != loops.closure(row);
+      if (last && loops.closure(row) instanceof JointClosure cut && cut.isDriven()) {
+        int count = cut.motion().size();
+        for (int i = 0; i < count; i++) {
+          Source source = new Source(cutMotions.size(), row - (count - 1 - i));
+          coordinates.add(new Coordinate(cut.joint(), i, count, source));
+        }
+        cutMotions.add(new PrescribedPairMotion(cut.motion(), parameters));
+      }
+    }
+  }
+
+  /** Returns the number of driven coordinates. */
+  int count() {
+    return coordinates.size();
+  }
+
+  /** Returns the column of a coordinate's position; the next ones return those of the rest. */
+  Variable position(int i) {
+    return new Variable(coordinates.get(i).name(".q"), type(i).positionUnit(index(i)));
+  }
+
+  Variable velocity(int i) {
+    return new Variable(coordinates.get(i).name(".v"), type(i).velocityUnit(index(i)));
+  }
+
+  Variable acceleration(int i) {
+    String unit = type(i).velocityUnit(index(i)).replace("/s", "/s^2");
+    return new Variable(coordinates.get(i).name(".a"), unit);
+  }
+
+  Variable force(int i) {
+    return new Variable(
+        coordinates.get(i).name(".drive"), coordinates.get(i).joint().forceUnit(index(i)));
+  }
+
+  Variable power(int i) {
+    return new Variable(coordinates.get(i).name(".power"), "W");
+  }
+
+  private JointType type(int i) {
+    return coordinates.get(i).joint().type();
+  }
+
+  private int index(int i) {
+    return coordinates.get(i).index();
+  }
+
+  /** Evaluates the motions of cut joints; those of the tree are evaluated with its places. */
+  void evaluate(double t) {
+    cutMotions.forEach(motion -> motion.evaluate(t));
+  }
+
+  /** Returns the position of a coordinate, rad or m. */
+  double positionOf(int i) {
+    return i < inTree ? equations.motion.q[equations.nq + i] : cut(i).value(index(i));
+  }
+
+  /** Returns the velocity of a coordinate, rad/s or m/s. */
+  double velocityOf(int i) {
+    return i < inTree ? equations.motion.v[equations.nv + i] : cut(i).rate(index(i));
+  }
+
+  /** Returns the acceleration of a coordinate, rad/s² or m/s². */
+  double accelerationOf(int i) {
+    return i < inTree ? equations.motion.a[equations.nv + i] : cut(i).acceleration(index(i));
+  }
+
+  /** Returns the force in a coordinate of balanced equations, N·m or N. */
+  double forceOf(int i) {
+    return i < inTree
+        ? equations.residual[equations.nv + i]
+        : 0 - equations.lambda[coordinates.get(i).source().row()];
+  }
+
+  private PrescribedPairMotion cut(int i) {
+    return cutMotions.get(coordinates.get(i).source().motion());
+  }
+}
