@@ -9,12 +9,9 @@ import org.mechservice.cli.model.CheckCommand;
 import org.mechservice.cli.model.ImportCommand;
 import org.mechservice.cli.model.NewCommand;
 import org.mechservice.cli.model.VerifyCommand;
-<<<<<<< HEAD
-import org.mechservice.cli.picture.ViewCommand;
-=======
 import org.mechservice.cli.picture.PlotCommand;
 import org.mechservice.cli.picture.ShowCommand;
->>>>>>> main
+import org.mechservice.cli.picture.ViewCommand;
 import org.mechservice.cli.service.KeysCommand;
 import org.mechservice.cli.service.ServerCommand;
 import org.mechservice.cli.service.SimhostCommand;
@@ -62,14 +59,11 @@ public final class Mech {
           SimulateCommand.class,
           SweepCommand.class,
           FetchCommand.class,
-<<<<<<< HEAD
-          ViewCommand.class,
-=======
           CompareCommand.class,
           PlotCommand.class,
->>>>>>> main
           CheckCommand.class,
           ShowCommand.class,
+          ViewCommand.class,
           BuildCommand.class,
           ImportCommand.class,
           ReportCommand.class,

@@ -24,23 +24,14 @@ public final class ParameterOption {
    */
   public SimulationOptions addTo(SimulationOptions options) {
     SimulationOptions all = options;
-<<<<<<< HEAD
-    for (Map.Entry<String, String> value : values().entrySet()) {
-      all = all.parameter(value.getKey(), value.getValue());
-=======
     for (Map.Entry<String, String> assignment : values().entrySet()) {
       all = all.parameter(assignment.getKey(), assignment.getValue());
->>>>>>> main
     }
     return all;
   }
 
   /**
-<<<<<<< HEAD
-   * Returns the values by the names of their parameters, in the order given.
-=======
    * Returns the values by the names of their parameters, in the order of the options.
->>>>>>> main
    *
    * @throws UsageException if an assignment is none, or a parameter is set twice
    */
