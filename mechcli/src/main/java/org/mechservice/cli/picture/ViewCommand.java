@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.Callable;
+import java.util.regex.Pattern;
 import org.mechservice.cli.model.ParameterOption;
 import org.mechservice.cli.model.UserCodeOption;
 import org.mechservice.cli.shell.ExitStatus;
@@ -37,6 +38,7 @@ import org.mechservice.view.player.Recording;
 import org.mechservice.view.player.Stage;
 import org.mechservice.view.plot.ResultCsv;
 import org.mechservice.view.scene.SceneDescription;
+import org.mechservice.view.scene.SceneForce;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -53,6 +55,12 @@ import picocli.CommandLine.Spec;
 public final class ViewCommand implements Callable<Integer> {
   private static final String PAGE = ".html";
   private static final String GLTF = ".glb";
+  private static final String NOTES = "notes";
+
+  /** A note on an event: time and name. */
+  private static final Pattern EVENT =
+      Pattern.compile(
+          "(?m)^" + MessageCode.EVENT_OCCURRED + " t=([-+0-9.eE]+) s: Event \"(.*?)\" ");
 
   /** What a picture and its curves are made from. */
   private static final Set<ColumnGroup> COLUMNS =
@@ -119,7 +127,7 @@ public final class ViewCommand implements Callable<Integer> {
     Stage stage = new Stage(scene, new MeshFolder(folder));
     stage.warnings().forEach(warning -> err().println(warning));
     Recording recording = new Recording();
-    Told told = results ? read(scene, file, recording) : run(recording);
+    Told told = results ? read(scene, file, recording) : run(scene, recording);
     if (recording.frameCount() > 0) {
       for (Path target : targets) {
         OutputFile.write(target, content(target, scene, stage, recording, told));
@@ -180,22 +188,27 @@ public final class ViewCommand implements Callable<Integer> {
   }
 
   /** Runs the model. */
-  private Told run(Recording recording) throws IOException {
+  private Told run(SceneDescription scene, Recording recording) throws IOException {
     try (CancelOnInterrupt interrupt = new CancelOnInterrupt();
         ServiceConnection service = ServiceConnection.open(server);
         MechSession session = service.connection().openSession()) {
       session.loadModel(input, userCode.folder());
-      try (PreparedRun run = session.prepareRemoteRun(options())) {
+      try (PreparedRun run = session.prepareRemoteRun(options(scene))) {
         interrupt.cancels(run::cancel);
         RunResult result = run.toEnd(recording);
-        return new Told(facts(result.report()), List.of(), status(result.outcome()));
+        return new Told(facts(result.report()), events(result.report()), status(result.outcome()));
       }
     }
   }
 
-  private SimulationOptions options() {
+  private SimulationOptions options(SceneDescription scene) {
+    Set<ColumnGroup> columns = EnumSet.copyOf(COLUMNS);
+    // a host does not know the values that a class of the user declares before the class runs
+    if (scene.forces().stream().anyMatch(force -> force.kind() == SceneForce.Kind.USER)) {
+      columns.remove(ColumnGroup.FORCES);
+    }
     SimulationOptions options =
-        tolerances.addTo(parameters.addTo(SimulationOptions.asInFile().columns(COLUMNS)));
+        tolerances.addTo(parameters.addTo(SimulationOptions.asInFile().columns(columns)));
     return simulation.map(options::simulation).orElse(options);
   }
 
@@ -212,8 +225,22 @@ public final class ViewCommand implements Callable<Integer> {
 
   private static Map<String, String> facts(Map<String, Object> report) {
     Map<String, String> facts = new LinkedHashMap<>();
-    report.forEach((key, value) -> facts.put(key, String.valueOf(value)));
+    report.forEach(
+        (key, value) -> {
+          if (!key.equals(NOTES)) {
+            facts.put(key, String.valueOf(value));
+          }
+        });
     return facts;
+  }
+
+  /** Returns the events that the notes of a report tell of. */
+  private static List<PlayerPage.Event> events(Map<String, Object> report) {
+    return EVENT
+        .matcher(String.valueOf(report.getOrDefault(NOTES, "")))
+        .results()
+        .map(found -> new PlayerPage.Event(Double.parseDouble(found.group(1)), found.group(2)))
+        .toList();
   }
 
   private PrintWriter err() {

@@ -135,6 +135,7 @@ public final class PlayerPage {
     data.addProperty("frames", recording.frameCount());
     data.add("columns", columns());
     data.addProperty("values", values());
+    data.addProperty("drift", drift());
     JsonArray bodies = new JsonArray();
     for (int i = 0; i < scene.bodies().size(); i++) {
       JsonObject body = named(scene.bodies().get(i).name());
@@ -224,6 +225,31 @@ public final class PlayerPage {
       for (int frame = 0; frame < frames; frame++) {
         bytes.putFloat((float) (recording.value(frame, column) - subtract[column]));
       }
+    }
+    return base64(bytes);
+  }
+
+  /**
+   * Returns by how much energy differs from what it was at the start plus the work since, J, in
+   * each frame; empty if the run does not have the energies. Formed here, because floats do not
+   * keep the digits that the difference consists of.
+   */
+  private String drift() {
+    int kinetic = place("energy.kinetic");
+    int potential = place("energy.potential");
+    int work = place("energy.work");
+    if (kinetic < 0 || potential < 0 || work < 0) {
+      return "";
+    }
+    ByteBuffer bytes = floats(recording.frameCount());
+    double atStart = 0;
+    for (int frame = 0; frame < recording.frameCount(); frame++) {
+      double balance =
+          recording.value(frame, kinetic)
+              + recording.value(frame, potential)
+              - recording.value(frame, work);
+      atStart = frame == 0 ? balance : atStart;
+      bytes.putFloat((float) (balance - atStart));
     }
     return base64(bytes);
   }

@@ -13,9 +13,9 @@ import org.mechservice.view.scene.Point3;
 import org.mechservice.view.scene.SceneDescription;
 
 /**
- * The frames of a run. Of the rows that come, at most 60 per second of simulated time are kept, and
- * no more than a page may hold: when it is full, every second frame is dropped. The first and the
- * last row are always kept.
+ * The frames of a run. Short runs keep all rows, longer ones at most about 60 per second of
+ * simulated time, and no run more than a page may hold: when there are too many, every second frame
+ * is dropped. The first and the last row are always kept.
  */
 public final class Recording implements ResultSink {
   private static final double INTERVAL = 1.0 / 60;
@@ -24,12 +24,16 @@ public final class Recording implements ResultSink {
   private static final int MOST_NUMBERS = 2_000_000;
 
   private static final int FEWEST_FRAMES = 100;
+
+  /** So many frames are kept however close together they are. */
+  private static final int SHORT_RUN = 600;
+
   private static final String[] POSE = {".x", ".y", ".z", ".e0", ".e1", ".e2", ".e3"};
 
   private final List<double[]> frames = new ArrayList<>();
   private final Map<String, Integer> places = new HashMap<>();
   private List<Variable> columns = List.of();
-  private double interval = INTERVAL;
+  private double interval;
   private int mostFrames;
   private double[] last = {};
   private boolean lastKept = true;
@@ -63,7 +67,7 @@ public final class Recording implements ResultSink {
     lastKept = frames.isEmpty() || values[0] - lastTime() >= interval * (1 - 1e-9);
     if (lastKept) {
       frames.add(last);
-      if (frames.size() > mostFrames) {
+      if (frames.size() > mostFrames || frames.size() > SHORT_RUN && spacing() < INTERVAL) {
         thin();
       }
     }
@@ -73,12 +77,17 @@ public final class Recording implements ResultSink {
     return frames.get(frames.size() - 1)[0];
   }
 
+  /** Returns the mean distance of the frames, s. */
+  private double spacing() {
+    return (last[0] - frames.get(0)[0]) / (frames.size() - 1);
+  }
+
   private void thin() {
+    interval = 2 * spacing();
     List<double[]> kept = new ArrayList<>();
     for (int i = 0; i < frames.size(); i += 2) {
       kept.add(frames.get(i));
     }
-    interval = Math.max(2 * interval, 2 * (last[0] - frames.get(0)[0]) / frames.size());
     frames.clear();
     frames.addAll(kept);
     lastKept = lastTime() == last[0];

@@ -527,9 +527,9 @@ class Player {
     const frame = this.motion.frame(this.time);
     const lines = [];
     if (this.energy) {
-      const [kinetic, potential, work] = this.energy.map(column => this.motion.value(column, frame));
+      const [kinetic, potential] = this.energy.map(column => this.motion.value(column, frame));
       lines.push(['energy', `${short(kinetic + potential)} J`]);
-      lines.push(['drift', `${short(kinetic + potential - work - this.energyAtStart)} J`]);
+      lines.push(['energy drift', `${short(this.drift[frame.at])} J`]);
     }
     if (this.residual >= 0) {
       lines.push(['constraint residual', `${short(this.motion.value(this.residual, frame))} m`]);
@@ -658,12 +658,9 @@ class Player {
       count(motion.count, 'frame')].join(', ');
     const duration = motion.end - motion.start;
     this.decimals = duration > 0 ? Math.min(9, Math.max(0, 3 - Math.floor(Math.log10(duration)))) : 3;
-    const energy = ['kinetic', 'potential', 'work'].map(part => this.place(`energy.${part}`));
-    if (energy.every(column => column >= 0)) {
-      this.energy = energy;
-      const first = { at: 0, next: 0, share: 0 };
-      const [kinetic, potential, work] = energy.map(column => motion.value(column, first));
-      this.energyAtStart = kinetic + potential - work;
+    if (data.drift) {
+      this.energy = ['kinetic', 'potential'].map(part => this.place(`energy.${part}`));
+      this.drift = new Float32Array(bytesOf(data.drift));
     }
     this.residual = this.place('constraint.position');
 
