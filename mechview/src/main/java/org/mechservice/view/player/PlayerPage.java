@@ -297,7 +297,7 @@ public final class PlayerPage {
 
   private JsonArray links() {
     JsonArray links = new JsonArray();
-    for (Link link : stage.links()) {
+    for (DrawnLink link : stage.links()) {
       JsonObject one = named(link.name());
       one.addProperty("kind", link.kind().name());
       one.addProperty("colour", link.kind().colour());

@@ -23,8 +23,8 @@ import org.mechservice.view.scene.SceneJoint;
  * of bodies that rods and springs are drawn as.
  *
  * <p>A body without a geometry file gets rods that join its joints, and the box of even density
- * that has its inertia; a body in contact by a sphere gets that sphere. Sizes of symbols follow from
- * the extent of the mechanism at the start.
+ * that has its inertia; a body in contact by a sphere gets that sphere. Sizes of symbols follow
+ * from the extent of the mechanism at the start.
  */
 public final class Stage {
   private static final int[] PALETTE = {
@@ -41,7 +41,7 @@ public final class Stage {
   private final MeshFolder folder;
   private final double extent;
   private final List<Part> parts = new ArrayList<>();
-  private final List<Link> links = new ArrayList<>();
+  private final List<DrawnLink> links = new ArrayList<>();
   private final List<String> warnings = new ArrayList<>();
   private final Set<Surface> surfaces = new HashSet<>();
 
@@ -80,7 +80,7 @@ public final class Stage {
   }
 
   /** Returns the links. */
-  List<Link> links() {
+  List<DrawnLink> links() {
     return List.copyOf(links);
   }
 
@@ -158,8 +158,7 @@ public final class Stage {
     }
     List<Point3> points = new ArrayList<>();
     for (Anchor anchor : anchors) {
-      boolean known =
-          points.stream().anyMatch(p -> p.minus(anchor.point()).norm() < 1e-6 * extent);
+      boolean known = points.stream().anyMatch(p -> p.minus(anchor.point()).norm() < 1e-6 * extent);
       if (anchor.body() == body && !known) {
         points.add(anchor.point());
       }
@@ -254,9 +253,7 @@ public final class Stage {
     double r = 0.02 * extent;
     Anchor first = joint.first();
     BodyPose along =
-        joint.axis().norm() > 0
-            ? Solids.zAlong(joint.axis(), first.point())
-            : at(first.point());
+        joint.axis().norm() > 0 ? Solids.zAlong(joint.axis(), first.point()) : at(first.point());
     switch (joint.type()) {
       case R -> addSymbol(joint, Solids.cylinder(r, 3.2 * r).moved(along));
       case P -> addSymbol(joint, Solids.box(2 * r, 2 * r, 4 * r).moved(along));
@@ -288,8 +285,8 @@ public final class Stage {
     switch (constraint.kind()) {
       case ROD, DISTANCE ->
           links.add(
-              new Link(
-                  Link.Kind.ROD,
+              new DrawnLink(
+                  DrawnLink.Kind.ROD,
                   constraint.name(),
                   constraint.anchors().get(0),
                   constraint.anchors().get(1)));
@@ -321,13 +318,14 @@ public final class Stage {
 
   private void addForce(SceneForce force) {
     switch (force.kind()) {
-      case SPRING, SPRING_DAMPER -> addLink(Link.Kind.SPRING, force);
-      case DAMPER -> addLink(Link.Kind.DAMPER, force);
+      case SPRING, SPRING_DAMPER -> addLink(DrawnLink.Kind.SPRING, force);
+      case DAMPER -> addLink(DrawnLink.Kind.DAMPER, force);
       case CONTACT -> {
         Anchor surface = force.anchors().get(1);
         BodyPose pose = scene.pose(surface.body());
-        Point3 normal = new BodyPose(Point3.ZERO, pose.e0(), -pose.e1(), -pose.e2(), -pose.e3())
-            .turn(force.direction());
+        Point3 normal =
+            new BodyPose(Point3.ZERO, pose.e0(), -pose.e1(), -pose.e2(), -pose.e3())
+                .turn(force.direction());
         addSurface(force.name(), surface, normal);
       }
       default -> {
@@ -336,7 +334,7 @@ public final class Stage {
     }
   }
 
-  private void addLink(Link.Kind kind, SceneForce force) {
-    links.add(new Link(kind, force.name(), force.anchors().get(0), force.anchors().get(1)));
+  private void addLink(DrawnLink.Kind kind, SceneForce force) {
+    links.add(new DrawnLink(kind, force.name(), force.anchors().get(0), force.anchors().get(1)));
   }
 }
