@@ -196,10 +196,10 @@ public final class AnimatedScene {
     return nodes.size() - 1;
   }
 
-  private int link(DrawnLink link) {
+  private int link(Strut link) {
     JsonObject node = new JsonObject();
     node.addProperty("name", link.name());
-    double radius = (link.kind() == DrawnLink.Kind.ROD ? 0.01 : 0.006) * stage.extent();
+    double radius = (link.kind() == Strut.Kind.ROD ? 0.01 : 0.006) * stage.extent();
     node.addProperty("mesh", mesh(link.name(), Solids.cylinder(radius, 1), link.kind().colour()));
     nodes.add(node);
     int index = nodes.size() - 1;
@@ -214,15 +214,15 @@ public final class AnimatedScene {
     return pose(frame, anchor.body()).toWorld(anchor.point());
   }
 
-  private Point3 span(int frame, DrawnLink link) {
+  private Point3 span(int frame, Strut link) {
     return end(frame, link.to()).minus(end(frame, link.from()));
   }
 
-  private Point3 middle(int frame, DrawnLink link) {
+  private Point3 middle(int frame, Strut link) {
     return end(frame, link.to()).plus(end(frame, link.from())).times(0.5);
   }
 
-  private BodyPose along(int frame, DrawnLink link) {
+  private BodyPose along(int frame, Strut link) {
     Point3 span = span(frame, link);
     double length = span.norm();
     return length > 0 ? Solids.zAlong(span.times(1 / length), Point3.ZERO) : BodyPose.WORLD;

@@ -297,7 +297,7 @@ public final class PlayerPage {
 
   private JsonArray links() {
     JsonArray links = new JsonArray();
-    for (DrawnLink link : stage.links()) {
+    for (Strut link : stage.links()) {
       JsonObject one = named(link.name());
       one.addProperty("kind", link.kind().name());
       one.addProperty("colour", link.kind().colour());

@@ -41,7 +41,7 @@ public final class Stage {
   private final MeshFolder folder;
   private final double extent;
   private final List<Part> parts = new ArrayList<>();
-  private final List<DrawnLink> links = new ArrayList<>();
+  private final List<Strut> links = new ArrayList<>();
   private final List<String> warnings = new ArrayList<>();
   private final Set<Surface> surfaces = new HashSet<>();
 
@@ -80,7 +80,7 @@ public final class Stage {
   }
 
   /** Returns the links. */
-  List<DrawnLink> links() {
+  List<Strut> links() {
     return List.copyOf(links);
   }
 
@@ -285,8 +285,8 @@ public final class Stage {
     switch (constraint.kind()) {
       case ROD, DISTANCE ->
           links.add(
-              new DrawnLink(
-                  DrawnLink.Kind.ROD,
+              new Strut(
+                  Strut.Kind.ROD,
                   constraint.name(),
                   constraint.anchors().get(0),
                   constraint.anchors().get(1)));
@@ -318,8 +318,8 @@ public final class Stage {
 
   private void addForce(SceneForce force) {
     switch (force.kind()) {
-      case SPRING, SPRING_DAMPER -> addLink(DrawnLink.Kind.SPRING, force);
-      case DAMPER -> addLink(DrawnLink.Kind.DAMPER, force);
+      case SPRING, SPRING_DAMPER -> addLink(Strut.Kind.SPRING, force);
+      case DAMPER -> addLink(Strut.Kind.DAMPER, force);
       case CONTACT -> {
         Anchor surface = force.anchors().get(1);
         BodyPose pose = scene.pose(surface.body());
@@ -334,7 +334,7 @@ public final class Stage {
     }
   }
 
-  private void addLink(DrawnLink.Kind kind, SceneForce force) {
-    links.add(new DrawnLink(kind, force.name(), force.anchors().get(0), force.anchors().get(1)));
+  private void addLink(Strut.Kind kind, SceneForce force) {
+    links.add(new Strut(kind, force.name(), force.anchors().get(0), force.anchors().get(1)));
   }
 }
