@@ -152,18 +152,13 @@ public final class AnimatedScene {
   /** Returns a pose counted from the root's origin, in world axes. */
   private BodyPose local(BodyPose pose) {
     return new BodyPose(
-        pose.position().minus(scene.root().position()),
-        pose.e0(),
-        pose.e1(),
-        pose.e2(),
-        pose.e3());
+        pose.position().minus(scene.root().position()), pose.e0(), pose.e1(), pose.e2(), pose.e3());
   }
 
   /** Returns the rotation that turns the direction against gravity to the y axis. */
   private double[] upright() {
     Point3 gravity = scene.gravity();
-    Point3 up =
-        gravity.norm() > 0 ? gravity.times(-1 / gravity.norm()) : new Point3(0, 0, 1);
+    Point3 up = gravity.norm() > 0 ? gravity.times(-1 / gravity.norm()) : new Point3(0, 0, 1);
     Point3 y = new Point3(0, 1, 0);
     Point3 axis = up.cross(y);
     double cos = up.dot(y);
@@ -201,10 +196,10 @@ public final class AnimatedScene {
     return nodes.size() - 1;
   }
 
-  private int link(Link link) {
+  private int link(Strut link) {
     JsonObject node = new JsonObject();
     node.addProperty("name", link.name());
-    double radius = (link.kind() == Link.Kind.ROD ? 0.01 : 0.006) * stage.extent();
+    double radius = (link.kind() == Strut.Kind.ROD ? 0.01 : 0.006) * stage.extent();
     node.addProperty("mesh", mesh(link.name(), Solids.cylinder(radius, 1), link.kind().colour()));
     nodes.add(node);
     int index = nodes.size() - 1;
@@ -219,15 +214,15 @@ public final class AnimatedScene {
     return pose(frame, anchor.body()).toWorld(anchor.point());
   }
 
-  private Point3 span(int frame, Link link) {
+  private Point3 span(int frame, Strut link) {
     return end(frame, link.to()).minus(end(frame, link.from()));
   }
 
-  private Point3 middle(int frame, Link link) {
+  private Point3 middle(int frame, Strut link) {
     return end(frame, link.to()).plus(end(frame, link.from())).times(0.5);
   }
 
-  private BodyPose along(int frame, Link link) {
+  private BodyPose along(int frame, Strut link) {
     Point3 span = span(frame, link);
     double length = span.norm();
     return length > 0 ? Solids.zAlong(span.times(1 / length), Point3.ZERO) : BodyPose.WORLD;
@@ -241,8 +236,7 @@ public final class AnimatedScene {
   private static double[] rotation(BodyPose pose) {
     double e0 = pose.e0();
     double norm =
-        Math.sqrt(
-            e0 * e0 + pose.e1() * pose.e1() + pose.e2() * pose.e2() + pose.e3() * pose.e3());
+        Math.sqrt(e0 * e0 + pose.e1() * pose.e1() + pose.e2() * pose.e2() + pose.e3() * pose.e3());
     return new double[] {pose.e1() / norm, pose.e2() / norm, pose.e3() / norm, e0 / norm};
   }
 
@@ -385,7 +379,9 @@ public final class AnimatedScene {
       view.addProperty("target", target);
     }
     views.add(view);
-    binary.writeBytes(bytes.array());
+    byte[] content = new byte[bytes.capacity()];
+    bytes.get(0, content);
+    binary.writeBytes(content);
     JsonObject accessor = new JsonObject();
     accessor.addProperty("bufferView", views.size() - 1);
     accessor.addProperty("componentType", component);

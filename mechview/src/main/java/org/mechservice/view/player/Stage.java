@@ -3,6 +3,7 @@ package org.mechservice.view.player;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.view.mesh.Mesh;
@@ -22,9 +23,9 @@ import org.mechservice.view.scene.SceneJoint;
  * What a mechanism looks like: the surfaces of its bodies and joints, and the links between points
  * of bodies that rods and springs are drawn as.
  *
- * <p>A body without a geometry file gets rods that join its joints, and the box of even density
- * that has its inertia; a body in contact by a sphere gets that sphere. Sizes of symbols follow from
- * the extent of the mechanism at the start.
+ * <p>A body without a geometry file gets rods that join its joints, and the box or cylinder of even
+ * density that has its inertia; a body in contact by a sphere gets that sphere. Sizes of symbols
+ * follow from the extent of the mechanism at the start.
  */
 public final class Stage {
   private static final int[] PALETTE = {
@@ -41,7 +42,7 @@ public final class Stage {
   private final MeshFolder folder;
   private final double extent;
   private final List<Part> parts = new ArrayList<>();
-  private final List<Link> links = new ArrayList<>();
+  private final List<Strut> links = new ArrayList<>();
   private final List<String> warnings = new ArrayList<>();
   private final Set<Surface> surfaces = new HashSet<>();
 
@@ -80,7 +81,7 @@ public final class Stage {
   }
 
   /** Returns the links. */
-  List<Link> links() {
+  List<Strut> links() {
     return List.copyOf(links);
   }
 
@@ -158,8 +159,7 @@ public final class Stage {
     }
     List<Point3> points = new ArrayList<>();
     for (Anchor anchor : anchors) {
-      boolean known =
-          points.stream().anyMatch(p -> p.minus(anchor.point()).norm() < 1e-6 * extent);
+      boolean known = points.stream().anyMatch(p -> p.minus(anchor.point()).norm() < 1e-6 * extent);
       if (anchor.body() == body && !known) {
         points.add(anchor.point());
       }
@@ -209,7 +209,7 @@ public final class Stage {
     return size.x() + size.y() + size.z() - least - most;
   }
 
-  /** Returns a body's mass as its box of inertia, or as a ball if it has no inertia. */
+  /** Returns a body's mass as a solid of its inertia, or as a ball if it has no inertia. */
   private Mesh mass(InertiaBox box, SceneBody body) {
     Point3 size = box.size();
     double longest = Math.max(size.x(), Math.max(size.y(), size.z()));
@@ -218,11 +218,31 @@ public final class Stage {
     }
     double scale = Math.min(1, LARGEST_BOX * extent / longest);
     double least = 0.02 * extent;
-    return Solids.box(
-            Math.max(least, scale * size.x()),
-            Math.max(least, scale * size.y()),
-            Math.max(least, scale * size.z()))
-        .moved(box.pose());
+    double[] edges = {
+      Math.max(least, scale * size.x()),
+      Math.max(least, scale * size.y()),
+      Math.max(least, scale * size.z())
+    };
+    return round(edges).orElseGet(() -> Solids.box(edges[0], edges[1], edges[2])).moved(box.pose());
+  }
+
+  /**
+   * Returns the cylinder with the inertia of a box about its long or short axis, where two of the
+   * edges are equal and the third is not: a wheel or a bar rather than a block.
+   */
+  private static Optional<Mesh> round(double[] edges) {
+    for (int axis = 0; axis < 3; axis++) {
+      double one = edges[(axis + 1) % 3];
+      double other = edges[(axis + 2) % 3];
+      boolean equal = Math.abs(one - other) < 0.02 * one;
+      if (equal && Math.abs(edges[axis] - one) > 0.2 * one) {
+        // m r²/2 = m (a² + a²)/12
+        Mesh cylinder = Solids.cylinder(one / Math.sqrt(3), edges[axis]);
+        Point3 along = new Point3(axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0);
+        return Optional.of(cylinder.moved(Solids.zAlong(along, Point3.ZERO)));
+      }
+    }
+    return Optional.empty();
   }
 
   private static Point3 middle(List<Point3> points) {
@@ -254,9 +274,7 @@ public final class Stage {
     double r = 0.02 * extent;
     Anchor first = joint.first();
     BodyPose along =
-        joint.axis().norm() > 0
-            ? Solids.zAlong(joint.axis(), first.point())
-            : at(first.point());
+        joint.axis().norm() > 0 ? Solids.zAlong(joint.axis(), first.point()) : at(first.point());
     switch (joint.type()) {
       case R -> addSymbol(joint, Solids.cylinder(r, 3.2 * r).moved(along));
       case P -> addSymbol(joint, Solids.box(2 * r, 2 * r, 4 * r).moved(along));
@@ -288,8 +306,8 @@ public final class Stage {
     switch (constraint.kind()) {
       case ROD, DISTANCE ->
           links.add(
-              new Link(
-                  Link.Kind.ROD,
+              new Strut(
+                  Strut.Kind.ROD,
                   constraint.name(),
                   constraint.anchors().get(0),
                   constraint.anchors().get(1)));
@@ -321,13 +339,14 @@ public final class Stage {
 
   private void addForce(SceneForce force) {
     switch (force.kind()) {
-      case SPRING, SPRING_DAMPER -> addLink(Link.Kind.SPRING, force);
-      case DAMPER -> addLink(Link.Kind.DAMPER, force);
+      case SPRING, SPRING_DAMPER -> addLink(Strut.Kind.SPRING, force);
+      case DAMPER -> addLink(Strut.Kind.DAMPER, force);
       case CONTACT -> {
         Anchor surface = force.anchors().get(1);
         BodyPose pose = scene.pose(surface.body());
-        Point3 normal = new BodyPose(Point3.ZERO, pose.e0(), -pose.e1(), -pose.e2(), -pose.e3())
-            .turn(force.direction());
+        Point3 normal =
+            new BodyPose(Point3.ZERO, pose.e0(), -pose.e1(), -pose.e2(), -pose.e3())
+                .turn(force.direction());
         addSurface(force.name(), surface, normal);
       }
       default -> {
@@ -336,7 +355,7 @@ public final class Stage {
     }
   }
 
-  private void addLink(Link.Kind kind, SceneForce force) {
-    links.add(new Link(kind, force.name(), force.anchors().get(0), force.anchors().get(1)));
+  private void addLink(Strut.Kind kind, SceneForce force) {
+    links.add(new Strut(kind, force.name(), force.anchors().get(0), force.anchors().get(1)));
   }
 }

@@ -10,7 +10,7 @@ import org.mechservice.view.scene.Anchor;
  * @param from one end
  * @param to the other end
  */
-record Link(Kind kind, String name, Anchor from, Anchor to) {
+record Strut(Kind kind, String name, Anchor from, Anchor to) {
   /** How a link is drawn. */
   enum Kind {
     ROD(0xa7aeb6),
