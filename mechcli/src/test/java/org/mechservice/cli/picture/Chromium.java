@@ -109,7 +109,7 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
     }
     CompletableFuture<JsonObject> answer = new CompletableFuture<>();
     answers.put(id, answer);
-    socket.sendText(order.toString(), true);
+    socket.sendText(order.toString(), true).get(PATIENCE_SECONDS, TimeUnit.SECONDS);
     return answer.get(PATIENCE_SECONDS, TimeUnit.SECONDS);
   }
 
@@ -199,9 +199,9 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
   }
 
   @Override
-  public void close() throws InterruptedException {
+  public void close() {
     process.descendants().forEach(ProcessHandle::destroy);
     process.destroy();
-    process.waitFor(PATIENCE_SECONDS, TimeUnit.SECONDS);
+    process.onExit().orTimeout(PATIENCE_SECONDS, TimeUnit.SECONDS).join();
   }
 }

@@ -105,7 +105,10 @@ final class VrmlParser {
   }
 
   private void value(VrmlNode node, String field, int depth) throws MeshException {
-    if (word.startsWith("\"") || word.equals("TRUE") || word.equals("FALSE") || word.equals("NULL")) {
+    if (word.startsWith("\"")
+        || word.equals("TRUE")
+        || word.equals("FALSE")
+        || word.equals("NULL")) {
       take();
     } else {
       node.add(field, node(depth + 1));
@@ -114,7 +117,7 @@ final class VrmlParser {
 
   private static boolean isNumber(String word) {
     char c = word.isEmpty() ? ' ' : word.charAt(0);
-    return c >= '0' && c <= '9' || c == '-' || c == '+' || c == '.';
+    return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.';
   }
 
   private double[] numbers() throws MeshException {
@@ -147,7 +150,8 @@ final class VrmlParser {
   }
 
   private MeshException wrong(String what) {
-    long line = text.substring(0, Math.min(at, text.length())).chars().filter(c -> c == '\n').count();
+    long line =
+        text.substring(0, Math.min(at, text.length())).chars().filter(c -> c == '\n').count();
     return new MeshException("line " + (line + 1) + ": " + what);
   }
 

@@ -379,7 +379,9 @@ public final class AnimatedScene {
       view.addProperty("target", target);
     }
     views.add(view);
-    binary.writeBytes(bytes.array());
+    byte[] content = new byte[bytes.capacity()];
+    bytes.get(0, content);
+    binary.writeBytes(content);
     JsonObject accessor = new JsonObject();
     accessor.addProperty("bufferView", views.size() - 1);
     accessor.addProperty("componentType", component);

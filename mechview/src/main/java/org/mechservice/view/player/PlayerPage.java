@@ -267,8 +267,15 @@ public final class PlayerPage {
     return ByteBuffer.allocate(4 * count).order(ByteOrder.LITTLE_ENDIAN);
   }
 
+  /** Returns all bytes of a buffer. */
+  private static byte[] content(ByteBuffer bytes) {
+    byte[] content = new byte[bytes.capacity()];
+    bytes.get(0, content);
+    return content;
+  }
+
   private static String base64(ByteBuffer bytes) {
-    return Base64.getEncoder().encodeToString(bytes.array());
+    return Base64.getEncoder().encodeToString(content(bytes));
   }
 
   private JsonArray parts() {

@@ -67,7 +67,7 @@ public final class Recording implements ResultSink {
     lastKept = frames.isEmpty() || values[0] - lastTime() >= interval * (1 - 1e-9);
     if (lastKept) {
       frames.add(last);
-      if (frames.size() > mostFrames || frames.size() > SHORT_RUN && spacing() < INTERVAL) {
+      if (frames.size() > mostFrames || (frames.size() > SHORT_RUN && spacing() < INTERVAL)) {
         thin();
       }
     }

@@ -3,6 +3,7 @@ package org.mechservice.view.player;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.view.mesh.Mesh;
@@ -22,9 +23,9 @@ import org.mechservice.view.scene.SceneJoint;
  * What a mechanism looks like: the surfaces of its bodies and joints, and the links between points
  * of bodies that rods and springs are drawn as.
  *
- * <p>A body without a geometry file gets rods that join its joints, and the box of even density
- * that has its inertia; a body in contact by a sphere gets that sphere. Sizes of symbols follow
- * from the extent of the mechanism at the start.
+ * <p>A body without a geometry file gets rods that join its joints, and the box or cylinder of even
+ * density that has its inertia; a body in contact by a sphere gets that sphere. Sizes of symbols
+ * follow from the extent of the mechanism at the start.
  */
 public final class Stage {
   private static final int[] PALETTE = {
@@ -208,7 +209,7 @@ public final class Stage {
     return size.x() + size.y() + size.z() - least - most;
   }
 
-  /** Returns a body's mass as its box of inertia, or as a ball if it has no inertia. */
+  /** Returns a body's mass as a solid of its inertia, or as a ball if it has no inertia. */
   private Mesh mass(InertiaBox box, SceneBody body) {
     Point3 size = box.size();
     double longest = Math.max(size.x(), Math.max(size.y(), size.z()));
@@ -217,11 +218,31 @@ public final class Stage {
     }
     double scale = Math.min(1, LARGEST_BOX * extent / longest);
     double least = 0.02 * extent;
-    return Solids.box(
-            Math.max(least, scale * size.x()),
-            Math.max(least, scale * size.y()),
-            Math.max(least, scale * size.z()))
-        .moved(box.pose());
+    double[] edges = {
+      Math.max(least, scale * size.x()),
+      Math.max(least, scale * size.y()),
+      Math.max(least, scale * size.z())
+    };
+    return round(edges).orElseGet(() -> Solids.box(edges[0], edges[1], edges[2])).moved(box.pose());
+  }
+
+  /**
+   * Returns the cylinder with the inertia of a box about its long or short axis, where two of the
+   * edges are equal and the third is not: a wheel or a bar rather than a block.
+   */
+  private static Optional<Mesh> round(double[] edges) {
+    for (int axis = 0; axis < 3; axis++) {
+      double one = edges[(axis + 1) % 3];
+      double other = edges[(axis + 2) % 3];
+      boolean equal = Math.abs(one - other) < 0.02 * one;
+      if (equal && Math.abs(edges[axis] - one) > 0.2 * one) {
+        // m r²/2 = m (a² + a²)/12
+        Mesh cylinder = Solids.cylinder(one / Math.sqrt(3), edges[axis]);
+        Point3 along = new Point3(axis == 0 ? 1 : 0, axis == 1 ? 1 : 0, axis == 2 ? 1 : 0);
+        return Optional.of(cylinder.moved(Solids.zAlong(along, Point3.ZERO)));
+      }
+    }
+    return Optional.empty();
   }
 
   private static Point3 middle(List<Point3> points) {

@@ -36,9 +36,9 @@ uniform float width;
 in vec3 from, to;
 void main() {
   vec4 a = camera * vec4(from, 1.0), b = camera * vec4(to, 1.0);
-  const float near = 1e-4;
-  if (a.w < near && b.w > near) a = mix(a, b, (near - a.w) / (b.w - a.w));
-  if (b.w < near && a.w > near) b = mix(b, a, (near - b.w) / (a.w - b.w));
+  float inA = a.z + a.w, inB = b.z + b.w;
+  if (inA < 0.0 && inB > 0.0) a = mix(a, b, inA / (inA - inB));
+  if (inB < 0.0 && inA > 0.0) b = mix(b, a, inB / (inB - inA));
   vec2 way = (b.xy / b.w - a.xy / a.w) * size;
   float length2 = dot(way, way);
   vec2 along = length2 > 0.0 ? way * inversesqrt(length2) : vec2(1.0, 0.0);

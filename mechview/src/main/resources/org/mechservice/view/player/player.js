@@ -91,9 +91,9 @@ class Player {
     const three = name => rgb(parseInt(read(name).slice(1), 16));
     this.colours = { text: read('soft'), grid: read('line'), accent: read('accent') };
     this.background = three('scene').slice(0, 3);
-    this.gridColour = three('grid');
+    // not quite opaque: what is drawn so hides nothing behind it
+    this.gridColour = [...three('grid').slice(0, 3), 0.99];
     this.dark = this.background[0] < 0.5;
-    this.traceOpacity = 0.9;
   }
 
   // ---- what is drawn ----
@@ -107,7 +107,13 @@ class Player {
     this.rod = this.picture.mesh(...roundSurface([[0, 0], [1, 0], [1, 1], [0, 1]]));
     this.tip = this.picture.mesh(...roundSurface([[0, 0], [1, 0], [0, 1]]));
     this.bounds();
+    this.travels = this.farthest() > 6 * this.data.extent;
     this.grid();
+    if (this.travels && this.follow < 0 && this.data.bodies.length) {
+      // what drives away would be a dot in a picture of the whole way
+      this.follow = 0;
+      element('follow').value = '0';
+    }
     this.arrowScale = this.largestForce();
     this.camera.aspect = this.canvas.clientWidth / this.canvas.clientHeight || 1.6;
     this.fit();
@@ -148,23 +154,26 @@ class Player {
     }
   }
 
-  grid() {
-    const heights = this.path.map(point => dot(point.place, this.up));
-    const x = this.camera.right;
-    const y = cross(this.up, x);
-    const size = Math.max(this.data.extent, ...this.path.map(point => norm(point.place)));
-    const step = 10 ** Math.round(Math.log10(size / 5));
-    const half = step * Math.ceil(Math.min(size, 40 * step) * 1.3 / step);
-    this.floor = Math.min(...heights) - 0.01 * this.data.extent;
-    const middle = scale(this.up, this.floor);
-    const lines = [];
-    for (let k = -half; k <= half * 1.001; k += step) {
-      for (const [along, across] of [[x, y], [y, x]]) {
-        const base = add(middle, scale(across, k));
-        lines.push(...add(base, scale(along, -half)), ...add(base, scale(along, half)));
+  // How far a body gets from where it starts, if all of them do.
+  farthest() {
+    const way = new Map();
+    for (const { body, place } of this.path) {
+      if (body >= 0) {
+        const first = way.get(body)?.first || place;
+        const most = Math.max(way.get(body)?.most || 0, norm(subtract(place, first)));
+        way.set(body, { first, most });
       }
     }
-    this.gridLines = this.picture.segments(lines);
+    return way.size ? Math.min(...[...way.values()].map(one => one.most)) : 0;
+  }
+
+  // The floor below everything; its lines are laid anew around what is followed.
+  grid() {
+    const extent = this.data.extent;
+    const size = this.travels ? extent : Math.max(extent, ...this.path.map(point => norm(point.place)));
+    this.gridStep = 10 ** Math.round(Math.log10(size / 5));
+    this.gridHalf = this.gridStep * Math.ceil(size * (this.travels ? 4 : 1.3) / this.gridStep);
+    this.floor = Math.min(...this.path.map(point => dot(point.place, this.up))) - 0.01 * extent;
     const light = this.light();
     // takes every point along the light to the floor: p - l (u·p - h) / (u·l)
     const m = new Float32Array(16);
@@ -179,6 +188,28 @@ class Player {
     this.shadow = m;
   }
 
+  layGrid() {
+    const x = this.camera.right;
+    const y = cross(this.up, x);
+    const { gridStep: step, gridHalf: half } = this;
+    const snap = axis => (this.follow < 0 ? 0 : step * Math.round(dot(this.camera.target, axis) / step));
+    const [cx, cy] = [snap(x), snap(y)];
+    const key = `${cx} ${cy}`;
+    if (this.gridKey === key) {
+      return;
+    }
+    this.gridKey = key;
+    const middle = add(scale(this.up, this.floor), add(scale(x, cx), scale(y, cy)));
+    const lines = [];
+    for (let k = -half; k <= half * 1.001; k += step) {
+      for (const [along, across] of [[x, y], [y, x]]) {
+        const base = add(middle, scale(across, k));
+        lines.push(...add(base, scale(along, -half)), ...add(base, scale(along, half)));
+      }
+    }
+    this.gridLines = this.picture.segments(lines, this.gridLines);
+  }
+
   light() {
     return unit(add(add(this.up, scale(this.camera.right, -0.35)),
       scale(cross(this.camera.right, this.up), 0.3)));
@@ -188,7 +219,7 @@ class Player {
     const chosen = this.path.filter(point => body < 0 || point.body === body);
     if (body >= 0) {
       const now = this.poses()(body);
-      const half = 0.25 * this.data.extent;
+      const half = 0.6 * this.data.extent;
       this.camera.fit([0, 1, 2].flatMap(i => [-half, half].map(d =>
         now.p.map((x, k) => (k === i ? x + d : x)))));
     } else {
@@ -298,6 +329,7 @@ class Player {
     const shadows = this.shown.floor && this.camera.eye()
       && dot(this.camera.eye(), this.up) > this.floor;
     if (this.shown.floor) {
+      this.layGrid();
       picture.drawLines(this.gridLines, this.gridColour, 1);
     }
     solid.forEach(one => picture.drawMesh(...one));
@@ -375,7 +407,7 @@ class Player {
     }
     this.data.bodies.forEach((body, index) => {
       if (this.selected < 0 || this.selected === index) {
-        this.picture.drawLines(this.paths[index], rgb(body.colour, this.traceOpacity), 1.6, frame.at);
+        this.picture.drawLines(this.paths[index], rgb(body.colour, 0.9), 1.6, frame.at);
       }
     });
   }

@@ -103,8 +103,17 @@ class MeshFolderTest {
     Mesh text =
         read(
                 "a.stl",
-                "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
-                    + "vertex 0 2 0\nendloop\nendfacet\nendsolid a\n")
+                """
+                solid a
+                facet normal 0 0 1
+                outer loop
+                vertex 0 0 0
+                vertex 1 0 0
+                vertex 0 2 0
+                endloop
+                endfacet
+                endsolid a
+                """)
             .get(0);
     ByteBuffer bytes = ByteBuffer.allocate(134).order(ByteOrder.LITTLE_ENDIAN);
     bytes.put("solid but binary".getBytes(StandardCharsets.US_ASCII)).putInt(80, 1).position(96);

@@ -28,7 +28,9 @@ class AnimatedSceneTest {
   }
 
   private JsonObject gltf() {
-    String text = new String(file.array(), 20, file.getInt(12), StandardCharsets.UTF_8);
+    byte[] json = new byte[file.getInt(12)];
+    file.get(20, json);
+    String text = new String(json, StandardCharsets.UTF_8);
     return JsonParser.parseString(text).getAsJsonObject();
   }
 
