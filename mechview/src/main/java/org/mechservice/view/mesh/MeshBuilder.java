@@ -59,7 +59,6 @@ final class MeshBuilder {
     }
   }
 
-
   Mesh mesh() {
     return Mesh.of(
         Arrays.copyOf(corners, cornerNumbers), Arrays.copyOf(triangles, triangleNumbers));

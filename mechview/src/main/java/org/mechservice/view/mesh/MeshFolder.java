@@ -23,10 +23,11 @@ public final class MeshFolder {
   /**
    * Reads a geometry file.
    *
-   * @param name {@code graphSrc} of the model file: a path relative to the model's folder, inside it
+   * @param name {@code graphSrc} of the model file: a path relative to the model's folder, inside
+   *     it
    * @return surfaces in body axes, m
-   * @throws MeshException naming the file, if it lies elsewhere, is missing, too large, of an unknown
-   *     kind or damaged
+   * @throws MeshException naming the file, if it lies elsewhere, is missing, too large, of an
+   *     unknown kind or damaged
    */
   public List<Mesh> read(String name) throws MeshException {
     try {

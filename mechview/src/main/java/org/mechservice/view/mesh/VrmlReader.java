@@ -8,9 +8,9 @@ import org.mechservice.view.scene.Point3;
 
 /**
  * Reads the surfaces of VRML 97: {@code IndexedFaceSet}, {@code Box}, {@code Cylinder}, {@code
- * Sphere} and {@code Cone} in {@code Shape}s, below {@code Group}, {@code Transform} and their like.
- * Of the appearance, diffuse colour and transparency are kept. Other geometry is refused by name;
- * lights, views, sounds and sensors are left out.
+ * Sphere} and {@code Cone} in {@code Shape}s, below {@code Group}, {@code Transform} and their
+ * like. Of the appearance, diffuse colour and transparency are kept. Other geometry is refused by
+ * name; lights, views, sounds and sensors are left out.
  */
 final class VrmlReader {
   private static final int MOST_VISITS = 100_000;
@@ -149,8 +149,7 @@ final class VrmlReader {
   /** Where the nodes below some Transforms are: x ↦ M x + d. */
   private record Placement(Point3 x, Point3 y, Point3 z, Point3 d) {
     static final Placement NONE =
-        new Placement(
-            new Point3(1, 0, 0), new Point3(0, 1, 0), new Point3(0, 0, 1), Point3.ZERO);
+        new Placement(new Point3(1, 0, 0), new Point3(0, 1, 0), new Point3(0, 0, 1), Point3.ZERO);
 
     private Point3 turned(Point3 p) {
       return x.times(p.x()).plus(y.times(p.y())).plus(z.times(p.z()));
@@ -178,8 +177,7 @@ final class VrmlReader {
         return BodyPose.WORLD;
       }
       Point3 half = axis.times(Math.sin(axisAngle[3] / 2) / length);
-      return new BodyPose(
-          Point3.ZERO, Math.cos(axisAngle[3] / 2), half.x(), half.y(), half.z());
+      return new BodyPose(Point3.ZERO, Math.cos(axisAngle[3] / 2), half.x(), half.y(), half.z());
     }
 
     Mesh of(Mesh mesh) throws MeshException {
