@@ -38,7 +38,6 @@ import org.mechservice.view.player.Recording;
 import org.mechservice.view.player.Stage;
 import org.mechservice.view.plot.ResultCsv;
 import org.mechservice.view.scene.SceneDescription;
-import org.mechservice.view.scene.SceneForce;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -127,7 +126,7 @@ public final class ViewCommand implements Callable<Integer> {
     Stage stage = new Stage(scene, new MeshFolder(folder));
     stage.warnings().forEach(warning -> err().println(warning));
     Recording recording = new Recording();
-    Told told = results ? read(scene, file, recording) : run(scene, recording);
+    Told told = results ? read(scene, file, recording) : run(recording);
     if (recording.frameCount() > 0) {
       for (Path target : targets) {
         OutputFile.write(target, content(target, scene, stage, recording, told));
@@ -188,12 +187,12 @@ public final class ViewCommand implements Callable<Integer> {
   }
 
   /** Runs the model. */
-  private Told run(SceneDescription scene, Recording recording) throws IOException {
+  private Told run(Recording recording) throws IOException {
     try (CancelOnInterrupt interrupt = new CancelOnInterrupt();
         ServiceConnection service = ServiceConnection.open(server);
         MechSession session = service.connection().openSession()) {
       session.loadModel(input, userCode.folder());
-      try (PreparedRun run = session.prepareRemoteRun(options(scene))) {
+      try (PreparedRun run = session.prepareRemoteRun(options())) {
         interrupt.cancels(run::cancel);
         RunResult result = run.toEnd(recording);
         return new Told(facts(result.report()), events(result.report()), status(result.outcome()));
@@ -201,14 +200,9 @@ public final class ViewCommand implements Callable<Integer> {
     }
   }
 
-  private SimulationOptions options(SceneDescription scene) {
-    Set<ColumnGroup> columns = EnumSet.copyOf(COLUMNS);
-    // a host does not know the values that a class of the user declares before the class runs
-    if (scene.forces().stream().anyMatch(force -> force.kind() == SceneForce.Kind.USER)) {
-      columns.remove(ColumnGroup.FORCES);
-    }
+  private SimulationOptions options() {
     SimulationOptions options =
-        tolerances.addTo(parameters.addTo(SimulationOptions.asInFile().columns(columns)));
+        tolerances.addTo(parameters.addTo(SimulationOptions.asInFile().columns(COLUMNS)));
     return simulation.map(options::simulation).orElse(options);
   }
 
