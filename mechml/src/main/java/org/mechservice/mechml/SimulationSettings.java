@@ -47,6 +47,24 @@ public record SimulationSettings(
     events = List.copyOf(events);
   }
 
+  /** Returns the same settings with another interval, integrator or tolerances. */
+  public SimulationSettings with(RunSettings other) {
+    return new SimulationSettings(
+        name, task, other, absoluteTolerances, formulation, closure, columns, events);
+  }
+
+  /** Returns the same settings with another formulation, or {@code auto}. */
+  public SimulationSettings withFormulation(String other) {
+    return new SimulationSettings(
+        name, task, run, absoluteTolerances, other, closure, columns, events);
+  }
+
+  /** Returns the same settings with other groups of result columns, by their labels. */
+  public SimulationSettings withColumns(List<String> other) {
+    return new SimulationSettings(
+        name, task, run, absoluteTolerances, formulation, closure, other, events);
+  }
+
   /** Creates the settings of a dynamic simulation with defaults for everything else. */
   public SimulationSettings(RunSettings run, String formulation) {
     this(

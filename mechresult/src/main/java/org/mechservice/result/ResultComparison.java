@@ -139,9 +139,11 @@ public final class ResultComparison {
       places.put(second.columns().get(i).name(), i);
     }
     Map<String, Double> largest = new HashMap<>();
-    for (int i = 1; i < first.columns().size(); i++) {
-      double magnitude = magnitude(first.values().get(i));
-      largest.merge(first.columns().get(i).unit(), magnitude, Math::max);
+    for (SignalTable table : List.of(first, second)) {
+      for (int i = 1; i < table.columns().size(); i++) {
+        double magnitude = magnitude(table.values().get(i));
+        largest.merge(table.columns().get(i).unit(), magnitude, Math::max);
+      }
     }
     for (int i = 1; i < first.columns().size(); i++) {
       Variable column = first.columns().get(i);

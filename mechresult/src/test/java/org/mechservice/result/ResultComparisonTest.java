@@ -2,6 +2,7 @@ package org.mechservice.result;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.function.DoubleUnaryOperator;
@@ -109,6 +110,27 @@ class ResultComparisonTest {
     SignalTable still = new SignalTable(columns, List.of(times, x, new double[times.length]));
 
     assertThat(compare(noisy, still, 1e-6).isEqual()).isTrue();
+  }
+
+  /** The unit's largest signal is in one of them only. */
+  @Test
+  void orderOfTheResultsDoesNotMatter() {
+    double[] times = times(10);
+    Variable small = new Variable("small", "m");
+    double[] noise = new double[times.length];
+    noise[3] = 1e-12;
+    double[] large = new double[times.length];
+    Arrays.fill(large, 1);
+    SignalTable noisy = new SignalTable(List.of(TIME, small), List.of(times, noise));
+    SignalTable still =
+        new SignalTable(
+            List.of(TIME, small, new Variable("large", "m")),
+            List.of(times, new double[times.length], large));
+
+    SignalDifference there = compare(noisy, still, 0.01).signals().get(0);
+    SignalDifference back = compare(still, noisy, 0.01).signals().get(0);
+
+    assertThat(there.relative()).isEqualTo(back.relative()).isLessThan(0.01);
   }
 
   @Test

@@ -232,49 +232,19 @@ public final class MechModel {
   }
 
   private MechModel run(UnaryOperator<RunSettings> change) {
-    return changed(
-        old ->
-            new SimulationSettings(
-                old.name(),
-                old.task(),
-                change.apply(old.run()),
-                old.absoluteTolerances(),
-                old.formulation(),
-                old.closure(),
-                old.columns(),
-                old.events()));
+    return changed(old -> old.with(change.apply(old.run())));
   }
 
   /** Returns the model with another formulation: {@code auto}, {@code DTR}, {@code RR} etc. */
   public MechModel formulation(String name) {
-    return changed(
-        old ->
-            new SimulationSettings(
-                old.name(),
-                old.task(),
-                old.run(),
-                old.absoluteTolerances(),
-                name,
-                old.closure(),
-                old.columns(),
-                old.events()));
+    return changed(old -> old.withFormulation(name));
   }
 
   /** Returns the model with runs that put out these columns besides time and the joints' states. */
   public MechModel columns(ColumnGroup... groups) {
     List<String> labels = Stream.of(groups).map(ColumnGroup::label).toList();
     List<String> shown = labels.isEmpty() ? List.of(ColumnGroup.JOINTS.label()) : labels;
-    return changed(
-        old ->
-            new SimulationSettings(
-                old.name(),
-                old.task(),
-                old.run(),
-                old.absoluteTolerances(),
-                old.formulation(),
-                old.closure(),
-                shown,
-                old.events()));
+    return changed(old -> old.withColumns(shown));
   }
 
   private MechModel changed(UnaryOperator<SimulationSettings> change) {
