@@ -55,6 +55,7 @@ final class TimeJumps {
         jumps.search(inJoint.force(), false);
       }
     }
+    mechanism.furtherStates().forEach(state -> jumps.search(state.derivative(), false));
     return List.copyOf(jumps.times);
   }
 
