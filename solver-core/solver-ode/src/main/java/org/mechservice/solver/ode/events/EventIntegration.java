@@ -75,6 +75,10 @@ public final class EventIntegration implements ResidualIntegrator {
   private boolean restartDue;
   private boolean justRestarted;
   private boolean stateChanged;
+
+  /** Whether a function with the last event had not left zero since the one before. */
+  private boolean stayedAtZero;
+
   private long events;
 
   /**
@@ -224,6 +228,7 @@ public final class EventIntegration implements ResidualIntegrator {
         }
       }
     }
+    values.endStep(end, tEnd);
     running = result == StepResult.ADVANCED;
     return result;
   }
@@ -233,6 +238,7 @@ public final class EventIntegration implements ResidualIntegrator {
     events++;
     values.determine(restarted);
     Reaction reaction = functions.occurred(values.time(), restarted, values.occurred());
+    stayedAtZero = values.anyStayedAtZero();
     values.pass();
     return reaction;
   }
@@ -245,7 +251,7 @@ public final class EventIntegration implements ResidualIntegrator {
       running = false;
       return StepResult.REACHED_END;
     }
-    if (accumulation.accumulates(t)) {
+    if (accumulation.accumulates(t, stayedAtZero)) {
       return fail(Cause.EVENTS_ACCUMULATE);
     }
     restartDue = true;
