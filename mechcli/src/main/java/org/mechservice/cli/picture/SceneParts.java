@@ -13,14 +13,8 @@ import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Attachment;
 import org.mechservice.solver.mechanism.Body;
-import org.mechservice.solver.mechanism.Cylindrical;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.Planar;
-import org.mechservice.solver.mechanism.Prismatic;
-import org.mechservice.solver.mechanism.Revolute;
-import org.mechservice.solver.mechanism.Screw;
-import org.mechservice.solver.mechanism.Universal;
 import org.mechservice.solver.mechanism.closure.CoordinateClosure;
 import org.mechservice.solver.mechanism.closure.DistanceClosure;
 import org.mechservice.solver.mechanism.closure.JointClosure;
@@ -125,24 +119,7 @@ final class SceneParts {
 
   private static SceneJoint joint(Joint joint, boolean cut, boolean driven) {
     Attachment at = joint.attachment();
-    Vector3 axis = Vector3.ZERO;
-    Vector3 axis2 = Vector3.ZERO;
-    if (joint instanceof Revolute revolute) {
-      axis = revolute.axis();
-    } else if (joint instanceof Prismatic prismatic) {
-      axis = prismatic.axis();
-    } else if (joint instanceof Cylindrical cylindrical) {
-      axis = cylindrical.axis();
-    } else if (joint instanceof Screw screw) {
-      axis = screw.axis();
-    } else if (joint instanceof Planar planar) {
-      Vector3 normal = planar.normal();
-      axis = planar.fileBody2IsParent() ? at.zeroRotation().apply(normal) : normal;
-    } else if (joint instanceof Universal universal) {
-      boolean turned = universal.fileBody2IsParent();
-      axis = turned ? universal.axis2() : universal.axis1();
-      axis2 = turned ? universal.axis1() : universal.axis2();
-    }
+    List<Vector3> axes = parentAxisFirst(joint);
     return new SceneJoint(
         joint.name(),
         joint.type(),
@@ -150,8 +127,19 @@ final class SceneParts {
         driven,
         new Anchor(at.parent(), point(at.parentPoint())),
         new Anchor(at.child(), point(at.childPoint())),
-        point(axis),
-        point(axis2));
+        point(axes.isEmpty() ? Vector3.ZERO : axes.get(0)),
+        point(axes.size() < 2 ? Vector3.ZERO : axes.get(1)));
+  }
+
+  /** The axis fixed in the parent, in its axes, then that of the child, if there is one. */
+  private static List<Vector3> parentAxisFirst(Joint joint) {
+    List<Vector3> axes = joint.axes();
+    if (!joint.fileBody2IsParent() || axes.isEmpty()) {
+      return axes;
+    }
+    return axes.size() == 2
+        ? List.of(axes.get(1), axes.get(0))
+        : List.of(joint.attachment().zeroRotation().apply(axes.get(0)));
   }
 
   List<SceneConstraint> constraints() {
