@@ -25,6 +25,7 @@ import org.mechservice.solver.mechanism.force.Bushing;
 import org.mechservice.solver.mechanism.force.Contact;
 import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.ForceTorque;
+import org.mechservice.solver.mechanism.force.ForceVisitor;
 import org.mechservice.solver.mechanism.force.JointForce;
 import org.mechservice.solver.mechanism.force.JointFriction;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
@@ -49,6 +50,7 @@ final class SceneParts {
   private final Mechanism mechanism;
   private final TreeMotion motion;
   private final double t;
+  private final ShownForces shown = new ShownForces();
 
   /**
    * Takes a position.
@@ -192,46 +194,9 @@ final class SceneParts {
   List<SceneForce> forces() {
     List<SceneForce> forces = new ArrayList<>();
     for (ForceElement force : mechanism.forces()) {
-      forces.add(force(force));
+      forces.add(force.accept(shown));
     }
     return forces;
-  }
-
-  private SceneForce force(ForceElement force) {
-    if (force instanceof SpringDamper one) {
-      boolean stiff = !isZero(one.stiffness());
-      boolean damped = !isZero(one.damping());
-      SceneForce.Kind kind =
-          stiff && damped
-              ? SceneForce.Kind.SPRING_DAMPER
-              : damped ? SceneForce.Kind.DAMPER : SceneForce.Kind.SPRING;
-      return between(one.name(), kind, List.of(one.point1(), one.point2()));
-    } else if (force instanceof Bushing one) {
-      return between(
-          one.name(),
-          SceneForce.Kind.BUSHING,
-          List.of(one.frame1().origin(), one.frame2().origin()));
-    } else if (force instanceof ForceTorque one) {
-      return wrench(one);
-    } else if (force instanceof Contact one) {
-      int surface = one.surface().body();
-      return new SceneForce(
-          one.name(),
-          SceneForce.Kind.CONTACT,
-          List.of(anchor(one.center()), anchor(one.surface().origin())),
-          pose(surface).turn(point(one.surface().axes().apply(Z))),
-          value(one.radius()),
-          "");
-    } else if (force instanceof JointSpringDamper one) {
-      return inJoint(one.name(), SceneForce.Kind.JOINT_SPRING, one.coordinate());
-    } else if (force instanceof JointForce one) {
-      return inJoint(one.name(), SceneForce.Kind.JOINT_FORCE, one.coordinate());
-    } else if (force instanceof JointFriction one) {
-      return inJoint(one.name(), SceneForce.Kind.JOINT_FRICTION, one.coordinate());
-    }
-    UserForceElement user = (UserForceElement) force;
-    return between(
-        user.name(), SceneForce.Kind.USER, user.points().stream().map(NamedPoint::point).toList());
   }
 
   private static SceneForce between(String name, SceneForce.Kind kind, List<BodyPoint> points) {
@@ -297,5 +262,65 @@ final class SceneParts {
     }
     evaluation.values();
     return evaluation.value(0);
+  }
+
+  /** Each kind of force as it is drawn. */
+  private final class ShownForces implements ForceVisitor<SceneForce> {
+    @Override
+    public SceneForce springDamper(SpringDamper one) {
+      boolean stiff = !isZero(one.stiffness());
+      boolean damped = !isZero(one.damping());
+      SceneForce.Kind kind =
+          stiff && damped
+              ? SceneForce.Kind.SPRING_DAMPER
+              : damped ? SceneForce.Kind.DAMPER : SceneForce.Kind.SPRING;
+      return between(one.name(), kind, List.of(one.point1(), one.point2()));
+    }
+
+    @Override
+    public SceneForce bushing(Bushing one) {
+      return between(
+          one.name(),
+          SceneForce.Kind.BUSHING,
+          List.of(one.frame1().origin(), one.frame2().origin()));
+    }
+
+    @Override
+    public SceneForce forceTorque(ForceTorque one) {
+      return wrench(one);
+    }
+
+    @Override
+    public SceneForce contact(Contact one) {
+      int surface = one.surface().body();
+      return new SceneForce(
+          one.name(),
+          SceneForce.Kind.CONTACT,
+          List.of(anchor(one.center()), anchor(one.surface().origin())),
+          pose(surface).turn(point(one.surface().axes().apply(Z))),
+          value(one.radius()),
+          "");
+    }
+
+    @Override
+    public SceneForce jointSpringDamper(JointSpringDamper one) {
+      return inJoint(one.name(), SceneForce.Kind.JOINT_SPRING, one.coordinate());
+    }
+
+    @Override
+    public SceneForce jointForce(JointForce one) {
+      return inJoint(one.name(), SceneForce.Kind.JOINT_FORCE, one.coordinate());
+    }
+
+    @Override
+    public SceneForce jointFriction(JointFriction one) {
+      return inJoint(one.name(), SceneForce.Kind.JOINT_FRICTION, one.coordinate());
+    }
+
+    @Override
+    public SceneForce userForce(UserForceElement one) {
+      return between(
+          one.name(), SceneForce.Kind.USER, one.points().stream().map(NamedPoint::point).toList());
+    }
   }
 }

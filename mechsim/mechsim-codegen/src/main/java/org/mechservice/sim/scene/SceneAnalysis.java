@@ -59,6 +59,13 @@ public record SceneAnalysis(
         mechanism.velocityOffset(index));
   }
 
+  /** Returns name and kind of every force, such as {@code strut (spring between points)}. */
+  public List<String> forces() {
+    return mechanism.forces().stream()
+        .map(force -> force.name() + " (" + force.kind() + ")")
+        .toList();
+  }
+
   /** Returns the components of a joint's first axis; empty if it has none. */
   private static String axisOf(Joint joint) {
     return joint.axes().isEmpty() ? "" : text(joint.axes().get(0));
