@@ -3,7 +3,6 @@ package org.mechservice.sim.check;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import org.mechservice.sim.scene.ForceKind;
 import org.mechservice.sim.scene.LoopAnalysis;
 import org.mechservice.sim.scene.LoopEntry;
 import org.mechservice.sim.scene.RoadmapEntry;
@@ -28,7 +27,7 @@ final class CheckText {
     formulation();
     roadmap();
     if (!scene.mechanism().forces().isEmpty()) {
-      list("Forces besides gravity", ForceKind.of(scene.mechanism()));
+      list("Forces besides gravity", scene.forces());
     }
     if (!report.model().unused().isEmpty()) {
       list("Not used", report.model().unused());
