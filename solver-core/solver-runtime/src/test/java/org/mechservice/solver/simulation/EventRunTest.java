@@ -270,6 +270,21 @@ class EventRunTest {
   }
 
   @Test
+  void eventThatIsZeroAtTheStartIsReportedAndDoesNotHappenThere() throws IOException {
+    Event halfway = event("halfway", minus(q(0), HEIGHT), Direction.FALLING, Action.RECORD);
+    Event back = event("back", minus(q(0), HEIGHT), Direction.RISING, Action.RECORD);
+    RunReport report = run(model(ball(List.of(), halfway, back), "DTR"), "ode113", 1);
+
+    assertThat(times(report)).isEmpty();
+    assertThat(
+            report.notes().stream()
+                .filter(note -> note.code() == MessageCode.EVENT_ZERO_AT_START)
+                .map(Note::text))
+        .hasSize(1)
+        .allMatch(text -> text.contains("\"halfway\""));
+  }
+
+  @Test
   void bouncesThatNeverEndAreNamed() throws IOException {
     RunReport report = run(model(ball(List.of(), bounce()), "DTR"), "ode113", 20);
 

@@ -125,7 +125,9 @@ public final class EventIntegration implements ResidualIntegrator {
     recentSteps.clear();
     events = 0;
     values.forget();
-    return settle(result, t0);
+    StepResult settled = settle(result, t0);
+    values.rememberZeros();
+    return settled;
   }
 
   private void prepare(SystemParts system, int dimension, double tEnd) {
@@ -190,9 +192,12 @@ public final class EventIntegration implements ResidualIntegrator {
     }
     justRestarted = false;
     time = integrator.previousTime();
-    return values.join(time)
-        ? searchStep(result, PARTS_AFTER_RESTART)
-        : fail(Cause.EVENT_NOT_FINITE);
+    if (!values.join(time)) {
+      return fail(Cause.EVENT_NOT_FINITE);
+    }
+    result = searchStep(result, PARTS_AFTER_RESTART);
+    values.tellOfZerosLeft();
+    return result;
   }
 
   /** Searches the step just taken from point to point. */

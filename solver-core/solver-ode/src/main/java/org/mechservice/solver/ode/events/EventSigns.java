@@ -66,6 +66,13 @@ final class EventSigns {
     observe(g);
   }
 
+  /** Returns whether a function is away from zero on the side that an event of it leads to. */
+  boolean behindEvent(int i) {
+    Direction direction = functions.direction(i);
+    return side[i] != 0
+        && (direction == Direction.EITHER || (direction == Direction.RISING) == (side[i] > 0));
+  }
+
   /** Returns whether a value is an event of a function, given those observed before. */
   boolean event(int i, double g) {
     if (!beyond(i, g)) {

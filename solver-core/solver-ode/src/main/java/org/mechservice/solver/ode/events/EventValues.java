@@ -24,6 +24,7 @@ final class EventValues {
   private final EventSearch search;
   private final EventSearch.Path path = this::evaluate;
   private final boolean[] occurred;
+  private final boolean[] zeroAtStart;
 
   private CompletedSystem completed = CompletedSystem.NOTHING_PASSIVE;
 
@@ -44,6 +45,7 @@ final class EventValues {
     signs = new EventSigns(functions);
     search = new EventSearch(signs, count);
     occurred = new boolean[count];
+    zeroAtStart = new boolean[count];
     before = new double[count];
     here = new double[count];
   }
@@ -58,6 +60,23 @@ final class EventValues {
   /** Forgets which functions changed sign. */
   void forget() {
     Arrays.fill(occurred, false);
+  }
+
+  /** Takes note of the functions that are exactly zero where the problem begins. */
+  void rememberZeros() {
+    for (int i = 0; i < zeroAtStart.length; i++) {
+      zeroAtStart[i] = before[i] == 0;
+    }
+  }
+
+  /** Tells of those of them that have left zero where events of theirs would have led. */
+  void tellOfZerosLeft() {
+    for (int i = 0; i < zeroAtStart.length; i++) {
+      if (zeroAtStart[i] && signs.behindEvent(i)) {
+        functions.leftZeroAtStart(i);
+      }
+      zeroAtStart[i] = false;
+    }
   }
 
   /** Begins at a state without history; returns false if something is not finite. */
@@ -209,6 +228,7 @@ final class EventValues {
     state.numbers(before);
     for (int i = 0; i < occurred.length; i++) {
       occurred[i] = state.flag(occurred[i]);
+      zeroAtStart[i] = state.flag(zeroAtStart[i]);
     }
     if (functions instanceof SavedSystem saved) {
       saved.transfer(state);
