@@ -13,14 +13,8 @@ import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Attachment;
 import org.mechservice.solver.mechanism.Body;
-import org.mechservice.solver.mechanism.Cylindrical;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.Planar;
-import org.mechservice.solver.mechanism.Prismatic;
-import org.mechservice.solver.mechanism.Revolute;
-import org.mechservice.solver.mechanism.Screw;
-import org.mechservice.solver.mechanism.Universal;
 import org.mechservice.solver.mechanism.closure.CoordinateClosure;
 import org.mechservice.solver.mechanism.closure.DistanceClosure;
 import org.mechservice.solver.mechanism.closure.JointClosure;
@@ -31,6 +25,7 @@ import org.mechservice.solver.mechanism.force.Bushing;
 import org.mechservice.solver.mechanism.force.Contact;
 import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.ForceTorque;
+import org.mechservice.solver.mechanism.force.ForceVisitor;
 import org.mechservice.solver.mechanism.force.JointForce;
 import org.mechservice.solver.mechanism.force.JointFriction;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
@@ -55,6 +50,7 @@ final class SceneParts {
   private final Mechanism mechanism;
   private final TreeMotion motion;
   private final double t;
+  private final ShownForces shown = new ShownForces();
 
   /**
    * Takes a position.
@@ -125,24 +121,7 @@ final class SceneParts {
 
   private static SceneJoint joint(Joint joint, boolean cut, boolean driven) {
     Attachment at = joint.attachment();
-    Vector3 axis = Vector3.ZERO;
-    Vector3 axis2 = Vector3.ZERO;
-    if (joint instanceof Revolute revolute) {
-      axis = revolute.axis();
-    } else if (joint instanceof Prismatic prismatic) {
-      axis = prismatic.axis();
-    } else if (joint instanceof Cylindrical cylindrical) {
-      axis = cylindrical.axis();
-    } else if (joint instanceof Screw screw) {
-      axis = screw.axis();
-    } else if (joint instanceof Planar planar) {
-      Vector3 normal = planar.normal();
-      axis = planar.fileBody2IsParent() ? at.zeroRotation().apply(normal) : normal;
-    } else if (joint instanceof Universal universal) {
-      boolean turned = universal.fileBody2IsParent();
-      axis = turned ? universal.axis2() : universal.axis1();
-      axis2 = turned ? universal.axis1() : universal.axis2();
-    }
+    List<Vector3> axes = parentAxisFirst(joint);
     return new SceneJoint(
         joint.name(),
         joint.type(),
@@ -150,8 +129,19 @@ final class SceneParts {
         driven,
         new Anchor(at.parent(), point(at.parentPoint())),
         new Anchor(at.child(), point(at.childPoint())),
-        point(axis),
-        point(axis2));
+        point(axes.isEmpty() ? Vector3.ZERO : axes.get(0)),
+        point(axes.size() < 2 ? Vector3.ZERO : axes.get(1)));
+  }
+
+  /** The axis fixed in the parent, in its axes, then that of the child, if there is one. */
+  private static List<Vector3> parentAxisFirst(Joint joint) {
+    List<Vector3> axes = joint.axes();
+    if (!joint.fileBody2IsParent() || axes.isEmpty()) {
+      return axes;
+    }
+    return axes.size() == 2
+        ? List.of(axes.get(1), axes.get(0))
+        : List.of(joint.attachment().zeroRotation().apply(axes.get(0)));
   }
 
   List<SceneConstraint> constraints() {
@@ -204,46 +194,9 @@ final class SceneParts {
   List<SceneForce> forces() {
     List<SceneForce> forces = new ArrayList<>();
     for (ForceElement force : mechanism.forces()) {
-      forces.add(force(force));
+      forces.add(force.accept(shown));
     }
     return forces;
-  }
-
-  private SceneForce force(ForceElement force) {
-    if (force instanceof SpringDamper one) {
-      boolean stiff = !isZero(one.stiffness());
-      boolean damped = !isZero(one.damping());
-      SceneForce.Kind kind =
-          stiff && damped
-              ? SceneForce.Kind.SPRING_DAMPER
-              : damped ? SceneForce.Kind.DAMPER : SceneForce.Kind.SPRING;
-      return between(one.name(), kind, List.of(one.point1(), one.point2()));
-    } else if (force instanceof Bushing one) {
-      return between(
-          one.name(),
-          SceneForce.Kind.BUSHING,
-          List.of(one.frame1().origin(), one.frame2().origin()));
-    } else if (force instanceof ForceTorque one) {
-      return wrench(one);
-    } else if (force instanceof Contact one) {
-      int surface = one.surface().body();
-      return new SceneForce(
-          one.name(),
-          SceneForce.Kind.CONTACT,
-          List.of(anchor(one.center()), anchor(one.surface().origin())),
-          pose(surface).turn(point(one.surface().axes().apply(Z))),
-          value(one.radius()),
-          "");
-    } else if (force instanceof JointSpringDamper one) {
-      return inJoint(one.name(), SceneForce.Kind.JOINT_SPRING, one.coordinate());
-    } else if (force instanceof JointForce one) {
-      return inJoint(one.name(), SceneForce.Kind.JOINT_FORCE, one.coordinate());
-    } else if (force instanceof JointFriction one) {
-      return inJoint(one.name(), SceneForce.Kind.JOINT_FRICTION, one.coordinate());
-    }
-    UserForceElement user = (UserForceElement) force;
-    return between(
-        user.name(), SceneForce.Kind.USER, user.points().stream().map(NamedPoint::point).toList());
   }
 
   private static SceneForce between(String name, SceneForce.Kind kind, List<BodyPoint> points) {
@@ -309,5 +262,65 @@ final class SceneParts {
     }
     evaluation.values();
     return evaluation.value(0);
+  }
+
+  /** Each kind of force as it is drawn. */
+  private final class ShownForces implements ForceVisitor<SceneForce> {
+    @Override
+    public SceneForce springDamper(SpringDamper one) {
+      boolean stiff = !isZero(one.stiffness());
+      boolean damped = !isZero(one.damping());
+      SceneForce.Kind kind =
+          stiff && damped
+              ? SceneForce.Kind.SPRING_DAMPER
+              : damped ? SceneForce.Kind.DAMPER : SceneForce.Kind.SPRING;
+      return between(one.name(), kind, List.of(one.point1(), one.point2()));
+    }
+
+    @Override
+    public SceneForce bushing(Bushing one) {
+      return between(
+          one.name(),
+          SceneForce.Kind.BUSHING,
+          List.of(one.frame1().origin(), one.frame2().origin()));
+    }
+
+    @Override
+    public SceneForce forceTorque(ForceTorque one) {
+      return wrench(one);
+    }
+
+    @Override
+    public SceneForce contact(Contact one) {
+      int surface = one.surface().body();
+      return new SceneForce(
+          one.name(),
+          SceneForce.Kind.CONTACT,
+          List.of(anchor(one.center()), anchor(one.surface().origin())),
+          pose(surface).turn(point(one.surface().axes().apply(Z))),
+          value(one.radius()),
+          "");
+    }
+
+    @Override
+    public SceneForce jointSpringDamper(JointSpringDamper one) {
+      return inJoint(one.name(), SceneForce.Kind.JOINT_SPRING, one.coordinate());
+    }
+
+    @Override
+    public SceneForce jointForce(JointForce one) {
+      return inJoint(one.name(), SceneForce.Kind.JOINT_FORCE, one.coordinate());
+    }
+
+    @Override
+    public SceneForce jointFriction(JointFriction one) {
+      return inJoint(one.name(), SceneForce.Kind.JOINT_FRICTION, one.coordinate());
+    }
+
+    @Override
+    public SceneForce userForce(UserForceElement one) {
+      return between(
+          one.name(), SceneForce.Kind.USER, one.points().stream().map(NamedPoint::point).toList());
+    }
   }
 }

@@ -8,7 +8,6 @@ import java.util.List;
 import org.mechservice.mechml.diagnosis.Diagnostic;
 import org.mechservice.sim.model.CodeForecast;
 import org.mechservice.sim.scene.Finding;
-import org.mechservice.sim.scene.ForceKind;
 import org.mechservice.sim.scene.RoadmapEntry;
 import org.mechservice.sim.scene.SceneAnalysis;
 
@@ -49,7 +48,7 @@ final class CheckJson {
     if (!scene.mechanism().furtherStates().isEmpty()) {
       object.add("states", gson.toJsonTree(scene.mechanism().stateVariables()));
     }
-    object.add("forces", gson.toJsonTree(ForceKind.of(scene.mechanism())));
+    object.add("forces", gson.toJsonTree(scene.forces()));
     object.add("unused", gson.toJsonTree(report.model().unused()));
     object.add("warnings", warnings());
     object.add("simpler", gson.toJsonTree(scene.offers()));

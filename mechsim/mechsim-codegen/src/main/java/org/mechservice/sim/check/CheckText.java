@@ -4,7 +4,6 @@ import org.mechservice.solver.mechanism.FurtherState;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import org.mechservice.sim.scene.ForceKind;
 import org.mechservice.sim.scene.LoopAnalysis;
 import org.mechservice.sim.scene.LoopEntry;
 import org.mechservice.sim.scene.RoadmapEntry;
@@ -29,7 +28,7 @@ final class CheckText {
     formulation();
     roadmap();
     if (!scene.mechanism().forces().isEmpty()) {
-      list("Forces besides gravity", ForceKind.of(scene.mechanism()));
+      list("Forces besides gravity", scene.forces());
     }
     if (!report.model().unused().isEmpty()) {
       list("Not used", report.model().unused());

@@ -7,14 +7,8 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.mechanism.Body;
-import org.mechservice.solver.mechanism.Cylindrical;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.Planar;
-import org.mechservice.solver.mechanism.Prismatic;
-import org.mechservice.solver.mechanism.Revolute;
-import org.mechservice.solver.mechanism.Screw;
-import org.mechservice.solver.mechanism.Universal;
 import org.mechservice.solver.mechanism.closure.DistanceClosure;
 import org.mechservice.solver.spatial.Vector3;
 import org.mechservice.solver.text.ShortestDecimal;
@@ -65,24 +59,16 @@ public record SceneAnalysis(
         mechanism.velocityOffset(index));
   }
 
+  /** Returns name and kind of every force, such as {@code strut (spring between points)}. */
+  public List<String> forces() {
+    return mechanism.forces().stream()
+        .map(force -> force.name() + " (" + force.kind() + ")")
+        .toList();
+  }
+
   /** Returns the components of a joint's first axis; empty if it has none. */
   private static String axisOf(Joint joint) {
-    if (joint instanceof Revolute revolute) {
-      return text(revolute.axis());
-    }
-    if (joint instanceof Prismatic prismatic) {
-      return text(prismatic.axis());
-    }
-    if (joint instanceof Cylindrical cylindrical) {
-      return text(cylindrical.axis());
-    }
-    if (joint instanceof Screw screw) {
-      return text(screw.axis());
-    }
-    if (joint instanceof Universal universal) {
-      return text(universal.axis1());
-    }
-    return joint instanceof Planar planar ? text(planar.normal()) : "";
+    return joint.axes().isEmpty() ? "" : text(joint.axes().get(0));
   }
 
   private static String text(Vector3 axis) {

@@ -20,8 +20,6 @@ import org.mechservice.solver.expression.Expression.Time;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.ForceElement;
-import org.mechservice.solver.mechanism.force.ForceTorque;
-import org.mechservice.solver.mechanism.force.JointForce;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 
 /**
@@ -108,9 +106,7 @@ public final class ShortPulseCheck {
 
   /** Returns the formulas of a force. */
   static Stream<Expression> formulas(ForceElement force) {
-    return force instanceof JointForce inJoint
-        ? Stream.of(inJoint.force())
-        : force instanceof ForceTorque wrench ? wrench.components().stream() : Stream.empty();
+    return force.formulas().stream().map(ForceElement.Formula::expression);
   }
 
   private static boolean dependsOnTime(Expression formula) {

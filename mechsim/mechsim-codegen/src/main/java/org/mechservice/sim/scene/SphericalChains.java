@@ -5,21 +5,12 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
-import org.mechservice.solver.expression.BodyPoint;
-import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Revolute;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
-import org.mechservice.solver.mechanism.force.Bushing;
-import org.mechservice.solver.mechanism.force.Contact;
 import org.mechservice.solver.mechanism.force.ForceElement;
-import org.mechservice.solver.mechanism.force.ForceTorque;
-import org.mechservice.solver.mechanism.force.JointForce;
-import org.mechservice.solver.mechanism.force.JointFriction;
-import org.mechservice.solver.mechanism.force.JointSpringDamper;
-import org.mechservice.solver.mechanism.force.SpringDamper;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.spatial.Vector3;
 
@@ -67,24 +58,9 @@ final class SphericalChains {
       LoopPaths.indices(closure).forEach(body -> mark(held, body));
     }
     for (ForceElement force : mechanism.forces()) {
-      if (force instanceof SpringDamper spring) {
-        mark(held, spring.point1());
-        mark(held, spring.point2());
-      } else if (force instanceof Bushing bushing) {
-        mark(held, bushing.frame1().origin());
-        mark(held, bushing.frame2().origin());
-      } else if (force instanceof ForceTorque torque) {
-        mark(held, torque.point());
-      } else if (force instanceof Contact contact) {
-        mark(held, contact.surface().origin());
-        mark(held, contact.center());
-      }
+      force.bodies().forEach(body -> mark(held, body));
     }
     return held;
-  }
-
-  private static void mark(boolean[] held, BodyPoint point) {
-    mark(held, point.body());
   }
 
   private static void mark(boolean[] held, int body) {
@@ -164,15 +140,8 @@ final class SphericalChains {
   }
 
   private static boolean actsOn(ForceElement force, List<Integer> chain) {
-    Optional<Coordinate> coordinate = Optional.empty();
-    if (force instanceof JointSpringDamper spring) {
-      coordinate = Optional.of(spring.coordinate());
-    } else if (force instanceof JointForce drive) {
-      coordinate = Optional.of(drive.coordinate());
-    } else if (force instanceof JointFriction friction) {
-      coordinate = Optional.of(friction.coordinate());
-    }
-    return coordinate
+    return force
+        .jointCoordinate()
         .filter(JointCoordinate.class::isInstance)
         .map(c -> chain.contains(((JointCoordinate) c).joint()))
         .orElse(false);

@@ -30,6 +30,7 @@ import org.mechservice.solver.mechanism.force.Bushing;
 import org.mechservice.solver.mechanism.force.Contact;
 import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.ForceTorque;
+import org.mechservice.solver.mechanism.force.ForceVisitor;
 import org.mechservice.solver.mechanism.force.JointForce;
 import org.mechservice.solver.mechanism.force.JointFriction;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
@@ -38,7 +39,7 @@ import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.spatial.Rotation;
 
 /** Creates applied forces from their descriptions. */
-final class ForceAssembly {
+final class ForceAssembly implements ForceVisitor<AppliedForce> {
   private final TreeMotion motion;
   private final TreeGeometry tree;
   private final UserForceSource source;
@@ -49,39 +50,56 @@ final class ForceAssembly {
     this.source = source;
   }
 
-  /** Returns the applied force of a description; the compiler reports a kind without a branch. */
+  /** Returns the applied force of a description. */
   AppliedForce at(ForceElement element) {
-    if (element instanceof SpringDamper spring) {
-      FrameMotion line =
-          new FrameMotion(motion, parallel(spring.point1()), parallel(spring.point2()));
-      return new FrameForce(spring, line, new SpringDamperLaw(spring));
-    } else if (element instanceof Bushing bushing) {
-      FrameMotion frames = new FrameMotion(motion, bushing.frame1(), bushing.frame2());
-      return new FrameForce(bushing, frames, new BushingLaw(bushing));
-    } else if (element instanceof Contact contact) {
-      FrameMotion frames = new FrameMotion(motion, contact.surface(), parallel(contact.center()));
-      return new FrameForce(contact, frames, new ContactLaw(contact));
-    } else if (element instanceof ForceTorque wrench) {
-      checkBody(wrench.name(), wrench.point().body());
-      return new ExpressionWrench(wrench, motion);
-    } else if (element instanceof UserForceElement user) {
-      return new AppliedUserForce(user, motion, source);
-    }
-    return inJoint(element);
+    return element.accept(this);
   }
 
-  private AppliedForce inJoint(ForceElement element) {
-    if (element instanceof JointSpringDamper spring) {
-      return ofPosition(spring, spring.coordinate(), new JointSpringLaw(spring));
-    } else if (element instanceof JointFriction friction) {
-      return ofVelocity(friction, friction.coordinate(), new JointFrictionLaw(friction));
-    } else if (element instanceof JointForce force) {
-      return force.coordinate() instanceof ClosureCoordinate cut
-          ? new CutJointForce(force, motion, cut)
-          : new ExpressionJointForce(
-              force, motion, TreeCoordinate.ofVelocity(tree, (JointCoordinate) force.coordinate()));
-    }
-    throw new IllegalArgumentException("no law for " + element);
+  @Override
+  public AppliedForce springDamper(SpringDamper force) {
+    FrameMotion line = new FrameMotion(motion, parallel(force.point1()), parallel(force.point2()));
+    return new FrameForce(force, line, new SpringDamperLaw(force));
+  }
+
+  @Override
+  public AppliedForce jointSpringDamper(JointSpringDamper force) {
+    return ofPosition(force, force.coordinate(), new JointSpringLaw(force));
+  }
+
+  @Override
+  public AppliedForce bushing(Bushing force) {
+    FrameMotion frames = new FrameMotion(motion, force.frame1(), force.frame2());
+    return new FrameForce(force, frames, new BushingLaw(force));
+  }
+
+  @Override
+  public AppliedForce forceTorque(ForceTorque force) {
+    checkBody(force.name(), force.point().body());
+    return new ExpressionWrench(force, motion);
+  }
+
+  @Override
+  public AppliedForce jointForce(JointForce force) {
+    return force.coordinate() instanceof ClosureCoordinate cut
+        ? new CutJointForce(force, motion, cut)
+        : new ExpressionJointForce(
+            force, motion, TreeCoordinate.ofVelocity(tree, (JointCoordinate) force.coordinate()));
+  }
+
+  @Override
+  public AppliedForce contact(Contact force) {
+    FrameMotion frames = new FrameMotion(motion, force.surface(), parallel(force.center()));
+    return new FrameForce(force, frames, new ContactLaw(force));
+  }
+
+  @Override
+  public AppliedForce jointFriction(JointFriction force) {
+    return ofVelocity(force, force.coordinate(), new JointFrictionLaw(force));
+  }
+
+  @Override
+  public AppliedForce userForce(UserForceElement force) {
+    return new AppliedUserForce(force, motion, source);
   }
 
   private AppliedForce ofPosition(ForceElement element, Coordinate coordinate, ScalarLaw law) {

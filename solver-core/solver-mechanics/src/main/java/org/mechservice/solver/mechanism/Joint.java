@@ -1,6 +1,8 @@
 package org.mechservice.solver.mechanism;
 
+import java.util.List;
 import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.spatial.Vector3;
 
 /** A joint of the tree: it moves its child body relative to its parent body. */
 public sealed interface Joint
@@ -16,6 +18,23 @@ public sealed interface Joint
 
   /** Returns the joint's type, which determines the number of coordinates. */
   JointType type();
+
+  /**
+   * Returns the joint's axes as its record defines them, unit vectors: none, one, or that of the
+   * file's body 1 and that of its body 2.
+   */
+  default List<Vector3> axes() {
+    return List.of();
+  }
+
+  /**
+   * Returns whether the tree leads from the file's body 2 to its body 1 and the record still
+   * describes the joint in the file's sense. It is false for joints that are described by their
+   * parent's axes either way.
+   */
+  default boolean fileBody2IsParent() {
+    return false;
+  }
 
   /** Returns the unit of a force that acts along a velocity, which is N·m or N. */
   default String forceUnit(int component) {

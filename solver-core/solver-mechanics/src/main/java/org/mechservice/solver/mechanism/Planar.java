@@ -1,5 +1,6 @@
 package org.mechservice.solver.mechanism;
 
+import java.util.List;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.spatial.Vector3;
 
@@ -33,6 +34,11 @@ public record Planar(
   @Override
   public JointType type() {
     return JointType.PL;
+  }
+
+  @Override
+  public List<Vector3> axes() {
+    return List.of(normal);
   }
 
   @Override

@@ -1,5 +1,6 @@
 package org.mechservice.solver.mechanism;
 
+import java.util.List;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.spatial.Vector3;
 
@@ -30,6 +31,11 @@ public record Screw(
   @Override
   public JointType type() {
     return JointType.H;
+  }
+
+  @Override
+  public List<Vector3> axes() {
+    return List.of(axis);
   }
 
   /** {@inheritDoc} The axis is reversed, which keeps the sense of coordinate and pitch. */

@@ -15,8 +15,6 @@ import org.mechservice.solver.expression.Expression.Quotient;
 import org.mechservice.solver.expression.Expression.Sum;
 import org.mechservice.solver.expression.Expression.Time;
 import org.mechservice.solver.mechanism.force.ForceElement;
-import org.mechservice.solver.mechanism.force.ForceTorque;
-import org.mechservice.solver.mechanism.force.JointForce;
 
 /**
  * The times at which a mechanism's equations jump because of an expression of time: {@code
@@ -49,11 +47,7 @@ final class TimeJumps {
       motion.coordinates().forEach(coordinate -> jumps.search(coordinate, true));
     }
     for (ForceElement force : mechanism.forces()) {
-      if (force instanceof ForceTorque wrench) {
-        wrench.components().forEach(component -> jumps.search(component, false));
-      } else if (force instanceof JointForce inJoint) {
-        jumps.search(inJoint.force(), false);
-      }
+      force.formulas().forEach(formula -> jumps.search(formula.expression(), false));
     }
     mechanism.furtherStates().forEach(state -> jumps.search(state.derivative(), false));
     return List.copyOf(jumps.times);

@@ -1,5 +1,6 @@
 package org.mechservice.solver.mechanism;
 
+import java.util.List;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.spatial.Vector3;
 
@@ -33,6 +34,11 @@ public record Universal(
   @Override
   public JointType type() {
     return JointType.U;
+  }
+
+  @Override
+  public List<Vector3> axes() {
+    return List.of(axis1, axis2);
   }
 
   @Override

@@ -3,6 +3,7 @@ package org.mechservice.solver.closure;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import java.util.stream.Stream;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.mechanism.Attachment;
@@ -27,15 +28,7 @@ import org.mechservice.solver.spatial.Vector3;
  */
 final class RandomLoops {
   private static final List<JointType> CUTS =
-      List.of(
-          JointType.R,
-          JointType.P,
-          JointType.C,
-          JointType.U,
-          JointType.S,
-          JointType.PL,
-          JointType.H,
-          JointType.W);
+      Stream.of(JointType.values()).filter(type -> type != JointType.F).toList();
 
   private RandomLoops() {}
 

@@ -2,13 +2,11 @@ package org.mechservice.solver.oracle;
 
 import java.util.List;
 import org.mechservice.solver.mechanism.Cylindrical;
-import org.mechservice.solver.mechanism.Free;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Planar;
 import org.mechservice.solver.mechanism.Prismatic;
 import org.mechservice.solver.mechanism.Revolute;
 import org.mechservice.solver.mechanism.Screw;
-import org.mechservice.solver.mechanism.Spherical;
 import org.mechservice.solver.mechanism.Universal;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
@@ -28,8 +26,7 @@ final class JointEquations {
    */
   static Taylor[] coordinates(Joint joint, double[] q, int at, double[] v, double[] a, int vAt) {
     Taylor[] moving = new Taylor[joint.type().positionCount()];
-    boolean turnsFreely = joint instanceof Spherical || joint instanceof Free;
-    if (!turnsFreely) {
+    if (!joint.type().hasEulerParameters()) {
       for (int i = 0; i < moving.length; i++) {
         moving[i] = new Taylor(q[at + i], v[vAt + i], a[vAt + i]);
       }
@@ -59,36 +56,40 @@ final class JointEquations {
   static TaylorPose pose(Joint joint, Taylor[] q) {
     TaylorRotation zero = TaylorRotation.of(JointSide.of(joint).zero());
     TaylorVector none = TaylorVector.ZERO;
-    if (joint instanceof Revolute r) {
-      return new TaylorPose(none, TaylorRotation.about(r.axis(), q[0]).times(zero));
-    }
-    if (joint instanceof Prismatic p) {
-      return new TaylorPose(along(p.axis(), q[0]), zero);
-    }
-    if (joint instanceof Cylindrical c) {
-      return new TaylorPose(
-          along(c.axis(), q[0]), TaylorRotation.about(c.axis(), q[1]).times(zero));
-    }
-    if (joint instanceof Screw h) {
-      return new TaylorPose(
-          along(h.axis(), q[0].times(h.pitch())), TaylorRotation.about(h.axis(), q[0]).times(zero));
-    }
-    if (joint instanceof Planar p) {
-      Vector3 y = p.normal().cross(p.direction());
-      return new TaylorPose(
-          along(p.direction(), q[0]).plus(along(y, q[1])),
-          TaylorRotation.about(p.normal(), q[2]).times(zero));
-    }
-    if (joint instanceof Universal u) {
-      TaylorRotation first = TaylorRotation.about(u.axis1(), q[0]);
-      return new TaylorPose(none, first.times(zero).times(TaylorRotation.about(u.axis2(), q[1])));
-    }
-    if (joint instanceof Spherical || joint instanceof Free) {
-      TaylorRotation turned =
-          TaylorRotation.ofEulerParameters(q[0], new TaylorVector(q[1], q[2], q[3]));
-      return new TaylorPose(q.length == 4 ? none : new TaylorVector(q[4], q[5], q[6]), turned);
-    }
-    return new TaylorPose(none, zero);
+    return switch (joint.type()) {
+      case R ->
+          new TaylorPose(none, TaylorRotation.about(((Revolute) joint).axis(), q[0]).times(zero));
+      case P -> new TaylorPose(along(((Prismatic) joint).axis(), q[0]), zero);
+      case C -> {
+        Vector3 axis = ((Cylindrical) joint).axis();
+        yield new TaylorPose(along(axis, q[0]), TaylorRotation.about(axis, q[1]).times(zero));
+      }
+      case H -> {
+        Screw h = (Screw) joint;
+        yield new TaylorPose(
+            along(h.axis(), q[0].times(h.pitch())),
+            TaylorRotation.about(h.axis(), q[0]).times(zero));
+      }
+      case PL -> {
+        Planar p = (Planar) joint;
+        Vector3 y = p.normal().cross(p.direction());
+        yield new TaylorPose(
+            along(p.direction(), q[0]).plus(along(y, q[1])),
+            TaylorRotation.about(p.normal(), q[2]).times(zero));
+      }
+      case U -> {
+        Universal u = (Universal) joint;
+        TaylorRotation first = TaylorRotation.about(u.axis1(), q[0]);
+        yield new TaylorPose(none, first.times(zero).times(TaylorRotation.about(u.axis2(), q[1])));
+      }
+      case S -> new TaylorPose(none, turned(q));
+      case F -> new TaylorPose(new TaylorVector(q[4], q[5], q[6]), turned(q));
+      case W -> new TaylorPose(none, zero);
+    };
+  }
+
+  private static TaylorRotation turned(Taylor[] q) {
+    return TaylorRotation.ofEulerParameters(q[0], new TaylorVector(q[1], q[2], q[3]));
   }
 
   private static TaylorVector along(Vector3 axis, Taylor way) {
@@ -108,10 +109,10 @@ final class JointEquations {
       return pose.position().dot(c.axis());
     }
     if (joint instanceof Cylindrical || joint instanceof Revolute) {
-      Vector3 b = normalTo(axis(joint));
+      Vector3 b = normalTo(joint.axes().get(0));
       Rotation zero = JointSide.of(joint).zero();
       TaylorVector turned = pose.rotation().times(TaylorRotation.of(zero).transposed()).apply(b);
-      return Taylor.angle(turned.dot(axis(joint).cross(b)), turned.dot(b));
+      return Taylor.angle(turned.dot(joint.axes().get(0).cross(b)), turned.dot(b));
     }
     throw new IllegalArgumentException("the oracle cannot read " + joint.name() + " from a pose");
   }
@@ -119,36 +120,35 @@ final class JointEquations {
   /** Returns what is zero in every pose the joint allows. */
   static List<Taylor> conditions(Joint joint, TaylorPose pose) {
     TaylorVector r = pose.position();
-    if (joint instanceof Free) {
-      return List.of();
-    }
-    if (joint instanceof Spherical) {
-      return List.of(r.x(), r.y(), r.z());
-    }
     Rotation zero = JointSide.of(joint).zero();
-    if (joint instanceof Universal u) {
-      // axis 1 and axis 2 keep the angle between them
-      Taylor cosine = pose.rotation().apply(u.axis2()).dot(u.axis1());
-      double atZero = zero.apply(u.axis2()).dot(u.axis1());
-      return List.of(r.x(), r.y(), r.z(), cosine.minus(Taylor.of(atZero)));
-    }
     TaylorRotation turned = pose.rotation().times(TaylorRotation.of(zero).transposed());
-    if (joint instanceof Prismatic p) {
-      Vector3 b = normalTo(p.axis());
-      return List.of(
-          r.dot(b), r.dot(p.axis().cross(b)), turned.y().z(), turned.z().x(), turned.x().y());
-    }
-    if (joint instanceof Revolute || joint instanceof Cylindrical || joint instanceof Screw) {
-      return aboutAxis(joint, r, turned);
-    }
-    if (joint instanceof Planar p) {
-      TaylorVector normal = turned.apply(p.normal());
-      return List.of(
-          r.dot(p.normal()),
-          normal.dot(p.direction()),
-          normal.dot(p.normal().cross(p.direction())));
-    }
-    return List.of(r.x(), r.y(), r.z(), turned.y().z(), turned.z().x(), turned.x().y());
+    return switch (joint.type()) {
+      case F -> List.of();
+      case S -> List.of(r.x(), r.y(), r.z());
+      case U -> {
+        // axis 1 and axis 2 keep the angle between them
+        Universal u = (Universal) joint;
+        Taylor cosine = pose.rotation().apply(u.axis2()).dot(u.axis1());
+        double atZero = zero.apply(u.axis2()).dot(u.axis1());
+        yield List.of(r.x(), r.y(), r.z(), cosine.minus(Taylor.of(atZero)));
+      }
+      case P -> {
+        Vector3 axis = ((Prismatic) joint).axis();
+        Vector3 b = normalTo(axis);
+        yield List.of(
+            r.dot(b), r.dot(axis.cross(b)), turned.y().z(), turned.z().x(), turned.x().y());
+      }
+      case R, C, H -> aboutAxis(joint, r, turned);
+      case PL -> {
+        Planar p = (Planar) joint;
+        TaylorVector normal = turned.apply(p.normal());
+        yield List.of(
+            r.dot(p.normal()),
+            normal.dot(p.direction()),
+            normal.dot(p.normal().cross(p.direction())));
+      }
+      case W -> List.of(r.x(), r.y(), r.z(), turned.y().z(), turned.z().x(), turned.x().y());
+    };
   }
 
   /** Returns what is zero when a pose is the given one. */
@@ -159,7 +159,7 @@ final class JointEquations {
   }
 
   private static List<Taylor> aboutAxis(Joint joint, TaylorVector r, TaylorRotation turned) {
-    Vector3 axis = axis(joint);
+    Vector3 axis = joint.axes().get(0);
     Vector3 b = normalTo(axis);
     Vector3 c = axis.cross(b);
     TaylorVector carried = turned.apply(axis);
@@ -177,13 +177,6 @@ final class JointEquations {
       return List.of(r.dot(b), r.dot(c), first, second, gap.minus(whole).times(h.pitch()));
     }
     return List.of(r.dot(b), r.dot(c), first, second);
-  }
-
-  private static Vector3 axis(Joint joint) {
-    if (joint instanceof Revolute r) {
-      return r.axis();
-    }
-    return joint instanceof Cylindrical c ? c.axis() : ((Screw) joint).axis();
   }
 
   /** Returns a unit vector normal to a unit vector. */

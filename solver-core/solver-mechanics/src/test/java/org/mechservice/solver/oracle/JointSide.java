@@ -1,11 +1,7 @@
 package org.mechservice.solver.oracle;
 
 import org.mechservice.solver.mechanism.Attachment;
-import org.mechservice.solver.mechanism.Free;
 import org.mechservice.solver.mechanism.Joint;
-import org.mechservice.solver.mechanism.Planar;
-import org.mechservice.solver.mechanism.Spherical;
-import org.mechservice.solver.mechanism.Universal;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
@@ -13,7 +9,7 @@ import org.mechservice.solver.spatial.Vector3;
 record JointSide(int body1, Vector3 point1, int body2, Vector3 point2, Rotation zero) {
   static JointSide of(Joint joint) {
     Attachment at = joint.attachment();
-    return turned(joint)
+    return joint.fileBody2IsParent()
         ? new JointSide(
             at.child(),
             at.childPoint(),
@@ -22,14 +18,6 @@ record JointSide(int body1, Vector3 point1, int body2, Vector3 point2, Rotation 
             at.zeroRotation().transposed())
         : new JointSide(
             at.parent(), at.parentPoint(), at.child(), at.childPoint(), at.zeroRotation());
-  }
-
-  /** Whether the description's parent is the file's body 2. */
-  static boolean turned(Joint joint) {
-    return (joint instanceof Universal u && u.fileBody2IsParent())
-        || (joint instanceof Planar p && p.fileBody2IsParent())
-        || (joint instanceof Spherical s && s.fileBody2IsParent())
-        || (joint instanceof Free f && f.fileBody2IsParent());
   }
 
   /** Pose of body 2's joint point and axes from body 1's joint point, in body 1's axes. */

@@ -32,6 +32,7 @@ import org.mechservice.solver.mechanism.force.Bushing;
 import org.mechservice.solver.mechanism.force.Contact;
 import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.ForceTorque;
+import org.mechservice.solver.mechanism.force.ForceVisitor;
 import org.mechservice.solver.mechanism.force.JointForce;
 import org.mechservice.solver.mechanism.force.JointFriction;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
@@ -49,6 +50,7 @@ public final class AppliedForces {
   private final JointCoordinates joints;
   private final LinkKinematics kinematics;
   private final StateFormulas formulas;
+  private final Terms terms = new Terms();
 
   public AppliedForces(Program program, Links mechanism, Coordinates coordinates) {
     this.program = program;
@@ -171,136 +173,144 @@ public final class AppliedForces {
   }
 
   private ForceTerm term(ForceElement element) {
-    if (element instanceof SpringDamper spring) {
-      PairMotion pair = new PairMotion(kinematics, points, spring.point1(), spring.point2());
-      return new SpringTerm(spring.name(), pair, law(spring));
-    } else if (element instanceof JointSpringDamper spring) {
-      return jointSpring(spring);
-    } else if (element instanceof JointFriction friction) {
-      return friction(friction);
-    } else if (element instanceof JointForce force) {
-      Coordinate coordinate = force.coordinate();
-      Scalar size = formulas.scalar(force.force());
-      Scalar power = size.times(joints.velocity(coordinate));
-      return new CoordinateTerm(joints, coordinate, size, expressions.zero(), power);
-    } else if (element instanceof ForceTorque force) {
-      return given(force);
-    } else if (element instanceof Contact contact) {
-      return contact(contact);
-    } else if (element instanceof Bushing bushing) {
-      return bushing(bushing);
+    return element.accept(terms);
+  }
+
+  /** The equations of each kind of force. */
+  private final class Terms implements ForceVisitor<ForceTerm> {
+    @Override
+    public ForceTerm springDamper(SpringDamper s) {
+      PairMotion pair = new PairMotion(kinematics, points, s.point1(), s.point2());
+      return new SpringTerm(s.name(), pair, law(s));
     }
-    throw new IllegalArgumentException("no equations for force " + element.name());
-  }
 
-  /**
-   * Returns a coefficient that must be known at code generation, because the code depends on it.
-   */
-  private double number(Expression coefficient) {
-    Scalar value = formulas.scalar(coefficient);
-    if (!value.isConstant()) {
-      throw new IllegalArgumentException("no code is generated for a parameter in " + coefficient);
+    @Override
+    public ForceTerm jointForce(JointForce f) {
+      Scalar size = formulas.scalar(f.force());
+      Scalar power = size.times(joints.velocity(f.coordinate()));
+      return new CoordinateTerm(joints, f.coordinate(), size, expressions.zero(), power);
     }
-    return value.value();
-  }
 
-  private SpringLaw law(SpringDamper s) {
-    return new SpringLaw(
-        s.side(),
-        formulas.scalar(s.stiffness()),
-        formulas.scalar(s.damping()),
-        formulas.scalar(s.length0()),
-        formulas.scalar(s.force0()),
-        number(s.smoothing()));
-  }
-
-  /**
-   * Returns the term of a joint's spring, whose component is an index among positions; that of its
-   * force is one among velocities.
-   */
-  private ForceTerm jointSpring(JointSpringDamper s) {
-    Coordinate position = s.coordinate();
-    Coordinate velocity = joints.velocityOf(position);
-    SpringLaw law =
-        new SpringLaw(
-            s.side(),
-            formulas.scalar(s.stiffness()),
-            formulas.scalar(s.damping()),
-            formulas.scalar(s.position0()),
-            formulas.scalar(s.force0()).negated(),
-            number(s.smoothing()));
-    Scalar q = joints.position(position);
-    Scalar v = joints.velocity(velocity);
-    return new CoordinateTerm(
-        joints,
-        velocity,
-        law.tension(q, v).negated(),
-        law.potential(q),
-        law.dampingForce(q, v).times(v).negated());
-  }
-
-  private ForceTerm friction(JointFriction f) {
-    Coordinate coordinate = f.coordinate();
-    Scalar v = joints.velocity(coordinate);
-    Scalar force = v.times(formulas.scalar(f.viscous()).negated());
-    Scalar dry = formulas.scalar(f.coulomb());
-    if (!dry.isZero()) {
-      Scalar speed = formulas.scalar(f.speed());
-      Scalar root = v.squared().plus(speed.squared()).squareRoot();
-      force = force.minus(v.over(root).times(dry));
+    @Override
+    public ForceTerm userForce(UserForceElement f) {
+      throw new IllegalArgumentException("the loads of force " + f.name() + " are inputs");
     }
-    return new CoordinateTerm(joints, coordinate, force, expressions.zero(), force.times(v));
-  }
 
-  private ForceTerm given(ForceTorque f) {
-    List<Scalar> c = new ArrayList<>();
-    f.components().forEach(component -> c.add(formulas.scalar(component)));
-    int link = points.link(f.point().body());
-    ScalarVector force = new ScalarVector(c.get(0), c.get(1), c.get(2));
-    ScalarVector torque = new ScalarVector(c.get(3), c.get(4), c.get(5));
-    boolean inWorld = f.axes() == ForceTorque.Axes.WORLD;
-    return new ExternalForceTerm(
-        kinematics,
-        link,
-        points.inLink(f.point()),
-        inWorld ? kinematics.fromWorld(link, force) : fromBody(f.point(), force),
-        inWorld ? kinematics.fromWorld(link, torque) : fromBody(f.point(), torque),
-        c);
-  }
+    /**
+     * Returns a coefficient that must be known at code generation, because the code depends on it.
+     */
+    private double number(Expression coefficient) {
+      Scalar value = formulas.scalar(coefficient);
+      if (!value.isConstant()) {
+        throw new IllegalArgumentException(
+            "no code is generated for a parameter in " + coefficient);
+      }
+      return value.value();
+    }
 
-  private ScalarVector fromBody(BodyPoint point, ScalarVector v) {
-    return points.axes(point.body(), Rotation.IDENTITY).times(v);
-  }
+    private SpringLaw law(SpringDamper s) {
+      return new SpringLaw(
+          s.side(),
+          formulas.scalar(s.stiffness()),
+          formulas.scalar(s.damping()),
+          formulas.scalar(s.length0()),
+          formulas.scalar(s.force0()),
+          number(s.smoothing()));
+    }
 
-  private ForceTerm contact(Contact f) {
-    BodyFrame sphere = new BodyFrame(f.center().body(), f.center().position(), Rotation.IDENTITY);
-    RelativeFrameMotion frames = new RelativeFrameMotion(kinematics, points, f.surface(), sphere);
-    Scalar x = frames.displacement().x();
-    Profile profile = new Profile(expressions);
-    Scalar height = profile.scalar(f.height());
-    Substitution place = new Substitution(profile.way(), x);
-    return new ContactTerm(
-        frames,
-        new ContactTerm.Coefficients(
-            number(f.radius()),
-            number(f.stiffness()),
-            number(f.damping()),
-            number(f.exponent()),
-            number(f.smoothing()),
-            number(f.friction()),
-            number(f.frictionSpeed())),
-        place.of(height),
-        place.of(profile.slope(height)));
-  }
+    /**
+     * Returns the term of a joint's spring, whose component is an index among positions; that of
+     * its force is one among velocities.
+     */
+    @Override
+    public ForceTerm jointSpringDamper(JointSpringDamper s) {
+      Coordinate position = s.coordinate();
+      Coordinate velocity = joints.velocityOf(position);
+      SpringLaw law =
+          new SpringLaw(
+              s.side(),
+              formulas.scalar(s.stiffness()),
+              formulas.scalar(s.damping()),
+              formulas.scalar(s.position0()),
+              formulas.scalar(s.force0()).negated(),
+              number(s.smoothing()));
+      Scalar q = joints.position(position);
+      Scalar v = joints.velocity(velocity);
+      return new CoordinateTerm(
+          joints,
+          velocity,
+          law.tension(q, v).negated(),
+          law.potential(q),
+          law.dampingForce(q, v).times(v).negated());
+    }
 
-  private ForceTerm bushing(Bushing f) {
-    return new BushingTerm(
-        expressions,
-        new RelativeFrameMotion(kinematics, points, f.frame1(), f.frame2()),
-        f.stiffness().stream().mapToDouble(this::number).toArray(),
-        f.damping().stream().mapToDouble(this::number).toArray(),
-        f.preload().stream().mapToDouble(this::number).toArray(),
-        f.law() == Bushing.Law.ENERGY);
+    @Override
+    public ForceTerm jointFriction(JointFriction f) {
+      Coordinate coordinate = f.coordinate();
+      Scalar v = joints.velocity(coordinate);
+      Scalar force = v.times(formulas.scalar(f.viscous()).negated());
+      Scalar dry = formulas.scalar(f.coulomb());
+      if (!dry.isZero()) {
+        Scalar speed = formulas.scalar(f.speed());
+        Scalar root = v.squared().plus(speed.squared()).squareRoot();
+        force = force.minus(v.over(root).times(dry));
+      }
+      return new CoordinateTerm(joints, coordinate, force, expressions.zero(), force.times(v));
+    }
+
+    @Override
+    public ForceTerm forceTorque(ForceTorque f) {
+      List<Scalar> c = new ArrayList<>();
+      f.components().forEach(component -> c.add(formulas.scalar(component)));
+      int link = points.link(f.point().body());
+      ScalarVector force = new ScalarVector(c.get(0), c.get(1), c.get(2));
+      ScalarVector torque = new ScalarVector(c.get(3), c.get(4), c.get(5));
+      boolean inWorld = f.axes() == ForceTorque.Axes.WORLD;
+      return new ExternalForceTerm(
+          kinematics,
+          link,
+          points.inLink(f.point()),
+          inWorld ? kinematics.fromWorld(link, force) : fromBody(f.point(), force),
+          inWorld ? kinematics.fromWorld(link, torque) : fromBody(f.point(), torque),
+          c);
+    }
+
+    private ScalarVector fromBody(BodyPoint point, ScalarVector v) {
+      return points.axes(point.body(), Rotation.IDENTITY).times(v);
+    }
+
+    @Override
+    public ForceTerm contact(Contact f) {
+      BodyFrame sphere = new BodyFrame(f.center().body(), f.center().position(), Rotation.IDENTITY);
+      RelativeFrameMotion frames = new RelativeFrameMotion(kinematics, points, f.surface(), sphere);
+      Scalar x = frames.displacement().x();
+      Profile profile = new Profile(expressions);
+      Scalar height = profile.scalar(f.height());
+      Substitution place = new Substitution(profile.way(), x);
+      return new ContactTerm(
+          frames,
+          new ContactTerm.Coefficients(
+              number(f.radius()),
+              number(f.stiffness()),
+              number(f.damping()),
+              number(f.exponent()),
+              number(f.smoothing()),
+              number(f.friction()),
+              number(f.frictionSpeed())),
+          place.of(height),
+          place.of(profile.slope(height)));
+    }
+
+    @Override
+    public ForceTerm bushing(Bushing f) {
+      return new BushingTerm(
+          expressions,
+          new RelativeFrameMotion(kinematics, points, f.frame1(), f.frame2()),
+          f.stiffness().stream().mapToDouble(this::number).toArray(),
+          f.damping().stream().mapToDouble(this::number).toArray(),
+          f.preload().stream().mapToDouble(this::number).toArray(),
+          f.law() == Bushing.Law.ENERGY);
+    }
   }
 
   /** The height of a profile as a formula of the arc length along it. */

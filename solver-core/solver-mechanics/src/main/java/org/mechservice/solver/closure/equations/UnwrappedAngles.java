@@ -18,8 +18,6 @@ import org.mechservice.solver.mechanism.closure.CoordinateClosure;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.force.ForceElement;
-import org.mechservice.solver.mechanism.force.ForceTorque;
-import org.mechservice.solver.mechanism.force.JointForce;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
 
 /**
@@ -58,11 +56,8 @@ public final class UnwrappedAngles {
       }
     }
     for (ForceElement force : mechanism.forces()) {
-      if (force instanceof JointForce given) {
-        formulas.add(given.force());
-      } else if (force instanceof ForceTorque given) {
-        formulas.addAll(given.components());
-      } else if (force instanceof JointSpringDamper spring) {
+      force.formulas().forEach(formula -> formulas.add(formula.expression()));
+      if (force instanceof JointSpringDamper spring) {
         positions.add(spring.coordinate());
       }
     }

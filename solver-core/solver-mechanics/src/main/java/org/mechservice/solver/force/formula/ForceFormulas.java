@@ -6,8 +6,6 @@ import java.util.Optional;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.ForceElement;
-import org.mechservice.solver.mechanism.force.ForceTorque;
-import org.mechservice.solver.mechanism.force.JointForce;
 
 /**
  * The formulas of a mechanism's forces decomposed for diagnosis: from the inside out every
@@ -29,16 +27,9 @@ public final class ForceFormulas {
   private ForceFormulas(Mechanism mechanism) {
     text = new FormulaText(mechanism);
     for (ForceElement force : mechanism.forces()) {
-      if (force instanceof JointForce joint) {
-        add(force.name(), "joint force", joint.force());
-      } else if (force instanceof ForceTorque given) {
-        for (int i = 0; i < given.components().size(); i++) {
-          add(
-              force.name(),
-              given.values(mechanism::jointOf).get(i).name(),
-              given.components().get(i));
-        }
-      }
+      force
+          .formulas()
+          .forEach(formula -> add(force.name(), formula.quantity(), formula.expression()));
     }
   }
 

@@ -5,11 +5,7 @@ import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Attachment;
-import org.mechservice.solver.mechanism.Free;
 import org.mechservice.solver.mechanism.Joint;
-import org.mechservice.solver.mechanism.Planar;
-import org.mechservice.solver.mechanism.Spherical;
-import org.mechservice.solver.mechanism.Universal;
 import org.mechservice.solver.spatial.EulerParameters;
 import org.mechservice.solver.spatial.Rotation;
 
@@ -28,7 +24,7 @@ public final class CutJoint {
   public CutJoint(TreeGeometry tree, Joint joint) {
     this.joint = joint;
     Attachment at = joint.attachment();
-    boolean backwards = runsBackwards(joint);
+    boolean backwards = joint.fileBody2IsParent();
     BodyPoint parent = new BodyPoint(at.parent(), at.parentPoint());
     BodyPoint child = new BodyPoint(at.child(), at.childPoint());
     point1 = backwards ? child : parent;
@@ -36,14 +32,6 @@ public final class CutJoint {
     relative = new RelativeMotion(tree, point1, point2);
     Rotation zero = backwards ? at.zeroRotation().transposed() : at.zeroRotation();
     functions = JointFunctions.of(joint, zero);
-  }
-
-  /** Returns whether the description's child is the file's body 1. */
-  private static boolean runsBackwards(Joint joint) {
-    return (joint instanceof Universal u && u.fileBody2IsParent())
-        || (joint instanceof Planar p && p.fileBody2IsParent())
-        || (joint instanceof Spherical s && s.fileBody2IsParent())
-        || (joint instanceof Free f && f.fileBody2IsParent());
   }
 
   /** Returns the joint. */

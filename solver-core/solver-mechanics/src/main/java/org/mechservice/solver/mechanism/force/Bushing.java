@@ -85,4 +85,19 @@ public record Bushing(
         new Variable("ty", "N·m"),
         new Variable("tz", "N·m"));
   }
+
+  @Override
+  public String kind() {
+    return "bushing";
+  }
+
+  @Override
+  public <R> R accept(ForceVisitor<R> visitor) {
+    return visitor.bushing(this);
+  }
+
+  @Override
+  public List<Integer> bodies() {
+    return List.of(frame1.body(), frame2.body());
+  }
 }

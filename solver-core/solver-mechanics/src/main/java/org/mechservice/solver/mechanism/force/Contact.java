@@ -68,4 +68,19 @@ public record Contact(
         new Variable("frictionX", "N"),
         new Variable("frictionY", "N"));
   }
+
+  @Override
+  public String kind() {
+    return "contact";
+  }
+
+  @Override
+  public <R> R accept(ForceVisitor<R> visitor) {
+    return visitor.contact(this);
+  }
+
+  @Override
+  public List<Integer> bodies() {
+    return List.of(surface.body(), center.body());
+  }
 }

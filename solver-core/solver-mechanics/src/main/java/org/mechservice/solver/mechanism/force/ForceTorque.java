@@ -2,6 +2,7 @@ package org.mechservice.solver.mechanism.force;
 
 import java.util.List;
 import java.util.function.Function;
+import java.util.stream.IntStream;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Coordinate;
@@ -23,6 +24,14 @@ import org.mechservice.solver.mechanism.Origin;
 public record ForceTorque(
     String name, BodyPoint point, Axes axes, List<Expression> components, Origin origin)
     implements ForceElement {
+  private static final List<Variable> COMPONENTS =
+      List.of(
+          new Variable("fx", "N"),
+          new Variable("fy", "N"),
+          new Variable("fz", "N"),
+          new Variable("tx", "N·m"),
+          new Variable("ty", "N·m"),
+          new Variable("tz", "N·m"));
 
   /** Axes of the components. */
   public enum Axes {
@@ -43,12 +52,28 @@ public record ForceTorque(
   /** {@inheritDoc} Components in the axes of the expressions. */
   @Override
   public List<Variable> values(Function<Coordinate, Joint> jointOf) {
-    return List.of(
-        new Variable("fx", "N"),
-        new Variable("fy", "N"),
-        new Variable("fz", "N"),
-        new Variable("tx", "N·m"),
-        new Variable("ty", "N·m"),
-        new Variable("tz", "N·m"));
+    return COMPONENTS;
+  }
+
+  @Override
+  public String kind() {
+    return "force and torque";
+  }
+
+  @Override
+  public <R> R accept(ForceVisitor<R> visitor) {
+    return visitor.forceTorque(this);
+  }
+
+  @Override
+  public List<Integer> bodies() {
+    return List.of(point.body());
+  }
+
+  @Override
+  public List<Formula> formulas() {
+    return IntStream.range(0, COMPONENTS.size())
+        .mapToObj(i -> new Formula(COMPONENTS.get(i).name(), components.get(i)))
+        .toList();
   }
 }

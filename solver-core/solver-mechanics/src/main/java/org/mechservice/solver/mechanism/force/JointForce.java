@@ -1,6 +1,7 @@
 package org.mechservice.solver.mechanism.force;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Function;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.expression.Coordinate;
@@ -24,5 +25,25 @@ public record JointForce(String name, Coordinate coordinate, Expression force, O
   public List<Variable> values(Function<Coordinate, Joint> jointOf) {
     String unit = jointOf.apply(coordinate).forceUnit(coordinate.component());
     return List.of(new Variable("force", unit));
+  }
+
+  @Override
+  public String kind() {
+    return "force in a joint";
+  }
+
+  @Override
+  public <R> R accept(ForceVisitor<R> visitor) {
+    return visitor.jointForce(this);
+  }
+
+  @Override
+  public Optional<Coordinate> jointCoordinate() {
+    return Optional.of(coordinate);
+  }
+
+  @Override
+  public List<Formula> formulas() {
+    return List.of(new Formula("joint force", force));
   }
 }

@@ -1,6 +1,7 @@
 package org.mechservice.solver.mechanism.force;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Function;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.expression.Coordinate;
@@ -35,5 +36,20 @@ public record JointFriction(
   public List<Variable> values(Function<Coordinate, Joint> jointOf) {
     String unit = jointOf.apply(coordinate).forceUnit(coordinate.component());
     return List.of(new Variable("force", unit));
+  }
+
+  @Override
+  public String kind() {
+    return "friction in a joint";
+  }
+
+  @Override
+  public <R> R accept(ForceVisitor<R> visitor) {
+    return visitor.jointFriction(this);
+  }
+
+  @Override
+  public Optional<Coordinate> jointCoordinate() {
+    return Optional.of(coordinate);
   }
 }

@@ -1,6 +1,7 @@
 package org.mechservice.solver.mechanism.force;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Function;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.api.result.Variable;
@@ -52,5 +53,20 @@ public record JointSpringDamper(
     JointType type = jointOf.apply(coordinate).type();
     boolean slides = type.positionUnit(coordinate.component()).equals("m");
     return List.of(new Variable("force", slides ? "N" : "N·m"));
+  }
+
+  @Override
+  public String kind() {
+    return "spring in a joint";
+  }
+
+  @Override
+  public <R> R accept(ForceVisitor<R> visitor) {
+    return visitor.jointSpringDamper(this);
+  }
+
+  @Override
+  public Optional<Coordinate> jointCoordinate() {
+    return Optional.of(coordinate);
   }
 }

@@ -54,4 +54,19 @@ public record SpringDamper(
     return List.of(
         new Variable("length", "m"), new Variable("rate", "m/s"), new Variable("tension", "N"));
   }
+
+  @Override
+  public String kind() {
+    return "spring between points";
+  }
+
+  @Override
+  public <R> R accept(ForceVisitor<R> visitor) {
+    return visitor.springDamper(this);
+  }
+
+  @Override
+  public List<Integer> bodies() {
+    return List.of(point1.body(), point2.body());
+  }
 }

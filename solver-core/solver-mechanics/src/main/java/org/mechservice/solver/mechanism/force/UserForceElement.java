@@ -30,4 +30,19 @@ public record UserForceElement(
   public List<Variable> values(Function<Coordinate, Joint> jointOf) {
     return List.of();
   }
+
+  @Override
+  public String kind() {
+    return "class " + className;
+  }
+
+  @Override
+  public <R> R accept(ForceVisitor<R> visitor) {
+    return visitor.userForce(this);
+  }
+
+  @Override
+  public List<Integer> bodies() {
+    return points.stream().map(named -> named.point().body()).toList();
+  }
 }

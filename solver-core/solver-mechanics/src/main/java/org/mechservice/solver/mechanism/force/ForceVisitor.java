@@ -1,0 +1,33 @@
+package org.mechservice.solver.mechanism.force;
+
+/**
+ * An answer for every kind of force. Whoever needs one implements it, so that the compiler names
+ * every place that a new kind concerns.
+ *
+ * @param <R> type of the answer
+ */
+public interface ForceVisitor<R> {
+  /** Answers for a spring and damper between two points. */
+  R springDamper(SpringDamper force);
+
+  /** Answers for a spring and damper in a joint. */
+  R jointSpringDamper(JointSpringDamper force);
+
+  /** Answers for a bushing. */
+  R bushing(Bushing force);
+
+  /** Answers for a force and torque given by expressions. */
+  R forceTorque(ForceTorque force);
+
+  /** Answers for a force in a joint given by an expression. */
+  R jointForce(JointForce force);
+
+  /** Answers for a contact. */
+  R contact(Contact force);
+
+  /** Answers for friction in a joint. */
+  R jointFriction(JointFriction force);
+
+  /** Answers for a force that is a user's class. */
+  R userForce(UserForceElement force);
+}
