@@ -152,8 +152,7 @@ public class ClosedTree {
       forces.accepted();
     }
     if (furtherCount() > 0) {
-      furtherRates.evaluate(t, new double[furtherCount()], 0);
-      furtherRates.accepted();
+      furtherRates.accepted(t);
     }
   }
 

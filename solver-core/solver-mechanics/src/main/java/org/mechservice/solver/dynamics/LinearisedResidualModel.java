@@ -57,7 +57,7 @@ public final class LinearisedResidualModel extends RecursiveResidualModel
     iteration = new TreeIteration(tree, pattern, jacobian);
     furtherDerivatives =
         new FurtherDerivatives(tree.statePositionCount, tree.stateVelocityCount, further.count());
-    bordered = new BorderedStep(coordinates, furtherDerivatives);
+    bordered = new BorderedStep(coordinates, furtherDerivatives, iteration::solve);
   }
 
   /** Returns the pairs of links that forces couple, two numbers each. */
@@ -96,12 +96,12 @@ public final class LinearisedResidualModel extends RecursiveResidualModel
   @Override
   public boolean factor(double hGamma) {
     regular = iteration.factor(hGamma);
-    return regular && bordered.factor(hGamma, unknownCount(), iteration::solve);
+    return regular && bordered.factor(hGamma);
   }
 
   @Override
   public void solve(double[] r) {
-    bordered.solve(r, iteration::solve, iteration::solve);
+    bordered.solve(r);
   }
 
   @Override

@@ -66,7 +66,7 @@ public abstract class TreeStepModel implements LinearisedModel, RunNotes {
     further =
         new FurtherDerivatives(
             coordinates.positionCount(), pattern.size, Integer.parseInt(furtherStates));
-    bordered = new BorderedStep(coordinates, further);
+    bordered = new BorderedStep(coordinates, further, iteration::solve);
     parts =
         new double[][] {
           mass.diagonal(),
@@ -130,12 +130,12 @@ public abstract class TreeStepModel implements LinearisedModel, RunNotes {
   @Override
   public final boolean factor(double hGamma) {
     regular = iteration.factor(hGamma);
-    return regular && bordered.factor(hGamma, unknownCount(), iteration::solve);
+    return regular && bordered.factor(hGamma);
   }
 
   @Override
   public final void solve(double[] r) {
-    bordered.solve(r, iteration::solve, iteration::solve);
+    bordered.solve(r);
   }
 
   @Override

@@ -47,7 +47,8 @@ final class UserForcedStepModel extends UserForcedResidualModel
     }
     jacobian = new ResidualJacobian(loads.motion(), pattern);
     iteration = new TreeIteration(loads.motion().tree(), pattern, jacobian);
-    bordered = new BorderedStep(new StateCoordinates(mechanism), generated.further());
+    bordered =
+        new BorderedStep(new StateCoordinates(mechanism), generated.further(), iteration::solve);
   }
 
   @Override
@@ -87,12 +88,12 @@ final class UserForcedStepModel extends UserForcedResidualModel
   @Override
   public boolean factor(double hGamma) {
     regular = iteration.factor(hGamma);
-    return regular && bordered.factor(hGamma, unknownCount(), iteration::solve);
+    return regular && bordered.factor(hGamma);
   }
 
   @Override
   public void solve(double[] r) {
-    bordered.solve(r, iteration::solve, iteration::solve);
+    bordered.solve(r);
   }
 
   @Override

@@ -72,7 +72,7 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
     jacobian = new ResidualJacobian(work.motion, pattern);
     iteration = new TreeIteration(work.tree, pattern, jacobian);
     further = new FurtherDerivatives(work.nq, work.nv, work.furtherCount());
-    bordered = new BorderedStep(work.coordinates, further);
+    bordered = new BorderedStep(work.coordinates, further, this::solveMechanism);
     int rank = closed.start().rank();
     int f = closed.freedom();
     boolean large = work.loops.isLarge();
@@ -169,12 +169,12 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
     int column = lu.factor(reduced);
     singular = column == LinearSolver.NONSINGULAR ? 0 : velocities.independent[column];
     isRegular = column == LinearSolver.NONSINGULAR;
-    return isRegular && bordered.factor(hGamma, work.stateCount, this::solveMechanism);
+    return isRegular && bordered.factor(hGamma);
   }
 
   @Override
   public void solve(double[] r) {
-    bordered.solve(r, this::solveMechanism, this::solveMechanism);
+    bordered.solve(r);
   }
 
   /** Solves for the change of positions and velocities alone. */

@@ -145,7 +145,13 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     state = new double[work.stateCount];
     moved = new double[work.stateCount];
     further = new FurtherDerivatives(work.nq, n, work.furtherCount());
-    bordered = new BorderedStep(work.coordinates, further);
+    bordered =
+        new BorderedStep(
+            work.coordinates,
+            further,
+            work.stateCount + 2 * m,
+            r -> solveMechanism(r, false),
+            r -> solveMechanism(r, true));
     reduced = new double[work.nq];
     push = new double[m];
     none = new double[n];
@@ -300,7 +306,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     }
     singular = equations.factor(full, linearisedRows, settings.stiffness() * largest);
     regular = singular < 0 && factorGram();
-    return regular && bordered.factor(hGamma, unknownCount(), r -> solveMechanism(r, false));
+    return regular && bordered.factor(hGamma);
   }
 
   /** Forms and factors J U² Jᵀ with a small additional diagonal. */
@@ -328,7 +334,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
 
   @Override
   public void solve(double[] r) {
-    bordered.solve(r, x -> solveMechanism(x, false), x -> solveMechanism(x, true));
+    bordered.solve(r);
   }
 
   /**

@@ -18,6 +18,8 @@ import org.mechservice.solver.linear.LinearSolver;
  * thread.
  */
 public final class BorderedStep {
+  private final Inner linear;
+  private final Inner corrected;
   private final StateCoordinates coordinates;
   private final FurtherDerivatives further;
   private final int nq;
@@ -31,7 +33,7 @@ public final class BorderedStep {
   private final double[] q;
   private final double[] tangent;
   private final double[] states;
-  private double[] work = new double[0];
+  private final double[] work;
   private double hGamma;
   private int singular;
 
@@ -47,8 +49,35 @@ public final class BorderedStep {
     void solve(double[] r);
   }
 
-  /** Makes a workspace for derivatives that are evaluated elsewhere. */
-  public BorderedStep(StateCoordinates coordinates, FurtherDerivatives further) {
+  /**
+   * Makes a workspace for derivatives that are evaluated elsewhere.
+   *
+   * @param inner solves A z = r
+   */
+  public BorderedStep(StateCoordinates coordinates, FurtherDerivatives further, Inner inner) {
+    this(
+        coordinates,
+        further,
+        coordinates.positionCount() + coordinates.velocityCount() + further.count(),
+        inner,
+        inner);
+  }
+
+  /**
+   * Makes a workspace for a solver that corrects its solution.
+   *
+   * @param unknowns length of right-hand sides
+   * @param linear solves A z = r
+   * @param corrected solves A z = r, and may correct z beyond the linear equations
+   */
+  public BorderedStep(
+      StateCoordinates coordinates,
+      FurtherDerivatives further,
+      int unknowns,
+      Inner linear,
+      Inner corrected) {
+    this.linear = linear;
+    this.corrected = corrected;
     this.coordinates = coordinates;
     this.further = further;
     nq = coordinates.positionCount();
@@ -59,6 +88,7 @@ public final class BorderedStep {
     q = new double[nq];
     tangent = new double[nv];
     states = new double[ns];
+    work = new double[ns == 0 ? 0 : unknowns];
   }
 
   /** Sets the state of the derivatives: y = [q; v; s], not modified. */
@@ -69,24 +99,20 @@ public final class BorderedStep {
   /**
    * Factors, after A has been factored.
    *
-   * @param unknowns length of right-hand sides
-   * @param inner solves A z = r
+   * @param step hγ, s
    * @return whether the matrix is regular
    */
-  public boolean factor(double step, int unknowns, Inner inner) {
+  public boolean factor(double step) {
     hGamma = step;
     if (ns == 0) {
       return true;
-    }
-    if (work.length != unknowns) {
-      work = new double[unknowns];
     }
     for (int k = 0; k < ns; k++) {
       Arrays.fill(work, 0);
       for (int i = 0; i < nv; i++) {
         work[nq + i] = hGamma * further.forces[i * ns + k];
       }
-      inner.solve(work);
+      linear.solve(work);
       formTangent(work);
       for (int i = 0; i < ns; i++) {
         matrix[i * ns + k] =
@@ -107,12 +133,10 @@ public final class BorderedStep {
    * Solves with the last factors.
    *
    * @param r right-hand side at entry, solution at return
-   * @param linear solves A z = r as {@link #factor} had it solved
-   * @param inner solves A z = r, and may correct z beyond the linear equations
    */
-  public void solve(double[] r, Inner linear, Inner inner) {
+  public void solve(double[] r) {
     if (ns == 0) {
-      inner.solve(r);
+      corrected.solve(r);
       return;
     }
     System.arraycopy(r, 0, work, 0, r.length);
@@ -129,7 +153,7 @@ public final class BorderedStep {
       }
       r[nq + i] -= hGamma * sum;
     }
-    inner.solve(r);
+    corrected.solve(r);
     System.arraycopy(states, 0, r, nq + nv, ns);
   }
 

@@ -32,6 +32,7 @@ public final class FurtherDerivatives {
   /** ∂f/∂s, ns × ns. */
   public final double[] byState;
 
+  private final double[][] parts;
   private final double[] direction;
   private final double[] plus;
   private final double[] minus;
@@ -50,6 +51,7 @@ public final class FurtherDerivatives {
     byPlace = new double[ns * nv];
     byVelocity = new double[ns * nv];
     byState = new double[ns * ns];
+    parts = new double[][] {forces, byPlace, byVelocity, byState};
     direction = new double[nv];
     plus = new double[ns];
     minus = new double[ns];
@@ -72,7 +74,7 @@ public final class FurtherDerivatives {
    */
   public void take(double[] values, int at) {
     int next = at;
-    for (double[] part : new double[][] {forces, byPlace, byVelocity, byState}) {
+    for (double[] part : parts) {
       System.arraycopy(values, next, part, 0, part.length);
       next += part.length;
     }
@@ -81,7 +83,7 @@ public final class FurtherDerivatives {
   /** Returns whether all are finite. */
   public boolean isFinite() {
     double sum = 0;
-    for (double[] part : new double[][] {forces, byPlace, byVelocity, byState}) {
+    for (double[] part : parts) {
       for (double element : part) {
         sum += 0 * element;
       }
@@ -115,8 +117,7 @@ public final class FurtherDerivatives {
     }
     for (int j = 0; j < nv; j++) {
       double step = STEP * Math.max(1, Math.abs(y[nq + j]));
-      double[] last = byVelocity;
-      differ(motion, rates, t, y, j, step, last, (h, at) -> moved[nq + at] += h);
+      differ(motion, rates, t, y, j, step, byVelocity, (h, at) -> moved[nq + at] += h);
       direction[j] = 1;
       differ(
           motion,

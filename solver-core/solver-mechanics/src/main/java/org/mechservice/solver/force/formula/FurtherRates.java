@@ -48,8 +48,12 @@ public final class FurtherRates {
     }
   }
 
-  /** Records an accepted state: angles of cut joints are unwrapped from here. */
-  public void accepted() {
+  /**
+   * Records that the state of the last sweep was accepted: angles of cut joints are unwrapped from
+   * here.
+   */
+  public void accepted(double t) {
+    inputs.evaluate(t);
     inputs.accepted();
   }
 }
