@@ -103,6 +103,75 @@ public abstract class EventContract extends EventLocationContract {
     assertThatIllegalStateException().isThrownBy(integrator::step);
   }
 
+  @ParameterizedTest
+  @ValueSource(doubles = {0, 0.01, 0.2, 0.5})
+  void ballThatComesToRestDoesNotSlipThroughTheFloor(double restitution) {
+    for (double tolerance : new double[] {1e-3, 1e-6, 1e-8}) {
+      EventIntegration integrator =
+          new EventIntegration(create(tolerance), new Bounces(restitution));
+      Run run = run(integrator, FALL, new double[] {10, 0}, 20);
+      assertThat(run.result()).as("tolerance %s", tolerance).isEqualTo(StepResult.FAILED);
+      assertThat(integrator.failure().cause())
+          .isEqualTo(IntegrationFailure.Cause.EVENTS_ACCUMULATE);
+      assertThat(run.atEnd()[0]).isGreaterThan(-1e-8);
+    }
+  }
+
+  @Test
+  void functionThatAChangeOfTheStateTakesToTheOtherSideHasItsEvent() {
+    // Moved from above the floor to below it at t = 1; the floor is to end the run.
+    boolean[] jumped = {false};
+    Watch floor =
+        new Watch(
+            2,
+            Direction.FALLING,
+            Reaction.RESTART,
+            (t, y, g) -> {
+              g[0] = 1 - t;
+              g[1] = y[0];
+            }) {
+          @Override
+          public Reaction occurred(double t, double[] y, boolean[] occurred) {
+            super.occurred(t, y, occurred);
+            if (occurred[1]) {
+              return Reaction.STOP;
+            }
+            jumped[0] = true;
+            y[0] = -3;
+            return Reaction.RESTART;
+          }
+        };
+    EventIntegration integrator = new EventIntegration(create(1e-6), floor);
+    StepResult result = integrator.start(FALL, 0, new double[] {10, 0}, 20);
+    while (result == StepResult.ADVANCED) {
+      result = integrator.step();
+    }
+    assertThat(jumped[0]).isTrue();
+    assertThat(result).isEqualTo(StepResult.REACHED_END);
+    assertThat(floor.functions).containsExactly(List.of(0), List.of(1));
+    assertThat(integrator.time()).isCloseTo(1, within(1e-9));
+  }
+
+  @Test
+  void functionThatRestsAtZeroAfterItsEventMayLeaveItOnEitherSideLater() {
+    // A block stops by friction at t = 1, rests, and slides on from t = 2.
+    boolean[] slides = {true};
+    Ode block =
+        new Ode(1, (t, y, yDot) -> yDot[0] = slides[0] ? -1 : -Math.pow(Math.max(0, t - 2), 2));
+    Watch halt =
+        new Watch(1, Direction.FALLING, Reaction.RESTART, (t, y, g) -> g[0] = y[0]) {
+          @Override
+          public Reaction occurred(double t, double[] y, boolean[] occurred) {
+            slides[0] = false;
+            y[0] = 0;
+            return super.occurred(t, y, occurred);
+          }
+        };
+    Run run = run(new EventIntegration(create(1e-6), halt), block, new double[] {1}, 3);
+    assertThat(run.result()).isEqualTo(StepResult.REACHED_END);
+    assertThat(halt.times).hasSize(1);
+  }
+
   @Test
   void switchWithoutPlayThatActsBackOnItselfEndsTheRun() {
     // y' = −mode, and crossing 0 in either direction makes mode the sign of y.

@@ -271,6 +271,21 @@ class EventRunTest {
   }
 
   @Test
+  void eventThatIsZeroAtTheStartIsReportedAndDoesNotHappenThere() throws IOException {
+    Event halfway = event("halfway", minus(q(0), HEIGHT), Direction.FALLING, Action.RECORD);
+    Event back = event("back", minus(q(0), HEIGHT), Direction.RISING, Action.RECORD);
+    RunReport report = run(model(ball(List.of(), halfway, back), "DTR"), "ode113", 1);
+
+    assertThat(times(report)).isEmpty();
+    assertThat(
+            report.notes().stream()
+                .filter(note -> note.code() == MessageCode.EVENT_ZERO_AT_START)
+                .map(Note::text))
+        .hasSize(1)
+        .allMatch(text -> text.contains("\"halfway\""));
+  }
+
+  @Test
   void bouncesThatNeverEndAreNamed() throws IOException {
     RunReport report = run(model(ball(List.of(), bounce()), "DTR"), "ode113", 20);
 
@@ -332,6 +347,49 @@ class EventRunTest {
     for (double[] row : rows.rows) {
       assertThat(Math.hypot(row[1], row[2])).isCloseTo(1, within(1e-9));
       assertThat(row[1]).isGreaterThan(-1e-8);
+    }
+  }
+
+  /**
+   * The mass comes to rest on a wall that its weight presses it against: the bounces accumulate,
+   * and no way of writing the equations may let it slip through the wall instead.
+   */
+  @ParameterizedTest
+  @CsvSource({
+    "DSR, projection, ode113",
+    "DSR, projection, DE",
+    "DSR, projection, ode15s",
+    "DSR, projection, switching",
+    "RR, projection, ode15sR",
+    "RR-JF, projection, ode15sR",
+    "DSR, penalty, ode113",
+    "RR-JF, penalty, ode15sR"
+  })
+  void massInALoopThatComesToRestOnAWallStaysOnItsSide(
+      String formulation, String closure, String integrator) throws IOException {
+    for (double tolerance : new double[] {1e-5, 1e-6, 1e-7}) {
+      for (double restitution : new double[] {0.2, 0.5}) {
+        rows.rows.clear();
+        StateChange back = new StateChange(0, List.of(), List.of(times(-restitution, v(0))));
+        Event wall = event("wall", minus(q(0), 0.5), Direction.FALLING, Action.SET, back);
+        RunSettings settings = new RunSettings(0, 6, 0.05, integrator, tolerance, tolerance);
+        RunReport report =
+            new RuntimeSolver()
+                .run(
+                    model(slidingPendulum(wall), formulation, closure),
+                    new RunRequest(settings, EnumSet.of(ColumnGroup.ENERGY)),
+                    rows,
+                    new RunControl(),
+                    Checkpoints.NONE);
+
+        String which = "tolerance " + tolerance + ", restitution " + restitution;
+        double lowest = rows.rows.stream().mapToDouble(row -> row[1]).min().orElseThrow();
+        assertThat(report.outcome()).as(which).isInstanceOf(Outcome.Failed.class);
+        assertThat(((Outcome.Failed) report.outcome()).failure().code())
+            .as(which)
+            .isEqualTo(MessageCode.EVENTS_ACCUMULATE);
+        assertThat(lowest).as(which).isGreaterThan(0.5 - 1e-8);
+      }
     }
   }
 

@@ -4,7 +4,8 @@ import org.mechservice.solver.ode.SavedState;
 
 /**
  * Notices that events accumulate: that they follow each other at a distance that is no more than
- * round-off, or at distances that shrink towards a point close ahead, as the bounces of a ball do.
+ * round-off, without their functions leaving zero between, or at distances that shrink towards a
+ * point close ahead, as the bounces of a ball do.
  */
 final class AccumulationMonitor {
   private static final int IN_A_ROW = 20;
@@ -29,12 +30,17 @@ final class AccumulationMonitor {
     chattering = 0;
   }
 
-  /** Takes note of an event; returns whether it is one too many. */
-  boolean accumulates(double t) {
+  /**
+   * Takes note of an event; returns whether it is one too many.
+   *
+   * @param stayedAtZero whether its function has not left zero since its last event
+   */
+  boolean accumulates(double t, boolean stayedAtZero) {
     double distance = Math.abs(t - last);
     double ahead = distance * distance / (lastDistance - distance);
     shrinking = distance < lastDistance ? shrinking + 1 : 0;
-    chattering = distance <= CHATTER * Math.max(Math.abs(t), Math.abs(start)) ? chattering + 1 : 0;
+    boolean atOnce = distance <= CHATTER * Math.max(Math.abs(t), Math.abs(start));
+    chattering = atOnce || stayedAtZero ? chattering + 1 : 0;
     last = t;
     lastDistance = distance;
     boolean near = ahead <= CLOSE_AHEAD * Math.abs(t - start);

@@ -43,6 +43,12 @@ public interface EventFunctions {
    */
   Reaction occurred(double t, double[] y, boolean[] occurred);
 
+  /**
+   * Notes that a function was exactly 0 at the start and has left 0 in a direction that counts.
+   * That is no event, as nothing says on which side it was before.
+   */
+  default void leftZeroAtStart(int function) {}
+
   /** Notes that the integration goes on from a place at which the reaction was a restart. */
   default void restarting(double t) {}
 

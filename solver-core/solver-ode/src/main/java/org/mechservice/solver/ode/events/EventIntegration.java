@@ -75,6 +75,10 @@ public final class EventIntegration implements ResidualIntegrator {
   private boolean restartDue;
   private boolean justRestarted;
   private boolean stateChanged;
+
+  /** Whether a function with the last event had not left zero since the one before. */
+  private boolean stayedAtZero;
+
   private long events;
 
   /**
@@ -121,7 +125,9 @@ public final class EventIntegration implements ResidualIntegrator {
     recentSteps.clear();
     events = 0;
     values.forget();
-    return settle(result, t0);
+    StepResult settled = settle(result, t0);
+    values.rememberZeros();
+    return settled;
   }
 
   private void prepare(SystemParts system, int dimension, double tEnd) {
@@ -186,9 +192,12 @@ public final class EventIntegration implements ResidualIntegrator {
     }
     justRestarted = false;
     time = integrator.previousTime();
-    return values.join(time)
-        ? searchStep(result, PARTS_AFTER_RESTART)
-        : fail(Cause.EVENT_NOT_FINITE);
+    if (!values.join(time)) {
+      return fail(Cause.EVENT_NOT_FINITE);
+    }
+    result = searchStep(result, PARTS_AFTER_RESTART);
+    values.tellOfZerosLeft();
+    return result;
   }
 
   /** Searches the step just taken from point to point. */
@@ -224,6 +233,7 @@ public final class EventIntegration implements ResidualIntegrator {
         }
       }
     }
+    values.endStep(end, tEnd);
     running = result == StepResult.ADVANCED;
     return result;
   }
@@ -233,6 +243,7 @@ public final class EventIntegration implements ResidualIntegrator {
     events++;
     values.determine(restarted);
     Reaction reaction = functions.occurred(values.time(), restarted, values.occurred());
+    stayedAtZero = values.anyStayedAtZero();
     values.pass();
     return reaction;
   }
@@ -245,7 +256,7 @@ public final class EventIntegration implements ResidualIntegrator {
       running = false;
       return StepResult.REACHED_END;
     }
-    if (accumulation.accumulates(t)) {
+    if (accumulation.accumulates(t, stayedAtZero)) {
       return fail(Cause.EVENTS_ACCUMULATE);
     }
     restartDue = true;

@@ -19,6 +19,15 @@ final class EventSigns {
   /** Uncertainty of a zero in units of the difference of the values on both sides. */
   private static final double BLUR = 4;
 
+  /**
+   * How far behind zero, relative to its largest value, a function may be after a change of the
+   * state that was not meant to move it: by closing loops, by a projection.
+   */
+  private static final double STILL_AT_ZERO = 1e-4;
+
+  /** Steps after a change of the state in which a function that rests at zero can go on. */
+  private static final int FIRST_STEPS = 10;
+
   private final EventFunctions functions;
 
   /** 1, −1, or 0 as long as the function was not away from zero. */
@@ -28,6 +37,9 @@ final class EventSigns {
   private final int[] sideBefore;
 
   private final boolean[] armed;
+
+  /** In how many more steps the side is only assumed to be that before the event. */
+  private final int[] provisional;
 
   /** Largest absolute value so far, and uncertainty of the zero found last. */
   private final double[] largest;
@@ -39,6 +51,7 @@ final class EventSigns {
     side = new int[functions.count()];
     sideBefore = new int[functions.count()];
     armed = new boolean[functions.count()];
+    provisional = new int[functions.count()];
     largest = new double[functions.count()];
     blur = new double[functions.count()];
   }
@@ -47,9 +60,17 @@ final class EventSigns {
   void begin(double[] g) {
     Arrays.fill(side, 0);
     Arrays.fill(armed, false);
+    Arrays.fill(provisional, 0);
     Arrays.fill(largest, 0);
     Arrays.fill(blur, 0);
     observe(g);
+  }
+
+  /** Returns whether a function is away from zero on the side that an event of it leads to. */
+  boolean behindEvent(int i) {
+    Direction direction = functions.direction(i);
+    return side[i] != 0
+        && (direction == Direction.EITHER || (direction == Direction.RISING) == (side[i] > 0));
   }
 
   /** Returns whether a value is an event of a function, given those observed before. */
@@ -119,6 +140,19 @@ final class EventSigns {
   }
 
   /**
+   * Returns whether any of the functions with an event has not been away from zero since its last
+   * one by more than the uncertainty of that.
+   */
+  boolean anyStayedAtZero(boolean[] occurred) {
+    for (int i = 0; i < occurred.length; i++) {
+      if (occurred[i] && !armed[i] && noise(i) > functions.hysteresis(i)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /**
    * Takes note of an event.
    *
    * @param occurred functions that took part
@@ -131,6 +165,7 @@ final class EventSigns {
         sideBefore[i] = side[i];
         side[i] = -side[i];
         armed[i] = false;
+        provisional[i] = 0;
         blur[i] = BLUR * Math.abs(gBehind[i] - gBefore[i]);
       } else {
         observe(i, gBehind[i]);
@@ -138,13 +173,31 @@ final class EventSigns {
     }
   }
 
-  /** Takes note of the values of a state that has just been changed: all sides are open. */
-  void place(double[] g) {
+  /**
+   * Takes note of the values of a state that has just been changed at an event.
+   *
+   * <p>A function that had no event keeps its side: if the change has taken it to the other one,
+   * its event is due at the next point looked at. A function that had one is open near zero, also a
+   * little behind it, where {@link #lean} decides.
+   */
+  void place(boolean[] occurred, double[] g) {
     for (int i = 0; i < g.length; i++) {
-      side[i] = 0;
-      armed[i] = false;
-      observe(i, g[i]);
+      if (occurred[i]) {
+        reopen(i, g[i]);
+      } else if (!event(i, g[i])) {
+        observe(i, g[i]);
+      }
     }
+  }
+
+  private void reopen(int i, double g) {
+    side[i] = 0;
+    armed[i] = false;
+    boolean behind = g * sideBefore[i] < 0;
+    if (behind && Math.abs(g) <= STILL_AT_ZERO * largest[i]) {
+      blur[i] = noise(i) + Math.abs(g);
+    }
+    observe(i, g);
   }
 
   /**
@@ -166,16 +219,50 @@ final class EventSigns {
 
   /**
    * Decides by the way a function goes on which side it is on after an event that has changed the
-   * state, where its value leaves that open. One that turns round must not pass zero unnoticed.
+   * state, where its value leaves that open. One that turns round must not pass zero unnoticed; one
+   * that hardly moves counts as on the side before the event for some steps, so that it has another
+   * event if it goes on at once.
    *
    * @param g values at the changed state
    * @param ahead values a little further along the solution
    */
   void lean(boolean[] occurred, double[] g, double[] ahead) {
     for (int i = 0; i < g.length; i++) {
-      double way = ahead[i] - g[i];
-      if (occurred[i] && side[i] == 0 && Math.abs(way) > roundOff(i)) {
-        side[i] = way * sideBefore[i] > 0 ? sideBefore[i] : -sideBefore[i];
+      if (occurred[i] && side[i] == 0) {
+        double way = ahead[i] - g[i];
+        boolean back = way * sideBefore[i] > 0;
+        boolean still = !back && Math.abs(way) <= roundOff(i);
+        side[i] = back || still ? sideBefore[i] : -sideBefore[i];
+        provisional[i] = still ? FIRST_STEPS : 0;
+      }
+    }
+  }
+
+  /** Returns whether the side of any function is only assumed. */
+  boolean anyProvisional() {
+    for (int steps : provisional) {
+      if (steps > 0) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /**
+   * Takes note of the end of a step: sides assumed for long enough, or of functions that rest, are
+   * open.
+   *
+   * @param g values there
+   * @param ahead values further along the solution; equal ones show rest
+   */
+  void endStep(double[] g, double[] ahead) {
+    for (int i = 0; i < side.length; i++) {
+      if (provisional[i] > 0) {
+        boolean rests = Math.abs(ahead[i] - g[i]) <= roundOff(i);
+        provisional[i] = rests ? 0 : provisional[i] - 1;
+        if (provisional[i] == 0 && !armed[i]) {
+          side[i] = 0;
+        }
       }
     }
   }
@@ -186,6 +273,7 @@ final class EventSigns {
       side[i] = state.integer(side[i]);
       sideBefore[i] = state.integer(sideBefore[i]);
       armed[i] = state.flag(armed[i]);
+      provisional[i] = state.integer(provisional[i]);
     }
     state.numbers(largest);
     state.numbers(blur);

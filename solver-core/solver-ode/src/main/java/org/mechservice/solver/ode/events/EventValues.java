@@ -15,12 +15,16 @@ final class EventValues {
   /** Part of what is left of the problem by which to look ahead after a restart. */
   private static final double LOOK_AHEAD = Math.sqrt(Math.ulp(1.0));
 
+  /** The same after each of the first steps, to tell what rests from what is slow. */
+  private static final double LOOK_FAR_AHEAD = Math.sqrt(LOOK_AHEAD);
+
   private final Integrator integrator;
   private final EventFunctions functions;
   private final EventSigns signs;
   private final EventSearch search;
   private final EventSearch.Path path = this::evaluate;
   private final boolean[] occurred;
+  private final boolean[] zeroAtStart;
 
   private CompletedSystem completed = CompletedSystem.NOTHING_PASSIVE;
 
@@ -41,6 +45,7 @@ final class EventValues {
     signs = new EventSigns(functions);
     search = new EventSearch(signs, count);
     occurred = new boolean[count];
+    zeroAtStart = new boolean[count];
     before = new double[count];
     here = new double[count];
   }
@@ -55,6 +60,23 @@ final class EventValues {
   /** Forgets which functions changed sign. */
   void forget() {
     Arrays.fill(occurred, false);
+  }
+
+  /** Takes note of the functions that are exactly zero where the problem begins. */
+  void rememberZeros() {
+    for (int i = 0; i < zeroAtStart.length; i++) {
+      zeroAtStart[i] = before[i] == 0;
+    }
+  }
+
+  /** Tells of those of them that have left zero where events of theirs would have led. */
+  void tellOfZerosLeft() {
+    for (int i = 0; i < zeroAtStart.length; i++) {
+      if (zeroAtStart[i] && signs.behindEvent(i)) {
+        functions.leftZeroAtStart(i);
+      }
+      zeroAtStart[i] = false;
+    }
   }
 
   /** Begins at a state without history; returns false if something is not finite. */
@@ -130,6 +152,11 @@ final class EventValues {
     return occurred;
   }
 
+  /** Returns whether one of them has not left zero since its last event; before {@link #pass}. */
+  boolean anyStayedAtZero() {
+    return signs.anyStayedAtZero(occurred);
+  }
+
   /** Goes on from the event. */
   void pass() {
     signs.passed(occurred, search.before(), search.behind());
@@ -148,7 +175,7 @@ final class EventValues {
       return false;
     }
     if (moved) {
-      signs.place(before);
+      signs.place(occurred, before);
     }
     return true;
   }
@@ -160,14 +187,28 @@ final class EventValues {
 
   /** Sees which way the functions go on from a state that was changed. */
   void lookAhead(double t, double tEnd) {
-    double stretch = LOOK_AHEAD * (tEnd - t);
+    lookAlong(t, LOOK_AHEAD * (tEnd - t));
+    signs.lean(occurred, before, here);
+  }
+
+  /** Takes note of the end of a step. */
+  void endStep(double t, double tEnd) {
+    if (signs.anyProvisional()) {
+      lookAlong(t, LOOK_FAR_AHEAD * (tEnd - t));
+      signs.endStep(before, here);
+    }
+  }
+
+  /** Evaluates the functions on the tangent of the solution, or where that begins. */
+  private void lookAlong(double t, double stretch) {
     integrator.interpolate(t, y, yDot);
     for (int l = 0; l < y.length; l++) {
       y[l] += stretch * yDot[l];
     }
     if (completed.complete(t + stretch, y)) {
       functions.evaluate(t + stretch, y, here);
-      signs.lean(occurred, before, here);
+    } else {
+      System.arraycopy(before, 0, here, 0, here.length);
     }
   }
 
@@ -187,6 +228,7 @@ final class EventValues {
     state.numbers(before);
     for (int i = 0; i < occurred.length; i++) {
       occurred[i] = state.flag(occurred[i]);
+      zeroAtStart[i] = state.flag(zeroAtStart[i]);
     }
     if (functions instanceof SavedSystem saved) {
       saved.transfer(state);

@@ -1,6 +1,7 @@
 package org.mechservice.solver.ode.newton;
 
 import org.mechservice.solver.ode.IntegratorSettings;
+import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.ode.TrialOutcome;
 import org.mechservice.solver.ode.step.ErrorNorm;
 import org.mechservice.solver.ode.step.RightHandSide;
@@ -62,6 +63,10 @@ final class ConsistentStart {
   private Stage stage = Stage.BEGIN;
 
   private int iteration;
+
+  /** Whether the guess of y' belongs to a state before a jump. */
+  private boolean slopeIsOfAnother;
+
   private double size;
   private double part;
 
@@ -92,6 +97,14 @@ final class ConsistentStart {
     triedChange = new double[n];
   }
 
+  /**
+   * Takes note that the state has been changed, so that the guess of its derivative is that of
+   * another motion: a correction found is taken over even if it is small.
+   */
+  void stateChanged() {
+    slopeIsOfAnother = true;
+  }
+
   /** Forgets a search that was stopped. */
   void abandon() {
     stage = Stage.BEGIN;
@@ -112,6 +125,7 @@ final class ConsistentStart {
       return attempt;
     }
     stage = Stage.BEGIN;
+    slopeIsOfAnother = false;
     if (attempt == TrialOutcome.PASSED) {
       System.arraycopy(y, 0, y0, 0, y.length);
       System.arraycopy(yDot, 0, yDot0, 0, y.length);
@@ -183,7 +197,7 @@ final class ConsistentStart {
     size = size(change);
     if (size <= ACCURACY) {
       stage = Stage.BEGIN;
-      return settle(iteration == 0 ? 0 : 1);
+      return settle(iteration == 0 && !slopeIsOfAnother ? 0 : 1);
     }
     part = 1;
     stage = Stage.DAMP;
@@ -285,6 +299,11 @@ final class ConsistentStart {
       largest = Math.max(largest, Math.abs(moved) / allowed);
     }
     return largest;
+  }
+
+  /** Carries over what a search to come is to know. */
+  void transfer(SavedState state) {
+    slopeIsOfAnother = state.flag(slopeIsOfAnother);
   }
 
   /** Returns the row whose equation is violated most, by the size of its terms if that is known. */

@@ -129,6 +129,11 @@ public final class ResidualEquations extends StepEquations {
   }
 
   @Override
+  public void stateChanged() {
+    start.stateChanged();
+  }
+
+  @Override
   public Cause causeAtStart(TrialOutcome attempt) {
     return switch (attempt) {
       case SINGULAR_MATRIX -> Cause.SINGULAR_MATRIX;
@@ -391,5 +396,6 @@ public final class ResidualEquations extends StepEquations {
     state.numbers(slope);
     linearisation.transfer(state);
     slight.transfer(state);
+    start.transfer(state);
   }
 }

@@ -78,6 +78,9 @@ public abstract class StepEquations {
    */
   public abstract TrialOutcome findStart(double t, double[] y, double[] slope);
 
+  /** Takes note that the next start follows a change of the state from outside. */
+  public void stateChanged() {}
+
   /** Returns what to call a failure of {@link #findStart}. */
   public abstract Cause causeAtStart(TrialOutcome attempt);
 

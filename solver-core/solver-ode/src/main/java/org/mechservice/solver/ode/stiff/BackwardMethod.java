@@ -100,6 +100,7 @@ abstract class BackwardMethod extends SteppingIntegrator {
     if (equations().breakpoints().reachedAt(t)) {
       equations().breakpoints().pass();
     }
+    equations().stateChanged();
     StepResult result = beginAnew(t, y);
     step.boundFirst(longestFirstStep);
     return result;

@@ -35,6 +35,7 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   private final Action[] actions;
   private final double[] wanted;
   private final boolean[] set;
+  private final boolean[] zeroAtStart;
   private final double[] energy = new double[2];
   private final List<Occurrence> told = new ArrayList<>();
   private final List<Double> dueRows = new ArrayList<>();
@@ -51,6 +52,7 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
     equations.follow(this);
     names = events.kinds().stream().map(ModelEvents.Kind::name).toArray(String[]::new);
     actions = events.kinds().stream().map(ModelEvents.Kind::action).toArray(Action[]::new);
+    zeroAtStart = new boolean[names.length];
     wanted = new double[equations.dimension()];
     set = new boolean[wanted.length];
   }
@@ -210,6 +212,11 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   }
 
   @Override
+  public void leftZeroAtStart(int function) {
+    zeroAtStart[function] = !isMotion(function);
+  }
+
+  @Override
   public void restarting(double t) {
     events.continueFrom(t);
   }
@@ -254,6 +261,11 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   @Override
   public List<Note> notes() {
     List<Note> notes = new ArrayList<>();
+    for (int i = 0; i < zeroAtStart.length; i++) {
+      if (zeroAtStart[i]) {
+        notes.add(startsAtZero(names[i]));
+      }
+    }
     for (Occurrence one : told) {
       MessageCode code =
           isMotion(one.event()) ? MessageCode.DRIVEN_VELOCITY_JUMPED : MessageCode.EVENT_OCCURRED;
@@ -265,6 +277,15 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
       notes.add(new Note(MessageCode.EVENT_OCCURRED, last.time(), false, text));
     }
     return notes;
+  }
+
+  private static Note startsAtZero(String event) {
+    String text =
+        "The expression of event \""
+            + event
+            + "\" is exactly zero at the start and leaves zero in the direction looked for. That"
+            + " does not count as an event.";
+    return new Note(MessageCode.EVENT_ZERO_AT_START, 0, false, text);
   }
 
   private String what(int event) {
@@ -295,8 +316,9 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
 
   @Override
   public void transfer(SavedState state) {
-    for (String name : names) {
-      state.require("event", name);
+    for (int i = 0; i < names.length; i++) {
+      state.require("event", names[i]);
+      zeroAtStart[i] = state.flag(zeroAtStart[i]);
     }
     count = state.integer(count);
     latest = state.integer(latest);
