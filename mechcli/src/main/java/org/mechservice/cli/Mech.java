@@ -11,6 +11,7 @@ import org.mechservice.cli.model.NewCommand;
 import org.mechservice.cli.model.VerifyCommand;
 import org.mechservice.cli.picture.PlotCommand;
 import org.mechservice.cli.picture.ShowCommand;
+import org.mechservice.cli.picture.ViewCommand;
 import org.mechservice.cli.service.KeysCommand;
 import org.mechservice.cli.service.ServerCommand;
 import org.mechservice.cli.service.SimhostCommand;
@@ -62,6 +63,7 @@ public final class Mech {
           PlotCommand.class,
           CheckCommand.class,
           ShowCommand.class,
+          ViewCommand.class,
           BuildCommand.class,
           ImportCommand.class,
           ReportCommand.class,

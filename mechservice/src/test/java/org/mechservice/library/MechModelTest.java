@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.solver.api.Model;
-import org.mechservice.solver.api.ModelSource;
+import org.mechservice.solver.api.ModelJarFile;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
@@ -96,10 +96,10 @@ class MechModelTest {
   void aJarRunsByItself() throws Exception {
     Path jar = folder.resolve("pendulum.jar");
     pendulum().until(0.1).writeJar(jar);
-    Model loaded = ModelSource.load(jar).model();
+    Model loaded = ModelJarFile.load(jar).model();
     assertThat(loaded.description().name()).isEqualTo("FiveBarPendulum");
     Path noJar = Files.writeString(folder.resolve("no.jar"), "text");
-    assertThatThrownBy(() -> ModelSource.load(noJar)).isInstanceOf(IOException.class);
+    assertThatThrownBy(() -> ModelJarFile.load(noJar)).isInstanceOf(IOException.class);
   }
 
   @Test

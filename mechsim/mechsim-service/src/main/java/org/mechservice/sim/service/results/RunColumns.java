@@ -27,6 +27,22 @@ public record RunColumns(List<Variable> variables, List<String> groups) {
   }
 
   /**
+   * Returns other columns; those that are not among these are values of forces, the only columns
+   * that a model without its users' classes does not know.
+   *
+   * @param all name and unit of each
+   */
+  public RunColumns with(List<Variable> all) {
+    Map<String, String> groupOf = new HashMap<>();
+    for (int i = 0; i < variables.size(); i++) {
+      groupOf.put(variables.get(i).name(), groups.get(i));
+    }
+    String forces = ColumnGroup.FORCES.label();
+    return new RunColumns(
+        all, all.stream().map(column -> groupOf.getOrDefault(column.name(), forces)).toList());
+  }
+
+  /**
    * Finds out which column belongs to which group.
    *
    * @param columnsOf the columns of a run with certain groups

@@ -12,10 +12,12 @@ import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.api.TunableParameter;
 import org.mechservice.solver.api.result.ResultSink;
+import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.RunControl;
 import org.mechservice.solver.api.run.RunReport;
 import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.simulation.Simulation;
 
 /**
  * Computes in this process.
@@ -37,6 +39,11 @@ record LocalTask(
     RunCheckpoints checkpoints,
     ThreadClock clock)
     implements RunTask {
+  @Override
+  public List<Variable> columns() {
+    return Simulation.columns(model, request.columns());
+  }
+
   @Override
   public ModelDescription description() {
     return model.description();

@@ -35,11 +35,14 @@ public final class RunFactory {
   /**
    * Returns the columns of a run.
    *
+   * @param task what computes it
    * @throws IllegalArgumentException if the model lacks a requested column group
    */
-  public RunColumns columns(Model model, RunRequest request) {
+  public RunColumns columns(RunTask task, RunRequest request) {
+    Model model = task.model();
     Simulation.requireBalance(model, request);
-    return RunColumns.of(groups -> Simulation.columns(model, groups), request.columns());
+    return RunColumns.of(groups -> Simulation.columns(model, groups), request.columns())
+        .with(task.columns());
   }
 
   /**

@@ -10,6 +10,7 @@ import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.TunableParameter;
 import org.mechservice.solver.api.result.ResultSink;
+import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.RunControl;
 import org.mechservice.solver.api.run.RunSettings;
 
@@ -17,6 +18,12 @@ import org.mechservice.solver.api.run.RunSettings;
 public interface RunTask {
   /** Returns a model that knows names and columns; it may lack what users have written. */
   Model model();
+
+  /**
+   * Returns the columns of the rows. Values of users' forces are known only where their classes are
+   * loaded, so a process may be started to name them.
+   */
+  List<Variable> columns();
 
   /** Returns the description of the model. */
   ModelDescription description();

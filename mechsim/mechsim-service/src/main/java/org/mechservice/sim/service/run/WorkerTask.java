@@ -1,8 +1,10 @@
 package org.mechservice.sim.service.run;
 
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import org.mechservice.sim.model.CompiledModel;
 import org.mechservice.sim.worker.Confinement;
@@ -13,14 +15,21 @@ import org.mechservice.sim.worker.WorkerResult;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.TunableParameter;
+import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.result.ResultSink;
+import org.mechservice.solver.api.result.Variable;
+import org.mechservice.solver.api.run.Checkpoints;
 import org.mechservice.solver.api.run.RunControl;
 import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.simulation.Simulation;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /** Computes in a process of its own, the only place where classes of users are loaded. */
 final class WorkerTask implements RunTask {
+  private static final Logger LOG = LoggerFactory.getLogger(WorkerTask.class);
+
   private final CompiledModel compiled;
   private final Model described;
   private final List<TunableParameter> parameters;
@@ -83,6 +92,42 @@ final class WorkerTask implements RunTask {
   }
 
   @Override
+  public List<Variable> columns() {
+    List<Variable> known = Simulation.columns(described, request.columns());
+    return request.columns().contains(ColumnGroup.FORCES)
+        ? columnsWithValuesOfForces().orElse(known)
+        : known;
+  }
+
+  /**
+   * Has a process of its own put out the first row. If there is none, the reason is the same that
+   * will end the run, which reports it.
+   */
+  private Optional<List<Variable>> columnsWithValuesOfForces() {
+    RunSettings settings = request.settings();
+    RunRequest first =
+        new RunRequest(settings.withOutput(settings.tStart(), settings.tStep()), request.columns());
+    List<Variable> named = new ArrayList<>();
+    ResultSink names =
+        new ResultSink() {
+          @Override
+          public void begin(List<Variable> columns) {
+            named.addAll(columns);
+          }
+
+          @Override
+          public void row(double[] values) {}
+        };
+    try {
+      new WorkerProcess(Confinement.ofThisMachine(), bounds)
+          .run(order(first), names, new RunControl(), Checkpoints.NONE);
+    } catch (IOException | IllegalArgumentException e) {
+      LOG.debug("no columns from the classes of users", e);
+    }
+    return named.isEmpty() ? Optional.empty() : Optional.of(named);
+  }
+
+  @Override
   public ModelDescription description() {
     return described.description();
   }
@@ -109,14 +154,14 @@ final class WorkerTask implements RunTask {
 
   @Override
   public WorkerResult run(ResultSink sink, RunControl control) throws IOException {
+    checkpoints.ofParameters(parameters);
+    return worker.run(order(request), sink, control, checkpoints);
+  }
+
+  private WorkerOrder order(RunRequest asked) {
     var own = new TreeMap<>(compiled.classFiles());
     own.keySet().removeAll(compiled.userClassFiles().keySet());
-    checkpoints.ofParameters(parameters);
-    return worker.run(
-        new WorkerOrder(
-            compiled.generated().className(), own, compiled.userClassFiles(), values, request),
-        sink,
-        control,
-        checkpoints);
+    return new WorkerOrder(
+        compiled.generated().className(), own, compiled.userClassFiles(), values, asked);
   }
 }

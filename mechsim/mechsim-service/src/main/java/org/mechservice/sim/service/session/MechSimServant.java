@@ -276,7 +276,7 @@ final class MechSimServant implements MechSimOperations {
         new RunRequest(asked.settings(), asked.columns(), asked.strict(), asked.maxDrift());
     WorkerBounds bounds = session.limits().ofWorker();
     RunTask task = ContractErrors.build(() -> runs.task(compiled, request, bounds));
-    RunColumns columns = ContractErrors.build(() -> runs.columns(task.model(), request));
+    RunColumns columns = ContractErrors.build(() -> runs.columns(task, request));
     RunPlan plan =
         new RunPlan(
             identity(task, source, asked), task, columns, setUp(source, compiled.generated()));

@@ -1,0 +1,243 @@
+package org.mechservice.cli.picture;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.EnumSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.Callable;
+import java.util.regex.Pattern;
+import org.mechservice.cli.model.ParameterOption;
+import org.mechservice.cli.model.UserCodeOption;
+import org.mechservice.cli.shell.ExitStatus;
+import org.mechservice.cli.shell.MechVersion;
+import org.mechservice.cli.shell.OutputFile;
+import org.mechservice.cli.shell.ServerOption;
+import org.mechservice.cli.shell.ServiceConnection;
+import org.mechservice.cli.shell.UsageException;
+import org.mechservice.cli.simulate.CancelOnInterrupt;
+import org.mechservice.cli.simulate.ToleranceOptions;
+import org.mechservice.client.MechSession;
+import org.mechservice.client.SimulationOptions;
+import org.mechservice.client.run.PreparedRun;
+import org.mechservice.client.run.RunResult;
+import org.mechservice.mechml.ReadOptions;
+import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.api.result.Variable;
+import org.mechservice.solver.api.run.Outcome;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.view.mesh.MeshFolder;
+import org.mechservice.view.player.AnimatedScene;
+import org.mechservice.view.player.PlayerPage;
+import org.mechservice.view.player.Recording;
+import org.mechservice.view.player.Stage;
+import org.mechservice.view.plot.ResultCsv;
+import org.mechservice.view.scene.SceneDescription;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code mech view}: a run as a moving picture. */
+@Command(
+    name = "view",
+    description = "Runs a model, or takes its results, and writes a moving picture.",
+    mixinStandardHelpOptions = true,
+    versionProvider = MechVersion.class)
+public final class ViewCommand implements Callable<Integer> {
+  private static final String PAGE = ".html";
+  private static final String GLTF = ".glb";
+  private static final String NOTES = "notes";
+
+  /** A note on an event: time and name. */
+  private static final Pattern EVENT =
+      Pattern.compile(
+          "(?m)^" + MessageCode.EVENT_OCCURRED + " t=([-+0-9.eE]+) s: Event \"(.*?)\" ");
+
+  /** What a picture and its curves are made from. */
+  private static final Set<ColumnGroup> COLUMNS =
+      EnumSet.complementOf(EnumSet.of(ColumnGroup.MOMENTUM, ColumnGroup.ACCELERATIONS));
+
+  @Parameters(paramLabel = "MODEL.xml|R.csv", description = "Model in MechML, or results of it.")
+  private Path input = Path.of("");
+
+  @Option(
+      names = {"-o", "--output"},
+      required = true,
+      paramLabel = "FILE.html|glb",
+      description =
+          "The page to write, with a player that needs no network, or an animated scene for other"
+              + " programs; may be given several times.")
+  private List<Path> targets = List.of();
+
+  @Option(
+      names = "--model",
+      paramLabel = "MODEL.xml",
+      description = "The model that the results R.csv are of.")
+  private Optional<Path> model = Optional.empty();
+
+  @Option(
+      names = "--simulation",
+      paramLabel = "NAME|N",
+      description = "Simulation of the file, by name or number; without it the first.")
+  private Optional<String> simulation = Optional.empty();
+
+  @Mixin private ServerOption server = new ServerOption();
+
+  @Mixin private UserCodeOption userCode = new UserCodeOption();
+
+  @Mixin private ParameterOption parameters = new ParameterOption();
+
+  @Mixin private ToleranceOptions tolerances = new ToleranceOptions();
+
+  @Spec private CommandSpec spec = CommandSpec.create();
+
+  /** What the player tells about a run beside its rows. */
+  private record Told(Map<String, String> facts, List<PlayerPage.Event> events, int status) {}
+
+  @Override
+  public Integer call() throws IOException {
+    targets.forEach(ViewCommand::requireFormat);
+    boolean results = ending(input).endsWith(".csv");
+    if (!results && model.isPresent()) {
+      throw new UsageException(
+          MessageCode.OPTION_UNUSABLE + " --model goes with results R.csv; " + input + " is none");
+    }
+    Path file =
+        results
+            ? model.orElseThrow(
+                () ->
+                    new UsageException(
+                        MessageCode.OPTION_UNUSABLE
+                            + " "
+                            + input
+                            + " has no bodies: name the model it is of by --model MODEL.xml"))
+            : input;
+    SceneDescription scene =
+        SceneReader.read(file, new ReadOptions(simulation, parameters.values(), Set.of()));
+    Path folder = Optional.ofNullable(file.toAbsolutePath().getParent()).orElse(file);
+    Stage stage = new Stage(scene, new MeshFolder(folder));
+    stage.warnings().forEach(warning -> err().println(warning));
+    Recording recording = new Recording();
+    Told told = results ? read(scene, file, recording) : run(recording);
+    if (recording.frameCount() > 0) {
+      for (Path target : targets) {
+        OutputFile.write(target, content(target, scene, stage, recording, told));
+      }
+    }
+    return told.status();
+  }
+
+  private static String ending(Path file) {
+    return file.toString().toLowerCase(Locale.ROOT);
+  }
+
+  private static void requireFormat(Path target) {
+    if (!ending(target).endsWith(PAGE) && !ending(target).endsWith(GLTF)) {
+      throw new UsageException(
+          MessageCode.OPTION_UNUSABLE
+              + " --output "
+              + target
+              + ": moving pictures are written to .html and .glb files");
+    }
+    OutputFile.requireUsable(target);
+  }
+
+  private static byte[] content(
+      Path target, SceneDescription scene, Stage stage, Recording recording, Told told) {
+    return ending(target).endsWith(GLTF)
+        ? AnimatedScene.write(scene, stage, recording)
+        : PlayerPage.write(scene, stage, recording, told.facts(), told.events());
+  }
+
+  /** Takes the rows of a result file. */
+  private Told read(SceneDescription scene, Path file, Recording recording) throws IOException {
+    ResultCsv csv;
+    try {
+      csv = ResultCsv.open(input);
+      List<Variable> columns =
+          csv.names().stream().map(name -> new Variable(name, csv.unit(name))).toList();
+      Optional<String> missing = Recording.missing(scene, columns);
+      if (missing.isPresent()) {
+        throw new UsageException(
+            MessageCode.OPTION_UNUSABLE
+                + " "
+                + input
+                + " has no column \""
+                + missing.get()
+                + "\", so it does not say where the bodies are; make it by mech simulate "
+                + file
+                + " --columns bodies --out "
+                + input);
+      }
+      recording.begin(columns);
+      csv.read(csv.names(), recording::row);
+    } catch (IllegalArgumentException e) {
+      throw new UsageException(String.valueOf(e.getMessage()));
+    }
+    return new Told(
+        Map.of("results", String.valueOf(input.getFileName())), List.of(), ExitStatus.DONE);
+  }
+
+  /** Runs the model. */
+  private Told run(Recording recording) throws IOException {
+    try (CancelOnInterrupt interrupt = new CancelOnInterrupt();
+        ServiceConnection service = ServiceConnection.open(server);
+        MechSession session = service.connection().openSession()) {
+      session.loadModel(input, userCode.folder());
+      try (PreparedRun run = session.prepareRemoteRun(options())) {
+        interrupt.cancels(run::cancel);
+        RunResult result = run.toEnd(recording);
+        return new Told(facts(result.report()), events(result.report()), status(result.outcome()));
+      }
+    }
+  }
+
+  private SimulationOptions options() {
+    SimulationOptions options =
+        tolerances.addTo(parameters.addTo(SimulationOptions.asInFile().columns(COLUMNS)));
+    return simulation.map(options::simulation).orElse(options);
+  }
+
+  private int status(Outcome outcome) {
+    if (outcome instanceof Outcome.Failed failed) {
+      err().println(failed.failure().message() + " The picture ends there.");
+      return ExitStatus.SIMULATION_FAILED;
+    } else if (outcome instanceof Outcome.Stopped) {
+      err().println(MessageCode.RUN_STOPPED + " the run was stopped. The picture ends there.");
+      return ExitStatus.INTERRUPTED;
+    }
+    return ExitStatus.DONE;
+  }
+
+  private static Map<String, String> facts(Map<String, Object> report) {
+    Map<String, String> facts = new LinkedHashMap<>();
+    report.forEach(
+        (key, value) -> {
+          if (!key.equals(NOTES)) {
+            facts.put(key, String.valueOf(value));
+          }
+        });
+    return facts;
+  }
+
+  /** Returns the events that the notes of a report tell of. */
+  private static List<PlayerPage.Event> events(Map<String, Object> report) {
+    return EVENT
+        .matcher(String.valueOf(report.getOrDefault(NOTES, "")))
+        .results()
+        .map(found -> new PlayerPage.Event(Double.parseDouble(found.group(1)), found.group(2)))
+        .toList();
+  }
+
+  private PrintWriter err() {
+    return spec.commandLine().getErr();
+  }
+}

@@ -1,0 +1,207 @@
+package org.mechservice.cli.picture;
+
+import com.google.gson.Gson;
+import com.google.gson.JsonArray;
+import com.google.gson.JsonElement;
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
+import java.io.File;
+import java.io.IOException;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.WebSocket;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+
+/** The system's Chromium without a window, driven by its DevTools protocol; one page. */
+final class Chromium implements AutoCloseable, WebSocket.Listener {
+  private static final long PATIENCE_SECONDS = 60;
+
+  private final Process process;
+  private final HttpClient client = HttpClient.newHttpClient();
+  private final AtomicInteger ids = new AtomicInteger();
+  private final Map<Integer, CompletableFuture<JsonObject>> answers = new ConcurrentHashMap<>();
+  private final List<JsonObject> events = new CopyOnWriteArrayList<>();
+  private final StringBuilder message = new StringBuilder();
+  private final WebSocket socket;
+  private String session = "";
+
+  private Chromium(String program, Path profile) throws Exception {
+    process =
+        new ProcessBuilder(
+                program,
+                "--headless",
+                "--no-sandbox",
+                "--disable-quic",
+                "--no-first-run",
+                "--disable-background-networking",
+                "--disable-component-update",
+                "--disable-sync",
+                "--use-gl=angle",
+                "--use-angle=swiftshader",
+                "--enable-unsafe-swiftshader",
+                "--window-size=1000,700",
+                "--remote-debugging-port=0",
+                "--user-data-dir=" + profile,
+                "about:blank")
+            .redirectErrorStream(true)
+            .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+            .start();
+    List<String> port = port(profile.resolve("DevToolsActivePort"));
+    socket =
+        client
+            .newWebSocketBuilder()
+            .buildAsync(URI.create("ws://127.0.0.1:" + port.get(0) + port.get(1)), this)
+            .get(PATIENCE_SECONDS, TimeUnit.SECONDS);
+    String target =
+        call("Target.createTarget", Map.of("url", "about:blank")).get("targetId").getAsString();
+    session =
+        call("Target.attachToTarget", Map.of("targetId", target, "flatten", true))
+            .get("sessionId")
+            .getAsString();
+    for (String domain : List.of("Page", "Runtime", "Network", "Log")) {
+      call(domain + ".enable", Map.of());
+    }
+  }
+
+  /** Starts the browser; empty if the system has none. */
+  static Optional<Chromium> start(Path profile) throws Exception {
+    for (String folder : System.getenv("PATH").split(File.pathSeparator, -1)) {
+      for (String name : List.of("chromium", "chromium-browser", "google-chrome")) {
+        Path program = Path.of(folder, name);
+        if (Files.isExecutable(program)) {
+          return Optional.of(new Chromium(program.toString(), profile));
+        }
+      }
+    }
+    return Optional.empty();
+  }
+
+  private static List<String> port(Path file) throws IOException, InterruptedException {
+    long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+    while (System.nanoTime() < end) {
+      List<String> lines = Files.exists(file) ? Files.readAllLines(file) : List.of();
+      if (lines.size() >= 2) {
+        return lines;
+      }
+      Thread.sleep(20);
+    }
+    throw new IOException("Chromium does not open its DevTools");
+  }
+
+  JsonObject call(String method, Map<String, Object> parameters) throws Exception {
+    JsonObject order = new JsonObject();
+    int id = ids.incrementAndGet();
+    order.addProperty("id", id);
+    order.addProperty("method", method);
+    order.add("params", new Gson().toJsonTree(parameters));
+    if (!session.isEmpty()) {
+      order.addProperty("sessionId", session);
+    }
+    CompletableFuture<JsonObject> answer = new CompletableFuture<>();
+    answers.put(id, answer);
+    socket.sendText(order.toString(), true).get(PATIENCE_SECONDS, TimeUnit.SECONDS);
+    return answer.get(PATIENCE_SECONDS, TimeUnit.SECONDS);
+  }
+
+  /** Opens a file and forgets what was heard before. */
+  void open(Path file) throws Exception {
+    events.clear();
+    call("Page.navigate", Map.of("url", file.toUri().toString()));
+    waitFor("document.readyState === 'complete' && Boolean(globalThis.mechPlayer)");
+  }
+
+  void waitFor(String condition) throws Exception {
+    long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+    while (!evaluate(condition).getAsBoolean()) {
+      if (System.nanoTime() > end) {
+        throw new AssertionError("does not come true: " + condition + " " + problems());
+      }
+      Thread.sleep(20);
+    }
+  }
+
+  /** Returns the value of an expression in the page. */
+  JsonElement evaluate(String expression) throws Exception {
+    JsonObject answer =
+        call("Runtime.evaluate", Map.of("expression", expression, "returnByValue", true));
+    if (answer.has("exceptionDetails")) {
+      throw new AssertionError(answer.get("exceptionDetails").toString());
+    }
+    return answer.getAsJsonObject("result").get("value");
+  }
+
+  String text(String id) throws Exception {
+    return evaluate("document.getElementById('" + id + "').textContent").getAsString();
+  }
+
+  /** Presses a key in the page. */
+  void press(String key) throws Exception {
+    String typed = key.length() == 1 ? key : "";
+    call("Input.dispatchKeyEvent", Map.of("type", "keyDown", "key", key, "text", typed));
+    call("Input.dispatchKeyEvent", Map.of("type", "keyUp", "key", key));
+  }
+
+  /** Returns errors of the page, and what it put on the console. */
+  List<String> problems() {
+    return events.stream()
+        .filter(
+            event ->
+                List.of("Runtime.exceptionThrown", "Runtime.consoleAPICalled", "Log.entryAdded")
+                    .contains(event.get("method").getAsString()))
+        .map(JsonObject::toString)
+        .toList();
+  }
+
+  /** Returns the addresses that were asked for. */
+  List<String> requests() {
+    return events.stream()
+        .filter(event -> event.get("method").getAsString().equals("Network.requestWillBeSent"))
+        .map(event -> event.getAsJsonObject("params").getAsJsonObject("request"))
+        .map(request -> request.get("url").getAsString())
+        .toList();
+  }
+
+  /** Returns the numbers of an array in the page. */
+  double[] numbers(String expression) throws Exception {
+    JsonArray array = evaluate(expression).getAsJsonArray();
+    double[] numbers = new double[array.size()];
+    for (int i = 0; i < numbers.length; i++) {
+      numbers[i] = array.get(i).getAsDouble();
+    }
+    return numbers;
+  }
+
+  @Override
+  public CompletionStage<?> onText(WebSocket from, CharSequence data, boolean last) {
+    message.append(data);
+    if (last) {
+      JsonObject heard = JsonParser.parseString(message.toString()).getAsJsonObject();
+      message.setLength(0);
+      if (heard.has("id")) {
+        JsonObject result = heard.has("result") ? heard.getAsJsonObject("result") : heard;
+        answers.remove(heard.get("id").getAsInt()).complete(result);
+      } else {
+        events.add(heard);
+      }
+    }
+    from.request(1);
+    return CompletableFuture.completedStage(null);
+  }
+
+  @Override
+  public void close() {
+    process.descendants().forEach(ProcessHandle::destroy);
+    process.destroy();
+    process.onExit().orTimeout(PATIENCE_SECONDS, TimeUnit.SECONDS).join();
+  }
+}

@@ -1,0 +1,168 @@
+package org.mechservice.cli.picture;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Optional;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.mechservice.cli.Mech;
+import org.mechservice.cli.shell.ExitStatus;
+
+/** The player in a real browser: it draws, moves, obeys the keyboard and fetches nothing. */
+class PlayerInBrowserTest {
+  @TempDir private static Path folder = Path.of("");
+
+  private static Optional<Chromium> started = Optional.empty();
+
+  @BeforeAll
+  static void startBrowser() throws Exception {
+    started = Chromium.start(folder.resolve("profile"));
+  }
+
+  @AfterAll
+  static void endBrowser() throws Exception {
+    if (started.isPresent()) {
+      started.get().close();
+    }
+  }
+
+  private static Chromium browser() {
+    assumeTrue(started.isPresent(), "Chromium is not installed: the player is not tried in it");
+    return started.orElseThrow();
+  }
+
+  private static Path view(Path model) {
+    Path page = folder.resolve(model.getFileName() + ".html");
+    StringWriter err = new StringWriter();
+    int status =
+        Mech.run(
+            new PrintWriter(new StringWriter()),
+            new PrintWriter(err),
+            "view",
+            model.toString(),
+            "-o",
+            page.toString());
+    assertThat(status).as(err.toString()).isEqualTo(ExitStatus.DONE);
+    return page;
+  }
+
+  private static void requireQuiet(Chromium browser, Path page) {
+    assertThat(browser.problems()).isEmpty();
+    assertThat(browser.requests()).containsExactly(page.toUri().toString());
+  }
+
+  @CsvSource({
+    "pendulum/pendulum.xml, bar5, 3.000 s",
+    "five-point-suspension/five-point-suspension.xml, Wheel, 2.000 s",
+    "driver/driver-c0.xml, head, 0.2500 s",
+    "benchmarks/bouncing_ball.xml, Ball, 12.00 s",
+  })
+  @ParameterizedTest
+  void sliderMovesTheBodiesOfEveryExample(String model, String body, String end) throws Exception {
+    Chromium browser = browser();
+    Path page = view(Path.of("..", "examples").resolve(model));
+    browser.open(page);
+    browser.evaluate(
+        "{ const f = document.getElementById('follow');"
+            + " f.value = [...f.options].find(o => o.text === '"
+            + body
+            + "').value; f.dispatchEvent(new Event('change')); }");
+    browser.press("Home");
+    browser.evaluate(
+        "if (document.getElementById('play').ariaLabel === 'Pause')"
+            + " document.getElementById('play').click()");
+    browser.press("Home");
+    String start = browser.text("readout");
+    browser.evaluate(
+        "{ const s = document.getElementById('time'); s.value = (Number(s.max) + Number(s.min)) /"
+            + " 3; s.dispatchEvent(new Event('input')); }");
+    browser.waitFor("mechPlayer.frameTimes().length > 3");
+
+    assertThat(start).contains(body);
+    assertThat(browser.text("readout")).contains(body).isNotEqualTo(start);
+    assertThat(browser.text("clock")).endsWith(end);
+    assertThat(browser.evaluate("document.getElementById('problem').hidden").getAsBoolean())
+        .isTrue();
+    for (String toggle : new String[] {"reactions", "forces", "traces", "frames", "names"}) {
+      browser.evaluate("document.getElementById('show-" + toggle + "')?.click()");
+    }
+    double[] times = browser.numbers("mechPlayer.frameTimes()");
+    Arrays.sort(times);
+    System.out.printf("%s: a frame takes %.1f ms in software%n", model, times[times.length / 2]);
+    requireQuiet(browser, page);
+  }
+
+  @Test
+  void keysPlayStepAndChangeSpeed() throws Exception {
+    Chromium browser = browser();
+    Path page = view(Path.of("..", "examples", "pendulum", "pendulum.xml"));
+    browser.open(page);
+    String playing = "document.getElementById('play').ariaLabel === 'Pause'";
+    assertThat(browser.evaluate(playing).getAsBoolean()).isTrue();
+    browser.press(" ");
+    assertThat(browser.evaluate(playing).getAsBoolean()).isFalse();
+    browser.press("Home");
+    assertThat(browser.text("clock")).startsWith("0.000 s");
+    browser.press("ArrowRight");
+    assertThat(browser.text("clock")).startsWith("0.010 s");
+    browser.press("ArrowRight");
+    browser.press("ArrowLeft");
+    assertThat(browser.text("clock")).startsWith("0.010 s");
+    browser.press("End");
+    assertThat(browser.text("clock")).startsWith("3.000 s");
+    browser.press("+");
+    assertThat(browser.evaluate("document.getElementById('speed').selectedOptions[0].text"))
+        .hasToString("\"2×\"");
+    browser.press("4");
+    assertThat(browser.evaluate("document.querySelector('[data-view=top]').ariaPressed"))
+        .hasToString("\"true\"");
+    requireQuiet(browser, page);
+  }
+
+  @Test
+  void everyControlHasAName() throws Exception {
+    Chromium browser = browser();
+    browser.open(view(Path.of("..", "examples", "pendulum", "pendulum.xml")));
+
+    assertThat(
+            browser.numbers(
+                "[[...document.querySelectorAll('input, select, button')].filter(e =>"
+                    + " !(e.ariaLabel || e.textContent.trim() || e.labels?.length)).length]"))
+        .containsExactly(0);
+    assertThat(
+            browser.numbers(
+                "[[...document.querySelectorAll('input, select')].filter(e =>"
+                    + " !(e.ariaLabel || e.labels?.length)).length]"))
+        .containsExactly(0);
+  }
+
+  @Test
+  void hostileNamesStayText() throws Exception {
+    Chromium browser = browser();
+    String name = "&lt;/script>&lt;img src=x onerror=document.title=1>";
+    Path model = folder.resolve("hostile.xml");
+    Files.writeString(
+        model,
+        Files.readString(Path.of("..", "examples", "pendulum", "pendulum.xml"))
+            .replace("FiveBarPendulum", name)
+            .replace("\"bar5\"", '"' + name + '"'));
+    Path page = view(model);
+    browser.open(page);
+    browser.evaluate("document.getElementById('show-names').click()");
+    browser.waitFor("document.querySelectorAll('#labels span').length === 5");
+
+    assertThat(browser.evaluate("document.querySelectorAll('img').length").getAsInt()).isZero();
+    assertThat(browser.text("name")).isEqualTo("</script><img src=x onerror=document.title=1>");
+    requireQuiet(browser, page);
+  }
+}

@@ -1,0 +1,81 @@
+package org.mechservice.cli.picture;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.mechservice.cli.Mech;
+import org.mechservice.cli.shell.ExitStatus;
+
+/** What {@code mech view} takes and what it refuses. */
+class ViewCommandTest {
+  private static final String PENDULUM =
+      Path.of("..", "examples", "pendulum", "pendulum.xml").toString();
+
+  private final StringWriter err = new StringWriter();
+
+  @TempDir private Path folder = Path.of("");
+
+  private int mech(String... words) {
+    return Mech.run(new PrintWriter(new StringWriter()), new PrintWriter(err), words);
+  }
+
+  private String file(String name) {
+    return folder.resolve(name).toString();
+  }
+
+  @Test
+  void oneRunBecomesAPageAndAnAnimatedScene() throws IOException {
+    int status = mech("view", PENDULUM, "-o", file("v.html"), "-o", file("v.glb"));
+
+    assertThat(err.toString()).isEmpty();
+    assertThat(status).isEqualTo(ExitStatus.DONE);
+    assertThat(folder.resolve("v.html")).content().contains("\"FiveBarPendulum\"", "\"j5.fx\"");
+    assertThat(Files.readAllBytes(folder.resolve("v.glb"))).startsWith('g', 'l', 'T', 'F');
+  }
+
+  @Test
+  void resultsWithBodiesAreShownWithoutARun() throws IOException {
+    mech("simulate", PENDULUM, "--columns", "bodies", "--out", file("r.csv"), "--quiet");
+
+    int status = mech("view", file("r.csv"), "--model", PENDULUM, "-o", file("v.html"));
+
+    assertThat(err.toString()).isEmpty();
+    assertThat(status).isEqualTo(ExitStatus.DONE);
+    assertThat(folder.resolve("v.html")).content().contains("\"bar5.e3\"");
+  }
+
+  @Test
+  void resultsWithoutBodiesAreRefusedWithTheCommandThatMakesThem() {
+    mech("simulate", PENDULUM, "--out", file("r.csv"), "--quiet");
+
+    int status = mech("view", file("r.csv"), "--model", PENDULUM, "-o", file("v.html"));
+
+    assertThat(status).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(err.toString())
+        .startsWith("S-041 " + file("r.csv") + " has no column \"bar1.x\"")
+        .contains("mech simulate " + PENDULUM + " --columns bodies --out " + file("r.csv"));
+    assertThat(folder.resolve("v.html")).doesNotExist();
+  }
+
+  @Test
+  void resultsNeedTheirModelAndModelsTakeNone() {
+    assertThat(mech("view", file("r.csv"), "-o", file("v.html"))).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(mech("view", PENDULUM, "--model", PENDULUM, "-o", file("v.html")))
+        .isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(err.toString().lines())
+        .allMatch(line -> line.startsWith("S-041 ") && line.contains("--model"))
+        .hasSize(2);
+  }
+
+  @Test
+  void otherFormatsAreRefusedBeforeTheRun() {
+    assertThat(mech("view", PENDULUM, "-o", file("v.avi"))).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(err.toString()).startsWith("S-041 --output").contains(".html and .glb");
+  }
+}
