@@ -34,7 +34,11 @@ import org.omg.CORBA.IntHolder;
 class LostHostTest {
   /** Has many more rows than are on their way at once. */
   private static final SimulationOptions LONG =
-      SimulationOptions.asInFile().endTime(2000).outputStep(0.01);
+      SimulationOptions.asInFile().endTime(500).outputStep(0.01);
+
+  /** Goes on for as long as a test needs. */
+  private static final SimulationOptions ENDLESS =
+      SimulationOptions.asInFile().endTime(1e7).outputStep(5);
 
   /** Takes all rows; acts once, at a row far from the start. */
   private static final class Taker implements ResultSink {
@@ -100,9 +104,70 @@ class LostHostTest {
               .isEqualTo("remote, host s from its start, after host far was lost");
         }
       }
-      assertThat(taken.rows).isEqualTo(undisturbed.rows).isEqualTo(200_001);
+      assertThat(taken.rows).isEqualTo(undisturbed.rows).isEqualTo(50_001);
       assertThat(taken.bits).isEqualTo(undisturbed.bits);
       assertThat(told).anyMatch(text -> text.contains("S-118 host far is lost"));
+    }
+  }
+
+  @Test
+  void hostThatIsTerminatedPassesItsRunsOnBeforeItEnds() throws Exception {
+    try (MechServerProcess server =
+            MechServerProcess.start(new ServerSettings("s", "127.0.0.1", 0, 1));
+        ServiceJvm host = ServiceJvm.host(server.url(), "far", "--capacity", "1", "--grace", "60");
+        MechConnection connection = MechConnection.open(server.url());
+        MechSession session = connection.openSession("far")) {
+      session.loadModel(Runs.PENDULUM);
+      List<String> told = new CopyOnWriteArrayList<>();
+      List<Integer> status = new CopyOnWriteArrayList<>();
+      RunListener listener =
+          new RunListener() {
+            @Override
+            public void onMessages(List<ModelMessage> messages) {
+              messages.forEach(message -> told.add(message.toString()));
+            }
+          };
+      RemoteRun run = session.prepareRemoteRun(ENDLESS, listener);
+      try (run) {
+        RunResult result = run.toEnd(new Taker(() -> terminateThenCancel(host, status, run)));
+        assertThat(result.outcome()).isInstanceOf(Outcome.Stopped.class);
+      }
+      assertThat(status).containsExactly(143);
+      assertThat(told)
+          .anyMatch(text -> text.contains("S-117 the run goes on on host s"))
+          .noneMatch(text -> text.contains("S-118"));
+    }
+  }
+
+  private static void terminateThenCancel(ServiceJvm host, List<Integer> status, RemoteRun run) {
+    Thread thread =
+        new Thread(
+            () -> {
+              try {
+                status.add(host.terminate());
+              } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+              }
+              run.cancel();
+            });
+    thread.start();
+  }
+
+  @Test
+  void hostWhoseRunsCannotMoveEndsWhenItsGraceIsOver() throws Exception {
+    try (MechServerProcess server =
+            MechServerProcess.start(new ServerSettings("s", "127.0.0.1", 0, 0));
+        ServiceJvm host = ServiceJvm.host(server.url(), "far", "--capacity", "1", "--grace", "1");
+        ServiceOrb orb = ServiceOrb.client();
+        MechConnection connection = MechConnection.open(server.url());
+        MechSession session = connection.openSession()) {
+      session.loadModel(Runs.PENDULUM);
+      try (RemoteRun run = session.prepareRemoteRun(ENDLESS)) {
+        run.start();
+        awaitRows(orb.connectAdmin(server.url()));
+        assertThat(host.terminate()).isEqualTo(143);
+        assertThat(host.messages()).doesNotContain("S-001").doesNotContain("not closed within");
+      }
     }
   }
 
