@@ -40,6 +40,8 @@ record ExampleFile(String text) {
           Map.entry("PointOnLine", "Constraints"),
           Map.entry("JointConstraint", "Constraints"),
           Map.entry("state", "States"),
+          Map.entry("pid", "States"),
+          Map.entry("transferFunction", "States"),
           Map.entry("output", "Outputs"),
           Map.entry("root", "topology"),
           Map.entry("jointVal", "relCoorVals"),

@@ -57,7 +57,7 @@ final class FormulaNames {
     Optional<Signal> signal = names.signal(String.join(".", name.names()));
     if (signal.isPresent() && name.index().isEmpty()) {
       require(role == FormulaRole.STATE, name, role);
-      return signal.get().value();
+      return signal.get().value(name.offset());
     }
     if (name.names().size() == 2 && !name.text().equals("Math.PI")) {
       return coordinate(name, role);
