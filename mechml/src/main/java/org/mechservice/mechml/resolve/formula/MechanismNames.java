@@ -26,6 +26,7 @@ public final class MechanismNames {
   private final NameTable<BodyDefinition> bodies;
   private final BodyIndex index;
   private final Map<String, ResolvedJoint> joints = new LinkedHashMap<>();
+  private final Map<String, Signal> signals = new LinkedHashMap<>();
   private final Diagnostics diagnostics;
 
   public MechanismNames(
@@ -37,6 +38,20 @@ public final class MechanismNames {
 
   public void add(ResolvedJoint joint) {
     joints.putIfAbsent(joint.element().required("name"), joint);
+  }
+
+  /** Adds a value that formulas may refer to by name. */
+  public void add(String name, Signal signal) {
+    signals.putIfAbsent(name, signal);
+  }
+
+  /** Returns a value that formulas refer to by name besides coordinates. */
+  Optional<Signal> signal(String name) {
+    return Optional.ofNullable(signals.get(name));
+  }
+
+  Set<String> signalNames() {
+    return signals.keySet();
   }
 
   public Optional<ResolvedJoint> joint(String name) {

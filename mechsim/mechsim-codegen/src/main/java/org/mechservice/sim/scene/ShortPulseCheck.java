@@ -89,17 +89,19 @@ public final class ShortPulseCheck {
 
   /** Returns the tree without closures; a pulse acts in it as well as in closed loops. */
   private static Mechanism opened(Mechanism closed) {
-    return new Mechanism(
-        closed.name(),
-        closed.root(),
-        closed.gravity(),
-        closed.bodies(),
-        closed.joints(),
-        closed.motions(),
-        closed.startRoles(),
-        List.of(),
-        closed.forces(),
-        closed.parameters());
+    Mechanism open =
+        new Mechanism(
+            closed.name(),
+            closed.root(),
+            closed.gravity(),
+            closed.bodies(),
+            closed.joints(),
+            closed.motions(),
+            closed.startRoles(),
+            List.of(),
+            closed.forces(),
+            closed.parameters());
+    return open.withFurtherStates(closed.furtherStates());
   }
 
   /** Returns the formulas of a force. */

@@ -48,6 +48,13 @@ public sealed interface Expression {
   record ParameterValue(int index) implements Expression {}
 
   /**
+   * A state besides positions and velocities, in its own unit.
+   *
+   * @param index among the mechanism's further states
+   */
+  record StateValue(int index) implements Expression {}
+
+  /**
    * A joint's position, rad or m, or an Euler parameter in the form of the output.
    *
    * @param coordinate component counts positions

@@ -49,6 +49,7 @@ final class TimeJumps {
     for (ForceElement force : mechanism.forces()) {
       force.formulas().forEach(formula -> jumps.search(formula.expression(), false));
     }
+    mechanism.furtherStates().forEach(state -> jumps.search(state.derivative(), false));
     return List.copyOf(jumps.times);
   }
 

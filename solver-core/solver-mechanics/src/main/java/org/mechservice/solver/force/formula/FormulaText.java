@@ -84,6 +84,8 @@ public final class FormulaText {
       return "t";
     } else if (leaf instanceof Expression.ParameterValue parameter) {
       return mechanism.parameters().get(parameter.index()).name();
+    } else if (leaf instanceof Expression.StateValue state) {
+      return mechanism.furtherStates().get(state.index()).name();
     } else if (leaf instanceof Expression.CoordinatePosition position) {
       return coordinate(position.coordinate(), "q", true);
     } else if (leaf instanceof Expression.CoordinateVelocity velocity) {
