@@ -80,6 +80,7 @@ final class MechanismReader {
     this.tree = new JointTree(links, index);
     this.names = new MechanismNames(bodies, index, diagnostics);
     this.formulas = new FormulaReader(values, names, diagnostics);
+    TablesReader.read(model, values, names, diagnostics);
     this.states = StatesReader.begin(model, values, names, diagnostics);
     checkTree();
     placeJoints();
