@@ -6,6 +6,7 @@ import java.lang.reflect.Method;
 import java.lang.reflect.Proxy;
 import java.util.Arrays;
 import java.util.UUID;
+import java.util.concurrent.RejectedExecutionException;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.idl.NotAuthorized;
 import org.mechservice.idl.ServerFailure;
@@ -13,6 +14,7 @@ import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.CompletionStatus;
 import org.omg.CORBA.INTERNAL;
 import org.omg.CORBA.NO_PERMISSION;
+import org.omg.CORBA.OBJECT_NOT_EXIST;
 import org.omg.CORBA.SystemException;
 import org.omg.CORBA.UserException;
 import org.slf4j.Logger;
@@ -122,6 +124,10 @@ public final class GuardedServant implements InvocationHandler {
       }
       if (thrown instanceof SystemException expected) {
         throw expected;
+      }
+      if (thrown instanceof RejectedExecutionException) {
+        // All executors of the service have unbounded queues: they refuse work only when closed.
+        throw new OBJECT_NOT_EXIST("the process is closing");
       }
       throw incident(method, thrown);
     } catch (IllegalAccessException e) {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import java.lang.reflect.Proxy;
+import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.MechServerOperations;
@@ -12,6 +13,7 @@ import org.mechservice.idl.NotFound;
 import org.mechservice.idl.ServerFailure;
 import org.omg.CORBA.INTERNAL;
 import org.omg.CORBA.NO_PERMISSION;
+import org.omg.CORBA.OBJECT_NOT_EXIST;
 
 class GuardedServantTest {
   private final AtomicInteger calls = new AtomicInteger();
@@ -43,6 +45,12 @@ class GuardedServantTest {
     assertThatThrownBy(guarded(new StackOverflowError())::getInfo)
         .isInstanceOf(INTERNAL.class)
         .hasMessageContaining("S-001 incident");
+  }
+
+  @Test
+  void callOfAClosingProcessIsNoIncident() {
+    assertThatThrownBy(guarded(new RejectedExecutionException())::getInfo)
+        .isInstanceOf(OBJECT_NOT_EXIST.class);
   }
 
   @Test

@@ -91,6 +91,9 @@ public final class AdminJson {
     } else if (reading instanceof ServerReading.Silent silent) {
       server.addProperty("answers", false);
       server.addProperty("problem", silent.why());
+    } else {
+      server.addProperty("answers", false);
+      server.addProperty("connecting", true);
     }
     return server;
   }

@@ -36,6 +36,18 @@ public sealed interface ServerReading {
   }
 
   /**
+   * The first answer of the server is still outstanding.
+   *
+   * @param address the server's address
+   */
+  record Connecting(String address) implements ServerReading {
+    @Override
+    public String name() {
+      return address;
+    }
+  }
+
+  /**
    * The server did not answer, or only that it does not answer to us.
    *
    * @param address the server's address

@@ -158,7 +158,10 @@ public final class ScriptedAdmin implements MechAdminOperations, AutoCloseable {
   public synchronized void host(String name, double cpuLoad, boolean reachable, String text) {
     HostInfo host = new HostInfo(name, "0.1.0", "10.0.0.2:" + name.length(), 8, 1L << 33, 4, BEGAN);
     HostLoad load = new HostLoad(2, 1, 0, cpuLoad, 3L << 28, false, new NameValue[0]);
-    hosts.put(name, new HostStatus(host, load, reachable, BEGAN, text));
+    hosts.put(
+        name,
+        new HostStatus(
+            host, load, reachable, reachable ? System.currentTimeMillis() : BEGAN, text));
   }
 
   /** Adds a simulation on a host, or changes it. */
@@ -168,7 +171,18 @@ public final class ScriptedAdmin implements MechAdminOperations, AutoCloseable {
     double time = state == SimState.SIM_DONE ? 3 : began ? 3 * share : 0;
     long steps = Math.round(400 * time);
     Progress progress =
-        new Progress(id, state, began ? 0 : 1, time, 0, 3, steps, 1e-3, 5, 12.5, steps / 2);
+        new Progress(
+            id,
+            state,
+            began ? 0 : 1 + (int) countOn(host, SimState.SIM_QUEUED),
+            time,
+            0,
+            3,
+            steps,
+            1e-3,
+            5,
+            12.5,
+            steps / 2);
     boolean ended = state.value() >= SimState._SIM_DONE;
     SimSummary summary =
         new SimSummary(
@@ -197,6 +211,24 @@ public final class ScriptedAdmin implements MechAdminOperations, AutoCloseable {
     return summary;
   }
 
+  private long countOn(String host, SimState state) {
+    return simulations.values().stream()
+        .filter(one -> one.summary.hostName.equals(host) && one.summary.info.state == state)
+        .count();
+  }
+
+  /** Gives every host the load that its simulations make, with no free place while one waits. */
+  public synchronized void loadOfSimulations() {
+    for (HostStatus host : hosts.values()) {
+      host.load.running = (int) countOn(host.info.name, SimState.SIM_RUNNING);
+      host.load.queued = (int) countOn(host.info.name, SimState.SIM_QUEUED);
+      host.load.sessions = host.load.running + host.load.queued;
+      if (host.load.queued > 0) {
+        host.info.capacity = host.load.running;
+      }
+    }
+  }
+
   /** Lets all that run make a step. */
   public synchronized void advance() {
     for (SimDetail one : simulations.values()) {
@@ -222,11 +254,14 @@ public final class ScriptedAdmin implements MechAdminOperations, AutoCloseable {
     return Objects.requireNonNull(simulations.get(id));
   }
 
-  /** Puts samples into a simulation's curves: a swing in every one of them. */
+  /**
+   * Puts samples up to the time reached into a simulation's curves: a swing in every one of them.
+   */
   public synchronized void curves(String id, int count) {
+    Progress info = detail(id).summary.info;
     CurveSample[] samples = new CurveSample[count];
     for (int i = 0; i < count; i++) {
-      double t = 3.0 * i / count;
+      double t = info.simTime * i / (count - 1);
       samples[i] =
           new CurveSample(
               BEGAN + 50L * i,
@@ -235,6 +270,25 @@ public final class ScriptedAdmin implements MechAdminOperations, AutoCloseable {
               3 + (int) Math.round(2 * Math.sin(2 * t)),
               1e-6 * t * t * Math.cos(3 * t),
               1e-9 * (1.5 + Math.sin(9 * t)));
+    }
+    detail(id).curves = samples;
+    info.stepSize = samples[count - 1].stepSize;
+    info.stepOrder = samples[count - 1].stepOrder;
+  }
+
+  /** Puts samples into a simulation's curves that scatter widely, with one peak. */
+  public synchronized void noise(String id, int count) {
+    CurveSample[] samples = new CurveSample[count];
+    for (int i = 0; i < count; i++) {
+      double scatter = Math.sin(12.9898 * i * i);
+      samples[i] =
+          new CurveSample(
+              BEGAN + 50L * i,
+              3.0 * i / count,
+              i == count / 3 ? 1e-7 : 1e-3 * Math.exp(scatter),
+              3 + (int) Math.round(scatter),
+              1e-6 * scatter,
+              1e-9 * (1.5 + scatter));
     }
     detail(id).curves = samples;
   }
@@ -327,7 +381,11 @@ public final class ScriptedAdmin implements MechAdminOperations, AutoCloseable {
       if (value.value < 0) {
         throw new InvalidOption("S-015", value.name + " cannot be " + value.value, value.name);
       }
-      limits.replaceAll(old -> old.name.equals(value.name) ? value : old);
+      limits.replaceAll(
+          old ->
+              old.name.equals(value.name)
+                  ? new Limit(old.name, old.unit, value.value, old.text)
+                  : old);
       calls.add("limit " + hostName + " " + value.name + "=" + value.value);
     }
   }

@@ -115,6 +115,12 @@ final class ServiceJvm implements AutoCloseable {
     process.destroyForcibly().waitFor();
   }
 
+  /** Sends it a termination signal, like {@code kill}; returns its exit status. */
+  int terminate() throws InterruptedException {
+    process.destroy();
+    return process.waitFor();
+  }
+
   /** Returns what it said on standard error. */
   String messages() throws IOException {
     return Files.readString(messages);

@@ -19,7 +19,16 @@ import org.xml.sax.InputSource;
 /** The guide's complete example, to which its shorter ones are added. */
 record ExampleFile(String text) {
   private static final List<String> MODEL_ORDER =
-      List.of("Parameters", "Bodies", "Joints", "Constraints", "Forces", "Outputs", "topology");
+      List.of(
+          "Parameters",
+          "Tables",
+          "Bodies",
+          "Joints",
+          "Constraints",
+          "States",
+          "Forces",
+          "Outputs",
+          "topology");
 
   private static final Map<String, String> CONTAINERS =
       Map.ofEntries(
@@ -31,6 +40,10 @@ record ExampleFile(String text) {
           Map.entry("PointOnPlane", "Constraints"),
           Map.entry("PointOnLine", "Constraints"),
           Map.entry("JointConstraint", "Constraints"),
+          Map.entry("table", "Tables"),
+          Map.entry("state", "States"),
+          Map.entry("pid", "States"),
+          Map.entry("transferFunction", "States"),
           Map.entry("output", "Outputs"),
           Map.entry("root", "topology"),
           Map.entry("jointVal", "relCoorVals"),

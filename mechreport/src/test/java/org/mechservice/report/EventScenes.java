@@ -13,6 +13,7 @@ import org.mechservice.solver.api.capability.ModelEvents.Direction;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.compact.CompactModel;
+import org.mechservice.solver.compact.DataDriven;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Expression.Call;
 import org.mechservice.solver.expression.Expression.CoordinatePosition;
@@ -127,7 +128,8 @@ final class EventScenes {
 
   static Model model(Mechanism mechanism, String formulation, double end) {
     RunSettings settings = new RunSettings(0, end, 0.1, "ode113", 1e-6, 1e-8);
-    return new CompactModel(mechanism, formulation, "none", settings).model(UserForceSource.NONE);
+    return DataDriven.model(
+        new CompactModel(mechanism, formulation, "none", settings), UserForceSource.NONE);
   }
 
   static Candidate candidate(

@@ -144,15 +144,22 @@ public final class MechServerProcess implements AutoCloseable {
   private void shutDown(long graceSeconds) {
     server.setDraining(true);
     ownHost.ifPresent(SimHost::drain);
-    Thread thread =
-        new Thread(
-            () -> {
-              ownHost.ifPresent(host -> host.awaitIdle(graceSeconds));
-              close();
-            },
-            "mechserver-shutdown");
+    Thread thread = new Thread(() -> stop(graceSeconds), "mechserver-shutdown");
     thread.setDaemon(true);
     thread.start();
+  }
+
+  /**
+   * Accepts no new sessions, waits until no run of this process is active or the time is over, and
+   * closes.
+   *
+   * @param graceSeconds longest wait for the runs, s
+   */
+  public void stop(long graceSeconds) {
+    server.setDraining(true);
+    ownHost.ifPresent(SimHost::drain);
+    ownHost.ifPresent(host -> host.awaitIdle(graceSeconds));
+    close();
   }
 
   /** Waits until the server is shut down. */

@@ -30,7 +30,10 @@ public final class LiveView implements AutoCloseable {
   private final Deque<SeenEvent> events = new ArrayDeque<>();
   private final Map<AdminTarget, Deque<LoadSample>> loads = new HashMap<>();
   private long lastEvent;
-  private long version;
+
+  /** That nothing is heard yet is the first news. */
+  private long version = 1;
+
   private boolean closed;
 
   /**
@@ -40,7 +43,7 @@ public final class LiveView implements AutoCloseable {
    */
   public LiveView(AdminConsole console) {
     for (String server : console.servers()) {
-      readings.put(server, new ServerReading.Silent(server, "not heard of yet"));
+      readings.put(server, new ServerReading.Connecting(server));
     }
     followers =
         console.servers().stream()

@@ -108,6 +108,8 @@ final class WatchScreen {
         answering.hosts().forEach(host -> lines.add(host(host)));
       } else if (reading instanceof ServerReading.Silent silent) {
         lines.add(styled(BAD, silent.address() + "  " + silent.label() + "  " + silent.why()));
+      } else {
+        lines.add(styled(FAINT, reading.address() + "  connecting"));
       }
     }
     if (lines.size() <= most) {

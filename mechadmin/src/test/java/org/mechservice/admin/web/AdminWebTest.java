@@ -70,6 +70,26 @@ class AdminWebTest {
     server.close();
   }
 
+  @Test
+  void serverThatHasNotAnsweredYetIsConnectingNotSilent() throws Exception {
+    try (ScriptedAdmin slow = new ScriptedAdmin("slow")) {
+      slow.hang();
+      try (AdminConsole asking = new AdminConsole(List.of(slow.address()), PATIENCE);
+          AdminWeb page = new AdminWeb(asking, 0, TOKENS, Optional.empty())) {
+        JsonObject row =
+            new Page(page.port(), TOKENS.monitor())
+                .awaitEvent("/api/updates", update -> update.has("servers"))
+                .getAsJsonObject("servers")
+                .getAsJsonArray("changed")
+                .get(0)
+                .getAsJsonObject();
+        assertThat(row.get("connecting").getAsBoolean()).isTrue();
+        assertThat(row.has("problem")).isFalse();
+        slow.goOn();
+      }
+    }
+  }
+
   private String action(String rest) {
     return "{\"server\":\"" + server.address() + "\"," + rest + "}";
   }

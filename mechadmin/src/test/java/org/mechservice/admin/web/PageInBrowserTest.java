@@ -56,6 +56,8 @@ class PageInBrowserTest {
         "SliderCrank",
         "t=1.5 s, h=1e-9 s: the step became too small at joint \"knee\".");
     lab.curves("10000019-0000-4000-8000-000000000000", 300);
+    lab.loadOfSimulations();
+    west.loadOfSimulations();
     lab.happened("server-started", Severity.SEV_INFO, "", "server lab has started");
     lab.happened("host-joined", Severity.SEV_INFO, "", "host workshop joined from 10.0.0.2:8");
     lab.happened("host-lost", Severity.SEV_WARNING, "S-019", "host attic dropped: nobody answers");
@@ -122,6 +124,9 @@ class PageInBrowserTest {
     browser.awaitText(script);
     for (String view : List.of("", "simulations", "failures", "events")) {
       browser.evaluate("location.hash = '#/" + view + "'");
+      if (view.equals("failures")) {
+        browser.click("summary", "1 earlier");
+      }
       browser.awaitText(view.equals("events") ? image : view.equals("failures") ? image : script);
     }
     browser.evaluate(
@@ -170,6 +175,104 @@ class PageInBrowserTest {
     browser.awaitText("Done: drain the server");
     assertThat(lab.calls()).containsExactly("drain ");
     browser.await("[...document.querySelectorAll('.server .chip')][0].textContent === 'draining'");
+  }
+
+  @Test
+  void pageThatLoadsShowsNoEmptyFarm() throws Exception {
+    lab.hang();
+    west.hang();
+    AccessTokens own = AccessTokens.random();
+    try (AdminConsole asking =
+            new AdminConsole(List.of(lab.address(), west.address()), AdminConsole.PATIENCE);
+        AdminWeb page = new AdminWeb(asking, 0, own, Optional.empty())) {
+      browser.open(page.url(own.admin()));
+      browser.await("document.querySelectorAll('.tile b').length === 6");
+      browser.await("document.querySelectorAll('.server .chip').length === 2");
+      browser.awaitText("Loading …");
+      assertThat(tiles()).containsOnly("…");
+      lab.goOn();
+      west.goOn();
+      browser.await("document.querySelector('.tile b').textContent === '2 of 2'");
+    }
+  }
+
+  private List<String> tiles() throws Exception {
+    return browser
+        .evaluate("[...document.querySelectorAll('.tile b')].map(tile => tile.textContent)")
+        .getAsJsonArray()
+        .asList()
+        .stream()
+        .map(tile -> tile.getAsString())
+        .toList();
+  }
+
+  @Test
+  void failuresAreGroupedCountedByDayAndAcknowledged() throws Exception {
+    for (int i = 0; i < 35; i++) {
+      lab.failed("model-" + i, "workshop", "SliderCrank", "t=1.5 s: the step became too small.");
+    }
+    browser.open(web.url(tokens.admin()));
+    browser.awaitText("FiveBarPendulum");
+    browser.await("document.querySelectorAll('.tile b')[5].textContent === '36'");
+    assertThat(
+            browser
+                .evaluate("document.querySelectorAll('.tile')[5].classList.contains('alarm')")
+                .getAsBoolean())
+        .as("mistakes in models raise no alarm")
+        .isFalse();
+    browser.evaluate("location.hash = '#/failures'");
+    browser.awaitText("Failures of models: 36");
+    assertThat(browser.evaluate("document.querySelectorAll('article').length").getAsInt())
+        .isEqualTo(1);
+    browser.click("button", "Acknowledge all");
+    browser.awaitText("No new failures.");
+    browser.evaluate("location.hash = '#/'");
+    browser.await("document.querySelectorAll('.tile b')[5].textContent === '0'");
+    browser.evaluate("location.hash = '#/failures'");
+    browser.click("button", "Show older and acknowledged");
+    browser.awaitText("Failures of models: 36");
+    assertThat(browser.complaints()).isEmpty();
+  }
+
+  @Test
+  void limitsAndPlacementAreSetFromThePage() throws Exception {
+    browser.open(web.url(tokens.admin()));
+    browser.awaitText("FiveBarPendulum");
+    browser.evaluate("location.hash = '#/server/" + lab.address() + "'");
+    browser.click("summary", "Limits");
+    browser.awaitText("Runs that wait for a place");
+    browser.click("tbody td button", "Change");
+    browser.evaluate("document.querySelector('dialog input').value = '50'");
+    browser.click("dialog button.primary", "Change");
+    browser.awaitText("Done: set queue=50");
+    browser.await("document.querySelector('details td.number').textContent === '50'");
+    browser.click("details .actions button", "Change");
+    browser.evaluate("document.querySelector('dialog select').value = 'pinned'");
+    browser.click("dialog button.primary", "Change");
+    browser.awaitText("Choice of hosts: pinned");
+    assertThat(lab.calls()).containsExactly("limit  queue=50", "placement pinned");
+    assertThat(browser.complaints()).isEmpty();
+  }
+
+  @Test
+  void noisyCurveIsABandThatContainsItsPeak() throws Exception {
+    String id = "10000019-0000-4000-8000-000000000000";
+    lab.noise(id, 601);
+    browser.look(1280, 900, false);
+    browser.open(web.url(tokens.admin()));
+    browser.awaitText("FiveBarPendulum");
+    browser.evaluate("location.hash = '#/sim/" + lab.address() + "/" + id + "'");
+    browser.await("document.querySelectorAll('svg .band').length > 0");
+    browser.screenshot(Path.of("target/noisy-curve.png"));
+    assertThat(
+            browser
+                .evaluate(
+                    "Math.abs(document.querySelector('svg .band').getBBox().height"
+                        + " - (150 - 6 - 20 - 4)) < 0.5")
+                .getAsBoolean())
+        .as("the band reaches from the least to the largest value")
+        .isTrue();
+    assertThat(browser.complaints()).isEmpty();
   }
 
   private String focused() throws Exception {

@@ -84,6 +84,7 @@ public final class ServerCommand implements Callable<Integer> {
       throw new UsageException(
           MessageCode.OPTION_UNUSABLE + " --capacity is " + capacity + "; it must be 0 or more");
     }
+    int grace = hosting.graceSeconds();
     ServerSettings settings =
         new ServerSettings(
             listen.address(),
@@ -98,7 +99,7 @@ public final class ServerCommand implements Callable<Integer> {
     try (MechServerProcess server = MechServerProcess.start(settings)) {
       spec.commandLine().getOut().println(server.url());
       server.warmUp();
-      ServingProcess.untilEnded(server, server::awaitShutdown);
+      ServingProcess.untilEnded(() -> server.stop(grace), grace, server::awaitShutdown);
     }
     return ExitStatus.DONE;
   }

@@ -59,6 +59,7 @@ public final class SimhostCommand implements Callable<Integer> {
       throw new UsageException(
           MessageCode.OPTION_UNUSABLE + " --capacity is " + capacity + "; it must be 1 or more");
     }
+    int grace = hosting.graceSeconds();
     HostSettings settings =
         new HostSettings(
             servers,
@@ -69,7 +70,7 @@ public final class SimhostCommand implements Callable<Integer> {
     try (SimHostProcess host = SimHostProcess.start(settings)) {
       spec.commandLine().getOut().println(host.address());
       host.warmUp();
-      ServingProcess.untilEnded(host, host::awaitShutdown);
+      ServingProcess.untilEnded(() -> host.stop(grace), grace, host::awaitShutdown);
     }
     return ExitStatus.DONE;
   }

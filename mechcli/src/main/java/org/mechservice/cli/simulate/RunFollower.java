@@ -15,9 +15,12 @@ import org.mechservice.solver.catalogue.MessageCode;
 
 /** Progress and warnings of a run: sent by the server, or read from the local run. */
 final class RunFollower implements RunListener {
-  /** Codes of the messages about a run whose host is being drained. */
+  /** Codes of the messages about a run whose host is being drained or is lost. */
   private static final Set<String> OF_MOVES =
-      Set.of(MessageCode.RUN_STAYS_ON_DRAINING_HOST.code(), MessageCode.RUN_MOVED.code());
+      Set.of(
+          MessageCode.RUN_STAYS_ON_DRAINING_HOST.code(),
+          MessageCode.RUN_MOVED.code(),
+          MessageCode.RUN_PLACED_AGAIN.code());
 
   private final Consumer<String> aloud;
   private final List<ModelMessage> warnings = new CopyOnWriteArrayList<>();

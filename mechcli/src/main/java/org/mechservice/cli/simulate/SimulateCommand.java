@@ -98,18 +98,27 @@ public final class SimulateCommand implements Callable<Integer> {
       try (PreparedRun run = prepare(session, options, news);
           ResultFiles files = results.open(expectedRows(session, run))) {
         interrupt.cancels(run);
-        tellIdentity(run);
-        return simulate(run, news, files, store);
+        String id = tellIdentity(run);
+        return simulate(run, id, news, files, store);
       }
     }
   }
 
-  /** Prints the run's id: after this process dies, the run can be found by it. */
-  private void tellIdentity(PreparedRun run) {
-    if (run instanceof RemoteRun remote && !server.address().isEmpty() && results.talks()) {
-      err().println("simulation " + remote.id());
+  /**
+   * Prints the run's id: after this process dies, the run can be found by it.
+   *
+   * @return the id; empty if the run is in this process
+   */
+  private String tellIdentity(PreparedRun run) {
+    if (!(run instanceof RemoteRun remote) || server.address().isEmpty()) {
+      return "";
+    }
+    String id = remote.id();
+    if (results.talks()) {
+      err().println("simulation " + id);
       err().flush();
     }
+    return id;
   }
 
   private void tell(String news) {
@@ -160,7 +169,8 @@ public final class SimulateCommand implements Callable<Integer> {
     return OptionalLong.of(1 + (long) Math.ceil(steps));
   }
 
-  private int simulate(PreparedRun run, RunFollower news, ResultFiles files, CheckpointStore store)
+  private int simulate(
+      PreparedRun run, String id, RunFollower news, ResultFiles files, CheckpointStore store)
       throws IOException {
     RunResult result;
     ProgressDisplay display = ProgressDisplay.of(news, results.talks());
@@ -171,7 +181,10 @@ public final class SimulateCommand implements Callable<Integer> {
       // Rows that came before a server was lost are good; what bad input left is not.
       err()
           .println(
-              e.getMessage() + (status == ExitStatus.SERVER ? ResultOptions.keptRows(files) : ""));
+              e.getMessage()
+                  + (status == ExitStatus.SERVER
+                      ? howToFetch(id) + ResultOptions.keptRows(files)
+                      : ""));
       return status;
     } finally {
       display.close();
@@ -180,6 +193,17 @@ public final class SimulateCommand implements Callable<Integer> {
       news.warnings().forEach(warning -> err().println(warning));
     }
     return results.tell(result, files);
+  }
+
+  /** Returns how the rows of a run are fetched when its lost server is there again. */
+  private String howToFetch(String id) {
+    return id.isEmpty()
+        ? ""
+        : "; if the server was started with --spool, its rows can be fetched when it runs again:"
+            + " mech fetch "
+            + id
+            + " --server "
+            + server.address();
   }
 
   private PrintWriter err() {

@@ -16,6 +16,7 @@ import org.mechservice.client.failure.LimitExceededException;
 import org.mechservice.client.failure.ModelMessage;
 import org.mechservice.client.failure.NotAvailableException;
 import org.mechservice.client.failure.RunState;
+import org.mechservice.client.failure.ServerLostException;
 import org.mechservice.client.failure.ServiceException;
 import org.mechservice.idl.FailureRecord;
 import org.mechservice.idl.IMechSimRemoteOperations;
@@ -36,6 +37,9 @@ import org.omg.CORBA.UserException;
  * saves it, takes its rows up to then, and resumes it from the checkpoint on another host of the
  * server, with the same bits. The run stays on its host if it cannot be saved, if its user has
  * paused it, or if no other host has a free place.
+ *
+ * <p>When the host is lost, {@link #toEnd} computes the run again on another host and passes on the
+ * rows that are still missing.
  */
 public final class RemoteRun implements PreparedRun {
   /**
@@ -46,6 +50,12 @@ public final class RemoteRun implements PreparedRun {
 
   /** Longest wait of one call for rows; short enough to notice a lost server soon. */
   private static final Duration BLOCK_WAIT = Duration.ofMillis(500);
+
+  /** Most hosts a run may lose; a run that ends each of its hosts must not end them all. */
+  private static final int MOST_LOSSES = 3;
+
+  /** Pauses before the attempts to find another host, ms; a service manager restarts hosts. */
+  private static final long[] SEARCH_PAUSES_MILLIS = {0, 500, 1500, 3000};
 
   private final HostedRun.Opening elsewhere;
   private final Consumer<ModelMessage> listener;
@@ -60,6 +70,7 @@ public final class RemoteRun implements PreparedRun {
   private volatile boolean cancelled;
   private DrainNotice notice;
   private Optional<RunMigration> move = Optional.empty();
+  private Optional<byte[]> resumedFrom = Optional.empty();
   private long takenElsewhere;
   private boolean started;
 
@@ -155,19 +166,94 @@ public final class RemoteRun implements PreparedRun {
   /** {@inheritDoc} Starts the run if necessary and passes on all rows not taken yet. */
   @Override
   public RunResult toEnd(ResultSink sink, CheckpointStore store) throws IOException {
-    sink.begin(columns());
+    RowsOnce rows = new RowsOnce(sink, takenElsewhere + place.rows().taken());
+    rows.begin(columns());
     CheckpointSchedule clock = new CheckpointSchedule(store);
     if (!started) {
       prepare(clock, store);
       start();
     }
-    try {
-      drain(sink, clock);
-    } catch (IOException e) {
-      cancel();
-      throw e;
+    for (int losses = 1; ; losses++) {
+      try {
+        drain(rows, clock);
+        return result();
+      } catch (ServerLostException lost) {
+        placeAgain(lost, losses);
+        rows.again();
+      } catch (IOException e) {
+        cancel();
+        throw e;
+      }
     }
-    return result();
+  }
+
+  /**
+   * Starts the run on another host after its host was lost.
+   *
+   * @throws ServerLostException the same, if no host takes the run, or the run does not continue by
+   *     itself
+   */
+  private synchronized void placeAgain(ServerLostException lost, int losses) {
+    if (!free || cancelled || losses > MOST_LOSSES || Double.isFinite(until)) {
+      throw lost;
+    }
+    HostedRun gone = place;
+    HostedRun to = openedAfter(lost);
+    try {
+      if (!parameters.isEmpty()) {
+        to.setParameters(parameters);
+      }
+      resumedFrom.ifPresent(to::restore);
+      to.calls().run(to.simulation()::start);
+    } catch (ServiceException e) {
+      to.close();
+      lost.addSuppressed(e);
+      throw lost;
+    }
+    abandon(gone);
+    move.ifPresent(given -> abandon(given.to()));
+    move = Optional.empty();
+    takenElsewhere = 0;
+    place = to;
+    notice = new DrainNotice(place);
+    if (cancelled) {
+      cancel();
+    }
+    moved = Optional.of("from its start, after host " + gone.hostName() + " was lost");
+    say(
+        MessageCode.RUN_PLACED_AGAIN,
+        "host "
+            + gone.hostName()
+            + " is lost; the run is computed again on host "
+            + place.hostName()
+            + " as "
+            + id()
+            + ", and the rows so far are kept");
+  }
+
+  private HostedRun openedAfter(ServerLostException lost) {
+    for (long pause : SEARCH_PAUSES_MILLIS) {
+      try {
+        Thread.sleep(pause);
+        return elsewhere.open(earlierIds);
+      } catch (ServiceException e) {
+        lost.addSuppressed(e);
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+        break;
+      }
+      if (cancelled) {
+        break;
+      }
+    }
+    throw lost;
+  }
+
+  /** Frees what is held of a lost host; calls to it may wait for their timeout. */
+  private static void abandon(HostedRun gone) {
+    Thread thread = new Thread(gone::close, "mechclient-abandon");
+    thread.setDaemon(true);
+    thread.start();
   }
 
   /** Rejects a run that cannot be saved before it starts. */
@@ -176,7 +262,8 @@ public final class RemoteRun implements PreparedRun {
       if (clock.isWanted()) {
         place.checkpoint();
       }
-      store.saved().ifPresent(place::restore);
+      resumedFrom = store.saved();
+      resumedFrom.ifPresent(place::restore);
     } catch (NotAvailableException e) {
       throw new InvalidOptionException(e.code(), String.valueOf(e.getMessage()), "checkpoint");
     }

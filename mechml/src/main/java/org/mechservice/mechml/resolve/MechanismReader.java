@@ -7,6 +7,8 @@ import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.SimulationTask;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.Phrase;
+import org.mechservice.mechml.diagnosis.Quoted;
+import org.mechservice.mechml.diagnosis.SourcePosition;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.document.Limits;
 import org.mechservice.mechml.resolve.body.BodyDefinition;
@@ -32,6 +34,7 @@ import org.mechservice.mechml.unit.Quantity;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.Body;
+import org.mechservice.solver.mechanism.FurtherState;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Output;
 import org.mechservice.solver.mechanism.Parameter;
@@ -58,6 +61,7 @@ final class MechanismReader {
   private final JointTree tree;
   private final MechanismNames names;
   private final FormulaReader formulas;
+  private final StatesReader states;
 
   private MechanismReader(
       Element model,
@@ -76,6 +80,8 @@ final class MechanismReader {
     this.tree = new JointTree(links, index);
     this.names = new MechanismNames(bodies, index, diagnostics);
     this.formulas = new FormulaReader(values, names, diagnostics);
+    TablesReader.read(model, values, names, diagnostics);
+    this.states = StatesReader.begin(model, values, names, diagnostics);
     checkTree();
     placeJoints();
   }
@@ -184,25 +190,27 @@ final class MechanismReader {
     }
     closures.addAll(
         new ConstraintsReader(values, formulas, jointsReader, names, diagnostics).read(model));
+    List<FurtherState> further = states.read(formulas);
     List<ForceElement> forces = forces();
     if (diagnostics.hasErrors()) {
       return Optional.empty();
     }
     return Optional.of(
         new Mechanism(
-            model.required("name"),
-            root.orElseThrow(),
-            gravity.orElseThrow(),
-            index.moving().stream()
-                .map(BodyDefinition::body)
-                .flatMap(Optional<Body>::stream)
-                .toList(),
-            tree.outward(),
-            motions,
-            roles,
-            closures,
-            forces,
-            parameters()));
+                model.required("name"),
+                root.orElseThrow(),
+                gravity.orElseThrow(),
+                index.moving().stream()
+                    .map(BodyDefinition::body)
+                    .flatMap(Optional<Body>::stream)
+                    .toList(),
+                tree.outward(),
+                motions,
+                roles,
+                closures,
+                forces,
+                parameters())
+            .withFurtherStates(further));
   }
 
   /** Reports prescribed motions that no mechanism can follow. */
@@ -211,6 +219,22 @@ final class MechanismReader {
         settings.task() instanceof SimulationTask.Dynamic
             || settings.task() instanceof SimulationTask.InverseDynamic;
     MotionCheck.of(links, mechanism, settings.run(), moves, diagnostics);
+  }
+
+  /** Reports states in a simulation that does not integrate them. */
+  void checkStates(Mechanism mechanism, SimulationSettings settings) {
+    boolean integrates = settings.task() instanceof SimulationTask.Dynamic;
+    if (!integrates && !mechanism.furtherStates().isEmpty()) {
+      FurtherState first = mechanism.furtherStates().get(0);
+      diagnostics.error(
+          MessageCode.STATE_NOT_INTEGRATED,
+          new SourcePosition(first.origin().line(), 1, ""),
+          Phrase.of(
+              "the model has state %s, whose value follows from integration in time, and <%s> does"
+                  + " not integrate; simulate with <dynamic>, or leave the states out of this"
+                  + " model",
+              Quoted.of(first.name()), settings.task().element()));
+    }
   }
 
   private List<ForceElement> forces() {

@@ -61,6 +61,7 @@ public final class ModelResolver {
     int chosen = simulations.choose(blocks, options.simulation());
     diagnostics.throwIfErrors();
     reader.orElseThrow().checkMotions(mechanism.orElseThrow(), settings.get(chosen));
+    reader.orElseThrow().checkStates(mechanism.orElseThrow(), settings.get(chosen));
     diagnostics.throwIfErrors();
     return new MechmlModel(
         mechanism.get(),

@@ -3,6 +3,7 @@ package org.mechservice.server.admin;
 import com.sun.net.httpserver.HttpExchange;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.util.concurrent.RejectedExecutionException;
 import java.util.function.Supplier;
 import org.mechservice.orb.GuardedServant;
 import org.mechservice.orb.LoopbackHttp;
@@ -63,6 +64,8 @@ public final class MetricsEndpoint implements AutoCloseable {
   private static Health said(Supplier<Health> content) {
     try {
       return content.get();
+    } catch (RejectedExecutionException e) {
+      return new Health(false, "the server is closing\n");
     } catch (RuntimeException e) {
       return new Health(
           false,

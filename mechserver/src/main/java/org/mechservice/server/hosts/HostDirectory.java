@@ -317,7 +317,9 @@ public final class HostDirectory implements AutoCloseable {
         }
       }
     } catch (RuntimeException e) {
-      GuardedServant.record("the clock of the hosts", e);
+      if (!clock.isShutdown()) { // else the calls to the hosts are closed already
+        GuardedServant.record("the clock of the hosts", e);
+      }
     }
   }
 

@@ -23,18 +23,22 @@ export const stopButton = (simulation, small = false) => actionButton("Stop", {
   request: values => ({ server: simulation.server, action: "stop", id: simulation.id, reason: values.reason }),
 });
 
+const DRAIN_HOST = "The host accepts no new sessions. Runs that can be saved continue on other hosts; the others finish here.";
+const DRAIN_SERVER = "The server accepts no new sessions. Runs in its own process continue on another server if their client knows one; "
+  + "otherwise they finish here. Registered hosts keep their runs: drain them by their names.";
+
 export function drainButton(server, host, draining, small = false) {
   const what = host ? `host ${host}` : "the server";
   return actionButton(draining ? "Undrain" : "Drain", {
     title: `${draining ? "Undrain" : "Drain"} ${what}?`, small,
-    note: draining ? "It takes new work again." : "What runs goes on to its end; nothing new begins there.",
+    note: draining ? `The ${host ? "host" : "server"} accepts new sessions again.` : host ? DRAIN_HOST : DRAIN_SERVER,
     request: () => ({ server, action: draining ? "undrain" : "drain", host }),
   });
 }
 
 export const shutdownButton = (server, name, small = false) => actionButton("Shut down", {
-  title: `Shut down server ${name}?`, note: "Nothing new begins there; what still runs when the time is over is stopped.", danger: true, small,
-  fields: [{ name: "grace", label: "Seconds that what runs may go on", value: "30", type: "number", min: 0 }],
+  title: `Shut down server ${name}?`, note: "The server accepts no new sessions. Runs in its own process that are active when the time is over are stopped; their rows are kept if it has a spool folder.", danger: true, small,
+  fields: [{ name: "grace", label: "Time for active runs to finish, s", value: "30", type: "number", min: 0 }],
   request: values => ({ server, action: "shutdown", grace: Number(values.grace) }),
 });
 
@@ -50,8 +54,10 @@ function confirm({ title, note, label, request, fields, danger }) {
   const summary = el("p", { class: "muted" });
   const command = el("code", { class: "command" }, "…");
   const error = el("p", { class: "error", role: "alert" });
-  const inputs = fields.map(field => el("input", {
-    name: field.name, type: field.type || "text", value: field.value, min: field.min, maxlength: 200, oninput: later }));
+  const inputs = fields.map(field => field.choices
+    ? el("select", { name: field.name, onchange: later }, field.choices.map(choice =>
+      el("option", { value: choice, selected: choice === field.value }, choice)))
+    : el("input", { name: field.name, type: field.type || "text", value: field.value, min: field.min, maxlength: 200, oninput: later }));
   const go = el("button", { type: "submit", class: `primary ${danger ? "danger" : ""}` }, label);
   const dialog = el("dialog", { "aria-labelledby": "ask" },
     el("form", { method: "dialog", onsubmit: act },

@@ -8,6 +8,13 @@ const LEFT = 58;
 const BOTTOM = 20;
 const TOP = 6;
 
+/** Width of a stretch of an envelope, px. */
+const SPAN = 4;
+
+/** Height of a stretch above which its points are not told apart, px. */
+const NOISE = 8;
+const PIXELS = { x: x => x, y: y => y };
+
 /**
  * A figure with a curve. options: unit; log: a logarithmic scale; steps: a stair; range: fixed [from, to]; zero: from zero;
  * show: how a value reads; showX: how a place on the horizontal axis reads.
@@ -51,11 +58,45 @@ function drawCurve(svg, latest, title, xs, ys, show, options) {
   const showX = options.showX || (x => `${number(x)} s`);
   svg.append(draw("text", { x: LEFT, y: HEIGHT - 3 }, showX(points[0][0])));
   svg.append(draw("text", { x: width, y: HEIGHT - 3, "text-anchor": "end" }, showX(points[points.length - 1][0])));
-  svg.append(draw("path", { class: "curve", d: line(points, scale, options.steps) }));
+  const spans = points.length > 2 * (width - LEFT) / SPAN ? envelope(points, scale) : [];
+  if (isNoise(spans)) {
+    svg.append(draw("path", { class: "band", d: band(spans) }));
+    svg.append(draw("path", { class: "curve", d: line(spans.map(span => [span.x, span.mean]), PIXELS, false) }));
+  } else {
+    svg.append(draw("path", { class: "curve", d: line(points, scale, options.steps) }));
+  }
   const last = points[points.length - 1];
   svg.append(draw("circle", { class: "dot", cx: scale.x(last[0]), cy: scale.y(last[1]), r: 3 }));
   setText(latest, show(value(last[1])));
   svg.setAttribute("aria-label", `${title}: ${points.length} values, the last ${show(value(last[1]))}`);
+}
+
+/** The least, mean and largest height of the points in each stretch of the horizontal axis, px. */
+function envelope(points, scale) {
+  const spans = [];
+  for (const [x, y] of points) {
+    const px = scale.x(x);
+    const py = scale.y(y);
+    const place = Math.floor(px / SPAN);
+    let span = spans[spans.length - 1];
+    if (!span || span.place !== place) spans.push(span = { place, x: px, top: py, bottom: py, mean: 0, count: 0 });
+    span.top = Math.min(span.top, py);
+    span.bottom = Math.max(span.bottom, py);
+    span.count++;
+    span.mean += (py - span.mean) / span.count;
+  }
+  return spans;
+}
+
+/** Whether a line through all points would be a solid area: most stretches hold several points far apart. */
+function isNoise(spans) {
+  return spans.length > 1 && spans.filter(span => span.count > 2 && span.bottom - span.top > NOISE).length > spans.length / 2;
+}
+
+function band(spans) {
+  const above = spans.map(span => `${span.x.toFixed(1)} ${span.top.toFixed(1)}`);
+  const below = spans.map(span => `${span.x.toFixed(1)} ${span.bottom.toFixed(1)}`).reverse();
+  return `M${above.concat(below).join("L")}Z`;
 }
 
 function scales(points, width, options) {

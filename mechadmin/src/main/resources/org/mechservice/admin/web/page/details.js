@@ -4,10 +4,10 @@ import { drainButton, shutdownButton, stopButton } from "./actions.js";
 import { stream } from "./api.js";
 import { chart } from "./chart.js";
 import { el, fill, liveFacts, meter, setText, showJson } from "./dom.js";
-import { age, clock, codeOf, memory, moment, number, percent, stateKind } from "./format.js";
-import { goesOn, path, serverName, store } from "./store.js";
+import { age, clock, codeOf, memory, moment, number, percent, stateKind, statistic } from "./format.js";
+import { goesOn, loading, path, serverName, store } from "./store.js";
 import { simulationTable } from "./table.js";
-import { docLink, limitCard, logCard } from "./views.js";
+import { docLink, limitCard, logCard, serverState } from "./views.js";
 
 const SAMPLES_KEPT = 600;
 
@@ -41,7 +41,7 @@ export function serverView(address) {
   function update() {
     const server = store.servers.get(address);
     if (!server) return;
-    head.show(server.name || address, !server.answers ? "no answer" : server.draining ? "draining" : "up",
+    head.show(server.name || address, serverState(server),
       () => server.answers && [drainButton(address, "", server.draining), shutdownButton(address, server.name)]);
     about.show(server.answers ? [["Address", address], ["Up", age(server.startedAt)], ["Version", `${server.version}, API ${server.apiVersion}`],
       ["Hosts", server.hostCount], ["Sessions", server.sessions], ["Running", server.running], ["Queued", server.queued]]
@@ -79,15 +79,15 @@ export function hostView(server, name) {
   function update() {
     const host = store.hosts.get(`${server} ${name}`);
     if (!host) {
-      head.show(name, "no answer", () => []);
-      about.show([["Problem", "The server does not know this host now."]]);
+      head.show(name, loading() ? "loading" : "unknown", () => []);
+      about.show([["Problem", loading() ? "" : "The server does not know this host now."]]);
       return;
     }
     head.show(name, host.state, () => host.reachable && drainButton(server, name, host.draining));
     about.show([["Address", host.address], ["Problem", host.problem], ["Up", age(host.startedAt)], ["Last heard of", `${age(host.lastSeen)} ago`],
       ["Version", host.version], ["Processors", host.cores], ["Memory", `${memory(host.memoryUsed)} of ${memory(host.memoryBytes)}`],
       ["Running", `${host.running} of ${host.capacity}`], ["Queued", host.queued], ["Sessions", host.sessions],
-      ...Object.entries(host.statistics)]);
+      ...Object.entries(host.statistics).map(statistic)]);
     table.update();
   }
 }

@@ -1,5 +1,7 @@
 // The only ways things come onto the page. Text is always text: no name can become markup.
 
+import { sentence, words } from "./format.js";
+
 /** Makes an element; a property "class", an "on..." listener, or else an attribute; children are nodes or text. */
 export function el(tag, properties = {}, ...children) {
   const element = document.createElement(tag);
@@ -97,6 +99,6 @@ export function meter(name) {
 function tree(value) {
   if (value === null || value === undefined) return "–";
   if (Array.isArray(value)) return value.length ? el("ul", {}, value.map(item => el("li", {}, tree(item)))) : "none";
-  if (typeof value === "object") return facts(Object.entries(value).map(([name, member]) => [name, tree(member)]));
+  if (typeof value === "object") return facts(Object.entries(value).map(([name, member]) => [sentence(words(name)), tree(member)]));
   return String(value);
 }

@@ -13,6 +13,7 @@ export function percent(share) {
 
 export function memory(bytes) {
   const mebi = bytes / 1048576;
+  if (mebi < 1) return bytes < 1024 ? `${bytes} B` : `${Math.round(bytes / 1024)} KiB`;
   return mebi >= 1024 ? `${(mebi / 1024).toFixed(1)} GiB` : `${Math.round(mebi)} MiB`;
 }
 
@@ -35,11 +36,43 @@ export function moment(iso) {
   return iso && iso !== "-" ? new Date(iso).toLocaleString([], { hour12: false }) : "–";
 }
 
+/** A name such as relativeTolerance as words. Names of things, such as driver.angle, stay as they are. */
+export const words = name => /^[a-z][A-Za-z]*$/.test(name) ? name.replace(/([a-z])([A-Z])/g, (all, a, b) => `${a} ${b.toLowerCase()}`) : name;
+
+/** A text with a capital letter, unless it is a name. */
+export const sentence = text => /^[a-z]+( |$)/.test(text) ? text[0].toUpperCase() + text.slice(1) : text;
+
+const STATISTICS = {
+  spoolBytes: ["Rows kept", value => memory(Number(value))], connections: ["Connections"],
+  sessionsOpened: ["Sessions since start"], completed: ["Runs completed"], failed: ["Runs failed"], cancelled: ["Runs cancelled"],
+  userCode: ["Classes of users"],
+};
+
+/** A figure of a host with its label. */
+export function statistic([name, value]) {
+  const [label, show] = STATISTICS[name] || [sentence(words(name))];
+  return [label, show ? show(value) : value];
+}
+
+/** The value of a limit in a unit that reads well. */
+export function limitValue(limit) {
+  if (limit.value === -1) return "unlimited";
+  if (limit.unit === "B") return memory(limit.value);
+  if (limit.unit === "s") return duration(limit.value);
+  return `${limit.value}${limit.unit === "1" ? "" : ` ${limit.unit}`}`;
+}
+
+function duration(seconds) {
+  if (seconds < 600) return `${seconds} s`;
+  if (seconds < 7200) return `${Number((seconds / 60).toPrecision(3))} min`;
+  return seconds < 172800 ? `${Number((seconds / 3600).toPrecision(3))} h` : `${Number((seconds / 86400).toPrecision(3))} d`;
+}
+
 export const shortId = id => id.slice(0, 8);
 
 const KINDS = {
   up: "good", running: "good", done: "", queued: "cool", created: "cool", paused: "warn", draining: "warn",
-  failed: "bad", lost: "bad", "no answer": "bad", cancelled: "warn",
+  failed: "bad", lost: "bad", "no answer": "bad", connecting: "cool", cancelled: "warn",
 };
 
 export const stateKind = state => KINDS[state] ?? "";

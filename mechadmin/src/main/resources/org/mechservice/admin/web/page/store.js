@@ -4,7 +4,8 @@ import { stream } from "./api.js";
 
 const EVENTS_KEPT = 500;
 
-export const store = { servers: new Map(), hosts: new Map(), simulations: new Map(), events: [], right: "" };
+/** heard: whether the console has sent its first update. */
+export const store = { servers: new Map(), hosts: new Map(), simulations: new Map(), events: [], right: "", heard: false };
 
 /** Follows the console; changed is called at most once per picture. */
 export function follow(changed, opened, lost) {
@@ -27,6 +28,7 @@ export function follow(changed, opened, lost) {
       apply(store.servers, update.servers, row => row.address);
       apply(store.hosts, update.hosts, row => row.key);
       apply(store.simulations, update.simulations, row => row.id);
+      store.heard = true;
       store.events = store.events.concat(update.events).slice(-EVENTS_KEPT);
       soon();
     },
@@ -44,6 +46,9 @@ export const serverName = address => store.servers.get(address)?.name || address
 
 export const hostsOf = server =>
   [...store.hosts.values()].filter(host => host.server === server).sort((a, b) => a.name.localeCompare(b.name));
+
+/** Whether a server has not given its first answer yet, so that counts are incomplete. */
+export const loading = () => !store.heard || [...store.servers.values()].some(server => server.connecting);
 
 export const failures = () => [...store.simulations.values()].filter(simulation => simulation.state === "failed")
   .sort((a, b) => b.endedAt.localeCompare(a.endedAt));

@@ -4,7 +4,7 @@
 import { stopButton } from "./actions.js";
 import { el, fill, meter, setText } from "./dom.js";
 import { age, number, percent, shortId, stateKind } from "./format.js";
-import { goesOn, path, store } from "./store.js";
+import { goesOn, loading, path, store } from "./store.js";
 
 const PAGE = 50;
 const STATES = ["all", "going on", "queued", "running", "paused", "done", "failed", "cancelled"];
@@ -91,6 +91,7 @@ export function simulationTable({ title, among = () => true, state = "all", filt
     }
     heads.forEach((head, i) => head.setAttribute("aria-sort", i !== view.sort ? "none" : view.descending ? "descending" : "ascending"));
     none.hidden = all.length > 0;
+    setText(none, loading() ? "Loading …" : "None.");
     setText(count, pages > 1 ? `${view.page * PAGE + 1}–${view.page * PAGE + shown.length} of ${all.length}` : `${all.length} in all`);
     back.disabled = view.page === 0;
     next.disabled = view.page >= pages - 1;

@@ -3,8 +3,8 @@
 import { actionButton, drainButton, shutdownButton } from "./actions.js";
 import { get } from "./api.js";
 import { el, fill, meter, setText } from "./dom.js";
-import { age, clock, codeOf, memory, moment, percent, shortId, stateKind } from "./format.js";
-import { failures, goesOn, hostsOf, path, serverName, store } from "./store.js";
+import { age, clock, codeOf, limitValue, memory, moment, percent, sentence, shortId, stateKind } from "./format.js";
+import { failures, goesOn, hostsOf, loading, path, serverName, store } from "./store.js";
 import { simulationTable } from "./table.js";
 
 /** The documentation of a message, or nothing if it has no code. */
@@ -12,7 +12,7 @@ export const docLink = code => code && el("a", { href: `/docs/errors/${code}.md`
 
 export function overview() {
   const tiles = [tile("#/", "servers up"), tile("#/", "hosts up"), tile("#/simulations", "running"), tile("#/simulations", "queued"),
-    tile("#/simulations", "done"), tile("#/failures", "failed")];
+    tile("#/simulations", "done"), tile("#/failures", "failed, 24 h")];
   const servers = el("div");
   const cards = new Map();
   const running = simulationTable({ title: "Going on", among: goesOn, filters: false });
@@ -27,8 +27,13 @@ export function overview() {
     const hosts = [...store.hosts.values()];
     const lost = hosts.filter(host => !host.reachable).length;
     const count = state => all.filter(row => row.state === state).length;
-    const shown = [[`${up} of ${store.servers.size}`, up < store.servers.size], [lost ? `${hosts.length - lost} of ${hosts.length}` : hosts.length, lost > 0],
-      [count("running") + count("paused")], [count("queued")], [count("done")], [count("failed"), count("failed") > 0]];
+    const complete = !loading();
+    const known = value => complete ? value : value || "…";
+    const failed = newFailures(failures());
+    const shown = [[known(up && `${up} of ${store.servers.size}`) || `0 of ${store.servers.size}`, complete && up < store.servers.size],
+      [known(lost ? `${hosts.length - lost} of ${hosts.length}` : hosts.length), lost > 0],
+      [known(count("running") + count("paused"))], [known(count("queued"))], [known(count("done"))],
+      [known(failed.length), failed.some(isOfService)]];
     shown.forEach(([value, alarm], i) => tiles[i].show(value, alarm));
     for (const [address] of cards) if (!store.servers.has(address)) { cards.get(address).node.remove(); cards.delete(address); }
     for (const server of store.servers.values()) {
@@ -66,7 +71,7 @@ function serverCard() {
   return { node, show };
 
   function show(server) {
-    const state = !server.answers ? "no answer" : server.draining ? "draining" : "up";
+    const state = serverState(server);
     setText(link, server.name || server.address);
     link.href = path("server", server.address);
     setText(chip, state);
@@ -127,29 +132,73 @@ export function simulations() {
   return { node: el("div", {}, table.node), update: table.update };
 }
 
+const DAY = 24 * 3600 * 1000;
+const ACKNOWLEDGED = "mechadmin-acknowledged";
+const acknowledgedAt = () => Number(localStorage.getItem(ACKNOWLEDGED) || 0);
+
+/** The failures that count: of the last 24 hours, and after the last acknowledgement in this browser. */
+const newFailures = all => all.filter(row => Date.parse(row.endedAt) > Math.max(Date.now() - DAY, acknowledgedAt()));
+
+/** Whether a host or server caused the failure, not the model. */
+const isOfService = row => codeOf(row.message).startsWith("S");
+
 export function failureList() {
+  const view = { earlier: false };
+  const about = el("span", { class: "muted" });
+  const acknowledge = el("button", { type: "button", title: "Removes these failures from the count on the overview, in this browser", onclick: () => {
+    localStorage.setItem(ACKNOWLEDGED, String(Date.now()));
+    update();
+  } }, "Acknowledge all");
+  const earlier = el("button", { type: "button", onclick: () => { view.earlier = !view.earlier; update(); } });
   const list = el("div");
-  const node = el("div", {}, el("div", { class: "head" }, el("h1", {}, "Failures")), list);
-  let known = "";
+  const node = el("div", {}, el("div", { class: "head" }, el("h1", {}, "Failures"), about, el("div", { class: "actions" }, earlier, acknowledge)), list);
+  let known;
   return { node, update };
 
   function update() {
     const all = failures();
-    const now = all.map(row => row.id).join();
+    const recent = newFailures(all);
+    const shown = view.earlier ? all : recent;
+    const now = `${view.earlier} ${recent.length} ${loading()} ${shown.map(row => row.id).join()}`;
     if (now === known) return;
     known = now;
-    fill(list, all.length === 0 && el("p", { class: "card empty" }, "Nothing has failed lately."), all.slice(0, 200).map(failureCard),
-      all.length > 200 && el("p", { class: "empty" }, `and ${all.length - 200} more: `, el("a", { href: "#/simulations" }, "all simulations")));
+    setText(about, `${recent.length} in the last 24 h, ${all.length - recent.length} older or acknowledged`);
+    acknowledge.disabled = recent.length === 0;
+    setText(earlier, view.earlier ? "Hide older and acknowledged" : "Show older and acknowledged");
+    earlier.hidden = all.length === recent.length;
+    fill(list, shown.length === 0 && el("p", { class: "card empty" }, loading() ? "Loading …" : "No new failures."),
+      group("Failures of hosts and servers", shown.filter(isOfService)),
+      group("Failures of models", shown.filter(row => !isOfService(row))));
+  }
+
+  function group(title, rows) {
+    const byCode = new Map();
+    for (const row of rows) {
+      const code = codeOf(row.message);
+      byCode.set(code, [...(byCode.get(code) || []), row]);
+    }
+    return rows.length > 0 && [el("h2", {}, `${title}: ${rows.length}`),
+      [...byCode.values()].sort((a, b) => b.length - a.length).map(failureCard)];
   }
 }
 
-function failureCard(row) {
+const FAILURES_SHOWN = 100;
+
+/** The failures with one message code, the newest in full and the others as a list. */
+function failureCard([newest, ...others]) {
   return el("article", { class: "card failure" },
-    el("h3", {}, el("a", { href: path("sim", row.server, row.id) }, row.model || "(unnamed)"), " ", el("span", { class: "muted mono" }, shortId(row.id))),
-    el("p", {}, row.message),
-    el("p", { class: "meta" }, `${moment(row.endedAt)} · host `, el("a", { href: path("host", row.server, row.host) }, row.host), ` · ${row.owner} `,
-      docLink(codeOf(row.message))));
+    el("h3", {}, failedRun(newest), others.length > 0 && [" ", el("span", { class: "chip bad" }, `${others.length + 1} times`)]),
+    el("p", {}, newest.message),
+    el("p", { class: "meta" }, failurePlace(newest), " ", docLink(codeOf(newest.message))),
+    others.length > 0 && el("details", {}, el("summary", {}, `${others.length} earlier`),
+      el("ul", {}, others.slice(0, FAILURES_SHOWN).map(row => el("li", {}, failedRun(row), " ", el("span", { class: "muted" }, failurePlace(row))))),
+      others.length > FAILURES_SHOWN && el("p", {}, `and ${others.length - FAILURES_SHOWN} more: `, el("a", { href: "#/simulations" }, "all simulations"))));
 }
+
+const failedRun = row => [el("a", { href: path("sim", row.server, row.id) }, row.model || "(unnamed)"), " ",
+  el("span", { class: "muted mono" }, shortId(row.id))];
+
+const failurePlace = row => [`${moment(row.endedAt)} · host `, el("a", { href: path("host", row.server, row.host) }, row.host), ` · ${row.owner}`];
 
 /** The latest events, the newest first. */
 function eventList(most) {
@@ -200,6 +249,13 @@ export function audit() {
   }
 }
 
+/** The state of a server in one word. */
+export function serverState(server) {
+  if (server.connecting) return "connecting";
+  if (!server.answers) return "no answer";
+  return server.draining ? "draining" : "up";
+}
+
 /** The limits of a place, to be changed. */
 export function limitCard(server, host) {
   const body = el("tbody");
@@ -214,10 +270,10 @@ export function limitCard(server, host) {
     try {
       const said = await get("limits", { server, host });
       loaded = true;
-      fill(body, said.limits.map(limit => el("tr", {}, el("td", {}, limit.name, el("span", { class: "sub" }, limit.text)),
-        el("td", { class: "number" }, limit.value === -1 ? "unlimited" : `${limit.value}${limit.unit === "1" ? "" : ` ${limit.unit}`}`),
+      fill(body, said.limits.map(limit => el("tr", {}, el("td", {}, sentence(limit.text), el("span", { class: "sub mono" }, limit.name)),
+        el("td", { class: "number" }, limitValue(limit)),
         el("td", {}, limitButton(limit)))));
-      fill(placement, said.placement && [el("span", {}, `Hosts are chosen by “${said.placement}”.`), placementButton(said.placement)]);
+      fill(placement, said.placement && [el("span", {}, `Choice of hosts: ${said.placement}`), placementButton(said.placement)]);
     } catch (failure) {
       fill(placement, el("p", { class: "muted" }, failure.message));
     }
@@ -225,16 +281,19 @@ export function limitCard(server, host) {
 
   function limitButton(limit) {
     return withReload(actionButton("Change", {
-      title: `Change limit ${limit.name}`, small: true,
-      fields: [{ name: "value", label: `${limit.text}; -1 is unlimited`, value: String(limit.value), type: "number" }],
-      request: values => ({ server, action: "limits", host, limits: { [limit.name]: Number(values.value) } }),
+      title: `Change the limit ${limit.name}`, small: true,
+      note: host ? "For this host." : "For this server, all its hosts, and hosts that register later.",
+      fields: [{ name: "value", label: `${sentence(limit.text)}${limit.unit === "1" ? "" : `, ${limit.unit}`}; or “unlimited”`,
+        value: limit.value === -1 ? "unlimited" : String(limit.value) }],
+      request: values => ({ server, action: "limits", host, limits: { [limit.name]: values.value.trim() === "unlimited" ? -1 : values.value.trim() } }),
     }));
   }
 
   function placementButton(policy) {
     return withReload(actionButton("Change", {
-      title: "Change how hosts are chosen", small: true,
-      fields: [{ name: "policy", label: "order, least-loaded or pinned", value: policy }],
+      title: "Change the choice of hosts", small: true,
+      note: "least-loaded: the host with most free places. order: one host after the other. pinned: a client stays on its host.",
+      fields: [{ name: "policy", label: "Choice of a host for a new session", value: policy, choices: ["least-loaded", "order", "pinned"] }],
       request: values => ({ server, action: "placement", host, policy: values.policy }),
     }));
   }

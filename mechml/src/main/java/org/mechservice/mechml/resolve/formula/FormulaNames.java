@@ -2,6 +2,7 @@ package org.mechservice.mechml.resolve.formula;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.mechml.diagnosis.Phrase;
@@ -17,11 +18,13 @@ import org.mechservice.mechml.unit.UnitSystem;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.Table;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * Resolves the names in a formula: {@code t}, {@code s}, parameters, {@code joint.q}, {@code
- * joint.v[2]}, {@code body.point.vx}. In formulas lengths are in the file's unit and angles in rad.
+ * Resolves the names in a formula: {@code t}, {@code s}, parameters, states, {@code joint.q},
+ * {@code joint.v[2]}, {@code body.point.vx}. In formulas lengths are in the file's unit and angles
+ * in rad.
  */
 final class FormulaNames {
   private static final List<String> POINT_COMPONENTS = List.of("x", "y", "z", "vx", "vy", "vz");
@@ -53,6 +56,11 @@ final class FormulaNames {
     if (name.text().equals("s") && role == FormulaRole.HEIGHT) {
       return scaled(new Expression.Argument(), units.length());
     }
+    Optional<Signal> signal = names.signal(String.join(".", name.names()));
+    if (signal.isPresent() && name.index().isEmpty()) {
+      require(role == FormulaRole.STATE, name, role);
+      return signal.get().value(name.offset());
+    }
     if (name.names().size() == 2 && !name.text().equals("Math.PI")) {
       return coordinate(name, role);
     }
@@ -61,8 +69,14 @@ final class FormulaNames {
     }
     List<String> known = new ArrayList<>(parameters.names());
     known.addAll(names.jointNames());
+    known.addAll(names.signalNames());
     known.add("t");
     return new Expression.Constant(Scope.constant(name, known));
+  }
+
+  /** Returns the tables by name. */
+  Map<String, Table> tables() {
+    return names.tables();
   }
 
   private Expression parameter(ResolvedParameter parameter) {

@@ -45,6 +45,9 @@ final class CheckJson {
     object.add("tree", gson.toJsonTree(TreeDrawing.of(scene.mechanism())));
     object.add("constraints", gson.toJsonTree(report.loops().loops()));
     object.add("roadmap", roadmap());
+    if (!scene.mechanism().furtherStates().isEmpty()) {
+      object.add("states", gson.toJsonTree(scene.mechanism().stateVariables()));
+    }
     object.add("forces", gson.toJsonTree(scene.forces()));
     object.add("unused", gson.toJsonTree(report.model().unused()));
     object.add("warnings", warnings());

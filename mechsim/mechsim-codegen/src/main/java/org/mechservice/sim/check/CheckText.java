@@ -1,5 +1,6 @@
 package org.mechservice.sim.check;
 
+import org.mechservice.solver.mechanism.FurtherState;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -130,7 +131,8 @@ final class CheckText {
   }
 
   private void roadmap() {
-    text.append("\nState y = [q; v]:\n");
+    List<FurtherState> further = report.scene().mechanism().furtherStates();
+    text.append(further.isEmpty() ? "\nState y = [q; v]:\n" : "\nState y = [q; v; s]:\n");
     int names = report.roadmap().stream().mapToInt(e -> e.joint().length()).max().orElse(0);
     int places = report.roadmap().stream().mapToInt(e -> place(e).length()).max().orElse(0);
     for (RoadmapEntry entry : report.roadmap()) {
@@ -144,6 +146,12 @@ final class CheckText {
           .append(entry.velocityUnit())
           .append(entry.axis().isEmpty() ? "" : "  axis " + entry.axis())
           .append(entry.driven() ? "  driven" : "")
+          .append('\n');
+    }
+    for (int i = 0; i < further.size(); i++) {
+      FurtherState state = further.get(i);
+      text.append("  s[" + i + "]  " + state.name() + "  " + state.unit() + "  start ")
+          .append(ShortestDecimal.format(state.start()))
           .append('\n');
     }
   }

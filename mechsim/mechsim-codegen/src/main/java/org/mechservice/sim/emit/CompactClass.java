@@ -13,6 +13,8 @@ import org.mechservice.solver.closure.UserForcedTerms;
 import org.mechservice.solver.closure.equations.LoopTerms;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.compact.CompactSource;
+import org.mechservice.solver.compact.DataDrivenLoops;
+import org.mechservice.solver.compact.DataDrivenTree;
 import org.mechservice.solver.dynamics.UserForcedModel;
 import org.mechservice.solver.dynamics.UserLoads;
 import org.mechservice.solver.dynamics.event.WrittenValues;
@@ -82,10 +84,13 @@ public record CompactClass(
     SourceLines source = new SourceLines();
     source.line("package " + ModelClass.PACKAGE + ";").blank();
     source.line("import " + base().getName() + ";");
-    if (generated.isPresent()) {
+    if (task.isEmpty()) {
       source.line("import " + CompactModel.class.getName() + ";");
       source.line("import " + UserForceSource.class.getName() + ";");
-      if (hasUserForces()) {
+      if (generated.isEmpty() || hasLoops()) {
+        source.line("import " + dataDriven().getName() + ";");
+      }
+      if (generated.isPresent() && hasUserForces()) {
         source.line("import " + forced().getName() + ";");
         source.line("import " + UserLoads.class.getName() + ";");
       }
@@ -107,6 +112,12 @@ public record CompactClass(
               .collect(Collectors.joining(", ", "super(", ");")));
       source.close().blank();
     }
+    if (task.isEmpty() && generated.isEmpty()) {
+      source.line("@Override");
+      source.open("protected Object bare(CompactModel data, UserForceSource userForces)");
+      source.line("return " + dataDriven().getSimpleName() + ".model(data, userForces);");
+      source.close().blank();
+    }
     if (generated.isPresent()) {
       source.line("@Override");
       source.open("protected Object bare(CompactModel data, UserForceSource userForces)");
@@ -119,7 +130,7 @@ public record CompactClass(
                 + generated.get().simpleName()
                 + "(p), p, data.mechanism(), userForces)";
       }
-      String made = hasLoops() ? "data.model(userForces, " : "data.watched(";
+      String made = hasLoops() ? "DataDrivenLoops.model(data, userForces, " : "data.watched(";
       source.line("return " + made + code + ", values(data));");
       source.close().blank();
     }
@@ -173,6 +184,8 @@ public record CompactClass(
     constructor(file);
     if (generated.isPresent()) {
       bare(file, generated.get());
+    } else if (task.isEmpty()) {
+      bare(file);
     }
     if (values.isPresent()) {
       values(file, values.get());
@@ -223,6 +236,24 @@ public record CompactClass(
     ClassMethods.end(code, Opcodes.RETURN);
   }
 
+  /** Returns the solver class that evaluates the data. */
+  private Class<?> dataDriven() {
+    return hasLoops() ? DataDrivenLoops.class : DataDrivenTree.class;
+  }
+
+  private void bare(ClassWriter file) {
+    MethodVisitor code = ClassMethods.begin(file, Opcodes.ACC_PROTECTED, "bare", BARE);
+    code.visitVarInsn(Opcodes.ALOAD, 1);
+    code.visitVarInsn(Opcodes.ALOAD, 2);
+    code.visitMethodInsn(
+        Opcodes.INVOKESTATIC,
+        Type.getInternalName(dataDriven()),
+        "model",
+        BARE.substring(0, BARE.indexOf(')') + 1) + Type.getDescriptor(Model.class),
+        false);
+    ClassMethods.end(code, Opcodes.ARETURN);
+  }
+
   private void bare(ClassWriter file, GeneratedClass equations) {
     MethodVisitor code = ClassMethods.begin(file, Opcodes.ACC_PROTECTED, "bare", BARE);
     String data = Type.getInternalName(CompactModel.class);
@@ -238,14 +269,16 @@ public record CompactClass(
     }
     String given =
         hasLoops()
-            ? Type.getDescriptor(UserForceSource.class) + Type.getDescriptor(LoopTerms.class)
+            ? Type.getDescriptor(CompactModel.class)
+                + Type.getDescriptor(UserForceSource.class)
+                + Type.getDescriptor(LoopTerms.class)
             : model;
     code.visitVarInsn(Opcodes.ALOAD, 0);
     code.visitVarInsn(Opcodes.ALOAD, 1);
     code.visitMethodInsn(Opcodes.INVOKEVIRTUAL, internal(simpleName()), "values", VALUES, false);
     code.visitMethodInsn(
-        Opcodes.INVOKEVIRTUAL,
-        data,
+        hasLoops() ? Opcodes.INVOKESTATIC : Opcodes.INVOKEVIRTUAL,
+        hasLoops() ? Type.getInternalName(DataDrivenLoops.class) : data,
         hasLoops() ? "model" : "watched",
         "(" + given + Type.getDescriptor(Optional.class) + ")" + model,
         false);

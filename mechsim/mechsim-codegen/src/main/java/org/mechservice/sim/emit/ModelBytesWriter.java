@@ -1,6 +1,7 @@
 package org.mechservice.sim.emit;
 
 import java.util.Arrays;
+import java.util.List;
 import org.mechservice.sim.emit.bytes.ClassMethods;
 import org.mechservice.sim.emit.bytes.MethodSizes;
 import org.mechservice.sim.emit.bytes.NumberInstructions;
@@ -178,6 +179,16 @@ final class ModelBytesWriter {
         "of",
         "(" + STRING.repeat(4) + "L" + SETTINGS + ";)L" + DESCRIPTION + ";",
         false);
+    List<String> further = plan.furtherStates();
+    if (!further.isEmpty()) {
+      further.forEach(code::visitLdcInsn);
+      code.visitMethodInsn(
+          Opcodes.INVOKEVIRTUAL,
+          DESCRIPTION,
+          "withFurtherStates",
+          "(" + STRING.repeat(3) + ")L" + DESCRIPTION + ";",
+          false);
+    }
     ClassMethods.end(code, Opcodes.ARETURN);
   }
 

@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.function.Function;
+import java.util.stream.Collectors;
 import org.mechservice.sim.emit.method.ConstantTable;
 import org.mechservice.sim.emit.method.MethodSignature;
 import org.mechservice.sim.emit.plan.CodeForm;
@@ -18,6 +19,7 @@ import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarOperation;
 import org.mechservice.solver.api.JointVariables;
+import org.mechservice.solver.api.StateVariable;
 import org.mechservice.solver.api.capability.BodyPoses;
 import org.mechservice.solver.api.capability.DirectedForces;
 import org.mechservice.solver.api.capability.Energies;
@@ -241,7 +243,13 @@ public final class ModelPlan implements GeneratedClass {
       return new Base(Object.class, List.of());
     }
     ResidualDerivatives.Derived derived = content.derivatives().get();
-    return new Base(TreeStepModel.class, List.of(jointTypes(), derived.tree(), derived.coupled()));
+    List<String> arguments = new ArrayList<>();
+    arguments.addAll(List.of(jointTypes(), derived.tree(), derived.coupled()));
+    int further = content.description().furtherStates().size();
+    if (further > 0) {
+      arguments.add(Integer.toString(further));
+    }
+    return new Base(TreeStepModel.class, arguments);
   }
 
   @Override
@@ -368,6 +376,21 @@ public final class ModelPlan implements GeneratedClass {
       types.add(joint.type().name());
     }
     return String.join(" ", types);
+  }
+
+  /** Returns names, units and tolerances of the further states, as the description takes them. */
+  List<String> furtherStates() {
+    List<StateVariable> states = content.description().furtherStates();
+    return states.isEmpty()
+        ? List.of()
+        : List.of(
+            lines(states, StateVariable::name),
+            lines(states, StateVariable::unit),
+            lines(states, state -> Double.toString(state.absoluteTolerance())));
+  }
+
+  private static String lines(List<StateVariable> states, Function<StateVariable, String> what) {
+    return states.stream().map(what).collect(Collectors.joining("\n"));
   }
 
   /** Returns the names of the bodies, one a line. */

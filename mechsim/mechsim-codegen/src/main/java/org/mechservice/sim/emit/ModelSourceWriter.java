@@ -10,6 +10,7 @@ import org.mechservice.sim.emit.source.ProgramPrinter;
 import org.mechservice.sim.emit.source.SourceLines;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.api.StateVariable;
 import org.mechservice.solver.api.capability.BodyPoses;
 import org.mechservice.solver.api.run.RunSettings;
 
@@ -156,6 +157,14 @@ final class ModelSourceWriter {
       position += joint.type().positionCount();
       velocity += joint.type().velocityCount();
     }
+    int further = description.positionCount() + description.velocityCount();
+    for (StateVariable state : description.furtherStates()) {
+      lines.add(
+          "  <li>y["
+              + further++
+              + "]: "
+              + JavaText.comment("state " + state.name() + ", " + state.unit()));
+    }
     lines.add("</ul>");
     return lines;
   }
@@ -189,7 +198,14 @@ final class ModelSourceWriter {
     source.line("    " + JavaText.literal(description.formulation()) + ",");
     source.line("    " + JavaText.literal(plan.jointTypes()) + ",");
     source.line("    " + JavaText.literal(plan.jointNames()) + ",");
-    source.line("    " + settings(description.defaults()) + ");");
+    List<String> further = plan.furtherStates();
+    source.line("    " + settings(description.defaults()) + ")" + (further.isEmpty() ? ";" : ""));
+    if (!further.isEmpty()) {
+      source.line(
+          further.stream()
+              .map(JavaText::literal)
+              .collect(Collectors.joining(", ", "    .withFurtherStates(", ");")));
+    }
     source.close();
   }
 

@@ -10,13 +10,14 @@ import org.mechservice.sim.symbolic.Program;
  *
  * @param modelName the model's name in its file
  * @param hasUserForces whether the class receives loads of user forces
- * @param stateCount number of states [q; v] and counted angles
+ * @param stateCount number of states [q; v; s] and counted angles
  * @param velocityCount number of v among them
  * @param loops program of the method of that name
  * @param equations program of the method of that name
  * @param energy program of the method of that name
  * @param power program of the method of that name
  * @param poses program of the method of that name, if the poses of the bodies are requested
+ * @param further program of the method of that name, if there are further states
  * @param ofResidual programs of the recursive residual, if the formulation has one
  * @param notes further paragraphs of the class comment
  */
@@ -30,6 +31,7 @@ public record TermsClass(
     Program energy,
     Program power,
     Optional<Program> poses,
+    Optional<Program> further,
     Optional<OfResidual> ofResidual,
     List<String> notes) {
   /** Returns the program of the derivatives of the residual, if the class has it. */
@@ -49,6 +51,7 @@ public record TermsClass(
         energy,
         power,
         poses,
+        further,
         ofResidual.map(
             programs -> new OfResidual(programs.offset(), programs.residual(), Optional.empty())),
         notes);

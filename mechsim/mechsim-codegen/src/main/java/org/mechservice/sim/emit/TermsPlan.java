@@ -31,6 +31,9 @@ public final class TermsPlan {
     programs.add(ofState("energy", "energy", false), content.energy());
     programs.add(ofState("power", "power", false), content.power());
     content.poses().ifPresent(program -> programs.add(ofState("poses", "poses", false), program));
+    content
+        .further()
+        .ifPresent(program -> programs.add(ofState("further", "rates", false), program));
     content.ofResidual().ifPresent(given -> add(given, content, programs));
     return programs;
   }

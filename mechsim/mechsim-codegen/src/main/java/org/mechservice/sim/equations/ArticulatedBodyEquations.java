@@ -1,5 +1,6 @@
 package org.mechservice.sim.equations;
 
+import java.util.List;
 import java.util.function.Function;
 import java.util.function.ToIntFunction;
 import org.mechservice.sim.equations.force.AppliedForces;
@@ -47,8 +48,20 @@ public final class ArticulatedBodyEquations {
     Program program = new Program();
     ArticulatedBodyEquations equations = new ArticulatedBodyEquations(program, mechanism);
     new PositionRates(program, mechanism, equations.coordinates).putOut();
+    putOutFurtherRates(program, mechanism, equations.coordinates);
     equations.accelerations(needed -> equations.appliedForces(needed, true), true);
     return program;
+  }
+
+  /** Outputs the derivatives of the further states behind those of positions and velocities. */
+  static void putOutFurtherRates(Program program, Links mechanism, Coordinates coordinates) {
+    if (!mechanism.mechanism().furtherStates().isEmpty()) {
+      int at = mechanism.positionCount() + mechanism.velocityCount();
+      List<Scalar> rates = new AppliedForces(program, mechanism, coordinates).furtherRates();
+      for (int i = 0; i < rates.size(); i++) {
+        program.output(at + i, rates.get(i));
+      }
+    }
   }
 
   /**

@@ -72,6 +72,7 @@ public final class CompositeInertiaEquations {
 
   private Program derive() {
     new PositionRates(program, mechanism, coordinates).putOut();
+    ArticulatedBodyEquations.putOutFurtherRates(program, mechanism, coordinates);
     Wrench[] needed = new ForceSweep(program, mechanism, coordinates).sweep();
     Loads loads = new AppliedForces(program, mechanism, coordinates).loads(true);
     for (int i = 0; i < needed.length; i++) {

@@ -1,5 +1,6 @@
 package org.mechservice.sim.equations;
 
+import java.util.List;
 import org.mechservice.sim.equations.force.AppliedForces;
 import org.mechservice.sim.equations.kinematics.Coordinates;
 import org.mechservice.sim.equations.kinematics.JointOutputs;
@@ -11,6 +12,7 @@ import org.mechservice.sim.equations.recursion.JointSweep;
 import org.mechservice.sim.equations.recursion.Loads;
 import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.Program;
+import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarVector;
 
 /**
@@ -27,7 +29,7 @@ public final class RecursiveResidualEquations {
 
   private RecursiveResidualEquations(Links mechanism) {
     this.mechanism = mechanism;
-    this.stateCount = mechanism.positionCount() + mechanism.velocityCount();
+    this.stateCount = mechanism.mechanism().stateCount();
     this.coordinates = new Coordinates(program, mechanism, stateCount);
   }
 
@@ -43,7 +45,14 @@ public final class RecursiveResidualEquations {
     new PositionRates(program, mechanism, coordinates)
         .each((at, rate) -> program.output(at, expressions.input(stateCount + at).minus(rate)));
     Wrench[] needed = new ForceSweep(program, mechanism, coordinates).sweep();
-    Loads loads = new AppliedForces(program, mechanism, coordinates).loads(true);
+    AppliedForces forces = new AppliedForces(program, mechanism, coordinates);
+    int further = mechanism.positionCount() + mechanism.velocityCount();
+    List<Scalar> rates = forces.furtherRates();
+    for (int i = 0; i < rates.size(); i++) {
+      Scalar given = expressions.input(stateCount + further + i);
+      program.output(further + i, given.minus(rates.get(i)));
+    }
+    Loads loads = forces.loads(true);
     for (int i = 0; i < needed.length; i++) {
       needed[i] = needed[i].minus(loads.on(i));
     }

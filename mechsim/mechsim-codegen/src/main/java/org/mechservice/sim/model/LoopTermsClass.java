@@ -46,7 +46,7 @@ final class LoopTermsClass {
     return new TermsClass(
         mechanism.name(),
         ModelClass.hasUserForces(mechanism),
-        links.positionCount() + links.velocityCount() + UnwrappedAngles.of(mechanism).size(),
+        mechanism.stateCount() + UnwrappedAngles.of(mechanism).size(),
         links.velocityCount(),
         loops,
         equations,
@@ -55,6 +55,9 @@ final class LoopTermsClass {
         options.columns().contains(ColumnGroup.BODIES)
             ? Optional.of(PoseEquations.derive(links))
             : Optional.empty(),
+        mechanism.furtherStates().isEmpty()
+            ? Optional.empty()
+            : Optional.of(LoopCode.further(links)),
         ofResidual,
         notes(
             choice,

@@ -89,7 +89,11 @@ final class TreeClass {
   private static ModelDescription description(
       Mechanism mechanism, FormulationChoice choice, BuildOptions options) {
     return new ModelDescription(
-        mechanism.name(), choice.formulation(), ModelClass.joints(mechanism), options.settings());
+        mechanism.name(),
+        choice.formulation(),
+        ModelClass.joints(mechanism),
+        mechanism.stateVariables(),
+        options.settings());
   }
 
   private static List<String> notes(

@@ -4,6 +4,7 @@ import java.util.List;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.api.StateVariable;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.Accuracy;
@@ -81,6 +82,14 @@ public final class ModelDescriptionXml {
         xml.append("/>");
       }
       xml.append("</joint>\n");
+    }
+    int further = positions + description.velocityCount();
+    for (StateVariable state : description.furtherStates()) {
+      xml.append("  <state");
+      attribute("name", state.name())
+          .attribute("unit", state.unit())
+          .attribute("start", start[further++]);
+      close();
     }
   }
 

@@ -19,6 +19,7 @@ import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.Tape;
 import org.mechservice.solver.expression.TapeEvaluation;
 import org.mechservice.solver.force.formula.FormulaText;
+import org.mechservice.solver.mechanism.FurtherState;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Origin;
 import org.mechservice.solver.mechanism.PrescribedMotion;
@@ -62,6 +63,9 @@ final class FormulaForecast {
     for (ForceElement force : mechanism.forces()) {
       String part = "force \"" + force.name() + "\"";
       ShortPulseCheck.formulas(force).forEach(f -> forecast.look(f, part, force.origin()));
+    }
+    for (FurtherState state : mechanism.furtherStates()) {
+      forecast.look(state.derivative(), "state \"" + state.name() + "\"", state.origin());
     }
     for (PrescribedMotion motion : mechanism.motions()) {
       var joint = mechanism.joints().get(motion.joint());

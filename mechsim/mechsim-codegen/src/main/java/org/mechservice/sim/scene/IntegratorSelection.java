@@ -100,16 +100,18 @@ public record IntegratorSelection(String integrator, Optional<String> reason) {
   }
 
   private static Mechanism withForces(Mechanism mechanism, List<ForceElement> forces) {
-    return new Mechanism(
-        mechanism.name(),
-        mechanism.root(),
-        mechanism.gravity(),
-        mechanism.bodies(),
-        mechanism.joints(),
-        mechanism.motions(),
-        mechanism.startRoles(),
-        mechanism.closures(),
-        forces,
-        mechanism.parameters());
+    Mechanism other =
+        new Mechanism(
+            mechanism.name(),
+            mechanism.root(),
+            mechanism.gravity(),
+            mechanism.bodies(),
+            mechanism.joints(),
+            mechanism.motions(),
+            mechanism.startRoles(),
+            mechanism.closures(),
+            forces,
+            mechanism.parameters());
+    return other.withFurtherStates(mechanism.furtherStates());
   }
 }

@@ -89,17 +89,19 @@ public final class ShortPulseCheck {
 
   /** Returns the tree without closures; a pulse acts in it as well as in closed loops. */
   private static Mechanism opened(Mechanism closed) {
-    return new Mechanism(
-        closed.name(),
-        closed.root(),
-        closed.gravity(),
-        closed.bodies(),
-        closed.joints(),
-        closed.motions(),
-        closed.startRoles(),
-        List.of(),
-        closed.forces(),
-        closed.parameters());
+    Mechanism open =
+        new Mechanism(
+            closed.name(),
+            closed.root(),
+            closed.gravity(),
+            closed.bodies(),
+            closed.joints(),
+            closed.motions(),
+            closed.startRoles(),
+            List.of(),
+            closed.forces(),
+            closed.parameters());
+    return open.withFurtherStates(closed.furtherStates());
   }
 
   /** Returns the formulas of a force. */
@@ -124,6 +126,9 @@ public final class ShortPulseCheck {
       return List.of(power.base(), power.exponent());
     } else if (formula instanceof Negation negation) {
       return List.of(negation.operand());
+    }
+    if (formula instanceof Expression.TableValue value) {
+      return List.of(value.argument());
     }
     return formula instanceof Call call ? call.arguments() : List.of();
   }

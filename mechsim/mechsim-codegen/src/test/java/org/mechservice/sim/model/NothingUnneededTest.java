@@ -200,8 +200,9 @@ class NothingUnneededTest {
     byte[] file = Objects.requireNonNull(generated.classFiles().get(generated.className()));
     new ClassReader(file).accept(inventory, 0);
     assertThat(inventory.base).isEqualTo("org/mechservice/solver/compact/CompactSource");
-    assertThat(inventory.methods).containsExactlyInAnyOrder("<init>", "texts");
-    assertThat(inventory.calls).containsExactly("CompactSource.<init>");
+    assertThat(inventory.methods).containsExactlyInAnyOrder("<init>", "bare", "texts");
+    assertThat(inventory.calls)
+        .containsExactlyInAnyOrder("CompactSource.<init>", "DataDrivenLoops.model");
     assertThat(inventory.numbers).isEmpty();
     assertThat(inventory.fields).isEmpty();
   }

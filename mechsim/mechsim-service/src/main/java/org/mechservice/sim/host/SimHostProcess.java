@@ -101,6 +101,18 @@ public final class SimHostProcess implements AutoCloseable {
     host.warmUp();
   }
 
+  /**
+   * Accepts no new sessions, waits until no run is active, because all have moved to other hosts or
+   * ended, or the time is over, and closes.
+   *
+   * @param graceSeconds longest wait for the runs, s
+   */
+  public void stop(long graceSeconds) {
+    host.drain();
+    host.awaitIdle(graceSeconds);
+    close();
+  }
+
   /** Waits until the process is closed. */
   public void awaitShutdown() throws InterruptedException {
     closed.await();

@@ -11,7 +11,10 @@ import org.mechservice.solver.api.capability.ExplicitModel;
  * ExplicitModel}, {@link Energies}, {@link BodyPoses}); it omits the interfaces that its scene does
  * not need. A model owns its workspace: one instance belongs to one run and one thread.
  *
- * <p>The state is y = [q; v] in SI units, joints in the order of {@link ModelDescription#joints()}.
+ * <p>The state is y = [q; v; s]: positions and velocities in SI units, joints in the order of
+ * {@link ModelDescription#joints()}, then the {@link ModelDescription#furtherStates()} in their own
+ * units. Most models have no further states; where documentation says [q; v], further states
+ * follow.
  */
 public interface Model {
   /** The version of this package; a model JAR names the version that it was compiled against. */
@@ -23,7 +26,7 @@ public interface Model {
   /**
    * Writes the state at the start of the run.
    *
-   * @param y state [q; v], length {@code description().stateCount()}; overwritten
+   * @param y state [q; v; s], length {@code description().stateCount()}; overwritten
    */
   void initialState(double[] y);
 }

@@ -6,18 +6,31 @@ import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.RunSettings;
 
 /**
- * The description of a model.
+ * The description of a model. The state is y = [q; v; s]: positions and velocities of the joints,
+ * then the further states.
  *
  * @param name the model's name in its file
  * @param formulation the formulation of its equations, such as {@code DTR}
  * @param joints the joints that have states, in state order
+ * @param furtherStates the states besides positions and velocities, in state order
  * @param defaults the settings of the model's file
  */
 public record ModelDescription(
-    String name, String formulation, List<JointVariables> joints, RunSettings defaults) {
+    String name,
+    String formulation,
+    List<JointVariables> joints,
+    List<StateVariable> furtherStates,
+    RunSettings defaults) {
 
   public ModelDescription {
     joints = List.copyOf(joints);
+    furtherStates = List.copyOf(furtherStates);
+  }
+
+  /** Describes a model whose states are positions and velocities. */
+  public ModelDescription(
+      String name, String formulation, List<JointVariables> joints, RunSettings defaults) {
+    this(name, formulation, joints, List.of(), defaults);
   }
 
   /**
@@ -39,6 +52,24 @@ public record ModelDescription(
     return new ModelDescription(name, formulation, joints, defaults);
   }
 
+  /**
+   * Returns the same description with further states.
+   *
+   * @param names one per state, separated by line feeds
+   * @param units their units, likewise
+   * @param tolerances their tolerances as {@link StateVariable} takes them, likewise
+   */
+  public ModelDescription withFurtherStates(String names, String units, String tolerances) {
+    String[] nameOf = names.split("\n", -1);
+    String[] unitOf = units.split("\n", -1);
+    String[] toleranceOf = tolerances.split("\n", -1);
+    List<StateVariable> further = new ArrayList<>();
+    for (int i = 0; i < nameOf.length; i++) {
+      further.add(new StateVariable(nameOf[i], unitOf[i], Double.parseDouble(toleranceOf[i])));
+    }
+    return new ModelDescription(name, formulation, joints, further, defaults);
+  }
+
   /** Returns the number of positions, nq. */
   public int positionCount() {
     return joints.stream().mapToInt(joint -> joint.type().positionCount()).sum();
@@ -49,12 +80,12 @@ public record ModelDescription(
     return joints.stream().mapToInt(joint -> joint.type().velocityCount()).sum();
   }
 
-  /** Returns the length of the state y = [q; v]. */
+  /** Returns the length of the state y = [q; v; s]. */
   public int stateCount() {
-    return positionCount() + velocityCount();
+    return positionCount() + velocityCount() + furtherStates.size();
   }
 
-  /** Returns name and unit of every component of the state, q first. */
+  /** Returns name and unit of every component of the state, q first, further states last. */
   public List<Variable> states() {
     List<Variable> states = new ArrayList<>();
     for (JointVariables joint : joints) {
@@ -69,6 +100,7 @@ public record ModelDescription(
         states.add(new Variable(component(joint, ".v", i, count), joint.type().velocityUnit(i)));
       }
     }
+    furtherStates.forEach(state -> states.add(state.variable()));
     return states;
   }
 

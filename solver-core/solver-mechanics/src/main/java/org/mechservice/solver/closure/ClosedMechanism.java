@@ -42,7 +42,9 @@ public final class ClosedMechanism {
     start = new ClosedStart(mechanism, defaults.tStart());
     terms = Optional.empty();
     jointOfVelocity = new int[mechanism.velocityCount()];
-    description = new ModelDescription(mechanism.name(), formulation, joints(mechanism), defaults);
+    description =
+        new ModelDescription(
+            mechanism.name(), formulation, joints(mechanism), mechanism.stateVariables(), defaults);
   }
 
   private ClosedMechanism(ClosedMechanism other, LoopTerms code) {

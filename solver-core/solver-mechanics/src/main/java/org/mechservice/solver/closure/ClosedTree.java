@@ -8,9 +8,11 @@ import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.dynamics.OpenTree;
 import org.mechservice.solver.dynamics.SemiRecursive;
 import org.mechservice.solver.dynamics.WorldMotion;
+import org.mechservice.solver.dynamics.derivative.FurtherDerivatives;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.dynamics.recursion.MassiveRods;
 import org.mechservice.solver.force.ForceSet;
+import org.mechservice.solver.force.formula.FurtherRates;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.kinematics.TreeGeometry;
@@ -29,9 +31,16 @@ public class ClosedTree {
   final MassiveRods rods;
   final OpenTree open;
   public final ForceSet forces;
+  private final FurtherRates furtherRates;
   final WorldMotion world;
   public final int nq;
   public final int nv;
+
+  /** Length of the state [q; v; s]. */
+  public final int stateCount;
+
+  /** Index of the first further state in it. */
+  public final int furtherAt;
 
   /** M including the rods, n × n row by row; formed on first use. */
   private double[] mass = new double[0];
@@ -55,9 +64,12 @@ public class ClosedTree {
     rods = new MassiveRods(tree);
     open = new SemiRecursive(tree).newWorkspace(motion);
     forces = new ForceSet(motion, userForces);
+    furtherRates = new FurtherRates(motion);
     world = new WorldMotion(motion);
     nq = tree.statePositionCount;
     nv = tree.stateVelocityCount;
+    furtherAt = nq + nv;
+    stateCount = furtherAt + furtherRates.count();
     wrench = new double[6 * tree.linkCount];
     tau = new double[tree.velocityCount];
     loaded = new double[wrench.length];
@@ -139,6 +151,9 @@ public class ClosedTree {
     if (applyForces(t)) {
       forces.accepted();
     }
+    if (furtherCount() > 0) {
+      furtherRates.accepted(t);
+    }
   }
 
   /**
@@ -219,6 +234,33 @@ public class ClosedTree {
     motion.accelerationSweep(a, aAt);
     open.formResidual(wrench, tau, residual);
     return true;
+  }
+
+  /** Returns the number of further states. */
+  public final int furtherCount() {
+    return stateCount - furtherAt;
+  }
+
+  /**
+   * Writes the derivatives of the further states at the state last placed.
+   *
+   * @param rates one number per further state from {@code at}; overwritten
+   */
+  public void furtherRates(double t, double[] rates, int at) {
+    furtherRates.evaluate(t, rates, at);
+  }
+
+  /**
+   * Evaluates what the further states add to the derivatives, after {@link #linearise} at the same
+   * state or on its own. The state is placed afterwards.
+   */
+  public void lineariseFurther(double t, double[] y, FurtherDerivatives further) {
+    if (further.count() > 0) {
+      placeData(t, y);
+      applyForces(t);
+      further.evaluate(motion, forces, furtherRates, coordinates, t, y);
+      place(t, y);
+    }
   }
 
   /** Writes kinetic and potential energy at a state, J. */

@@ -6,6 +6,7 @@ import org.mechservice.solver.api.capability.BodyPoses;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.closure.equations.LoopTerms;
 import org.mechservice.solver.closure.equations.UnwrappedAngles;
+import org.mechservice.solver.dynamics.derivative.FurtherDerivatives;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.force.user.UserForceSource;
 
@@ -61,6 +62,12 @@ final class GeneratedTreeTerms extends ClosedTree {
 
   private boolean formed;
 
+  /** Whether code wrote the derivatives of the last linearisation. */
+  private boolean derived;
+
+  /** Derivatives of the further states. */
+  private final double[] further;
+
   GeneratedTreeTerms(ClosedMechanism closed, UserForceSource userForces, LoopTerms terms) {
     super(closed.tree(), userForces);
     this.terms = terms;
@@ -71,7 +78,12 @@ final class GeneratedTreeTerms extends ClosedTree {
     bias = new double[nv];
     acceleration = new double[nv];
     residual = new double[nv];
-    derivatives = new double[terms instanceof LoopTerms.OfDerivatives ? 3 * nv * nv : 0];
+    derivatives =
+        new double
+            [terms instanceof LoopTerms.OfDerivatives
+                ? 3 * nv * nv + FurtherDerivatives.numbers(nv, furtherCount())
+                : 0];
+    further = new double[furtherCount()];
     extended = new double[tree.velocityCount];
     counted = new double[super.stateLength()];
     angles = new UnwrappedAngles(tree);
@@ -105,12 +117,12 @@ final class GeneratedTreeTerms extends ClosedTree {
 
   private void remember(double t, double[] y) {
     time = t;
-    System.arraycopy(y, 0, state, 0, nq + nv);
+    System.arraycopy(y, 0, state, 0, stateCount);
   }
 
   private double[] beside(double[] y) {
-    System.arraycopy(state, nq + nv, beside, nq + nv, angles.count());
-    System.arraycopy(y, 0, beside, 0, nq + nv);
+    System.arraycopy(state, stateCount, beside, stateCount, angles.count());
+    System.arraycopy(y, 0, beside, 0, stateCount);
     return beside;
   }
 
@@ -212,6 +224,14 @@ final class GeneratedTreeTerms extends ClosedTree {
   }
 
   @Override
+  public void furtherRates(double t, double[] rates, int at) {
+    if (furtherCount() > 0) {
+      terms.further(t, state, further);
+      System.arraycopy(further, 0, rates, at, furtherCount());
+    }
+  }
+
+  @Override
   public void energy(double t, double[] y, double[] energy) {
     terms.energy(t, beside(y), energy);
   }
@@ -242,15 +262,27 @@ final class GeneratedTreeTerms extends ClosedTree {
   @Override
   public boolean linearise(
       double t, double[] a, int aAt, double[] lambda, ResidualJacobian jacobian) {
+    derived = false;
     if (terms instanceof LoopTerms.OfDerivatives coded) {
       System.arraycopy(a, aAt, acceleration, 0, nv);
       if (coded.derivatives(t, state, acceleration, lambda, derivatives) == ExplicitModel.REGULAR) {
         jacobian.take(derivatives);
+        derived = true;
         return true;
       }
     }
     placeData(t, state);
     return super.formResidual(t, a, aAt, extended) && super.linearise(t, a, aAt, lambda, jacobian);
+  }
+
+  /** {@inheritDoc} The data are used unless code has just written the derivatives. */
+  @Override
+  public void lineariseFurther(double t, double[] y, FurtherDerivatives further) {
+    if (derived) {
+      further.take(derivatives, 3 * nv * nv);
+    } else {
+      super.lineariseFurther(t, y, further);
+    }
   }
 
   /** {@inheritDoc} Does nothing if there are no unwrapped angles. */
@@ -259,7 +291,7 @@ final class GeneratedTreeTerms extends ClosedTree {
     if (angles.count() > 0) {
       placeData(time, state);
       super.accepted(t);
-      angles.follow(motion, state, nq + nv);
+      angles.follow(motion, state, stateCount);
       copyAnglesToData();
     }
   }
@@ -272,13 +304,13 @@ final class GeneratedTreeTerms extends ClosedTree {
   @Override
   public void save(double[] saved, int at) {
     super.save(saved, at);
-    System.arraycopy(state, nq + nv, saved, at + super.stateLength(), angles.count());
+    System.arraycopy(state, stateCount, saved, at + super.stateLength(), angles.count());
   }
 
   @Override
   public void restore(double[] saved, int at) {
     super.restore(saved, at);
-    System.arraycopy(saved, at + super.stateLength(), state, nq + nv, angles.count());
+    System.arraycopy(saved, at + super.stateLength(), state, stateCount, angles.count());
     copyAnglesToData();
   }
 }

@@ -61,6 +61,11 @@ public class UserForcedTerms implements LoopTerms {
     return loaded == REGULAR ? generated.equations(t, y, terms) : loaded;
   }
 
+  @Override
+  public final void further(double t, double[] y, double[] rates) {
+    generated.further(t, y, rates);
+  }
+
   /** {@inheritDoc} User forces have no potential energy. */
   @Override
   public final void energy(double t, double[] y, double[] energy) {

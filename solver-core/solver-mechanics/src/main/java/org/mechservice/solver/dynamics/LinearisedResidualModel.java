@@ -5,6 +5,8 @@ import java.util.List;
 import org.mechservice.solver.api.capability.LinearisedModel;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.Formulation;
+import org.mechservice.solver.dynamics.derivative.BorderedStep;
+import org.mechservice.solver.dynamics.derivative.FurtherDerivatives;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.dynamics.derivative.TreeIteration;
 import org.mechservice.solver.dynamics.tree.TreePattern;
@@ -32,6 +34,11 @@ public final class LinearisedResidualModel extends RecursiveResidualModel
   private final Mode mode;
   private final ResidualJacobian jacobian;
   private final TreeIteration iteration;
+  private final FurtherDerivatives furtherDerivatives;
+  private final BorderedStep bordered;
+
+  /** Whether the last factorisation found pivots for all velocities. */
+  private boolean regular;
 
   /**
    * @param mechanism an open tree
@@ -48,6 +55,9 @@ public final class LinearisedResidualModel extends RecursiveResidualModel
     TreePattern pattern = new TreePattern(tree, coupledLinks(loads.forces()));
     jacobian = new ResidualJacobian(motion, pattern);
     iteration = new TreeIteration(tree, pattern, jacobian);
+    furtherDerivatives =
+        new FurtherDerivatives(tree.statePositionCount, tree.stateVelocityCount, further.count());
+    bordered = new BorderedStep(coordinates, furtherDerivatives, iteration::solve);
   }
 
   /** Returns the pairs of links that forces couple, two numbers each. */
@@ -78,17 +88,20 @@ public final class LinearisedResidualModel extends RecursiveResidualModel
     }
     jacobian.finish();
     iteration.setState(y);
-    return jacobian.isFinite();
+    bordered.setState(y);
+    furtherDerivatives.evaluate(motion, loads.forces(), further, coordinates, t, y);
+    return jacobian.isFinite() && furtherDerivatives.isFinite();
   }
 
   @Override
   public boolean factor(double hGamma) {
-    return iteration.factor(hGamma);
+    regular = iteration.factor(hGamma);
+    return regular && bordered.factor(hGamma);
   }
 
   @Override
   public void solve(double[] r) {
-    iteration.solve(r);
+    bordered.solve(r);
   }
 
   @Override
@@ -98,7 +111,7 @@ public final class LinearisedResidualModel extends RecursiveResidualModel
 
   @Override
   public int singularUnknown() {
-    return iteration.singularUnknown();
+    return regular ? bordered.singularUnknown() : iteration.singularUnknown();
   }
 
   @Override

@@ -20,6 +20,7 @@ import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.dynamics.tree.PivotCheck;
 import org.mechservice.solver.force.ForceSet;
 import org.mechservice.solver.force.formula.FormulaCheck;
+import org.mechservice.solver.force.formula.FurtherRates;
 import org.mechservice.solver.force.formula.SampleStates;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.kinematics.StateCoordinates;
@@ -39,6 +40,7 @@ public abstract class OpenTreeModel
   final TreeMotion motion;
   final StateCoordinates coordinates;
   final TreeLoads loads;
+  final FurtherRates further;
   private final ModelDescription description;
   private final StateJoints joints;
   private final WorldMotion world;
@@ -59,11 +61,18 @@ public abstract class OpenTreeModel
       Mechanism mechanism, String formulation, RunSettings defaults, UserForceSource userForces) {
     requireOpen(mechanism, formulation);
     joints = new StateJoints(mechanism);
-    description = new ModelDescription(mechanism.name(), formulation, joints.variables(), defaults);
+    description =
+        new ModelDescription(
+            mechanism.name(),
+            formulation,
+            joints.variables(),
+            mechanism.stateVariables(),
+            defaults);
     tree = new TreeGeometry(mechanism);
     coordinates = new StateCoordinates(mechanism);
     motion = new TreeMotion(tree);
     loads = new TreeLoads(motion, userForces);
+    further = new FurtherRates(motion);
     world = new WorldMotion(motion);
     driven = new DrivenColumns(tree);
     weakPivots = new WeakPivots(joints);
@@ -120,12 +129,16 @@ public abstract class OpenTreeModel
     int nq = tree.statePositionCount;
     coordinates.rates(y, 0, y, nq, yDot, 0);
     int loaded = load(t, y);
-    return loaded == REGULAR ? solve(t, yDot, nq) : loaded;
+    if (loaded != REGULAR) {
+      return loaded;
+    }
+    further.evaluate(t, yDot, nq + tree.stateVelocityCount);
+    return solve(t, yDot, nq);
   }
 
   /** Sweeps the motion and evaluates the forces; returns REGULAR or DEFECT. */
   final int load(double t, double[] y) {
-    if (loads.isEmpty()) {
+    if (loads.isEmpty() && further.count() == 0) {
       motion.sweepRelative(t, y);
       return REGULAR;
     }

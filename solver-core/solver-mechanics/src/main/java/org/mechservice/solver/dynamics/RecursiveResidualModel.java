@@ -46,6 +46,11 @@ public class RecursiveResidualModel extends SemiRecursiveModel implements Residu
     motion.accelerationSweep(yDot, nq);
     workspace.formResidual(loads.wrench(), loads.tau(), extended);
     System.arraycopy(extended, 0, residual, nq, tree.stateVelocityCount);
+    int at = nq + tree.stateVelocityCount;
+    further.evaluate(t, residual, at);
+    for (int i = at; i < at + further.count(); i++) {
+      residual[i] = yDot[i] - residual[i];
+    }
     return REGULAR;
   }
 }

@@ -5,6 +5,8 @@ import java.util.List;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.api.capability.LinearisedModel;
 import org.mechservice.solver.api.run.RunNotes;
+import org.mechservice.solver.dynamics.derivative.BorderedStep;
+import org.mechservice.solver.dynamics.derivative.FurtherDerivatives;
 import org.mechservice.solver.dynamics.derivative.TreeIteration;
 import org.mechservice.solver.dynamics.tree.TreeMatrix;
 import org.mechservice.solver.dynamics.tree.TreePattern;
@@ -20,6 +22,11 @@ public abstract class TreeStepModel implements LinearisedModel, RunNotes {
   final TreeSquare byVelocity;
   final TreeSquare byPosition;
   private final TreeIteration iteration;
+  private final FurtherDerivatives further;
+  private final BorderedStep bordered;
+
+  /** Whether the last factorisation found pivots for all velocities. */
+  private boolean regular;
 
   /** Argument of {@link #derivatives}; elements that are never written are zero. */
   private final double[] values;
@@ -34,6 +41,15 @@ public abstract class TreeStepModel implements LinearisedModel, RunNotes {
    * @param coupled places of elements beyond those of the tree, two for each, separated by blanks
    */
   protected TreeStepModel(String types, String tree, String coupled) {
+    this(types, tree, coupled, "0");
+  }
+
+  /**
+   * Makes a model with further states.
+   *
+   * @param furtherStates their number
+   */
+  protected TreeStepModel(String types, String tree, String coupled, String furtherStates) {
     int[] places = numbers(tree);
     int[] velocityAt = new int[places.length / 2];
     int[] parent = new int[velocityAt.length];
@@ -45,9 +61,12 @@ public abstract class TreeStepModel implements LinearisedModel, RunNotes {
     mass = new TreeMatrix(pattern);
     byVelocity = new TreeSquare(pattern);
     byPosition = new TreeSquare(pattern);
-    iteration =
-        new TreeIteration(
-            new StateCoordinates(typesOf(types)), pattern, mass, byVelocity, byPosition);
+    StateCoordinates coordinates = new StateCoordinates(typesOf(types));
+    iteration = new TreeIteration(coordinates, pattern, mass, byVelocity, byPosition);
+    further =
+        new FurtherDerivatives(
+            coordinates.positionCount(), pattern.size, Integer.parseInt(furtherStates));
+    bordered = new BorderedStep(coordinates, further, iteration::solve);
     parts =
         new double[][] {
           mass.diagonal(),
@@ -59,7 +78,11 @@ public abstract class TreeStepModel implements LinearisedModel, RunNotes {
           byPosition.lower,
           byPosition.upper
         };
-    values = new double[3 * pattern.size + 5 * pattern.elementCount()];
+    values =
+        new double
+            [3 * pattern.size
+                + 5 * pattern.elementCount()
+                + FurtherDerivatives.numbers(pattern.size, further.count())];
   }
 
   private static List<JointType> typesOf(String text) {
@@ -83,7 +106,7 @@ public abstract class TreeStepModel implements LinearisedModel, RunNotes {
    * @param yDot its derivative; not modified
    * @param values elements that are not always zero are overwritten: the diagonal and what is below
    *     it of M; diagonal, below and above of ∂F/∂v; the same of ∂F/∂q; each by place, or in the
-   *     order of the pattern
+   *     order of the pattern; then the {@link FurtherDerivatives}, if there are further states
    * @return as {@link #residual}
    */
   public abstract int derivatives(double t, double[] y, double[] yDot, double[] values);
@@ -98,18 +121,21 @@ public abstract class TreeStepModel implements LinearisedModel, RunNotes {
       System.arraycopy(values, at, part, 0, part.length);
       at += part.length;
     }
+    further.take(values, at);
     iteration.setState(y);
-    return byPosition.isFinite() && byVelocity.isFinite();
+    bordered.setState(y);
+    return byPosition.isFinite() && byVelocity.isFinite() && further.isFinite();
   }
 
   @Override
   public final boolean factor(double hGamma) {
-    return iteration.factor(hGamma);
+    regular = iteration.factor(hGamma);
+    return regular && bordered.factor(hGamma);
   }
 
   @Override
   public final void solve(double[] r) {
-    iteration.solve(r);
+    bordered.solve(r);
   }
 
   @Override
@@ -119,7 +145,12 @@ public abstract class TreeStepModel implements LinearisedModel, RunNotes {
 
   @Override
   public final int singularUnknown() {
-    return iteration.singularUnknown();
+    return regular ? bordered.singularUnknown() : iteration.singularUnknown();
+  }
+
+  /** Returns the derivatives of the last {@link #linearise} that further states add. */
+  final FurtherDerivatives further() {
+    return further;
   }
 
   @Override

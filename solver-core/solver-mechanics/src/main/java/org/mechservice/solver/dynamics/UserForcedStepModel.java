@@ -4,10 +4,12 @@ import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.solver.api.capability.LinearisedModel;
 import org.mechservice.solver.api.run.RunNotes;
+import org.mechservice.solver.dynamics.derivative.BorderedStep;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.dynamics.derivative.TreeIteration;
 import org.mechservice.solver.dynamics.tree.TreePattern;
 import org.mechservice.solver.dynamics.tree.TreeSquare;
+import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**
@@ -21,6 +23,10 @@ final class UserForcedStepModel extends UserForcedResidualModel
   private final TreeStepModel generated;
   private final ResidualJacobian jacobian;
   private final TreeIteration iteration;
+  private final BorderedStep bordered;
+
+  /** Whether the last factorisation found pivots for all velocities. */
+  private boolean regular;
 
   /** Index of each element of the generated pattern in the pattern of this model. */
   private final int[] elementAt;
@@ -41,6 +47,8 @@ final class UserForcedStepModel extends UserForcedResidualModel
     }
     jacobian = new ResidualJacobian(loads.motion(), pattern);
     iteration = new TreeIteration(loads.motion().tree(), pattern, jacobian);
+    bordered =
+        new BorderedStep(new StateCoordinates(mechanism), generated.further(), iteration::solve);
   }
 
   @Override
@@ -55,6 +63,7 @@ final class UserForcedStepModel extends UserForcedResidualModel
     add(generated.byVelocity, jacobian.byVelocity());
     add(generated.byPosition, jacobian.byPosition());
     iteration.setState(y);
+    bordered.setState(y);
     return jacobian.isFinite();
   }
 
@@ -78,12 +87,13 @@ final class UserForcedStepModel extends UserForcedResidualModel
 
   @Override
   public boolean factor(double hGamma) {
-    return iteration.factor(hGamma);
+    regular = iteration.factor(hGamma);
+    return regular && bordered.factor(hGamma);
   }
 
   @Override
   public void solve(double[] r) {
-    iteration.solve(r);
+    bordered.solve(r);
   }
 
   @Override
@@ -93,7 +103,7 @@ final class UserForcedStepModel extends UserForcedResidualModel
 
   @Override
   public int singularUnknown() {
-    return iteration.singularUnknown();
+    return regular ? bordered.singularUnknown() : iteration.singularUnknown();
   }
 
   @Override

@@ -45,17 +45,19 @@ public final class UserLoads {
   private static Mechanism withUserForcesAlone(Mechanism m) {
     List<ForceElement> forces =
         m.forces().stream().filter(UserForceElement.class::isInstance).toList();
-    return new Mechanism(
-        m.name(),
-        m.root(),
-        m.gravity(),
-        m.bodies(),
-        m.joints(),
-        m.motions(),
-        m.startRoles(),
-        m.closures(),
-        forces,
-        m.parameters());
+    Mechanism alone =
+        new Mechanism(
+            m.name(),
+            m.root(),
+            m.gravity(),
+            m.bodies(),
+            m.joints(),
+            m.motions(),
+            m.startRoles(),
+            m.closures(),
+            forces,
+            m.parameters());
+    return alone.withFurtherStates(m.furtherStates());
   }
 
   /**

@@ -48,6 +48,13 @@ public sealed interface Expression {
   record ParameterValue(int index) implements Expression {}
 
   /**
+   * A state besides positions and velocities, in its own unit.
+   *
+   * @param index among the mechanism's further states
+   */
+  record StateValue(int index) implements Expression {}
+
+  /**
    * A joint's position, rad or m, or an Euler parameter in the form of the output.
    *
    * @param coordinate component counts positions
@@ -158,6 +165,14 @@ public sealed interface Expression {
       }
     }
   }
+
+  /**
+   * The value of a table.
+   *
+   * @param table the table
+   * @param argument its argument
+   */
+  record TableValue(Table table, Expression argument) implements Expression {}
 
   private static void checkAxis(int axis) {
     if (axis < 0 || axis > 2) {

@@ -126,6 +126,19 @@ public final class ForceSet {
   }
 
   /**
+   * Adds the derivatives of all forces by a further state, at the state of the last {@link #apply}.
+   *
+   * @param state index among the further states
+   * @param wrench as {@link #apply} takes it
+   * @param tau likewise
+   */
+  public void addByState(int state, double[] wrench, double[] tau) {
+    for (AppliedForce force : forces) {
+      force.addByState(state, wrench, tau);
+    }
+  }
+
+  /**
    * Returns why the last call failed.
    *
    * @throws IllegalStateException if none did

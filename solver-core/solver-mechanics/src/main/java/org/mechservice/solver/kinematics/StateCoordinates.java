@@ -163,6 +163,25 @@ public final class StateCoordinates {
     }
   }
 
+  /**
+   * Writes the small displacement along the tangent that belongs to a small change of positions: a
+   * rotation δ for Euler parameters, 2 vec(δe ∘ e⁻¹).
+   *
+   * @param q positions; not modified
+   * @param change their change; not modified
+   * @param delta nv numbers; overwritten
+   */
+  public void tangent(double[] q, double[] change, double[] delta) {
+    for (int i = 0; i < velocityOfPosition.length; i++) {
+      if (velocityOfPosition[i] >= 0) {
+        delta[velocityOfPosition[i]] = change[i];
+      }
+    }
+    for (int b = 0; b < ballPosition.length; b++) {
+      EulerParameters.rotation(q, ballPosition[b], change, delta, ballVelocity[b]);
+    }
+  }
+
   /** Returns the largest | |e| − 1 | over all sets of Euler parameters. */
   public double largestNormError(double[] q, int qAt) {
     double largest = 0;

@@ -4,6 +4,8 @@ import static org.mechservice.solver.spatial.Blocks.apply;
 import static org.mechservice.solver.spatial.Blocks.applyTransposed;
 import static org.mechservice.solver.spatial.Blocks.multiply;
 
+import org.mechservice.solver.mechanism.FurtherState;
+
 /**
  * Poses, velocities and accelerations of all links. Workspace of one thread; nothing allocates
  * after construction.
@@ -25,6 +27,12 @@ public final class TreeMotion {
 
   public final double[] v;
   public final double[] a;
+
+  /**
+   * Further states of the last sweep of a state that has them, in their own units; until then their
+   * start values.
+   */
+  public final double[] further;
 
   /** Rotation link axes to parent axes, 9 per link. */
   public final double[] rotation;
@@ -80,6 +88,7 @@ public final class TreeMotion {
     q = new double[tree.positionCount];
     v = new double[tree.velocityCount];
     a = new double[tree.velocityCount];
+    further = tree.mechanism().furtherStates().stream().mapToDouble(FurtherState::start).toArray();
     rotation = new double[9 * n];
     position = new double[3 * n];
     angularVelocity = new double[3 * n];
@@ -125,8 +134,8 @@ public final class TreeMotion {
   }
 
   /**
-   * Sweeps outwards for a state y = [q; v]: poses and velocities, relative to the parents and in
-   * the world.
+   * Sweeps outwards for a state y = [q; v; s]: poses and velocities, relative to the parents and in
+   * the world. An array of [q; v] alone leaves the further states s as they are.
    *
    * @param t time, s
    * @param y state; not modified
@@ -140,6 +149,10 @@ public final class TreeMotion {
    * As {@link #sweep(double, double[])} without the poses in the world, which keep their values.
    */
   public void sweepRelative(double t, double[] y) {
+    int at = tree.statePositionCount + tree.stateVelocityCount;
+    if (y.length >= at + further.length) {
+      System.arraycopy(y, at, further, 0, further.length);
+    }
     sweep(t, y, 0, y, tree.statePositionCount);
   }
 

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.api.StateVariable;
 import org.mechservice.solver.expression.ClosureCoordinate;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.JointCoordinate;
@@ -18,8 +19,9 @@ import org.mechservice.solver.spatial.Vector3;
  * applied forces.
  *
  * <p>Bodies and joints stand in the order of the model file. Each body is the child of exactly one
- * joint of the tree. The state y = [q; v] takes these joints in that order, leaving out the driven
- * ones; {@link #outward()} gives them from the root to the leaves.
+ * joint of the tree. The state y = [q; v; s] takes these joints in that order, leaving out the
+ * driven ones, and then the further states; {@link #outward()} gives the joints from the root to
+ * the leaves.
  */
 public final class Mechanism {
   /** Body index of the root. */
@@ -38,6 +40,7 @@ public final class Mechanism {
   private final List<ForceElement> forces;
   private final List<Parameter> parameters;
   private final List<Event> events;
+  private final List<FurtherState> furtherStates;
   private final int[] outward;
   private final int[] jointOfBody;
   private final int[] motionOfJoint;
@@ -109,6 +112,7 @@ public final class Mechanism {
     this.forces = List.copyOf(forces);
     this.parameters = List.copyOf(parameters);
     this.events = List.of();
+    this.furtherStates = List.of();
     this.jointOfBody = jointOfBody(this.bodies, this.joints);
     this.outward = outward(this.bodies, this.joints, jointOfBody);
     this.motionOfJoint = motionOfJoint(this.joints, this.motions);
@@ -123,8 +127,12 @@ public final class Mechanism {
     }
   }
 
-  /** Copies a mechanism with other parameters and events. */
-  private Mechanism(Mechanism like, List<Parameter> parameters, List<Event> events) {
+  /** Copies a mechanism with other parameters, events and further states. */
+  private Mechanism(
+      Mechanism like,
+      List<Parameter> parameters,
+      List<Event> events,
+      List<FurtherState> furtherStates) {
     this.name = like.name;
     this.root = like.root;
     this.gravity = like.gravity;
@@ -136,6 +144,7 @@ public final class Mechanism {
     this.forces = like.forces;
     this.parameters = List.copyOf(parameters);
     this.events = List.copyOf(events);
+    this.furtherStates = List.copyOf(furtherStates);
     this.jointOfBody = like.jointOfBody;
     this.outward = like.outward;
     this.motionOfJoint = like.motionOfJoint;
@@ -333,7 +342,17 @@ public final class Mechanism {
 
   /** Returns the same mechanism with other events along its simulation. */
   public Mechanism withEvents(List<Event> other) {
-    return new Mechanism(this, parameters, other);
+    return new Mechanism(this, parameters, other, furtherStates);
+  }
+
+  /** Returns the same mechanism with other states besides positions and velocities. */
+  public Mechanism withFurtherStates(List<FurtherState> other) {
+    return new Mechanism(this, parameters, events, other);
+  }
+
+  /** Returns the states besides positions and velocities, in file order. */
+  public List<FurtherState> furtherStates() {
+    return furtherStates;
   }
 
   /**
@@ -346,7 +365,7 @@ public final class Mechanism {
     for (Parameter parameter : parameters) {
       changed.add(parameter.with(values[changed.size()]));
     }
-    return new Mechanism(this, changed, events);
+    return new Mechanism(this, changed, events, furtherStates);
   }
 
   /** Returns whether a joint's coordinates follow a prescribed motion and are no states. */
@@ -374,12 +393,32 @@ public final class Mechanism {
     return velocityOffset[joints.size()];
   }
 
+  /** Returns names, units and tolerances of the further states. */
+  public List<StateVariable> stateVariables() {
+    return furtherStates.stream()
+        .map(s -> new StateVariable(s.name(), s.unit(), s.absoluteTolerance()))
+        .toList();
+  }
+
+  /** Returns the length of the state [q; v; s]: positions, velocities and further states. */
+  public int stateCount() {
+    return positionCount() + velocityCount() + furtherStates.size();
+  }
+
+  /** Returns the index of the first further state in the state [q; v; s]. */
+  public int furtherOffset() {
+    return positionCount() + velocityCount();
+  }
+
   /**
    * Writes the state at the start as the file gives it, before loops are assembled.
    *
-   * @param y state [q; v], length nq + nv; overwritten
+   * @param y state [q; v; s], or [q; v] alone; overwritten
    */
   public void initialState(double[] y) {
+    for (int i = 0; furtherOffset() + i < y.length && i < furtherStates.size(); i++) {
+      y[furtherOffset() + i] = furtherStates.get(i).start();
+    }
     for (int j = 0; j < joints.size(); j++) {
       if (!isDriven(j)) {
         joints.get(j).initialPositions(y, positionOffset[j]);

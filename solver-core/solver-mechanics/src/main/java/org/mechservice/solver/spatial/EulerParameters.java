@@ -137,4 +137,27 @@ public final class EulerParameters {
     e[ie + 2] = scale * e2;
     e[ie + 3] = scale * e3;
   }
+
+  /**
+   * Writes the small rotation that a change of Euler parameters is along the tangent, 2 vec(δe ∘
+   * e⁻¹), rad.
+   *
+   * @param e four parameters from {@code at}; not modified
+   * @param change their change from {@code at}; not modified
+   * @param rotation three numbers from {@code to}; overwritten
+   */
+  public static void rotation(double[] e, int at, double[] change, double[] rotation, int to) {
+    double e0 = e[at];
+    double e1 = e[at + 1];
+    double e2 = e[at + 2];
+    double e3 = e[at + 3];
+    double c0 = change[at];
+    double c1 = change[at + 1];
+    double c2 = change[at + 2];
+    double c3 = change[at + 3];
+    double scale = 2 / (e0 * e0 + e1 * e1 + e2 * e2 + e3 * e3);
+    rotation[to] = scale * (c1 * e0 - c0 * e1 - c2 * e3 + c3 * e2);
+    rotation[to + 1] = scale * (c2 * e0 - c0 * e2 - c3 * e1 + c1 * e3);
+    rotation[to + 2] = scale * (c3 * e0 - c0 * e3 - c1 * e2 + c2 * e1);
+  }
 }

@@ -36,7 +36,7 @@ public final class EquilibratedSolver implements LinearSolver {
     MatrixLayout layout = solver.layout();
     findScales(layout, matrix);
     for (int j = 0; j < scale.length; j++) {
-      for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
+      for (int i = layout.firstRow(j); i <= layout.lastRow(j); i = layout.nextRow(i, j)) {
         int ij = layout.index(i, j);
         scaled[ij] = scale[i] * matrix[ij];
       }
@@ -50,7 +50,7 @@ public final class EquilibratedSolver implements LinearSolver {
       scale[i] = 0;
     }
     for (int j = 0; j < scale.length; j++) {
-      for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
+      for (int i = layout.firstRow(j); i <= layout.lastRow(j); i = layout.nextRow(i, j)) {
         scale[i] = Math.max(scale[i], Math.abs(matrix[layout.index(i, j)]));
       }
     }

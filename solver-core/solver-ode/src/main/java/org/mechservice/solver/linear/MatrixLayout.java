@@ -15,9 +15,18 @@ public interface MatrixLayout {
   int lastRow(int column);
 
   /**
+   * Returns the row of a column that may differ from zero next; more than the last one behind that.
+   *
+   * @param row one that may differ from zero
+   */
+  default int nextRow(int row, int column) {
+    return row + 1;
+  }
+
+  /**
    * Returns the place of an element in the array.
    *
-   * @param row from {@code firstRow(column)} to {@code lastRow(column)}
+   * @param row one that may differ from zero in the column
    * @param column from 0 to n − 1
    */
   int index(int row, int column);
@@ -37,7 +46,7 @@ public interface MatrixLayout {
    */
   default void addProduct(double[] matrix, double[] x, double[] sum) {
     for (int j = 0; j < x.length; j++) {
-      for (int i = firstRow(j); i <= lastRow(j); i++) {
+      for (int i = firstRow(j); i <= lastRow(j); i = nextRow(i, j)) {
         sum[i] += matrix[index(i, j)] * x[j];
       }
     }

@@ -1,6 +1,7 @@
 /**
  * Systems of linear equations A x = b, solved by factors that are formed once and used for many
- * right-hand sides. Nothing here allocates memory after construction.
+ * right-hand sides. Nothing here allocates memory after construction, but for sparse factors that
+ * turn out to need more room.
  *
  * <table>
  * <caption>Which solver for which matrix</caption>
@@ -9,6 +10,8 @@
  * <td>⅔ n³ operations</td><td>2 n²</td></tr>
  * <tr><td>{@link org.mechservice.solver.linear.BandLu}</td><td>l diagonals below, u above the main
  * one</td><td>2 n l (l + u)</td><td>2 n (2l + u)</td></tr>
+ * <tr><td>{@link org.mechservice.solver.linear.SparsePivotedLu}</td><td>a fixed pattern</td>
+ * <td>some 10 n √n for neighbours in a plane</td><td>some 10 n log n</td></tr>
  * </table>
  *
  * <p>{@link org.mechservice.solver.linear.Cholesky} factors dense symmetric positive definite
@@ -23,11 +26,11 @@
  * matrices summed up from small parts, in an order of least degree. The first allocates.
  *
  * <p>{@link org.mechservice.solver.linear.EquilibratedSolver} brings the rows to like size before
- * either of them factors, so that the units of the equations do not decide about the pivots.
+ * any of them factors, so that the units of the equations do not decide about the pivots.
  *
  * <p>A solver says where in a flat array it wants each element, by its {@link
  * org.mechservice.solver.linear.MatrixLayout}; whoever fills the matrix need not know more of it.
- * Both work by Gaussian elimination with row interchanges (Golub and Van Loan, <i>Matrix
+ * All work by Gaussian elimination with row interchanges (Golub and Van Loan, <i>Matrix
  * Computations</i>, ch. 3 and 4): a pivot that is exactly zero is reported with its column, and how
  * many digits the equations may cost is told by {@link
  * org.mechservice.solver.linear.LinearSolver#reciprocalCondition}.

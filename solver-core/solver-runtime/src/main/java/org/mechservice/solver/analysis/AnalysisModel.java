@@ -51,7 +51,8 @@ abstract class AnalysisModel implements AlgebraicModel, Energies, BodyPoses, Run
             new JointVariables(mechanism.joints().get(j).name(), mechanism.joints().get(j).type()));
       }
     }
-    return new ModelDescription(mechanism.name(), data.formulation(), joints, data.settings());
+    return new ModelDescription(
+        mechanism.name(), data.formulation(), joints, mechanism.stateVariables(), data.settings());
   }
 
   @Override

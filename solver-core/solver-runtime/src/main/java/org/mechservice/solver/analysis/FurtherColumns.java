@@ -62,7 +62,7 @@ public final class FurtherColumns implements ResultColumns {
         groups.get(ColumnGroup.MOMENTUM) instanceof MomentumBalance balance
             ? Optional.of(balance)
             : Optional.empty();
-    yDot = new double[equations.nq + equations.nv];
+    yDot = new double[data.mechanism().stateCount()];
   }
 
   private ColumnValues values(ColumnGroup group, CompactModel data) {

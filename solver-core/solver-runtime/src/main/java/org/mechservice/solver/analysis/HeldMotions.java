@@ -27,17 +27,19 @@ final class HeldMotions {
               ? new JointClosure(cut.joint(), cut.startRole(), held(cut.motion(), mechanism, t))
               : closure);
     }
-    return new Mechanism(
-        mechanism.name(),
-        mechanism.root(),
-        mechanism.gravity(),
-        mechanism.bodies(),
-        mechanism.joints(),
-        motions,
-        mechanism.startRoles(),
-        closures,
-        mechanism.forces(),
-        mechanism.parameters());
+    Mechanism held =
+        new Mechanism(
+            mechanism.name(),
+            mechanism.root(),
+            mechanism.gravity(),
+            mechanism.bodies(),
+            mechanism.joints(),
+            motions,
+            mechanism.startRoles(),
+            closures,
+            mechanism.forces(),
+            mechanism.parameters());
+    return held.withFurtherStates(mechanism.furtherStates());
   }
 
   private static List<Expression> held(List<Expression> motion, Mechanism mechanism, double t) {

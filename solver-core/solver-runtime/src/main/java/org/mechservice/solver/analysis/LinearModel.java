@@ -18,6 +18,7 @@ import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.compact.CompactModel;
+import org.mechservice.solver.compact.DataDriven;
 import org.mechservice.solver.force.user.UserForceSource;
 
 /**
@@ -128,7 +129,8 @@ final class LinearModel implements ResultTable, RunNotes {
             Formulation.DSR.label(),
             open ? MethodNames.NONE : ClosureMethod.PROJECTION.label(),
             data.settings());
-    ExplicitModel model = (ExplicitModel) ModelParts.of(free.model(userForces)).equations();
+    ExplicitModel model =
+        (ExplicitModel) ModelParts.of(DataDriven.model(free, userForces)).equations();
     model.initialState(y);
     double[] yDot = new double[y.length];
     int result = model.derivative(t, y, yDot);

@@ -1,9 +1,9 @@
 package org.mechservice.solver.analysis;
 
 import java.util.List;
-import org.mechservice.solver.api.Model;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.compact.CompactSource;
+import org.mechservice.solver.force.user.UserForceSource;
 
 /** Superclass of the class of a model of small motions, which adds the data. */
 public abstract class LinearSource extends CompactSource {
@@ -22,7 +22,7 @@ public abstract class LinearSource extends CompactSource {
   }
 
   @Override
-  protected final Model made(CompactModel data) {
-    return new LinearModel(data, atEquilibrium, modes, userForces());
+  protected final Object bare(CompactModel data, UserForceSource userForces) {
+    return new LinearModel(data, atEquilibrium, modes, userForces);
   }
 }

@@ -3,6 +3,7 @@ package org.mechservice.solver.compact;
 import java.util.List;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Event;
+import org.mechservice.solver.mechanism.FurtherState;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Parameter;
@@ -19,19 +20,23 @@ public final class CompactForm {
 
   /** Returns the bytes of a mechanism. */
   public static byte[] write(Mechanism mechanism) {
-    return new RecordWriter()
-        .write(mechanism.name())
-        .write(mechanism.root())
-        .write(mechanism.gravity())
-        .write(mechanism.bodies())
-        .write(mechanism.joints())
-        .write(mechanism.motions())
-        .write(mechanism.startRoles())
-        .write(mechanism.closures())
-        .write(mechanism.forces())
-        .write(mechanism.parameters())
-        .write(mechanism.events())
-        .bytes();
+    RecordWriter writer =
+        new RecordWriter()
+            .write(mechanism.name())
+            .write(mechanism.root())
+            .write(mechanism.gravity())
+            .write(mechanism.bodies())
+            .write(mechanism.joints())
+            .write(mechanism.motions())
+            .write(mechanism.startRoles())
+            .write(mechanism.closures())
+            .write(mechanism.forces())
+            .write(mechanism.parameters())
+            .write(mechanism.events());
+    if (!mechanism.furtherStates().isEmpty()) {
+      writer.write(mechanism.furtherStates());
+    }
+    return writer.bytes();
   }
 
   /**
@@ -54,7 +59,8 @@ public final class CompactForm {
             list(reader, LoopClosure.class),
             list(reader, ForceElement.class),
             list(reader, Parameter.class));
-    return mechanism.withEvents(list(reader, Event.class));
+    Mechanism watched = mechanism.withEvents(list(reader, Event.class));
+    return reader.hasMore() ? watched.withFurtherStates(list(reader, FurtherState.class)) : watched;
   }
 
   private static <T> List<T> list(RecordReader reader, Class<T> type) {

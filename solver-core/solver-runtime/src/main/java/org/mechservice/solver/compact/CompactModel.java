@@ -8,11 +8,10 @@ import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.TunableParameter;
 import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.closure.equations.LoopTerms;
 import org.mechservice.solver.dynamics.event.StateEvents;
 import org.mechservice.solver.dynamics.event.WrittenValues;
-import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Output;
 import org.mechservice.solver.mechanism.Parameter;
@@ -113,28 +112,6 @@ public record CompactModel(
   }
 
   /**
-   * Returns the equations of motion, driven by the data.
-   *
-   * @param userForces creates the user forces
-   * @throws IllegalArgumentException if the formulation or the closure does not fit the mechanism
-   */
-  public Model model(UserForceSource userForces) {
-    return watched(DataDriven.model(this, userForces), Optional.empty());
-  }
-
-  /**
-   * Returns the equations of motion of a mechanism with loops, with terms evaluated by generated
-   * code.
-   *
-   * @param userForces creates the user forces
-   * @param code code of the terms, for this model only
-   * @param values as for {@link #watched}
-   */
-  public Model model(UserForceSource userForces, LoopTerms code, Optional<WrittenValues> values) {
-    return watched(DataDriven.coded(this, userForces, code), values);
-  }
-
-  /**
    * Returns a model of the mechanism with the mechanism's events.
    *
    * @param values code for their expressions, if any, for this model only
@@ -148,6 +125,22 @@ public record CompactModel(
   /** Returns the values of the parameters, SI units, in order. */
   public double[] parameterValues() {
     return mechanism.parameters().stream().mapToDouble(Parameter::value).toArray();
+  }
+
+  /**
+   * Returns the formulation.
+   *
+   * @throws IllegalArgumentException S-067 if this solver does not have it
+   */
+  Formulation knownFormulation() {
+    return Formulation.find(formulation).orElseThrow(this::unknownFormulation);
+  }
+
+  IllegalArgumentException unknownFormulation() {
+    return new IllegalArgumentException(
+        MessageCode.MODEL_DATA_DAMAGED
+            + " the model is written in a formulation this solver does not have: "
+            + formulation);
   }
 
   private boolean somethingHappens() {

@@ -23,10 +23,11 @@ public abstract class CompactSource implements ModelSource {
     return new LoadedUserForces(getClass().getClassLoader());
   }
 
-  /** Returns the model of some data; a class beside generated code returns that. */
-  protected Object bare(CompactModel data, UserForceSource userForces) {
-    return data.model(userForces);
-  }
+  /**
+   * Returns the model of some data, from generated code or by {@link DataDrivenTree} or {@link
+   * DataDrivenLoops}, so that a JAR contains only what its model is evaluated by.
+   */
+  protected abstract Object bare(CompactModel data, UserForceSource userForces);
 
   /** Returns the generated code for the expressions of events and outputs, if any. */
   protected Optional<WrittenValues> values(CompactModel data) {

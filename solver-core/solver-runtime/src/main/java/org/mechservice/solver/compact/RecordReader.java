@@ -3,6 +3,7 @@ package org.mechservice.solver.compact;
 import java.io.ByteArrayInputStream;
 import java.io.DataInputStream;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.lang.reflect.Constructor;
 import java.lang.reflect.RecordComponent;
 import java.util.ArrayList;
@@ -39,6 +40,15 @@ final class RecordReader {
               + e
               + "); build it anew",
           e);
+    }
+  }
+
+  /** Returns whether values are left. */
+  boolean hasMore() {
+    try {
+      return in.available() > 0;
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
     }
   }
 

@@ -63,7 +63,8 @@ record LocalMotion(double damping, double stiffness) {
       return -1;
     }
     if (unknown >= model.positionCount()) {
-      return unknown;
+      int end = model.positionCount() + model.velocityCount();
+      return unknown < end ? unknown : -1;
     }
     int q = 0;
     int v = model.positionCount();

@@ -29,6 +29,7 @@ final class RowWriter {
   private final double[] yDot;
   private final double[] poses;
   private final int positionCount;
+  private final int velocityCount;
   private long rows;
 
   /**
@@ -46,6 +47,7 @@ final class RowWriter {
     row = new double[layout.columns().size()];
     yDot = new double[model.description().stateCount()];
     positionCount = model.description().positionCount();
+    velocityCount = model.description().velocityCount();
     balanceWatched = request.maxDrift().isPresent();
     unitOutput = new UnitOutput(model.description());
     poses =
@@ -73,8 +75,7 @@ final class RowWriter {
     unitOutput.normalize(t, row, 1);
     if (layout.accelerations() != RowLayout.ABSENT) {
       model.derivative(t, y, yDot);
-      System.arraycopy(
-          yDot, positionCount, row, layout.accelerations(), yDot.length - positionCount);
+      System.arraycopy(yDot, positionCount, row, layout.accelerations(), velocityCount);
     }
     if (layout.bodies() != RowLayout.ABSENT) {
       ((BodyPoses) model).poses(t, y, poses);

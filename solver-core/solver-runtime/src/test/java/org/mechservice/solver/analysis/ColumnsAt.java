@@ -13,6 +13,7 @@ import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.compact.CompactModel;
+import org.mechservice.solver.compact.DataDriven;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Output;
@@ -30,7 +31,7 @@ final class ColumnsAt {
     CompactModel data =
         new CompactModel(
             mechanism, open ? "DTR" : "DSR", open ? "none" : "projection", SETTINGS, outputs);
-    Model made = data.model(UserForceSource.NONE);
+    Model made = DataDriven.model(data, UserForceSource.NONE);
     model = (ExplicitModel) made;
     this.groups = List.of(groups);
     columns =

@@ -15,6 +15,7 @@ import org.mechservice.solver.api.capability.DependentStates;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.compact.CompactModel;
+import org.mechservice.solver.compact.DataDriven;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.force.user.UserForceSource;
@@ -55,7 +56,7 @@ class LinearisationTest {
       boolean open = mechanism.closures().isEmpty();
       CompactModel data =
           new CompactModel(mechanism, "DSR", open ? "none" : "projection", SETTINGS);
-      model = (ExplicitModel) data.model(UserForceSource.NONE);
+      model = (ExplicitModel) DataDriven.model(data, UserForceSource.NONE);
       nq = mechanism.positionCount();
       nv = mechanism.velocityCount();
       coordinates = new StateCoordinates(mechanism);

@@ -34,6 +34,7 @@ import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.compact.CompactModel;
+import org.mechservice.solver.compact.DataDriven;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Expression.CoordinatePosition;
@@ -113,7 +114,7 @@ class MomentumTest {
     RunSettings settings =
         new RunSettings(0, end, end / 20, integrator, tolerance, tolerance / 100);
     CompactModel data = new CompactModel(mechanism, formulation, closure, settings, List.of());
-    ModelParts made = ModelParts.of(data.model(UserForceSource.NONE));
+    ModelParts made = ModelParts.of(DataDriven.model(data, UserForceSource.NONE));
     ExplicitModel equations = (ExplicitModel) made.equations();
     return made.with(
         new FurtherColumns(equations, data, ASKED, UserForceSource.NONE, Optional.empty()));

@@ -20,6 +20,7 @@ import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.compact.CompactModel;
+import org.mechservice.solver.compact.DataDriven;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.JointCoordinate;
@@ -307,7 +308,7 @@ class StaticEquilibriumTest {
     RunReport report =
         new RuntimeSolver()
             .run(
-                data.model(UserForceSource.NONE),
+                DataDriven.model(data, UserForceSource.NONE),
                 new RunRequest(settings, Set.of()),
                 sink,
                 new RunControl());

@@ -10,6 +10,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.dynamics.DataDrivenModel;
+import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.RandomTrees;
 
@@ -27,6 +28,11 @@ class CompactModelTest {
           @Override
           protected String[] texts() {
             return texts;
+          }
+
+          @Override
+          protected Object bare(CompactModel data, UserForceSource userForces) {
+            return DataDrivenTree.model(data, userForces);
           }
         };
 

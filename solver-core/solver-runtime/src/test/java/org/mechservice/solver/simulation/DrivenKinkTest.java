@@ -20,6 +20,7 @@ import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.compact.CompactModel;
+import org.mechservice.solver.compact.DataDriven;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Expression.Call;
@@ -133,7 +134,7 @@ class DrivenKinkTest {
     CompactModel model = new CompactModel(mechanism, formulation, closure, settings);
     return new RuntimeSolver()
         .run(
-            model.model(UserForceSource.NONE),
+            DataDriven.model(model, UserForceSource.NONE),
             new RunRequest(settings, EnumSet.of(ColumnGroup.ENERGY)),
             rows,
             new RunControl(),

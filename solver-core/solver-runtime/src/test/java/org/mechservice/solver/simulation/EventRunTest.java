@@ -27,6 +27,7 @@ import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.compact.CompactModel;
+import org.mechservice.solver.compact.DataDriven;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Expression.Call;
@@ -153,7 +154,7 @@ class EventRunTest {
   private static Model model(Mechanism mechanism, String formulation, String closure) {
     RunSettings settings = new RunSettings(0, 1, 0.1, "ode113", 1e-6, 1e-6);
     CompactModel written = new CompactModel(mechanism, formulation, closure, settings);
-    return CompactModel.of(written.texts()).model(UserForceSource.NONE);
+    return DataDriven.model(CompactModel.of(written.texts()), UserForceSource.NONE);
   }
 
   private RunReport run(Model model, String integrator, double tEnd) throws IOException {

@@ -45,7 +45,7 @@ public final class CutCoordinateTerms {
       return coordinate;
     }
     Mechanism described = mechanism.mechanism();
-    int states = mechanism.positionCount() + mechanism.velocityCount();
+    int states = described.stateCount();
     int counted = UnwrappedAngles.of(described).indexOf(position);
     Scalar before = expressions.input(states + counted);
     Scalar way = PairTerms.nearest(term.value().minus(before), 2 * Math.PI);

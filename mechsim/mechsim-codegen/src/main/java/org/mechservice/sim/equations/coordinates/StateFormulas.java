@@ -11,16 +11,24 @@ import org.mechservice.solver.expression.Expression;
 
 /** Formulas of time, parameters and the state as scalars; parameters are inputs. */
 public final class StateFormulas extends Formulas {
+  private final Expressions expressions;
   private final JointCoordinates joints;
   private final BodyPoints points;
   private final LinkKinematics kinematics;
+  private final int firstState;
 
+  /**
+   * @param firstState input of the first further state
+   */
   public StateFormulas(
       Expressions expressions,
       JointCoordinates joints,
       BodyPoints points,
-      LinkKinematics kinematics) {
+      LinkKinematics kinematics,
+      int firstState) {
     super(expressions);
+    this.expressions = expressions;
+    this.firstState = firstState;
     this.joints = joints;
     this.points = points;
     this.kinematics = kinematics;
@@ -30,6 +38,8 @@ public final class StateFormulas extends Formulas {
   protected Scalar leaf(Expression leaf) {
     if (leaf instanceof Expression.CoordinatePosition position) {
       return joints.position(position.coordinate());
+    } else if (leaf instanceof Expression.StateValue state) {
+      return expressions.input(firstState + state.index());
     } else if (leaf instanceof Expression.CoordinateVelocity velocity) {
       return joints.velocity(velocity.coordinate());
     } else if (leaf instanceof Expression.PointPosition point) {

@@ -6,6 +6,9 @@ import org.mechservice.solver.dynamics.tree.TreePattern;
  * Output indices of the elements of M, ∂F/∂v and ∂F/∂q. Rows and columns are in {@link TreeOrder}.
  */
 sealed interface ElementLayout {
+  /** Returns the number of outputs of all elements. */
+  int count();
+
   /** Returns the output index of an element of M; the row is at least the column. */
   int mass(int row, int column);
 
@@ -21,6 +24,11 @@ sealed interface ElementLayout {
    * @param pattern pattern of the elements that may differ from zero
    */
   record OfTree(TreePattern pattern) implements ElementLayout {
+    @Override
+    public int count() {
+      return 3 * pattern.size() + 5 * pattern.elementCount();
+    }
+
     @Override
     public int mass(int row, int column) {
       return row == column ? row : pattern.size() + pattern.find(row, column);
@@ -49,6 +57,11 @@ sealed interface ElementLayout {
    * @param places order of the velocities
    */
   record Dense(TreeOrder places) implements ElementLayout {
+    @Override
+    public int count() {
+      return 3 * places.size() * places.size();
+    }
+
     @Override
     public int mass(int row, int column) {
       int i = places.get(row).velocity();

@@ -16,6 +16,7 @@ import org.mechservice.sim.equations.recursion.Loads;
 import org.mechservice.sim.equations.recursion.ParentTransform;
 import org.mechservice.sim.symbolic.Differentiation;
 import org.mechservice.sim.symbolic.Expressions;
+import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarVector;
 
@@ -59,28 +60,78 @@ final class ForceSlopes {
   /** Differentiates all forces. */
   void derive() {
     for (int place = 0; place < places.size(); place++) {
-      TreeOrder.Place at = places.get(place);
-      Link link = mechanism.links().get(at.link());
-      Map<Scalar, Scalar> turn = new HashMap<>();
-      if (link.isBall()) {
-        EulerParameterTerms e = coordinates.eulerParameters(link);
-        EulerParameterTerms rate = e.rate(unit(at.component()));
-        for (int i = 0; i < 4; i++) {
-          turn.put(e.at(i), rate.at(i));
-        }
-      } else {
-        turn.put(expressions.input(link.position()), expressions.one());
-      }
-      sweep(place, turn, byPosition);
-      Scalar velocity = expressions.input(mechanism.positionCount() + at.velocity());
-      sweep(place, Map.of(velocity, expressions.one()), byVelocity);
+      sweep(place, alongPosition(place), byPosition);
+      sweep(place, alongVelocity(place), byVelocity);
     }
+  }
+
+  /** Returns the changes of inputs by a small displacement along the tangent. */
+  private Map<Scalar, Scalar> alongPosition(int place) {
+    TreeOrder.Place at = places.get(place);
+    Link link = mechanism.links().get(at.link());
+    Map<Scalar, Scalar> turn = new HashMap<>();
+    if (link.isBall()) {
+      EulerParameterTerms e = coordinates.eulerParameters(link);
+      EulerParameterTerms rate = e.rate(unit(at.component()));
+      for (int i = 0; i < 4; i++) {
+        turn.put(e.at(i), rate.at(i));
+      }
+    } else {
+      turn.put(expressions.input(link.position()), expressions.one());
+    }
+    return turn;
+  }
+
+  private Map<Scalar, Scalar> alongVelocity(int place) {
+    int velocity = mechanism.positionCount() + places.get(place).velocity();
+    return Map.of(expressions.input(velocity), expressions.one());
   }
 
   private ScalarVector unit(int axis) {
     Scalar zero = expressions.zero();
     Scalar one = expressions.one();
     return new ScalarVector(axis == 0 ? one : zero, axis == 1 ? one : zero, axis == 2 ? one : zero);
+  }
+
+  /**
+   * Outputs what further states add, in the layout of {@link
+   * org.mechservice.solver.dynamics.derivative.FurtherDerivatives}.
+   *
+   * @param rates derivatives of the further states
+   * @param at index of the first output
+   */
+  void putOutFurther(Program program, List<Scalar> rates, int at) {
+    int ns = rates.size();
+    int nv = places.size();
+    int firstState = mechanism.positionCount() + mechanism.velocityCount();
+    Scalar[][] byState = new Scalar[nv][ns];
+    for (int k = 0; k < ns; k++) {
+      Map<Scalar, Scalar> direction = Map.of(expressions.input(firstState + k), expressions.one());
+      sweep(k, direction, byState);
+      for (int row = 0; row < nv; row++) {
+        Scalar element = byState[row][k];
+        if (element != null) {
+          program.output(at + places.get(row).velocity() * ns + k, element);
+        }
+      }
+      putOutRates(program, rates, direction, at + 3 * nv * ns + k, ns);
+    }
+    for (int place = 0; ns > 0 && place < nv; place++) {
+      int column = places.get(place).velocity();
+      putOutRates(program, rates, alongPosition(place), at + nv * ns + column, nv);
+      putOutRates(program, rates, alongVelocity(place), at + 2 * nv * ns + column, nv);
+    }
+  }
+
+  private void putOutRates(
+      Program program, List<Scalar> rates, Map<Scalar, Scalar> direction, int at, int step) {
+    Differentiation slope = new Differentiation(expressions, direction);
+    for (int i = 0; i < rates.size(); i++) {
+      Scalar element = slope.of(rates.get(i));
+      if (!element.isZero()) {
+        program.output(at + i * step, element);
+      }
+    }
   }
 
   private void sweep(int column, Map<Scalar, Scalar> direction, @Nullable Scalar[][] into) {

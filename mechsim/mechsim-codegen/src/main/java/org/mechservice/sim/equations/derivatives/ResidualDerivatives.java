@@ -82,7 +82,7 @@ public final class ResidualDerivatives {
 
   /** Derives the program of an open chain. */
   public static Derived derive(Links mechanism) {
-    int states = mechanism.positionCount() + mechanism.velocityCount();
+    int states = mechanism.mechanism().stateCount();
     ResidualDerivatives tree = new ResidualDerivatives(mechanism, states);
     List<Integer> coupled = new ArrayList<>();
     tree.derive(
@@ -109,8 +109,10 @@ public final class ResidualDerivatives {
     return closed.program;
   }
 
+  /** Returns the number of inputs between the velocities and the accelerations. */
   private static int counted(Links mechanism) {
-    return UnwrappedAngles.of(mechanism.mechanism()).size();
+    return mechanism.mechanism().furtherStates().size()
+        + UnwrappedAngles.of(mechanism.mechanism()).size();
   }
 
   /** Adds further loads besides the forces of the model. */
@@ -151,8 +153,9 @@ public final class ResidualDerivatives {
     ForceSlopes slopes =
         new ForceSlopes(expressions, mechanism, coordinates, places, loads, columns);
     slopes.derive();
-    ElementSums elements =
-        new ElementSums(program, places, placing.apply(slopes), slopes, massOfRods);
+    ElementLayout layout = placing.apply(slopes);
+    slopes.putOutFurther(program, applied.furtherRates(), layout.count());
+    ElementSums elements = new ElementSums(program, places, layout, slopes, massOfRods);
     new JointSweep(program, mechanism, coordinates).sweep(forces, loads);
     RigidComposite[] composites = composites(columns);
     elements.putOutBetweenBranches();

@@ -27,6 +27,7 @@ import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.mechanism.FurtherState;
 import org.mechservice.solver.mechanism.force.Bushing;
 import org.mechservice.solver.mechanism.force.Contact;
 import org.mechservice.solver.mechanism.force.ForceElement;
@@ -60,7 +61,13 @@ public final class AppliedForces {
     this.kinematics = new LinkKinematics(program, mechanism, coordinates);
     CutCoordinateTerms cuts = new CutCoordinateTerms(expressions, mechanism, points, kinematics);
     this.joints = new JointCoordinates(mechanism.mechanism(), links, cuts);
-    this.formulas = new StateFormulas(expressions, joints, points, kinematics);
+    int firstState = mechanism.positionCount() + mechanism.velocityCount();
+    this.formulas = new StateFormulas(expressions, joints, points, kinematics, firstState);
+    List<FurtherState> states = mechanism.mechanism().furtherStates();
+    for (int i = 0; i < states.size(); i++) {
+      program.named(
+          "s_" + Labels.sanitized(states.get(i).name()), expressions.input(firstState + i));
+    }
   }
 
   /** Returns the positions and velocities of the links. */
@@ -147,6 +154,16 @@ public final class AppliedForces {
   public List<Scalar> scalars(List<Expression> expressions) {
     program.section("Formulas.", "formulas");
     return expressions.stream().map(formulas::scalar).toList();
+  }
+
+  /** Returns the derivatives of the further states, s' = f(t, q, v, s). */
+  public List<Scalar> furtherRates() {
+    List<FurtherState> states = mechanism.mechanism().furtherStates();
+    if (states.isEmpty()) {
+      return List.of();
+    }
+    program.section("Further states: s' = f(t, q, v, s).", "states");
+    return states.stream().map(state -> formulas.scalar(state.derivative())).toList();
   }
 
   private void section(ForceElement element) {

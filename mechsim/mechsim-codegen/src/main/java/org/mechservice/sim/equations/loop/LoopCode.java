@@ -1,5 +1,6 @@
 package org.mechservice.sim.equations.loop;
 
+import java.util.List;
 import java.util.Optional;
 import org.mechservice.sim.equations.force.AppliedForces;
 import org.mechservice.sim.equations.force.MassiveRodTerms;
@@ -81,9 +82,23 @@ public final class LoopCode {
    */
   public static Program residual(Links mechanism) {
     // accelerations count like velocities, which come after the positions
-    int derivative = mechanism.velocityCount() + UnwrappedAngles.of(mechanism.mechanism()).size();
+    int derivative =
+        mechanism.velocityCount()
+            + mechanism.mechanism().furtherStates().size()
+            + UnwrappedAngles.of(mechanism.mechanism()).size();
     LoopCode code = new LoopCode(mechanism, 0, derivative);
     code.putOutBias(0);
+    return code.program;
+  }
+
+  /** Derives the program from [q; v; s] to the derivatives of the further states. */
+  public static Program further(Links mechanism) {
+    LoopCode code = atRest(mechanism, 0);
+    List<Scalar> rates =
+        new AppliedForces(code.program, code.mechanism, code.coordinates).furtherRates();
+    for (int i = 0; i < rates.size(); i++) {
+      code.program.output(i, rates.get(i));
+    }
     return code.program;
   }
 

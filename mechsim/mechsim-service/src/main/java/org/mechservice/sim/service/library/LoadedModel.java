@@ -142,7 +142,8 @@ public record LoadedModel(
             .toList();
     RunSettings settings = model.settings().run();
     return ContractTypes.channels(
-        new ModelDescription(mechanism.name(), "", joints, settings).states());
+        new ModelDescription(mechanism.name(), "", joints, mechanism.stateVariables(), settings)
+            .states());
   }
 
   /** Returns the place of each joint in the state. */

@@ -3,6 +3,7 @@ package org.mechservice.sim.service.run;
 import java.io.IOException;
 import java.util.List;
 import java.util.OptionalDouble;
+import org.mechservice.idl.CurveSample;
 import org.mechservice.sim.service.results.ResultSpool;
 import org.mechservice.sim.service.results.RunColumns;
 import org.mechservice.solver.api.result.ResultSink;
@@ -10,8 +11,8 @@ import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.RunControl;
 
 /**
- * Takes the rows of a run, and knows the state it has reached, its energy drift and its constraint
- * residual, as far as the rows contain them. Thread-safe.
+ * Takes the rows of a run, and knows the state it has reached and the curves of its energy drift
+ * and its constraint residual, as far as the rows contain them. Thread-safe.
  */
 final class RunOutput implements ResultSink {
   /** Longest wait for the end of a step when a client reads the state, ms. */
@@ -21,13 +22,19 @@ final class RunOutput implements ResultSink {
   private final RunControl control;
   private final double[] lastState;
   private final Object stateWatch = new Object();
+  private final CurveHistory curves = new CurveHistory();
   private final int kineticColumn;
   private final int potentialColumn;
   private final int workColumn;
   private final int residualColumn;
   private double initialEnergy = Double.NaN;
+
+  /** Energy beyond that of the start and the work done, J; NaN if the rows do not contain it. */
   private volatile double energyDrift = Double.NaN;
+
+  /** Largest position residual of the constraints, m or rad; NaN if not in the rows. */
   private volatile double residual = Double.NaN;
+
   private double lastTime;
   private boolean closed;
 
@@ -72,6 +79,7 @@ final class RunOutput implements ResultSink {
     lastTime = values[0];
     System.arraycopy(values, 1, lastState, 0, lastState.length);
     observe(values);
+    sampleCurves(lastTime);
     spool.append(values);
   }
 
@@ -91,19 +99,31 @@ final class RunOutput implements ResultSink {
     }
   }
 
+  /** Adds the present step to the curves. */
+  void sampleCurves() {
+    sampleCurves(control.time());
+  }
+
+  private void sampleCurves(double time) {
+    if (control.steps() > 0) {
+      curves.add(
+          System.currentTimeMillis(),
+          time,
+          control.stepSize(),
+          control.order(),
+          energyDrift,
+          residual);
+    }
+  }
+
+  /** Returns the curves of step size, order, energy drift and residual, oldest sample first. */
+  List<CurveSample> curves() {
+    return curves.samples();
+  }
+
   /** Refuses further rows: a solver that outlasts its run adds nothing to the results. */
   synchronized void close() {
     closed = true;
-  }
-
-  /** Returns the energy beyond that of the start and the work done, J; NaN if not known. */
-  double energyDrift() {
-    return energyDrift;
-  }
-
-  /** Returns the largest position residual of the constraints, m or rad; NaN if not known. */
-  double residual() {
-    return residual;
   }
 
   /** Returns the time of the last row, s; of the start if there is none. */

@@ -3,13 +3,10 @@ package org.mechservice.sim.service.run;
 import com.google.gson.JsonNull;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonPrimitive;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.IntSupplier;
-import org.mechservice.idl.CurveSample;
 import org.mechservice.idl.Progress;
 import org.mechservice.idl.SimSummary;
 import org.mechservice.orb.ServiceVersion;
@@ -25,17 +22,11 @@ import org.mechservice.solver.catalogue.Accuracy;
  * report, and the record of it that stays. Thread-safe.
  */
 final class RunStatus {
-  /** Most samples of the curves; one more halves their number and doubles their period. */
-  private static final int MOST_SAMPLES = 600;
-
   private final RunPlan plan;
   private final IntSupplier queuePosition;
   private final RunControl control;
   private final RunLifecycle lifecycle;
   private final RunOutput output;
-  private final List<CurveSample> curves = new ArrayList<>();
-  private int samplePeriod = 1;
-  private int sinceSample;
   private long stepsReported = -1;
   private int placeReported;
 
@@ -78,31 +69,9 @@ final class RunStatus {
     boolean stepped = lifecycle.runs() && steps != stepsReported;
     stepsReported = steps;
     if (stepped) {
-      sample();
+      output.sampleCurves();
     }
     return movedUp || stepped;
-  }
-
-  private void sample() {
-    sinceSample++;
-    if (sinceSample < samplePeriod) {
-      return;
-    }
-    sinceSample = 0;
-    curves.add(
-        new CurveSample(
-            System.currentTimeMillis(),
-            control.time(),
-            control.stepSize(),
-            control.order(),
-            output.energyDrift(),
-            output.residual()));
-    if (curves.size() > MOST_SAMPLES) {
-      for (int i = curves.size() - 1; i > 0; i -= 2) {
-        curves.remove(i);
-      }
-      samplePeriod *= 2;
-    }
   }
 
   /** Returns how far the run is. */
@@ -210,10 +179,6 @@ final class RunStatus {
   RunRecord record(Optional<RunOutcome> outcome) {
     Progress last = progress();
     outcome.ifPresent(ended -> last.state = ended.state());
-    List<CurveSample> samples;
-    synchronized (this) {
-      samples = List.copyOf(curves);
-    }
     return new RunRecord(
         plan.identity(),
         plan.columns(),
@@ -224,6 +189,6 @@ final class RunStatus {
         outcome.map(ended -> ended.text(output.lastTime())).orElseGet(lifecycle::text),
         outcome.map(this::report).orElse(""),
         outcome.flatMap(RunOutcome::failure).map(ContractTypes::failure),
-        samples);
+        output.curves());
   }
 }

@@ -380,7 +380,9 @@ public final class SessionTable implements AutoCloseable {
         }
       }
     } catch (RuntimeException e) {
-      GuardedServant.record("the clock of the sessions", e);
+      if (!clock.isShutdown()) { // else the ORB may be closed already
+        GuardedServant.record("the clock of the sessions", e);
+      }
     }
   }
 

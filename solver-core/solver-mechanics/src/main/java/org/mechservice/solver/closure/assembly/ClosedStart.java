@@ -27,7 +27,7 @@ public final class ClosedStart {
   public ClosedStart(Mechanism mechanism, double time) {
     this.time = time;
     tree = new TreeGeometry(mechanism);
-    state = new double[mechanism.positionCount() + mechanism.velocityCount()];
+    state = new double[mechanism.stateCount()];
     mechanism.initialState(state);
     findings = new ArrayList<>(new Assembly(tree).assemble(time, state));
     if (isAssembled()) {
@@ -74,7 +74,7 @@ public final class ClosedStart {
     return time;
   }
 
-  /** Returns the assembled state [q; v]. */
+  /** Returns the assembled state [q; v; s]. */
   public double[] state() {
     return state.clone();
   }

@@ -21,9 +21,9 @@ import org.mechservice.solver.api.capability.ExplicitModel;
  *   <li>M, n × n row by row; only the lower triangle and the diagonal are used.
  * </ul>
  *
- * <p>Entries that are zero in every state need not be written. The state y is [q; v], followed by
- * the {@link UnwrappedAngles}, rad, at the last accepted step; present angles are taken on the
- * nearest turn.
+ * <p>Entries that are zero in every state need not be written. The state y is [q; v] and the
+ * further states if there are any, followed by the {@link UnwrappedAngles}, rad, at the last
+ * accepted step; present angles are taken on the nearest turn.
  */
 public interface LoopTerms {
   /** Result of {@link #equations} if all forces have values. */
@@ -98,6 +98,15 @@ public interface LoopTerms {
    */
   void power(double t, double[] y, double[] power);
 
+  /**
+   * Writes the derivatives of the further states, if the model has any.
+   *
+   * @param t time, s
+   * @param y state [q; v; s] and counted angles; not modified
+   * @param rates one number per further state; overwritten
+   */
+  default void further(double t, double[] y, double[] rates) {}
+
   /** Returns the code for poses of bodies, if the model has it. */
   default Optional<OfPoses> poses() {
     return this instanceof OfPoses own ? Optional.of(own) : Optional.empty();
@@ -150,7 +159,8 @@ public interface LoopTerms {
      * @param a accelerations v', n numbers, rad/s² or m/s²; not modified
      * @param lambda multipliers λ, m numbers, N or N·m; not modified
      * @param derivatives M, of which only the lower triangle and the diagonal are used, then ∂/∂v,
-     *     then ∂/∂q, each n × n row by row; overwritten
+     *     then ∂/∂q, each n × n row by row; then, if there are further states, the {@link
+     *     org.mechservice.solver.dynamics.derivative.FurtherDerivatives}; overwritten
      * @return as {@link #equations}
      */
     int derivatives(double t, double[] y, double[] a, double[] lambda, double[] derivatives);

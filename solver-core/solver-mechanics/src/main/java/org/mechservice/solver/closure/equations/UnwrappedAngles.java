@@ -61,6 +61,7 @@ public final class UnwrappedAngles {
         positions.add(spring.coordinate());
       }
     }
+    mechanism.furtherStates().forEach(state -> formulas.add(state.derivative()));
     for (Expression leaf : new Tape(formulas).leaves()) {
       if (leaf instanceof Expression.CoordinatePosition position) {
         positions.add(position.coordinate());

@@ -3,6 +3,8 @@ package org.mechservice.solver.closure.model;
 import java.util.Arrays;
 import org.mechservice.solver.api.capability.LinearisedModel;
 import org.mechservice.solver.closure.ClosedMechanism;
+import org.mechservice.solver.dynamics.derivative.BorderedStep;
+import org.mechservice.solver.dynamics.derivative.FurtherDerivatives;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.dynamics.derivative.TreeIteration;
 import org.mechservice.solver.dynamics.tree.TreePattern;
@@ -25,6 +27,8 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
     implements LinearisedModel {
   public final ResidualJacobian jacobian;
   private final TreeIteration iteration;
+  private final FurtherDerivatives further;
+  private final BorderedStep bordered;
 
   /** Choices, J and position equations at the state of the last linearisation. */
   private final Partition velocities;
@@ -48,6 +52,9 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
   private final DenseLu lu;
   private int singular;
 
+  /** Whether the last factorisation found pivots for all velocities. */
+  private boolean isRegular;
+
   /** Choice of velocities at the last linearisation; a resumed run restores it. */
   private final Partition linearised;
 
@@ -64,6 +71,8 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
     TreePattern pattern = new TreePattern(work.tree, work.coupledLinks());
     jacobian = new ResidualJacobian(work.motion, pattern);
     iteration = new TreeIteration(work.tree, pattern, jacobian);
+    further = new FurtherDerivatives(work.nq, work.nv, work.furtherCount());
+    bordered = new BorderedStep(work.coordinates, further, this::solveMechanism);
     int rank = closed.start().rank();
     int f = closed.freedom();
     boolean large = work.loops.isLarge();
@@ -135,7 +144,9 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
     completion.formPositionMatrix(y);
     loopJacobian.copy(work.loops.jacobian);
     positionMatrix.copy(completion.positionMatrix());
-    return jacobian.isFinite();
+    bordered.setState(y);
+    work.lineariseFurther(t, y, further);
+    return jacobian.isFinite() && further.isFinite();
   }
 
   @Override
@@ -144,6 +155,7 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
     positions.copyChoice(completion.ofPositions());
     if (!velocities.factor(loopJacobian) || !positions.factor(positionMatrix)) {
       singular = velocities.dependent[0];
+      isRegular = false;
       return false;
     }
     directions.formTransformation(loopJacobian);
@@ -156,11 +168,17 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
     }
     int column = lu.factor(reduced);
     singular = column == LinearSolver.NONSINGULAR ? 0 : velocities.independent[column];
-    return column == LinearSolver.NONSINGULAR;
+    isRegular = column == LinearSolver.NONSINGULAR;
+    return isRegular && bordered.factor(hGamma);
   }
 
   @Override
   public void solve(double[] r) {
+    bordered.solve(r);
+  }
+
+  /** Solves for the change of positions and velocities alone. */
+  private void solveMechanism(double[] r) {
     completePositions(r);
     for (int j = 0; j < right.length; j++) {
       right[j] = r[work.nq + velocities.independent[j]];
@@ -200,6 +218,6 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
 
   @Override
   public int singularUnknown() {
-    return work.nq + singular;
+    return isRegular ? bordered.singularUnknown() : work.nq + singular;
   }
 }

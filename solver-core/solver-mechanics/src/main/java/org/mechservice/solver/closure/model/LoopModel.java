@@ -53,7 +53,7 @@ public abstract class LoopModel
     }
     this.closed = closed;
     work = closed.newEquations(userForces);
-    derivative = new double[work.nq + work.nv];
+    derivative = new double[work.stateCount];
     closed.start().findings().forEach(this::note);
   }
 

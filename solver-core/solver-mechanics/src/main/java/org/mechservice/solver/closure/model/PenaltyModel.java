@@ -82,6 +82,7 @@ public class PenaltyModel extends LoopModel implements ProjectedStates, ModelSta
     }
     work.coordinates.rates(y, 0, y, work.nq, yDot, 0);
     projection.equations().solve(right, offset, yDot, work.nq);
+    work.furtherRates(t, yDot, work.furtherAt);
     return REGULAR;
   }
 

@@ -43,7 +43,7 @@ public class ProjectionModel extends LoopModel implements DependentStates, Model
 
   @Override
   public final boolean independent(int component) {
-    return completion.independent(component);
+    return component >= work.furtherAt || completion.independent(component);
   }
 
   @Override
@@ -131,6 +131,7 @@ public class ProjectionModel extends LoopModel implements DependentStates, Model
         recursive.isPresent() ? solveByRecursion(t, y, yDot) : solveInFreeDirections(t, y, yDot);
     if (solved == REGULAR) {
       work.coordinates.rates(y, 0, y, work.nq, yDot, 0);
+      work.furtherRates(t, yDot, work.furtherAt);
     }
     return solved;
   }

@@ -6,6 +6,8 @@ import org.mechservice.solver.closure.AugmentedEquations;
 import org.mechservice.solver.closure.ClosedMechanism;
 import org.mechservice.solver.closure.PenaltySettings;
 import org.mechservice.solver.closure.equations.LoopRounding;
+import org.mechservice.solver.dynamics.derivative.BorderedStep;
+import org.mechservice.solver.dynamics.derivative.FurtherDerivatives;
 import org.mechservice.solver.dynamics.derivative.ResidualDifferences;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.dynamics.derivative.TreeIteration;
@@ -16,7 +18,7 @@ import org.mechservice.solver.linear.DenseLu;
 
 /**
  * RR and RR-JF with closed loops by penalty: the stabilised equations of index 2 (Gear, Gupta and
- * Leimkuhler 1985) in y = [q; v; λ; μ],
+ * Leimkuhler 1985) in y = [q; v; s; λ; μ],
  *
  * <pre>F = [q' − N (v − Jᵀ μ); M v' + b − τ + Jᵀ λ; J v + Φ_t; Φ],</pre>
  *
@@ -94,6 +96,12 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
   private double hGamma;
   private int singular;
 
+  /** Whether the last factorisation found pivots for all velocities. */
+  private boolean regular;
+
+  private final FurtherDerivatives further;
+  private final BorderedStep bordered;
+
   /**
    * Makes a model of a mechanism whose loops are closed.
    *
@@ -134,8 +142,16 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     independent.scale(sizes, work.units.velocities);
     isRepeated = new boolean[m];
     findRepeated();
-    state = new double[work.nq + n];
-    moved = new double[work.nq + n];
+    state = new double[work.stateCount];
+    moved = new double[work.stateCount];
+    further = new FurtherDerivatives(work.nq, n, work.furtherCount());
+    bordered =
+        new BorderedStep(
+            work.coordinates,
+            further,
+            work.stateCount + 2 * m,
+            r -> solveMechanism(r, false),
+            r -> solveMechanism(r, true));
     reduced = new double[work.nq];
     push = new double[m];
     none = new double[n];
@@ -143,18 +159,18 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
 
   @Override
   public int unknownCount() {
-    return work.nq + n + 2 * m;
+    return work.stateCount + 2 * m;
   }
 
   @Override
   public boolean isDifferential(int unknown) {
-    return unknown < work.nq + n;
+    return unknown < work.stateCount;
   }
 
   @Override
   public int consistent(double t, double[] y, double[] yDot) {
     int done = derivative(t, y, yDot);
-    int at = work.nq + n;
+    int at = work.stateCount;
     Arrays.fill(y, at, at + 2 * m, 0);
     Arrays.fill(yDot, at, at + 2 * m, 0);
     System.arraycopy(projection.equations().multipliers(), 0, y, at, m);
@@ -166,7 +182,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     if (!formForce(t, y, yDot)) {
       return fail(work.forces.defect());
     }
-    int atLambda = work.nq + n;
+    int atLambda = work.stateCount;
     int atMu = atLambda + m;
     time = t;
     System.arraycopy(y, 0, state, 0, state.length);
@@ -179,6 +195,10 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     }
     addTransposed(rows, y, atLambda, 1, false, force);
     System.arraycopy(force, 0, residual, work.nq, n);
+    work.furtherRates(t, residual, work.furtherAt);
+    for (int i = work.furtherAt; i < work.stateCount; i++) {
+      residual[i] = yDot[i] - residual[i];
+    }
     double speed = work.units.speed(y, work.nq);
     for (int row = 0; row < m; row++) {
       double size = work.loops.size(row);
@@ -234,7 +254,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
 
   @Override
   public boolean linearise(double t, double[] y, double[] yDot) {
-    int atLambda = work.nq + n;
+    int atLambda = work.stateCount;
     work.place(t, y);
     findRepeated();
     if (derivatives == Derivatives.DIFFERENCES) {
@@ -257,7 +277,9 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     }
     formRows(linearisedRows);
     iteration.setState(y);
-    return jacobian.isFinite();
+    bordered.setState(y);
+    work.lineariseFurther(t, y, further);
+    return jacobian.isFinite() && further.isFinite();
   }
 
   /** Forms M v' + b − τ + Jᵀ λ at another state, for the same v' and λ. */
@@ -268,7 +290,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     }
     formRows(rows);
     System.arraycopy(force, 0, pushed, 0, force.length);
-    addTransposed(rows, y, work.nq + n, 1, false, pushed);
+    addTransposed(rows, y, work.stateCount, 1, false, pushed);
     return true;
   }
 
@@ -283,7 +305,8 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
       largest = Math.max(largest, Math.abs(full[j * n + j]) * unit * unit);
     }
     singular = equations.factor(full, linearisedRows, settings.stiffness() * largest);
-    return singular < 0 && factorGram();
+    regular = singular < 0 && factorGram();
+    return regular && bordered.factor(hGamma);
   }
 
   /** Forms and factors J U² Jᵀ with a small additional diagonal. */
@@ -311,7 +334,17 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
 
   @Override
   public void solve(double[] r) {
-    int atLambda = work.nq + n;
+    bordered.solve(r);
+  }
+
+  /**
+   * Solves for the change of positions, velocities and multipliers.
+   *
+   * @param corrects whether velocities are corrected so that they satisfy the loops at the changed
+   *     positions, which is not linear
+   */
+  private void solveMechanism(double[] r, boolean corrects) {
+    int atLambda = work.stateCount;
     int atMu = atLambda + m;
     double[] change = iteration.reduce(r);
     for (int row = 0; row < m; row++) {
@@ -327,9 +360,11 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     equations.solve(right, ofVelocity, velocity, 0);
     System.arraycopy(equations.multipliers, 0, push, 0, m);
     complete(r, change);
-    correctVelocities(r);
-    System.arraycopy(reduced, 0, r, 0, work.nq);
-    complete(r, change);
+    if (corrects) {
+      correctVelocities(r);
+      System.arraycopy(reduced, 0, r, 0, work.nq);
+      complete(r, change);
+    }
     for (int row = 0; row < m; row++) {
       boolean repeats = isRepeated[row];
       r[atLambda + row] = (repeats ? r[atLambda + row] : push[row]) / hGamma;
@@ -395,6 +430,6 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
 
   @Override
   public int singularUnknown() {
-    return work.nq + Math.max(0, singular);
+    return regular ? bordered.singularUnknown() : work.nq + Math.max(0, singular);
   }
 }

@@ -64,6 +64,10 @@ public class ResidualProjectionModel extends ProjectionModel implements Residual
     for (int j = 0; j < independent.length; j++) {
       residual[work.nq + independent[j]] = reduced[j];
     }
+    work.furtherRates(t, residual, work.furtherAt);
+    for (int i = work.furtherAt; i < work.stateCount; i++) {
+      residual[i] = yDot[i] - residual[i];
+    }
     return REGULAR;
   }
 }

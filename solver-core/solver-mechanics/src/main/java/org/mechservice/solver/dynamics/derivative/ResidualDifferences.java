@@ -16,7 +16,7 @@ public final class ResidualDifferences {
   private final ResidualJacobian jacobian;
   private final StateCoordinates coordinates;
   private final TreePattern pattern;
-  private final double[] moved;
+  private double[] moved;
   private final double[] direction;
   private final double[] base;
   private final double[] force;
@@ -27,7 +27,7 @@ public final class ResidualDifferences {
     /**
      * Writes M v' + b − τ.
      *
-     * @param y state [q; v]; not modified
+     * @param y unknowns, which begin with [q; v]; not modified
      * @param force one number per velocity of the state, at least; overwritten
      * @return false if there are none at this state
      */
@@ -46,7 +46,7 @@ public final class ResidualDifferences {
     this.jacobian = jacobian;
     this.coordinates = coordinates;
     this.pattern = pattern;
-    moved = new double[coordinates.positionCount() + coordinates.velocityCount()];
+    moved = new double[0];
     direction = new double[coordinates.velocityCount()];
     base = new double[forceCount];
     force = new double[forceCount];
@@ -55,13 +55,16 @@ public final class ResidualDifferences {
   /**
    * Evaluates the derivatives; the motion has been swept at the state.
    *
-   * @param y state [q; v], the first of the numbers given; not modified
+   * @param y unknowns, which begin with [q; v]; not modified
    * @param unit size of each velocity's coordinate, rad or m
    * @return false if a difference has no value
    */
   public boolean evaluate(double[] y, double[] unit, Forces forces) {
     jacobian.evaluateMass();
     int nq = coordinates.positionCount();
+    if (moved.length != y.length) {
+      moved = new double[y.length];
+    }
     System.arraycopy(y, 0, moved, 0, moved.length);
     boolean valid = forces.at(moved, base);
     for (int j = 0; valid && j < direction.length; j++) {

@@ -253,14 +253,7 @@ public final class TreeIteration {
    */
   private void turnBack(double[] r, int at, int k) {
     applyInverse(r, at, k);
-    double e0 = q[at];
-    double e1 = q[at + 1];
-    double e2 = q[at + 2];
-    double e3 = q[at + 3];
-    double scale = 2 / (e0 * e0 + e1 * e1 + e2 * e2 + e3 * e3);
-    tangent[k] = scale * (r[at + 1] * e0 - r[at] * e1 - r[at + 2] * e3 + r[at + 3] * e2);
-    tangent[k + 1] = scale * (r[at + 2] * e0 - r[at] * e2 - r[at + 3] * e1 + r[at + 1] * e3);
-    tangent[k + 2] = scale * (r[at + 3] * e0 - r[at] * e3 - r[at + 1] * e2 + r[at + 2] * e1);
+    EulerParameters.rotation(q, at, r, tangent, k);
   }
 
   /** r ← (1 + hγ G) r / (1 + ¼ hγ² |ω|²), with G r = ½ (0, ω) ∘ r. */

@@ -44,6 +44,14 @@ public abstract class AppliedForce {
    */
   public abstract boolean linearise(double t, ForceJacobian sink);
 
+  /**
+   * Adds the derivative of its wrenches and joint forces by a further state, at the state of the
+   * last {@link #apply}. Most forces do not depend on further states.
+   *
+   * @param state index among the further states
+   */
+  public void addByState(int state, double[] wrench, double[] tau) {}
+
   /** Returns its potential energy in the state of the last {@link #apply}, J. */
   public abstract double potentialEnergy();
 

@@ -85,6 +85,20 @@ public final class CutJointForce extends AppliedForce {
   }
 
   @Override
+  public void addByState(int state, double[] wrench, double[] tau) {
+    inputs.differentiate();
+    frames.wrenches(function.gradient, on1, on2);
+    add(frames.link1(), on1, inputs.byState(0, state), wrench);
+    add(frames.link2(), on2, inputs.byState(0, state), wrench);
+  }
+
+  private static void add(int link, double[] on, double factor, double[] wrench) {
+    for (int i = 0; link != TreeGeometry.ROOT && i < on.length; i++) {
+      wrench[6 * link + i] += factor * on[i];
+    }
+  }
+
+  @Override
   public double potentialEnergy() {
     return 0;
   }

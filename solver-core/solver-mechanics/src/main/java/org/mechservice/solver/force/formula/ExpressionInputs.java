@@ -15,6 +15,9 @@ public final class ExpressionInputs {
   private final LeafInput[] inputs;
   private final double[] parameters;
 
+  /** The leaf of each further state; −1 if the expressions do not depend on it. */
+  private final int[] leafOfState;
+
   /** ∂(result)/∂(leaf), leaves of one result after the other. */
   private final double[][] gradients;
 
@@ -31,6 +34,10 @@ public final class ExpressionInputs {
     inputs = new LeafInput[leaves.size()];
     for (int i = 0; i < inputs.length; i++) {
       inputs[i] = LeafInput.of(leaves.get(i), motion, parameters);
+    }
+    leafOfState = new int[motion.further.length];
+    for (int i = 0; i < leafOfState.length; i++) {
+      leafOfState[i] = leaves.indexOf(new Expression.StateValue(i));
     }
     gradients = new double[expressions.size()][inputs.length];
   }
@@ -61,11 +68,16 @@ public final class ExpressionInputs {
   }
 
   /** Evaluates the gradients of all results at the state of the last {@link #evaluate}. */
-  void differentiate() {
+  public void differentiate() {
     tape.derivatives();
     for (int i = 0; i < gradients.length; i++) {
       tape.gradient(i, gradients[i]);
     }
+  }
+
+  /** Returns ∂(result)/∂(further state) after {@link #differentiate}. */
+  public double byState(int result, int state) {
+    return leafOfState[state] < 0 ? 0 : gradients[result][leafOfState[state]];
   }
 
   int leafCount() {

@@ -57,6 +57,12 @@ public final class ExpressionJointForce extends AppliedForce {
   }
 
   @Override
+  public void addByState(int state, double[] wrench, double[] tau) {
+    inputs.differentiate();
+    tau[coordinate] += inputs.byState(0, state);
+  }
+
+  @Override
   public double potentialEnergy() {
     return 0;
   }

@@ -126,6 +126,21 @@ public final class ExpressionWrench extends AppliedForce {
   }
 
   @Override
+  public void addByState(int state, double[] wrenches, double[] tau) {
+    if (link == TreeGeometry.ROOT) {
+      return;
+    }
+    inputs.differentiate();
+    for (int i = 0; i < 6; i++) {
+      unit[i] = inputs.byState(i, state);
+    }
+    toWrench(unit, column);
+    for (int i = 0; i < 6; i++) {
+      wrenches[6 * link + i] += column[i];
+    }
+  }
+
+  @Override
   public double potentialEnergy() {
     return 0;
   }

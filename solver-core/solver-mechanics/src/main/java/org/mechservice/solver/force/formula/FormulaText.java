@@ -45,6 +45,8 @@ public final class FormulaText {
     } else if (formula instanceof Expression.Call call) {
       List<String> arguments = call.arguments().stream().map(this::of).toList();
       return call.function().symbol() + "(" + String.join(", ", arguments) + ")";
+    } else if (formula instanceof Expression.TableValue value) {
+      return value.table().name() + "(" + of(value.argument()) + ")";
     }
     return leaf(formula);
   }
@@ -84,6 +86,8 @@ public final class FormulaText {
       return "t";
     } else if (leaf instanceof Expression.ParameterValue parameter) {
       return mechanism.parameters().get(parameter.index()).name();
+    } else if (leaf instanceof Expression.StateValue state) {
+      return mechanism.furtherStates().get(state.index()).name();
     } else if (leaf instanceof Expression.CoordinatePosition position) {
       return coordinate(position.coordinate(), "q", true);
     } else if (leaf instanceof Expression.CoordinateVelocity velocity) {

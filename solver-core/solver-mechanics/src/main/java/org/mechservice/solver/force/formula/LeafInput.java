@@ -9,6 +9,7 @@ import org.mechservice.solver.expression.Expression.CoordinateVelocity;
 import org.mechservice.solver.expression.Expression.ParameterValue;
 import org.mechservice.solver.expression.Expression.PointPosition;
 import org.mechservice.solver.expression.Expression.PointVelocity;
+import org.mechservice.solver.expression.Expression.StateValue;
 import org.mechservice.solver.expression.Expression.Time;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.force.applied.GradientSink;
@@ -39,6 +40,8 @@ public abstract class LeafInput {
       return new TimeInput();
     } else if (leaf instanceof ParameterValue parameter) {
       return new ParameterInput(parameters, parameter.index());
+    } else if (leaf instanceof StateValue state) {
+      return new StateInput(motion.further, state.index());
     } else if (leaf instanceof CoordinatePosition position) {
       return ofPosition(position.coordinate(), motion);
     } else if (leaf instanceof CoordinateVelocity velocity) {
@@ -98,6 +101,25 @@ public abstract class LeafInput {
     @Override
     double value(double t) {
       return parameters[index];
+    }
+
+    @Override
+    public void gradient(GradientSink sink) {}
+  }
+
+  /** A further state; its slope is taken from {@link ExpressionInputs#byState}. */
+  private static final class StateInput extends LeafInput {
+    private final double[] states;
+    private final int index;
+
+    StateInput(double[] states, int index) {
+      this.states = states;
+      this.index = index;
+    }
+
+    @Override
+    double value(double t) {
+      return states[index];
     }
 
     @Override

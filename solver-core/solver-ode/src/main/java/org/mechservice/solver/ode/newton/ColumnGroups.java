@@ -57,11 +57,19 @@ public final class ColumnGroups {
     return new ColumnGroups(first, next, new int[0][]);
   }
 
-  private static ColumnGroups ofPattern(SparseSystem pattern, int n) {
+  /** Returns the ascending rows of each column of a pattern. */
+  static int[][] rows(SparseSystem pattern, int n) {
     int[][] rows = new int[n][];
+    for (int j = 0; j < n; j++) {
+      rows[j] = pattern.equations(j, n);
+    }
+    return rows;
+  }
+
+  private static ColumnGroups ofPattern(SparseSystem pattern, int n) {
+    int[][] rows = rows(pattern, n);
     int[] degree = new int[n];
     for (int j = 0; j < n; j++) {
-      rows[j] = rowsOf(pattern, j, n);
       for (int i : rows[j]) {
         degree[i]++;
       }
@@ -71,21 +79,6 @@ public final class ColumnGroups {
       groupsOfRow[i] = new int[degree[i]];
     }
     return firstFit(rows, groupsOfRow);
-  }
-
-  /** Returns the rows of a column in ascending order. */
-  private static int[] rowsOf(SparseSystem pattern, int column, int n) {
-    int[] found = new int[4];
-    int count = 0;
-    for (int i = 0; i < n; i++) {
-      if (pattern.couples(i, column)) {
-        if (count == found.length) {
-          found = Arrays.copyOf(found, 2 * count);
-        }
-        found[count++] = i;
-      }
-    }
-    return Arrays.copyOf(found, count);
   }
 
   /**

@@ -28,8 +28,8 @@ import org.mechservice.solver.ode.step.RightHandSide;
  *
  * <p>J = ∂f/∂y comes from the problem if it is a {@link JacobianSystem}, else from differences; a
  * {@link BandedSystem} spares the zeros outside of its band, a {@link SparseSystem} evaluations for
- * columns that share no row. For a {@link CompletedSystem} it is the derivative along completed
- * states.
+ * columns that share no row, and operations if it is large. For a {@link CompletedSystem} it is the
+ * derivative along completed states.
  */
 public final class ExplicitEquations extends StepEquations {
   private static final double SQRT_ROUNDOFF = Math.sqrt(Math.ulp(1.0));
@@ -72,7 +72,7 @@ public final class ExplicitEquations extends StepEquations {
     OdeSystem system = rightHandSide.system();
     known = system.part(JacobianSystem.class);
     LinearSolver solver =
-        condensing && system.part(BandedSystem.class).isEmpty()
+        condensing && !structured(system, smallSizes.length)
             ? new CondensedLu(smallSizes.length)
             : IterationMatrix.solverFor(system, smallSizes.length);
     jacobian = new JacobianMatrix(solver.layout());
@@ -87,6 +87,11 @@ public final class ExplicitEquations extends StepEquations {
     terms = new double[smallSizes.length];
     unsolved = new double[smallSizes.length];
     moved = new double[smallSizes.length];
+  }
+
+  private static boolean structured(OdeSystem system, int dimension) {
+    return system.part(BandedSystem.class).isPresent()
+        || IterationMatrix.sparse(system, dimension).isPresent();
   }
 
   @Override

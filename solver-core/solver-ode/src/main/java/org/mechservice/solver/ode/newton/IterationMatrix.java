@@ -6,7 +6,12 @@ import org.mechservice.solver.linear.BandLu;
 import org.mechservice.solver.linear.DenseLu;
 import org.mechservice.solver.linear.LinearSolver;
 import org.mechservice.solver.linear.MatrixLayout;
+import org.mechservice.solver.linear.SparseLayout;
+import org.mechservice.solver.linear.SparsePivotedLu;
 import org.mechservice.solver.ode.BandedSystem;
+import org.mechservice.solver.ode.JacobianSystem;
+import org.mechservice.solver.ode.ResidualJacobianSystem;
+import org.mechservice.solver.ode.SparseSystem;
 import org.mechservice.solver.ode.SystemParts;
 import org.mechservice.solver.ode.step.Manifold;
 
@@ -20,6 +25,11 @@ import org.mechservice.solver.ode.step.Manifold;
  * that of the consistent initial values, [∂F/∂y'_d, ∂F/∂y_a].
  */
 final class IterationMatrix {
+  /** Unknowns, and part of the elements that may differ from zero, for which sparse factors pay. */
+  private static final int SPARSE_FROM = 100;
+
+  private static final double MOST_SPARSE = 0.25;
+
   private final LinearSolver solver;
   private final MatrixLayout layout;
   private final Manifold manifold;
@@ -39,16 +49,32 @@ final class IterationMatrix {
   /**
    * Returns a solver for what a problem declares its matrix to be.
    *
-   * @param system the problem, asked for its band
+   * @param system the problem, asked for its band, else for its pattern
    * @param dimension n
    * @throws IllegalArgumentException if the band is wider than the matrix
    */
   static LinearSolver solverFor(SystemParts system, int dimension) {
     Optional<BandedSystem> band = system.part(BandedSystem.class);
-    return band.isPresent()
-        ? new BandLu(
-            new BandLayout(dimension, band.get().lowerBandwidth(), band.get().upperBandwidth()))
-        : new DenseLu(dimension);
+    if (band.isPresent()) {
+      return new BandLu(
+          new BandLayout(dimension, band.get().lowerBandwidth(), band.get().upperBandwidth()));
+    }
+    return sparse(system, dimension)
+        .<LinearSolver>map(SparsePivotedLu::new)
+        .orElseGet(() -> new DenseLu(dimension));
+  }
+
+  /** Returns the pattern of a problem if it is worth while and not formed by the problem itself. */
+  static Optional<SparseLayout> sparse(SystemParts system, int dimension) {
+    boolean formed =
+        system.part(JacobianSystem.class).isPresent()
+            || system.part(ResidualJacobianSystem.class).isPresent();
+    return formed || dimension < SPARSE_FROM
+        ? Optional.empty()
+        : system
+            .part(SparseSystem.class)
+            .map(pattern -> SparseLayout.of(ColumnGroups.rows(pattern, dimension)))
+            .filter(layout -> layout.length() <= MOST_SPARSE * dimension * dimension);
   }
 
   /** Returns how matrices are stored. */
@@ -77,7 +103,7 @@ final class IterationMatrix {
     for (int j = 0; j < layout.dimension(); j++) {
       double ofState = algebraic[j] ? 1 : hGamma;
       double ofDerivative = algebraic[j] ? (hGamma == 0 ? 0 : 1 / hGamma) : 1;
-      for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
+      for (int i = layout.firstRow(j); i <= layout.lastRow(j); i = layout.nextRow(i, j)) {
         int ij = layout.index(i, j);
         matrix[ij] = ofState * fy[ij] + ofDerivative * fyDot[ij];
       }
@@ -95,7 +121,7 @@ final class IterationMatrix {
 
   private void uncouplePassive() {
     for (int j = 0; j < layout.dimension(); j++) {
-      for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
+      for (int i = layout.firstRow(j); i <= layout.lastRow(j); i = layout.nextRow(i, j)) {
         if (!manifold.independent(i) || !manifold.independent(j)) {
           matrix[layout.index(i, j)] = i == j ? 1 : 0;
         }

@@ -243,7 +243,7 @@ final class JacobianDifferences {
   }
 
   private void clearColumn(int j, double[] jacobian) {
-    for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
+    for (int i = layout.firstRow(j); i <= layout.lastRow(j); i = layout.nextRow(i, j)) {
       jacobian[layout.index(i, j)] = 0;
     }
   }
@@ -299,7 +299,7 @@ final class JacobianDifferences {
   /** Writes the difference quotients of column j; returns the largest change of f. */
   private double writeColumn(int j, double[] jacobian) {
     double largest = 0;
-    for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
+    for (int i = layout.firstRow(j); i <= layout.lastRow(j); i = layout.nextRow(i, j)) {
       double change = groups.couples(i, j) ? movedValue[i] - base[i] : 0;
       jacobian[layout.index(i, j)] = change / increment[j];
       largest = Math.max(largest, Math.abs(change));
@@ -330,7 +330,7 @@ final class JacobianDifferences {
     int row = layout.firstRow(j);
     while (row < layout.lastRow(j)
         && !(groups.couples(row, j) && Math.abs(movedValue[row] - base[row]) == change)) {
-      row++;
+      row = layout.nextRow(row, j);
     }
     return row;
   }
@@ -374,7 +374,7 @@ final class JacobianDifferences {
 
   private double steepest(int j, double[] jacobian) {
     double slope = 0;
-    for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
+    for (int i = layout.firstRow(j); i <= layout.lastRow(j); i = layout.nextRow(i, j)) {
       slope = Math.max(slope, Math.abs(jacobian[layout.index(i, j)]));
     }
     return slope;
@@ -382,7 +382,7 @@ final class JacobianDifferences {
 
   private double steepestMoved(int j) {
     double change = 0;
-    for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
+    for (int i = layout.firstRow(j); i <= layout.lastRow(j); i = layout.nextRow(i, j)) {
       if (groups.couples(i, j)) {
         change = Math.max(change, Math.abs(movedValue[i] - base[i]));
       }

@@ -178,7 +178,7 @@ final class JacobianJumpTest {
     }
     for (int j = 0; j < x.length; j++) {
       double most = known[j] > 0 ? believable(j) : Double.POSITIVE_INFINITY;
-      for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
+      for (int i = layout.firstRow(j); i <= layout.lastRow(j); i = layout.nextRow(i, j)) {
         double slope = Math.abs(jacobian[layout.index(i, j)]);
         whole[i] += Math.min(slope, most) * Math.abs(x[j]);
         noticed[i] = Math.max(noticed[i], slope * Math.abs(increment[j]));
@@ -204,7 +204,7 @@ final class JacobianJumpTest {
 
   private double steepest(int j, double[] jacobian) {
     double slope = 0;
-    for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
+    for (int i = layout.firstRow(j); i <= layout.lastRow(j); i = layout.nextRow(i, j)) {
       slope = Math.max(slope, Math.abs(unsure(i, j, jacobian)));
     }
     return slope;
@@ -212,7 +212,7 @@ final class JacobianJumpTest {
 
   /** Returns whether column j may have a jump instead of a slope. */
   private boolean steep(int j, double increment, double[] jacobian) {
-    for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
+    for (int i = layout.firstRow(j); i <= layout.lastRow(j); i = layout.nextRow(i, j)) {
       double slope = Math.abs(unsure(i, j, jacobian));
       if (slope > believable(j) && slope * Math.abs(increment) > noticed[i]) {
         return true;
@@ -255,7 +255,9 @@ final class JacobianJumpTest {
     for (int j = groups.first(group); j >= 0; j = groups.next(j)) {
       reached[j] = 0;
       staying[j] = steep(j, increment[j], jacobian);
-      for (int i = layout.firstRow(j); staying[j] && i <= layout.lastRow(j); i++) {
+      for (int i = layout.firstRow(j);
+          staying[j] && i <= layout.lastRow(j);
+          i = layout.nextRow(i, j)) {
         if (groups.couples(i, j)) {
           whole[i] = unsure(i, j, jacobian) * increment[j];
         }
@@ -298,7 +300,7 @@ final class JacobianJumpTest {
   /** Takes the change over the part; returns whether it is about as large as the whole. */
   private boolean takeChange(int j, double[] base, double way) {
     boolean stays = false;
-    for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
+    for (int i = layout.firstRow(j); i <= layout.lastRow(j); i = layout.nextRow(i, j)) {
       if (groups.couples(i, j)) {
         part[i] = value[i] - base[i] - sure(layout.index(i, j)) * way;
         stays |= Math.abs(whole[i]) > noticed[i] && stays(i);
@@ -312,7 +314,7 @@ final class JacobianJumpTest {
   }
 
   private void correct(int j, double increment, double way, double[] jacobian) {
-    for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
+    for (int i = layout.firstRow(j); i <= layout.lastRow(j); i = layout.nextRow(i, j)) {
       if (!groups.couples(i, j) || !(Math.abs(whole[i]) > noticed[i])) {
         continue;
       }

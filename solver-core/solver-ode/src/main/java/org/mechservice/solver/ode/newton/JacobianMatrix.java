@@ -67,7 +67,7 @@ public final class JacobianMatrix {
   /** Returns the first row with an element that is not finite in the matrix formed; −1 if none. */
   int rowNotFinite() {
     for (int j = 0; j < layout.dimension(); j++) {
-      for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
+      for (int i = layout.firstRow(j); i <= layout.lastRow(j); i = layout.nextRow(i, j)) {
         if (!Double.isFinite(forming[layout.index(i, j)])) {
           return i;
         }
@@ -108,7 +108,7 @@ public final class JacobianMatrix {
 
   private void addMagnitudes(double[] values, double[] x, double[] sum) {
     for (int j = 0; j < x.length; j++) {
-      for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
+      for (int i = layout.firstRow(j); i <= layout.lastRow(j); i = layout.nextRow(i, j)) {
         sum[i] += Math.abs(values[layout.index(i, j)] * x[j]);
       }
     }
@@ -122,7 +122,7 @@ public final class JacobianMatrix {
     Arrays.fill(rowSums, 0);
     for (int j = 0; j < rowSums.length; j++) {
       double unit = weights.weight(j) == 0 ? 0 : 1 / weights.weight(j);
-      for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
+      for (int i = layout.firstRow(j); i <= layout.lastRow(j); i = layout.nextRow(i, j)) {
         rowSums[i] += Math.abs(values[layout.index(i, j)]) * unit;
       }
     }
@@ -185,7 +185,9 @@ public final class JacobianMatrix {
 
   /** Returns whether a column of the matrix in use is zero. */
   boolean isZero(int column) {
-    for (int i = layout.firstRow(column); i <= layout.lastRow(column); i++) {
+    for (int i = layout.firstRow(column);
+        i <= layout.lastRow(column);
+        i = layout.nextRow(i, column)) {
       if (values[layout.index(i, column)] != 0) {
         return false;
       }
@@ -196,7 +198,7 @@ public final class JacobianMatrix {
   /** Returns the row of the largest element in a column of the matrix in use. */
   int rowOfLargest(int column) {
     int row = layout.firstRow(column);
-    for (int i = row + 1; i <= layout.lastRow(column); i++) {
+    for (int i = row; i <= layout.lastRow(column); i = layout.nextRow(i, column)) {
       double element = Math.abs(values[layout.index(i, column)]);
       row = element > Math.abs(values[layout.index(row, column)]) ? i : row;
     }

@@ -22,7 +22,7 @@ public final class MassMatrix {
     this.layout = layout;
     this.elements = elements;
     for (int j = 0; j < layout.dimension(); j++) {
-      for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
+      for (int i = layout.firstRow(j); i <= layout.lastRow(j); i = layout.nextRow(i, j)) {
         requireFinite(i, j, elements[layout.index(i, j)]);
       }
     }
@@ -124,7 +124,7 @@ public final class MassMatrix {
 
   /** Returns whether no equation contains the derivative of a component. */
   boolean columnIsZero(int j) {
-    for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
+    for (int i = layout.firstRow(j); i <= layout.lastRow(j); i = layout.nextRow(i, j)) {
       if (elements[layout.index(i, j)] != 0) {
         return false;
       }

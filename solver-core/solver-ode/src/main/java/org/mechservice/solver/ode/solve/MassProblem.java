@@ -3,6 +3,7 @@ package org.mechservice.solver.ode.solve;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
 import org.mechservice.solver.linear.BandLayout;
 import org.mechservice.solver.linear.LinearSolver;
 import org.mechservice.solver.linear.MatrixLayout;
@@ -137,7 +138,7 @@ public final class MassProblem {
       return (t, y, fy) -> {
         known.jacobian(t, y, fy);
         for (int j = 0; j < layout.dimension(); j++) {
-          for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
+          for (int i = layout.firstRow(j); i <= layout.lastRow(j); i = layout.nextRow(i, j)) {
             fy[layout.index(i, j)] /= mass.element(i, i);
           }
         }
@@ -203,7 +204,15 @@ public final class MassProblem {
     }
 
     private SparseSystem pattern(SparseSystem ofFunction) {
-      return (i, j) -> ofFunction.couples(i, j) || mass.element(i, j) != 0;
+      MatrixLayout ofMass = mass.layout();
+      return SparseSystem.byColumns(
+          j -> {
+            IntStream both = Arrays.stream(ofFunction.equations(j, f.length));
+            IntStream own =
+                IntStream.rangeClosed(ofMass.firstRow(j), ofMass.lastRow(j))
+                    .filter(i -> mass.element(i, j) != 0);
+            return IntStream.concat(both, own).toArray();
+          });
     }
 
     /** ∂F/∂y = −∂f/∂y and ∂F/∂y' = M. */
@@ -216,10 +225,12 @@ public final class MassProblem {
         Arrays.fill(jacobian, 0);
         known.jacobian(t, y, jacobian);
         for (int j = 0; j < f.length; j++) {
-          for (int i = ofFunction.firstRow(j); i <= ofFunction.lastRow(j); i++) {
+          for (int i = ofFunction.firstRow(j);
+              i <= ofFunction.lastRow(j);
+              i = ofFunction.nextRow(i, j)) {
             fy[layout.index(i, j)] = -jacobian[ofFunction.index(i, j)];
           }
-          for (int i = ofMass.firstRow(j); i <= ofMass.lastRow(j); i++) {
+          for (int i = ofMass.firstRow(j); i <= ofMass.lastRow(j); i = ofMass.nextRow(i, j)) {
             fyDot[layout.index(i, j)] = mass.element(i, j);
           }
         }

@@ -44,7 +44,7 @@ final class ProductColumns {
   /** Writes the columns of a group, by the layout of the matrix. */
   void store(int group, double[] matrix) {
     for (int j = groups.first(group); j >= 0; j = groups.next(j)) {
-      for (int i = layout.firstRow(j); i <= layout.lastRow(j); i++) {
+      for (int i = layout.firstRow(j); i <= layout.lastRow(j); i = layout.nextRow(i, j)) {
         if (groups.couples(i, j)) {
           matrix[layout.index(i, j)] = product[i];
         }

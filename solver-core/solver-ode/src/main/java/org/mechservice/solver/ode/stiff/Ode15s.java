@@ -18,8 +18,8 @@ import org.mechservice.solver.ode.step.IntegrationProgress;
  * Jacobian J is kept until an iteration fails with it. It comes from the problem if that is a
  * {@link JacobianSystem}, else from differences, for which atol_i / rtol should be a size of y_i
  * that is small; a {@link BandedSystem} spares the zeros outside of its band, a {@link
- * SparseSystem} evaluations. {@link IntegratorSettings#maxOrder} bounds the order; more than 5
- * means 5.
+ * SparseSystem} evaluations, and zeros of the factors from 100 unknowns on. {@link
+ * IntegratorSettings#maxOrder} bounds the order; more than 5 means 5.
  *
  * <p>Errors of stiff steps die out, those of others add up, by hundreds at these orders. Where even
  * the fastest motion of the problem advances little in a step, h ρ(∂f/∂y) &lt; 1, and is no plain

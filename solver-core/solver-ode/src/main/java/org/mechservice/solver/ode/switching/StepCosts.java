@@ -1,7 +1,9 @@
 package org.mechservice.solver.ode.switching;
 
+import java.util.Optional;
 import org.mechservice.solver.ode.BandedSystem;
 import org.mechservice.solver.ode.OdeSystem;
+import org.mechservice.solver.ode.SparseSystem;
 
 /**
  * What steps of an Adams method and of a backward formula cost: a model of the processor time and
@@ -71,11 +73,31 @@ final class StepCosts {
   /** Returns the costs for a problem, by the structure that it declares. */
   static StepCosts of(OdeSystem system) {
     int n = system.dimension();
-    if (!(system instanceof BandedSystem banded)) {
-      return dense(n);
+    Optional<BandedSystem> band = system.part(BandedSystem.class);
+    if (band.isEmpty()) {
+      return system
+          .part(SparseSystem.class)
+          .map(known -> sparse(known, n))
+          .orElseGet(() -> dense(n));
     }
+    BandedSystem banded = band.get();
     double width = Math.min(n, banded.lowerBandwidth() + banded.upperBandwidth() + 1.0);
     return new StepCosts(n, 2.0 * n * banded.lowerBandwidth() * width, width);
+  }
+
+  /** As if the unknowns lay in a plane and each were coupled with its neighbours. */
+  private static StepCosts sparse(SparseSystem pattern, int n) {
+    double elements = 0;
+    double most = 0;
+    for (int j = 0; j < n; j++) {
+      int inColumn = pattern.equations(j, n).length;
+      elements += inColumn;
+      most = Math.max(most, inColumn);
+    }
+    double perColumn = elements / n;
+    double operations = perColumn * perColumn * n * Math.sqrt(n);
+    double half = 0.5 * n;
+    return new StepCosts(n, Math.min(operations, 2 * half * half * half / 3), most);
   }
 
   /** Returns the cost of a step of the Adams method. */

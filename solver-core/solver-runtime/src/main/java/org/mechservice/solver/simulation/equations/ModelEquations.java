@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.api.StateVariable;
 import org.mechservice.solver.api.capability.Defects;
 import org.mechservice.solver.api.capability.DependentStates;
 import org.mechservice.solver.api.capability.DirectedForces;
@@ -45,7 +46,8 @@ public abstract class ModelEquations implements UnitNormGroups, PiecewiseSystem,
     this.groupStarts = groupStarts(model.description());
     angle = new boolean[dimension];
     List<Variable> states = model.description().states();
-    for (int i = 0; i < states.size(); i++) {
+    int ofJoints = states.size() - model.description().furtherStates().size();
+    for (int i = 0; i < ofJoints; i++) {
       angle[i] = states.get(i).unit().equals("rad");
     }
   }
@@ -73,6 +75,11 @@ public abstract class ModelEquations implements UnitNormGroups, PiecewiseSystem,
     for (int i = 0; i < dimension; i++) {
       String unit = i < states.size() ? states.get(i).unit() : "m";
       tolerances.add(settings.absoluteTolerance(unit));
+    }
+    int at = states.size() - model.description().furtherStates().size();
+    for (StateVariable state : model.description().furtherStates()) {
+      double own = state.absoluteTolerance();
+      tolerances.set(at++, own > 0 ? own : settings.angleTolerance());
     }
     return tolerances;
   }

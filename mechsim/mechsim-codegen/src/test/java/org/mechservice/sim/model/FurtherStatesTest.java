@@ -1,0 +1,264 @@
+package org.mechservice.sim.model;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.Random;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.mechservice.mechml.MechmlModel;
+import org.mechservice.mechml.resolve.MechmlReader;
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.capability.LinearisedModel;
+import org.mechservice.solver.api.capability.ModelParts;
+import org.mechservice.solver.api.capability.ResidualModel;
+import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.compact.CompactForm;
+
+/**
+ * States besides positions and velocities in generated code, against the data-driven formulations,
+ * and in the equations of an implicit step, against differences of the residual.
+ */
+class FurtherStatesTest {
+  private static final double TIME = 0.4;
+  private static final double H_GAMMA = 0.03;
+
+  private static final String AXES =
+      "<vector name='x' vx='1' vy='0' vz='0'/><vector name='y' vx='0' vy='1' vz='0'/><vector"
+          + " name='z' vx='0' vy='0' vz='1'/>";
+
+  private static final String HEAD =
+      "<MechML><MBSsimulation><dynamic><timeSet tini='0' tend='1' tstep='0.1'/><integrator"
+          + " name='ode113' relTol='1e-8' absTol='1e-8'/></dynamic></MBSsimulation><MBSmodel"
+          + " name='controlled' massUnits='kg' lengthUnits='m'><Parameters><parameter name='k'"
+          + " value='3' tunable='true'/></Parameters><Tables><table name='lin' x='-2;-0.5;0.3;2'"
+          + " y='1;-1;0;2' extrapolation='hold'/><table name='aki' x='-9;-3;0;1;2;9'"
+          + " y='0;2;1;1.5;0;1' method='akima'/><table name='cub' x='-1;0;0.2;1;2' y='0;1;-1;0;3'"
+          + " method='cubic' extrapolation='linear'/></Tables>";
+
+  /** A pendulum with a ball at its end and a driven slide, held by nonlinear controllers. */
+  private static final String TREE =
+      HEAD
+          + "<Bodies><body name='Ground'><point name='o' x='0' y='0' z='0'/>"
+          + AXES
+          + "</body>"
+          + body("arm")
+          + body("bob")
+          + body("cart")
+          + "</Bodies><Joints>"
+          + joint("hinge", "R", "Ground", "o", "arm", " vector='y'")
+          + joint("ball", "S", "arm", "p", "bob", "")
+          + joint("rail", "P", "Ground", "o", "cart", " vector='x'")
+          + "</Joints><States><state name='a' x0='0.3' derivative='sin(hinge.q)*k + hinge.v^2 - a*b"
+          + " + bob.p.vx + lin(hinge.q)'/><state name='b' x0='-0.2' derivative='(bob.p.z*a - b)/0.1"
+          + " + ball.v[1]*rail.q' atol='1e-7' unit='Pa'/></States><Forces><gravity gx='0' gy='0'"
+          + " gz='-9.81'/><jointForce name='motor' joint='hinge' expression='-4*a*hinge.v + b^2 +"
+          + " t*a + cub(a) + lin(t)'/><forceTorque name='push' body='bob' point='p' frame='world'"
+          + " fx='5*b*bob.p.z + aki(bob.p.x)' tz='a*hinge.q'/></Forces><Outputs><output name='w'"
+          + " expression='a*b'/></Outputs><topology><root name='Ground'/><relCoorVals><jointVal"
+          + " name='hinge' posVals='0.4' velVals='1'/><jointVal name='ball' posVals='0.8;0.6;0;0'"
+          + " velVals='1;2;-1'/><jointVal name='rail'"
+          + " driven='0.1*sin(3*t)'/></relCoorVals></topology></MBSmodel></MechML>";
+
+  /** A four-bar whose cut hinge is a coordinate of the controllers. */
+  private static final String LOOP =
+      HEAD
+          + "<Bodies><body name='Ground'><point name='o' x='0' y='0' z='0'/><point name='p' x='2'"
+          + " y='0' z='0'/>"
+          + AXES
+          + "</body>"
+          + body("crank")
+          + body("coupler")
+          + body("rocker")
+          + "</Bodies><Joints>"
+          + joint("j1", "R", "Ground", "o", "crank", " vector='y'")
+          + joint("j2", "R", "crank", "p", "coupler", " vector='y'")
+          + joint("j3", "R", "Ground", "p", "rocker", " vector='y'")
+          + joint("j4", "R", "coupler", "p", "rocker", " vector='y'")
+              .replace("name='rocker' point='o'", "name='rocker' point='p'")
+          + "</Joints><States>"
+          + "<state name='a' x0='0.3' derivative='k*sin(j4.q) + j1.v*j4.v - a*b + aki(j4.q)'/>"
+          + "<state name='b' derivative='(coupler.p.z - b)/0.1 + j2.q'/></States><Forces>"
+          + "<jointForce name='motor' joint='j1' expression='2*a - b*j1.v'/>"
+          + "<jointForce name='brake' joint='j4' expression='-a^2*j4.v + b'/>"
+          + "<forceTorque name='push' body='coupler' point='p' frame='body' fz='b*a'/></Forces>"
+          + "<topology><root name='Ground'/><relCoorVals><jointVal name='j1' posVals='-1.2'"
+          + " velVals='0.7' fixed='true'/><jointVal name='j2' posVals='1'/><jointVal name='j3'"
+          + " posVals='-1.9'/></relCoorVals></topology></MBSmodel></MechML>";
+
+  private static String body(String name) {
+    return "<body name='"
+        + name
+        + "'><point name='o' x='0' y='0' z='0'/><point name='p' x='1.3' y='0' z='0'/>"
+        + AXES
+        + "<cog x='0.5' y='0' z='0'/><mass value='2'/><inertiaTensor Ixx='0.1' Iyy='0.2'"
+        + " Izz='0.25' Ixy='0' Ixz='0' Iyz='0'/></body>";
+  }
+
+  private static String joint(
+      String name, String type, String on, String at, String body, String axis) {
+    return "<joint name='%s' type='%s'><body1 name='%s' point='%s'%s/><body2 name='%s' point='o'%s/></joint>"
+        .formatted(name, type, on, at, axis, body, axis);
+  }
+
+  private static MechmlModel read(String text) throws Exception {
+    return MechmlReader.read("controlled.xml", text.getBytes(StandardCharsets.UTF_8));
+  }
+
+  private static BuildOptions options(String formulation, String closure, boolean compact) {
+    RunSettings settings = new RunSettings(0, 1, 0.1, "ode15sR", 1e-6, 1e-8);
+    return new BuildOptions(formulation, closure, compact, Set.of(), settings);
+  }
+
+  private static ExplicitModel model(String text, String formulation, String closure, boolean data)
+      throws Exception {
+    MechmlModel file = read(text);
+    BuildOptions options = options(formulation, closure, data);
+    GeneratedModel generated = ModelFactory.generate(file, options);
+    assertThat(generated.operations() > 0).isNotEqualTo(data);
+    Model made = ModelFactory.compile(file, options, generated).newInstance();
+    return (ExplicitModel) ModelParts.of(made).equations();
+  }
+
+  private static double[] start(ExplicitModel model) {
+    int unknowns =
+        model instanceof ResidualModel residual
+            ? residual.unknownCount()
+            : model.description().stateCount();
+    double[] y = new double[unknowns];
+    model.initialState(y);
+    return y;
+  }
+
+  @ParameterizedTest
+  @CsvSource({"DTR, auto", "DSR, auto", "RR, auto", "RR-JF, auto"})
+  void codeOfTreesHasTheDerivativesOfTheData(String formulation, String closure) throws Exception {
+    assertSameDerivatives(TREE, formulation, closure);
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "DSR, projection",
+    "DSR, penalty",
+    "RR, projection",
+    "RR, penalty",
+    "RR-JF, projection",
+    "RR-JF, penalty"
+  })
+  void codeOfLoopsHasTheDerivativesOfTheData(String formulation, String closure) throws Exception {
+    assertSameDerivatives(LOOP, formulation, closure);
+  }
+
+  private static void assertSameDerivatives(String text, String formulation, String closure)
+      throws Exception {
+    ExplicitModel code = model(text, formulation, closure, false);
+    ExplicitModel data = model(text, formulation, closure, true);
+    double[] y = start(code);
+    assertThat(y).isEqualTo(start(data));
+    assertThat(y[code.description().stateCount() - 2]).isEqualTo(0.3);
+    double[] expected = new double[y.length];
+    double[] actual = new double[y.length];
+    assertThat(data.derivative(TIME, y, expected)).isEqualTo(ExplicitModel.REGULAR);
+    assertThat(code.derivative(TIME, y, actual)).isEqualTo(ExplicitModel.REGULAR);
+    assertClose(actual, expected, 1e-12);
+    if (code instanceof ResidualModel residual) {
+      double[] yDot = new Random(3).doubles(y.length, -1, 1).toArray();
+      ((ResidualModel) data).residual(TIME, y, yDot, expected);
+      residual.residual(TIME, y, yDot, actual);
+      assertClose(actual, expected, 1e-12);
+    }
+    if (code instanceof LinearisedModel step) {
+      assertClose(solved(step, y), solved((LinearisedModel) data, y), 1e-8);
+    }
+  }
+
+  private static double[] solved(LinearisedModel model, double[] y) {
+    double[] yDot = new double[y.length];
+    double[] state = y.clone();
+    model.consistent(TIME, state, yDot);
+    double[] r = new double[y.length];
+    model.residual(TIME, state, yDot, r);
+    assertThat(model.linearise(TIME, state, yDot)).isTrue();
+    assertThat(model.factor(H_GAMMA)).isTrue();
+    int states = model.description().stateCount();
+    Arrays.fill(r, 0);
+    for (int i = model.description().positionCount(); i < states; i++) {
+      r[i] = Math.sin(i) * 1e-6;
+    }
+    model.solve(r);
+    return r;
+  }
+
+  @ParameterizedTest
+  @CsvSource({"false", "true"})
+  void stepSolvesTheLinearisedResidual(boolean data) throws Exception {
+    LinearisedModel model = (LinearisedModel) model(TREE, "RR-JF", "auto", data);
+    double[] y = start(model);
+    double[] yDot = new double[y.length];
+    model.derivative(TIME, y, yDot);
+    assertThat(model.linearise(TIME, y, yDot)).isTrue();
+    assertThat(model.factor(H_GAMMA)).isTrue();
+    double[] r = new Random(5).doubles(y.length, -1, 1).toArray();
+    // what is not tangent to the unit norm of the Euler parameters is not solved for
+    Arrays.fill(r, 1, 5, 0);
+    double[] d = r.clone();
+    model.solve(d);
+    double epsilon = 1e-4;
+    double[] plus = residual(model, y, yDot, d, epsilon);
+    double[] minus = residual(model, y, yDot, d, -epsilon);
+    double[] found = new double[y.length];
+    Arrays.setAll(found, i -> (plus[i] - minus[i]) / (2 * epsilon));
+    // central differences: the square of the step
+    assertClose(found, r, 1e-5);
+  }
+
+  private static double[] residual(
+      LinearisedModel model, double[] y, double[] yDot, double[] d, double factor) {
+    double[] at = new double[y.length];
+    double[] rate = new double[y.length];
+    Arrays.setAll(at, i -> y[i] + factor * H_GAMMA * d[i]);
+    Arrays.setAll(rate, i -> yDot[i] + factor * d[i]);
+    double[] r = new double[y.length];
+    assertThat(model.residual(TIME, at, rate, r)).isEqualTo(ExplicitModel.REGULAR);
+    return r;
+  }
+
+  @Test
+  void sourceHasTheBitsOfTheClassFile() throws Exception {
+    for (String text : new String[] {TREE, LOOP}) {
+      MechmlModel file = read(text);
+      BuildOptions options = options("RR-JF", "auto", false);
+      GeneratedModel generated = ModelFactory.generate(file, options);
+      Model source = ModelFactory.compileSource(file, options, generated).newInstance();
+      Model bytes = ModelFactory.compile(file, options, generated).newInstance();
+      assertThat(source.description()).isEqualTo(bytes.description());
+      assertThat(source.description().furtherStates()).hasSize(2);
+      ExplicitModel first = (ExplicitModel) ModelParts.of(source).equations();
+      ExplicitModel second = (ExplicitModel) ModelParts.of(bytes).equations();
+      double[] y = start(first);
+      double[] expected = new double[y.length];
+      double[] actual = new double[y.length];
+      first.derivative(TIME, y, expected);
+      second.derivative(TIME, y, actual);
+      assertThat(actual).isEqualTo(expected);
+    }
+  }
+
+  @Test
+  void statesSurviveTheCompactForm() throws Exception {
+    var mechanism = read(TREE).mechanism();
+    var again = CompactForm.read(CompactForm.write(mechanism));
+    assertThat(again.furtherStates()).isEqualTo(mechanism.furtherStates());
+    assertThat(again.furtherStates().get(1).unit()).isEqualTo("Pa");
+  }
+
+  private static void assertClose(double[] actual, double[] expected, double tolerance) {
+    double scale = Arrays.stream(expected).map(Math::abs).max().orElse(0);
+    assertThat(actual).containsExactly(expected, within(tolerance * scale));
+  }
+}

@@ -1,0 +1,4 @@
+@NullMarked
+package org.mechservice.sim.service.run;
+
+import org.jspecify.annotations.NullMarked;
