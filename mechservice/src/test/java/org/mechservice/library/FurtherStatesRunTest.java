@@ -5,12 +5,14 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.Checkpoints;
@@ -290,6 +292,102 @@ class FurtherStatesRunTest {
     Trajectory rows = of(text).simulate();
     assertThat(rows.time()[rows.rows() - 1]).isCloseTo(0.5, within(1e-9));
     assertThat(last(rows, "twice")).isCloseTo(2, within(1e-9));
+  }
+
+  @Test
+  void transferFunctionIsItsClosedStepResponse() throws Exception {
+    // (2s + 3)/(s^2 + 3s + 2) = 1/(s + 1) + 1/(s + 2), and one with feedthrough: 2 - 3/(s + 1)
+    String states =
+        "<transferFunction name='g' input='1' num='2; 3' den='1; 3; 2'/><transferFunction name='h'"
+            + " input='1' num='2; -1' den='1; 1'/>";
+    String outputs =
+        "<Outputs><output name='y' expression='g'/><output name='z' expression='h'/></Outputs>";
+    Trajectory rows = of(slide(states, "g", outputs)).columns(ColumnGroup.OUTPUTS).simulate();
+    for (int i = 0; i < rows.rows(); i++) {
+      double t = rows.time()[i];
+      double first = 1 - Math.exp(-t);
+      assertThat(rows.column("y")[i]).isCloseTo(first + (1 - Math.exp(-2 * t)) / 2, within(1e-8));
+      assertThat(rows.column("z")[i]).isCloseTo(2 - 3 * first, within(1e-8));
+    }
+    assertThat(rows.columns().stream().map(Variable::name))
+        .containsExactly("t", "j.q", "j.v", "g.x1", "g.x2", "h.x1", "y", "z");
+  }
+
+  @Test
+  void controllerIsTheMatrixExponential() throws Exception {
+    String states =
+        "<pid name='u' setpoint='1' measured='j.q' kp='40' ki='60' kd='8' filter='0.05'"
+            + " derivativeOf='measured'/>";
+    Trajectory rows = of(slide(states, "u", "")).simulate();
+    // q' = v; 2 v' = 40 (1-q) + I + 8 (-q-x)/0.05; I' = 60 (1-q); x' = (-q-x)/0.05
+    double[][] a = {
+      {0, 1, 0, 0, 0},
+      {-20 - 80, 0, 0.5, -80, 20},
+      {-60, 0, 0, 0, 60},
+      {-20, 0, 0, -20, 0},
+      {0, 0, 0, 0, 0}
+    };
+    double[] y = exponential(a, 2, new double[] {0, 0, 0, 0, 1});
+    assertThat(last(rows, "j.q")).isCloseTo(y[0], within(1e-8));
+    assertThat(last(rows, "u.integral")).isCloseTo(y[2], within(1e-7));
+    assertThat(last(rows, "u.filter")).isCloseTo(y[3], within(1e-8));
+  }
+
+  @Test
+  void limitedControllerDoesNotWindUp() throws Exception {
+    String states =
+        "<pid name='u' setpoint='1' measured='j.q' kp='20' ki='30' kd='9' filter='0.02'"
+            + " derivativeOf='measured' lower='-2' upper='2' %s/>";
+    Trajectory held = of(slide(states.formatted(""), "u", "")).until(8).simulate();
+    Trajectory written =
+        of(slide(
+                "<state name='i' derivative='30*(1-j.q) + (min(2, max(-2, f)) -"
+                        .replace("f)", "20*(1-j.q)+i+9*(-j.q-x)/0.02)")
+                    + " (20*(1-j.q)+i+9*(-j.q-x)/0.02))/sqrt(9/30)'/><state name='x'"
+                    + " derivative='(-j.q-x)/0.02'/>",
+                "min(2, max(-2, 20*(1-j.q)+i+9*(-j.q-x)/0.02))",
+                ""))
+            .until(8)
+            .simulate();
+    assertThat(held.column("j.q")).containsExactly(written.column("j.q"), within(1e-7));
+    Trajectory wound =
+        of(slide(states.formatted("trackingTime='1e9'"), "u", "")).until(8).simulate();
+    assertThat(highest(held)).isLessThan(highest(wound));
+  }
+
+  private static double highest(Trajectory rows) {
+    return Arrays.stream(rows.column("j.q")).max().orElseThrow();
+  }
+
+  @Test
+  void blocksFollowEachOther() throws Exception {
+    // a cascade: the outer controller is the setpoint of the inner one, in any order
+    String states =
+        "<pid name='inner' setpoint='outer' measured='j.v' kp='20'/><pid name='outer'"
+            + " setpoint='1' measured='j.q' kp='3'/>";
+    Trajectory rows = of(slide(states, "inner", "")).simulate();
+    double[][] a = {{0, 1, 0}, {-30, -10, 30}, {0, 0, 0}};
+    assertThat(last(rows, "j.q"))
+        .isCloseTo(exponential(a, 2, new double[] {0, 0, 1})[0], within(1e-8));
+  }
+
+  @Test
+  void blocksThatCannotBeAreNamed() {
+    assertSaid(
+        slide("<pid name='a' measured='b' kp='1'/><pid name='b' measured='a' kp='1'/>", "a", ""),
+        "algebraic loop");
+    assertSaid(slide("<pid name='a' measured='j.q' kd='1'/>", "a", ""), "filter is missing");
+    assertSaid(slide("<pid name='a' measured='j.q' ki='1' upper='1'/>", "a", ""), "trackingTime");
+    assertSaid(
+        slide("<transferFunction name='a' input='1' num='1;0;0' den='1;1'/>", "a", ""),
+        "must not be above");
+    assertSaid(
+        slide("<transferFunction name='a' input='1' num='1' den='0;1'/>", "a", ""),
+        "first coefficient of den is 0");
+    assertSaid(slide("<transferFunction name='a' input='1' num='1' den='2'/>", "a", ""), "a gain");
+    assertSaid(
+        slide("<transferFunction name='a' input='1' num='1' den='1;2' x0='1;2'/>", "a", ""),
+        "2 values for 1 states");
   }
 
   @Test

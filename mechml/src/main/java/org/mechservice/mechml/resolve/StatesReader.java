@@ -10,9 +10,11 @@ import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
+import org.mechservice.mechml.expression.ExpressionException;
 import org.mechservice.mechml.resolve.formula.FormulaReader;
 import org.mechservice.mechml.resolve.formula.FormulaRole;
 import org.mechservice.mechml.resolve.formula.MechanismNames;
+import org.mechservice.mechml.resolve.formula.Signal;
 import org.mechservice.mechml.resolve.value.AttributeText;
 import org.mechservice.mechml.resolve.value.NameTable;
 import org.mechservice.mechml.resolve.value.ValueReader;
@@ -23,20 +25,80 @@ import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.mechanism.FurtherState;
 
 /**
- * Reads {@code States}. Their names must be known before any formula is read, since states and
- * forces may refer to each other; the formulas are read afterwards.
+ * Reads {@code States}: single states, and blocks that stand for several states and an output.
+ * Their names must be known before any formula is read, since states and forces may refer to each
+ * other; the formulas are read afterwards.
  */
 final class StatesReader {
   private static final Set<String> RESERVED = Set.of("t", "PI", "Math");
 
+  /** Largest number of states. */
+  private static final int MOST = 10_000;
+
   private final ValueReader values;
   private final MechanismNames names;
   private final Diagnostics diagnostics;
-  private final List<Element> elements;
+  private final List<Entry> entries = new ArrayList<>();
+  private Optional<ControllerBlocks> blocks = Optional.empty();
 
-  private StatesReader(
-      List<Element> elements, ValueReader values, MechanismNames names, Diagnostics diagnostics) {
-    this.elements = elements;
+  /** An element with its states. */
+  private final class Entry implements Signal {
+    private final Element element;
+    private final List<String> suffixes;
+    private final int first;
+    private Optional<ControllerBlocks.Block> block = Optional.empty();
+    private boolean done;
+    private boolean open;
+
+    Entry(Element element, int first) {
+      this.element = element;
+      this.first = first;
+      suffixes =
+          switch (element.name()) {
+            case "pid" -> ControllerBlocks.statesOfPid(element);
+            case "transferFunction" -> ControllerBlocks.statesOfTransferFunction(element);
+            default -> List.of("");
+          };
+    }
+
+    boolean isState() {
+      return element.name().equals("state");
+    }
+
+    Optional<ControllerBlocks.Block> block() {
+      if (!done) {
+        open = true;
+        ControllerBlocks reader = blocks.orElseThrow();
+        block =
+            element.name().equals("pid")
+                ? reader.pid(element, first)
+                : reader.transferFunction(element, first);
+        open = false;
+        done = true;
+      }
+      return block;
+    }
+
+    @Override
+    public Expression value(int offset) throws ExpressionException {
+      if (isState() || blocks.isEmpty()) {
+        return new Expression.StateValue(first);
+      }
+      if (open) {
+        throw new ExpressionException(
+            MessageCode.EXPRESSION_NAME,
+            offset,
+            Phrase.of(
+                "%s depends on itself here without delay, an algebraic loop; put a <state> or a"
+                    + " <transferFunction> with a lag in between",
+                Quoted.of(element.required("name"))));
+      }
+      // a block with an error has been reported; any expression prevents a second message
+      return block().map(ControllerBlocks.Block::output).orElse(new Expression.Time());
+    }
+  }
+
+  private StatesReader(ValueReader values, MechanismNames names, Diagnostics diagnostics) {
     this.values = values;
     this.names = names;
     this.diagnostics = diagnostics;
@@ -45,18 +107,26 @@ final class StatesReader {
   /** Returns a reader that has made the names of the states known to formulas. */
   static StatesReader begin(
       Element model, ValueReader values, MechanismNames names, Diagnostics diagnostics) {
-    List<Element> elements =
-        model.child("States").map(states -> states.children("state")).orElse(List.of());
-    StatesReader reader = new StatesReader(elements, values, names, diagnostics);
-    reader.register();
+    StatesReader reader = new StatesReader(values, names, diagnostics);
+    model.child("States").ifPresent(states -> reader.register(states.children()));
     reader.checkColumns(model);
     return reader;
   }
 
-  private void register() {
+  private void register(List<Element> elements) {
     NameTable<Element> taken = new NameTable<>("state", "does not exist", diagnostics);
-    for (int i = 0; i < elements.size(); i++) {
-      Element element = elements.get(i);
+    int count = 0;
+    for (Element element : elements) {
+      Entry entry = new Entry(element, count);
+      count += entry.suffixes.size();
+      if (count > MOST) {
+        diagnostics.error(
+            MessageCode.MODEL_FILE_TOO_LARGE,
+            element.position(),
+            "the model has more than " + MOST + " states");
+        return;
+      }
+      entries.add(entry);
       String name = element.required("name");
       taken.add(element, Optional.of(element));
       if (RESERVED.contains(name) || Function.named(name).isPresent()) {
@@ -64,8 +134,11 @@ final class StatesReader {
       } else if (values.parameters().names().contains(name)) {
         unusable(element, "is the name of a parameter, too; rename one of them");
       }
-      Expression value = new Expression.StateValue(i);
-      names.add(name, () -> value);
+      names.add(name, entry);
+      for (int i = 0; !entry.isState() && i < entry.suffixes.size(); i++) {
+        Expression state = new Expression.StateValue(entry.first + i);
+        names.add(name + entry.suffixes.get(i), offset -> state);
+      }
     }
   }
 
@@ -82,64 +155,107 @@ final class StatesReader {
         model.child("Outputs").map(o -> o.children("output")).orElse(List.of()).stream()
             .flatMap(output -> output.attribute("name").stream())
             .collect(Collectors.toSet());
-    for (Element element : elements) {
-      if (outputs.contains(element.required("name"))) {
-        diagnostics.error(
-            MessageCode.DUPLICATE_NAME,
-            element.position(),
-            element.label()
-                + ": an output has this name; a state has a column of its own, so leave the output"
-                + " out or rename it");
+    for (Entry entry : entries) {
+      for (String suffix : entry.suffixes) {
+        if (outputs.contains(entry.element.required("name") + suffix)) {
+          diagnostics.error(
+              MessageCode.DUPLICATE_NAME,
+              entry.element.position(),
+              entry.element.label()
+                  + ": an output has this name; a state has a column of its own, so leave the"
+                  + " output out or rename it");
+        }
       }
     }
   }
 
+  /** Returns the first element, of which there is one if there are states. */
+  Element first() {
+    return entries.get(0).element;
+  }
+
   /** Returns the states without errors, in file order. */
   List<FurtherState> read(FormulaReader formulas) {
+    blocks = Optional.of(new ControllerBlocks(formulas, diagnostics));
     List<FurtherState> states = new ArrayList<>();
-    for (Element element : elements) {
-      state(element, formulas).ifPresent(states::add);
+    for (Entry entry : entries) {
+      Optional<Double> tolerance = tolerance(entry.element);
+      if (entry.isState()) {
+        formulas
+            .read(AttributeText.of(entry.element, "derivative"), Unit.ONE, FormulaRole.STATE)
+            .ifPresent(rate -> add(entry, 0, rate, "unit", tolerance, states));
+      } else if (entry.block().isPresent()) {
+        List<Expression> rates = entry.block().get().derivatives();
+        for (int i = 0; i < rates.size(); i++) {
+          String unit = entry.suffixes.get(i).equals(ControllerBlocks.INTEGRAL) ? "unit" : "";
+          add(entry, i, rates.get(i), unit, tolerance, states);
+        }
+      }
     }
     return states;
   }
 
-  private Optional<FurtherState> state(Element element, FormulaReader formulas) {
-    OptionalDouble start = numberOr(element, "x0", 0);
-    OptionalDouble tolerance = numberOr(element, "atol", 0);
-    Optional<Expression> derivative =
-        formulas.read(AttributeText.of(element, "derivative"), Unit.ONE, FormulaRole.STATE);
-    if (element.attribute("atol").isPresent()
-        && tolerance.isPresent()
-        && !(tolerance.getAsDouble() > 0)) {
+  private void add(
+      Entry entry,
+      int index,
+      Expression rate,
+      String unit,
+      Optional<Double> tolerance,
+      List<FurtherState> states) {
+    OptionalDouble start = start(entry, index);
+    if (start.isPresent() && tolerance.isPresent()) {
+      states.add(
+          new FurtherState(
+              entry.element.required("name") + entry.suffixes.get(index),
+              start.getAsDouble(),
+              rate,
+              unit.isEmpty()
+                  ? "1"
+                  : entry.element.attribute(unit).map(StatesReader::label).orElse("1"),
+              tolerance.get(),
+              names.origin(entry.element)));
+    }
+  }
+
+  /** Returns an item of the list of start values, 0 beyond its end; empty after an error. */
+  private OptionalDouble start(Entry entry, int index) {
+    if (entry.element.attribute("x0").isEmpty()) {
+      return OptionalDouble.of(0);
+    }
+    List<AttributeText> items = AttributeText.itemsOf(entry.element, "x0");
+    if (items.size() > entry.suffixes.size()) {
+      diagnostics.error(
+          MessageCode.VALUE_COUNT,
+          entry.element.position(),
+          Phrase.of(
+              "%s: x0 has %d values for %d states",
+              entry.element.label(), items.size(), entry.suffixes.size()));
+      return OptionalDouble.empty();
+    }
+    return index < items.size()
+        ? values.evaluate(items.get(index), Unit.ONE)
+        : OptionalDouble.of(0);
+  }
+
+  /** Returns the tolerance, 0 if there is none; empty after a reported error. */
+  private Optional<Double> tolerance(Element element) {
+    if (element.attribute("atol").isEmpty()) {
+      return Optional.of(0.0);
+    }
+    OptionalDouble given = values.number(element, "atol");
+    if (given.isPresent() && !(given.getAsDouble() > 0)) {
       diagnostics.error(
           MessageCode.STATE_VALUE,
           element.position(),
-          element.label() + ": atol is " + tolerance.getAsDouble() + "; it must be positive");
+          element.label() + ": atol is " + given.getAsDouble() + "; it must be positive");
       return Optional.empty();
     }
-    if (start.isEmpty() || tolerance.isEmpty()) {
-      return Optional.empty();
-    }
-    return derivative.map(
-        rate ->
-            new FurtherState(
-                element.required("name"),
-                start.getAsDouble(),
-                rate,
-                element.attribute("unit").map(StatesReader::label).orElse("1"),
-                tolerance.getAsDouble(),
-                names.origin(element)));
+    return given.stream().boxed().findFirst();
   }
 
   /** Returns a unit as written: it labels the column, and nothing is converted by it. */
   private static String label(String unit) {
     String text = unit.strip().replaceAll("\\p{Cntrl}", " ");
     return text.isEmpty() ? "1" : text;
-  }
-
-  private OptionalDouble numberOr(Element element, String attribute, double otherwise) {
-    return element.attribute(attribute).isPresent()
-        ? values.number(element, attribute)
-        : OptionalDouble.of(otherwise);
   }
 }

@@ -350,8 +350,8 @@ public final class Completion {
     work.place(t, y);
     differentiate(y);
     remember(y);
-    boolean other = renew(ofPositions, positions.matrix);
-    boolean others = renew(ofVelocities, loops.jacobian) || other;
+    boolean other = ofPositions.renew(positions.matrix, BETTER);
+    boolean others = ofVelocities.renew(loops.jacobian, BETTER) || other;
     watch.accepted(t);
     return others;
   }
@@ -367,10 +367,5 @@ public final class Completion {
     remember(y);
     ofVelocities.chooseBetter(loops.jacobian, Double.POSITIVE_INFINITY);
     watch.jumped(t, closed);
-  }
-
-  private static boolean renew(Partition partition, SparseMatrix matrix) {
-    double pivot = partition.smallestPivot(matrix);
-    return partition.chooseBetter(matrix, BETTER * pivot);
   }
 }

@@ -127,7 +127,7 @@ public abstract class Partition {
   }
 
   /** Returns the length of what {@link #save} writes. */
-  final int stateLength() {
+  int stateLength() {
     return 2 * rank;
   }
 
@@ -154,6 +154,17 @@ public abstract class Partition {
    * @return whether the choice has changed
    */
   abstract boolean chooseBetter(SparseMatrix a, double bound);
+
+  /**
+   * Examines the matrix of an accepted state, and makes a new choice if its smallest pivot is
+   * larger by a factor than that of the present one.
+   *
+   * @param better factor, at least 1
+   * @return whether the choice has changed
+   */
+  boolean renew(SparseMatrix a, double better) {
+    return chooseBetter(a, better * smallestPivot(a));
+  }
 
   /** Returns the length of the argument of {@link #bestPivot(double[])}. */
   abstract int scaledLength();

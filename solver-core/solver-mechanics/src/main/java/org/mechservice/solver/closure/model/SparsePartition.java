@@ -8,10 +8,18 @@ import org.mechservice.solver.linear.SparseMatrix;
 
 /**
  * A partition chosen by sparse elimination: pivots are large relative to the remaining elements of
- * their rows and cause little fill-in. Choosing allocates memory, at every accepted step;
- * evaluations do not.
+ * their rows and cause little fill-in. Choosing allocates memory; evaluations do not.
  */
 final class SparsePartition extends Partition {
+  /**
+   * Part of its size at the last comparison that the smallest pivot may lose before the choice is
+   * compared with others again, which costs many times an evaluation in a net of loops.
+   */
+  private static final double UNCHANGED = 0.7;
+
+  /** Part of the largest size so far below which the choice is compared at every state. */
+  private static final double FAR_FROM_SINGULAR = 0.1;
+
   private final SparseElimination elimination;
   private final SparseMatrix scaled;
   private SparseLu factors;
@@ -25,6 +33,13 @@ final class SparsePartition extends Partition {
   /** Factorisation whose order of pivots the factors use, if any. */
   private Optional<SparseLu> orderedBy = Optional.empty();
 
+  /** Smallest pivot of the best choice in the last matrix examined, as far as it was compared. */
+  private double best;
+
+  /** Smallest pivot of the present choice when it was last compared with others. */
+  private double compared;
+
+  private double largest;
   private int found;
 
   SparsePartition(SparseMatrix pattern, int unknowns, int rank) {
@@ -58,11 +73,20 @@ final class SparsePartition extends Partition {
       state[at + k] = factors.row(k);
       state[at + rank + k] = factors.column(k);
     }
+    state[at + 2 * rank] = compared;
+    state[at + 2 * rank + 1] = largest;
+  }
+
+  @Override
+  int stateLength() {
+    return super.stateLength() + 2;
   }
 
   @Override
   void restore(double[] state, int at) {
     super.restore(state, at);
+    compared = state[at + 2 * rank];
+    largest = state[at + 2 * rank + 1];
     int[] rows = new int[rank];
     int[] columns = new int[rank];
     Arrays.setAll(rows, k -> (int) state[at + k]);
@@ -76,7 +100,28 @@ final class SparsePartition extends Partition {
 
   @Override
   boolean choose(SparseMatrix a) {
-    return chooseBetter(a, 0);
+    boolean done = chooseBetter(a, 0);
+    compared = best;
+    largest = best;
+    return done;
+  }
+
+  /**
+   * {@inheritDoc} A choice whose pivots have kept their size is not compared with others: its
+   * smallest pivot then stands for that of the best.
+   */
+  @Override
+  boolean renew(SparseMatrix a, double better) {
+    double pivot = smallestPivot(a);
+    if (pivot >= UNCHANGED * compared && compared >= FAR_FROM_SINGULAR * largest) {
+      formScaled(a);
+      best = pivot;
+      return false;
+    }
+    boolean other = chooseBetter(a, better * pivot);
+    compared = other ? best : pivot;
+    largest = Math.max(largest, best);
+    return other;
   }
 
   @Override
@@ -99,6 +144,7 @@ final class SparsePartition extends Partition {
 
   private void eliminate(SparseMatrix matrix) {
     found = elimination.eliminate(matrix, rank, 0);
+    best = found < rank ? 0 : elimination.smallestPivot();
   }
 
   private void formScaled(SparseMatrix a) {
@@ -137,7 +183,7 @@ final class SparsePartition extends Partition {
 
   @Override
   double bestPivot() {
-    return found < rank ? 0 : elimination.smallestPivot();
+    return best;
   }
 
   @Override
