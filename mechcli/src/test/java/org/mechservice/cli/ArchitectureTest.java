@@ -63,6 +63,7 @@ class ArchitectureTest {
                   "sim.symbolic",
                   "sim.equations",
                   "sim.emit",
+                  "sim.fmu",
                   "sim.packaging",
                   "sim.check",
                   "sim.compile",

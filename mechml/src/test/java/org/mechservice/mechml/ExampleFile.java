@@ -21,6 +21,7 @@ record ExampleFile(String text) {
   private static final List<String> MODEL_ORDER =
       List.of(
           "Parameters",
+          "Tables",
           "Bodies",
           "Joints",
           "Constraints",
@@ -39,6 +40,7 @@ record ExampleFile(String text) {
           Map.entry("PointOnPlane", "Constraints"),
           Map.entry("PointOnLine", "Constraints"),
           Map.entry("JointConstraint", "Constraints"),
+          Map.entry("table", "Tables"),
           Map.entry("state", "States"),
           Map.entry("pid", "States"),
           Map.entry("transferFunction", "States"),

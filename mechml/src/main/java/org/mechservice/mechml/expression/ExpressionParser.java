@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.Set;
 import java.util.regex.Pattern;
 import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.mechml.diagnosis.Phrase;
@@ -31,8 +32,11 @@ public final class ExpressionParser {
   private Token token;
   private int depth;
 
-  private ExpressionParser(String text) throws ExpressionException {
+  private final Set<String> tables;
+
+  private ExpressionParser(String text, Set<String> tables) throws ExpressionException {
     this.text = text;
+    this.tables = tables;
     this.tokenizer = new Tokenizer(text);
     this.token = tokenizer.next();
   }
@@ -43,7 +47,17 @@ public final class ExpressionParser {
    * @throws ExpressionException if the text is not an expression or nests too deeply
    */
   public static ParsedExpression parse(String text) throws ExpressionException {
-    ExpressionParser parser = new ExpressionParser(text);
+    return parse(text, Set.of());
+  }
+
+  /**
+   * Reads an expression that may call tables.
+   *
+   * @param tables names of the tables
+   * @throws ExpressionException if the text is not an expression or nests too deeply
+   */
+  public static ParsedExpression parse(String text, Set<String> tables) throws ExpressionException {
+    ExpressionParser parser = new ExpressionParser(text, tables);
     if (parser.token.kind() == Token.Kind.END) {
       throw new ExpressionException(
           MessageCode.EXPRESSION_SYNTAX, parser.token.offset(), "a value is missing");
@@ -157,6 +171,9 @@ public final class ExpressionParser {
   }
 
   private ParsedExpression call(ParsedExpression.Reference name) throws ExpressionException {
+    if (tables.contains(name.text())) {
+      return tableCall(name);
+    }
     String symbol = name.names().get(name.names().size() - 1);
     boolean prefixed = name.names().size() == 2 && name.names().get(0).equals("Math");
     Function function =
@@ -171,7 +188,7 @@ public final class ExpressionParser {
               + Quoted.of(name.text())
               + Optional.ofNullable(ELSEWHERE.get(symbol))
                   .map(ours -> "; here it is " + Quoted.of(ours))
-                  .orElseGet(() -> NearestName.suggestion(symbol, Function.symbols())));
+                  .orElseGet(() -> NearestName.suggestion(symbol, known())));
     }
     List<ParsedExpression> arguments = arguments();
     if (arguments.size() != function.arity()) {
@@ -183,6 +200,23 @@ public final class ExpressionParser {
               symbol, function.arity(), function.arity() == 1 ? "" : "s", arguments.size()));
     }
     return new ParsedExpression.Call(function, arguments, name.offset());
+  }
+
+  private List<String> known() {
+    List<String> known = new ArrayList<>(Function.symbols());
+    known.addAll(tables);
+    return known;
+  }
+
+  private ParsedExpression tableCall(ParsedExpression.Reference name) throws ExpressionException {
+    List<ParsedExpression> arguments = arguments();
+    if (arguments.size() != 1) {
+      throw new ExpressionException(
+          MessageCode.EXPRESSION_SYNTAX,
+          name.offset(),
+          Phrase.of("table %s takes 1 argument, not %d", name.text(), arguments.size()));
+    }
+    return new ParsedExpression.TableCall(name.text(), arguments.get(0), name.offset());
   }
 
   private List<ParsedExpression> arguments() throws ExpressionException {

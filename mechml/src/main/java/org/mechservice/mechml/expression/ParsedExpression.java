@@ -60,6 +60,10 @@ public sealed interface ParsedExpression {
   record Power(ParsedExpression base, ParsedExpression exponent, int offset)
       implements ParsedExpression {}
 
+  /** A table of the model with its argument. */
+  record TableCall(String table, ParsedExpression argument, int offset)
+      implements ParsedExpression {}
+
   /** A function with all its arguments. */
   record Call(Function function, List<ParsedExpression> arguments, int offset)
       implements ParsedExpression {

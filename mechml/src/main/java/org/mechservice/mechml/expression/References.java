@@ -30,6 +30,8 @@ public final class References {
       collect(power.exponent());
     } else if (expression instanceof ParsedExpression.Call call) {
       call.arguments().forEach(this::collect);
+    } else if (expression instanceof ParsedExpression.TableCall call) {
+      collect(call.argument());
     }
   }
 }

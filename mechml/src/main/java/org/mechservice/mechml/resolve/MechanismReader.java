@@ -7,8 +7,6 @@ import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.SimulationTask;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.Phrase;
-import org.mechservice.mechml.diagnosis.Quoted;
-import org.mechservice.mechml.diagnosis.SourcePosition;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.document.Limits;
 import org.mechservice.mechml.resolve.body.BodyDefinition;
@@ -80,6 +78,7 @@ final class MechanismReader {
     this.tree = new JointTree(links, index);
     this.names = new MechanismNames(bodies, index, diagnostics);
     this.formulas = new FormulaReader(values, names, diagnostics);
+    TablesReader.read(model, values, names, diagnostics);
     this.states = StatesReader.begin(model, values, names, diagnostics);
     checkTree();
     placeJoints();
@@ -224,15 +223,14 @@ final class MechanismReader {
   void checkStates(Mechanism mechanism, SimulationSettings settings) {
     boolean integrates = settings.task() instanceof SimulationTask.Dynamic;
     if (!integrates && !mechanism.furtherStates().isEmpty()) {
-      FurtherState first = mechanism.furtherStates().get(0);
+      Element first = states.first();
       diagnostics.error(
           MessageCode.STATE_NOT_INTEGRATED,
-          new SourcePosition(first.origin().line(), 1, ""),
+          first.position(),
           Phrase.of(
-              "the model has state %s, whose value follows from integration in time, and <%s> does"
-                  + " not integrate; simulate with <dynamic>, or leave the states out of this"
-                  + " model",
-              Quoted.of(first.name()), settings.task().element()));
+              "%s: its value follows from integration in time, and <%s> does not integrate;"
+                  + " simulate with <dynamic>, or leave the states out of this model",
+              first.label(), settings.task().element()));
     }
   }
 

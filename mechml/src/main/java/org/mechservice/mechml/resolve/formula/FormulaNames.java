@@ -2,6 +2,7 @@ package org.mechservice.mechml.resolve.formula;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.mechml.diagnosis.Phrase;
@@ -17,6 +18,7 @@ import org.mechservice.mechml.unit.UnitSystem;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.Table;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
@@ -70,6 +72,11 @@ final class FormulaNames {
     known.addAll(names.signalNames());
     known.add("t");
     return new Expression.Constant(Scope.constant(name, known));
+  }
+
+  /** Returns the tables by name. */
+  Map<String, Table> tables() {
+    return names.tables();
   }
 
   private Expression parameter(ResolvedParameter parameter) {

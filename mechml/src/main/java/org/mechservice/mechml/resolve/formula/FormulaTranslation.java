@@ -2,12 +2,15 @@ package org.mechservice.mechml.resolve.formula;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
+import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.expression.ConstantEvaluation;
 import org.mechservice.mechml.expression.ExpressionException;
 import org.mechservice.mechml.expression.ParsedExpression;
 import org.mechservice.mechml.expression.Scope;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.Table;
 
 /**
  * Translates a parsed expression to one of the solver: resolves names and evaluates constant parts.
@@ -62,6 +65,9 @@ final class FormulaTranslation {
     }
     if (parsed instanceof ParsedExpression.Power power) {
       return power(power);
+    }
+    if (parsed instanceof ParsedExpression.TableCall call) {
+      return table(call);
     }
     return call((ParsedExpression.Call) parsed);
   }
@@ -153,6 +159,27 @@ final class FormulaTranslation {
     return literals.isEmpty()
         ? new Expression.Power(base, exponent)
         : worked(new ParsedExpression.Power(literals.get(0), literals.get(1), power.offset()));
+  }
+
+  private Expression table(ParsedExpression.TableCall call) throws ExpressionException {
+    Table table = Objects.requireNonNull(names.tables().get(call.table()));
+    Expression argument = translate(call.argument());
+    if (!(argument instanceof Expression.Constant constant)) {
+      return new Expression.TableValue(table, argument);
+    }
+    double value = table.curve().at(constant.value());
+    if (!Double.isFinite(value)) {
+      throw new ExpressionException(
+          MessageCode.EXPRESSION_VALUE,
+          call.offset(),
+          Phrase.of(
+              "table %s has no value at %s: its arguments go from %s to %s",
+              table.name(),
+              constant.value(),
+              table.x().get(0),
+              table.x().get(table.x().size() - 1)));
+    }
+    return new Expression.Constant(value);
   }
 
   private Expression call(ParsedExpression.Call call) throws ExpressionException {

@@ -17,6 +17,7 @@ import org.mechservice.mechml.resolve.body.BodyIndex;
 import org.mechservice.mechml.resolve.value.NameTable;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.expression.Table;
 import org.mechservice.solver.mechanism.Origin;
 import org.mechservice.solver.mechanism.force.NamedPoint;
 import org.mechservice.solver.spatial.Vector3;
@@ -27,6 +28,7 @@ public final class MechanismNames {
   private final BodyIndex index;
   private final Map<String, ResolvedJoint> joints = new LinkedHashMap<>();
   private final Map<String, Signal> signals = new LinkedHashMap<>();
+  private final Map<String, Table> tables = new LinkedHashMap<>();
   private final Diagnostics diagnostics;
 
   public MechanismNames(
@@ -38,6 +40,16 @@ public final class MechanismNames {
 
   public void add(ResolvedJoint joint) {
     joints.putIfAbsent(joint.element().required("name"), joint);
+  }
+
+  /** Adds a table that formulas may call by name. */
+  public void add(Table table) {
+    tables.putIfAbsent(table.name(), table);
+  }
+
+  /** Returns the tables by name. */
+  Map<String, Table> tables() {
+    return tables;
   }
 
   /** Adds a value that formulas may refer to by name. */

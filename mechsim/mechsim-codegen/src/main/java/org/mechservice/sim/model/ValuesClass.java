@@ -1,5 +1,6 @@
 package org.mechservice.sim.model;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.mechml.MechmlModel;
@@ -7,6 +8,7 @@ import org.mechservice.sim.emit.GeneratedClass;
 import org.mechservice.sim.emit.ValuesPlan;
 import org.mechservice.sim.equations.PowerEquations;
 import org.mechservice.sim.equations.links.Links;
+import org.mechservice.sim.scene.GenerationLimits;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.closure.equations.UnwrappedAngles;
@@ -78,6 +80,10 @@ final class ValuesClass {
     if (values.isEmpty()) {
       return new Derived(Optional.empty(), Optional.empty());
     }
+    List<String> tables = values.largeTables();
+    if (!tables.isEmpty()) {
+      return Derived.leftToData("they use large tables: " + String.join(", ", tables));
+    }
     if (values.countTurns()) {
       return Derived.leftToData(TURNS);
     }
@@ -98,6 +104,13 @@ final class ValuesClass {
 
   private static Program program(Links links, List<Expression> expressions) {
     return PowerEquations.formulas(links, expressions);
+  }
+
+  private List<String> largeTables() {
+    List<Expression> all = new ArrayList<>(triggers);
+    all.addAll(assigned);
+    all.addAll(outputs);
+    return GenerationLimits.largeTables(all);
   }
 
   private boolean isEmpty() {

@@ -1,13 +1,21 @@
 package org.mechservice.sim.scene;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.closure.equations.LoopEquations;
+import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.closure.CoordinateClosure;
+import org.mechservice.solver.mechanism.closure.JointClosure;
+import org.mechservice.solver.mechanism.closure.LoopClosure;
 
 /** Limits beyond which a scene is simulated from data instead of generated code. */
 public final class GenerationLimits {
@@ -51,6 +59,9 @@ public final class GenerationLimits {
    * (0.4, 0.6, 0.2) at 20 000.
    */
   private static final int MOST_OF_LOOP_DERIVATIVES = 50_000;
+
+  /** Largest number of points of a table for which code is generated, five choices for each. */
+  private static final int MOST_POINTS = 40;
 
   /** Reason why derivatives of a residual with loops are computed from data. */
   public static final String TOO_LONG_DERIVATIVES =
@@ -132,11 +143,44 @@ public final class GenerationLimits {
       long factors = factors(mechanism);
       beyond.addAll(noFaster(choice.formulation(), factors, "its factors alone take " + factors));
     }
+    add(beyond, "large tables", largeTables(formulas(mechanism)).stream());
     add(
         beyond,
         "tunable parameters in coefficients of forces",
         SettledCoefficients.withParameters(mechanism).stream());
     return beyond;
+  }
+
+  private static List<Expression> formulas(Mechanism mechanism) {
+    List<Expression> formulas = new ArrayList<>();
+    mechanism.forces().forEach(f -> f.formulas().forEach(part -> formulas.add(part.expression())));
+    mechanism.motions().forEach(motion -> formulas.addAll(motion.coordinates()));
+    mechanism.furtherStates().forEach(state -> formulas.add(state.derivative()));
+    for (LoopClosure closure : mechanism.closures()) {
+      if (closure instanceof JointClosure cut) {
+        formulas.addAll(cut.motion());
+      } else if (closure instanceof CoordinateClosure coupling) {
+        formulas.add(coupling.relation());
+      }
+    }
+    return formulas;
+  }
+
+  /**
+   * Returns the names of the tables in formulas that are too large for code, which looks at every
+   * point; data search by halves.
+   */
+  public static List<String> largeTables(List<Expression> formulas) {
+    Set<String> large = new TreeSet<>();
+    Deque<Expression> open = new ArrayDeque<>(formulas);
+    while (!open.isEmpty()) {
+      Expression next = open.pop();
+      if (next instanceof Expression.TableValue value && value.table().x().size() > MOST_POINTS) {
+        large.add(value.table().name());
+      }
+      open.addAll(ShortPulseCheck.operands(next));
+    }
+    return List.copyOf(large);
   }
 
   /** Returns the number of velocities plus the number of pairs of a velocity and an ancestor. */

@@ -40,6 +40,8 @@ enum Linearity {
     } else if (e instanceof Expression.Call call) {
       Linearity arguments = largest(call.arguments());
       return ofTimeAtMost(arguments, arguments);
+    } else if (e instanceof Expression.TableValue value) {
+      return ofTimeAtMost(of(value.argument()), CONSTANT);
     }
     return OTHER;
   }

@@ -70,6 +70,9 @@ final class SettledCoefficients {
     } else if (e instanceof Expression.Negation negation) {
       return hasParameter(negation.operand());
     }
+    if (e instanceof Expression.TableValue value) {
+      return hasParameter(value.argument());
+    }
     return e instanceof Expression.Call call
         && call.arguments().stream().anyMatch(SettledCoefficients::hasParameter);
   }

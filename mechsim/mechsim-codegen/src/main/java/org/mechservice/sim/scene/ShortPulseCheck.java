@@ -127,6 +127,9 @@ public final class ShortPulseCheck {
     } else if (formula instanceof Negation negation) {
       return List.of(negation.operand());
     }
+    if (formula instanceof Expression.TableValue value) {
+      return List.of(value.argument());
+    }
     return formula instanceof Call call ? call.arguments() : List.of();
   }
 

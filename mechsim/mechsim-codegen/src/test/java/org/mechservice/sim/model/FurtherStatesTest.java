@@ -36,7 +36,10 @@ class FurtherStatesTest {
       "<MechML><MBSsimulation><dynamic><timeSet tini='0' tend='1' tstep='0.1'/><integrator"
           + " name='ode113' relTol='1e-8' absTol='1e-8'/></dynamic></MBSsimulation><MBSmodel"
           + " name='controlled' massUnits='kg' lengthUnits='m'><Parameters><parameter name='k'"
-          + " value='3' tunable='true'/></Parameters>";
+          + " value='3' tunable='true'/></Parameters><Tables><table name='lin' x='-2;-0.5;0.3;2'"
+          + " y='1;-1;0;2' extrapolation='hold'/><table name='aki' x='-9;-3;0;1;2;9'"
+          + " y='0;2;1;1.5;0;1' method='akima'/><table name='cub' x='-1;0;0.2;1;2' y='0;1;-1;0;3'"
+          + " method='cubic' extrapolation='linear'/></Tables>";
 
   /** A pendulum with a ball at its end and a driven slide, held by nonlinear controllers. */
   private static final String TREE =
@@ -51,16 +54,16 @@ class FurtherStatesTest {
           + joint("hinge", "R", "Ground", "o", "arm", " vector='y'")
           + joint("ball", "S", "arm", "p", "bob", "")
           + joint("rail", "P", "Ground", "o", "cart", " vector='x'")
-          + "</Joints><States>"
-          + "<state name='a' x0='0.3' derivative='sin(hinge.q)*k + hinge.v^2 - a*b + bob.p.vx'/>"
-          + "<state name='b' x0='-0.2' derivative='(bob.p.z*a - b)/0.1 + ball.v[1]*rail.q'"
-          + " atol='1e-7' unit='Pa'/></States><Forces><gravity gx='0' gy='0' gz='-9.81'/>"
-          + "<jointForce name='motor' joint='hinge' expression='-4*a*hinge.v + b^2 + t*a'/>"
-          + "<forceTorque name='push' body='bob' point='p' frame='world' fx='5*b*bob.p.z'"
-          + " tz='a*hinge.q'/></Forces><Outputs><output name='w' expression='a*b'/></Outputs>"
-          + "<topology><root name='Ground'/><relCoorVals><jointVal name='hinge' posVals='0.4'"
-          + " velVals='1'/><jointVal name='ball' posVals='0.8;0.6;0;0' velVals='1;2;-1'/><jointVal"
-          + " name='rail' driven='0.1*sin(3*t)'/></relCoorVals></topology></MBSmodel></MechML>";
+          + "</Joints><States><state name='a' x0='0.3' derivative='sin(hinge.q)*k + hinge.v^2 - a*b"
+          + " + bob.p.vx + lin(hinge.q)'/><state name='b' x0='-0.2' derivative='(bob.p.z*a - b)/0.1"
+          + " + ball.v[1]*rail.q' atol='1e-7' unit='Pa'/></States><Forces><gravity gx='0' gy='0'"
+          + " gz='-9.81'/><jointForce name='motor' joint='hinge' expression='-4*a*hinge.v + b^2 +"
+          + " t*a + cub(a) + lin(t)'/><forceTorque name='push' body='bob' point='p' frame='world'"
+          + " fx='5*b*bob.p.z + aki(bob.p.x)' tz='a*hinge.q'/></Forces><Outputs><output name='w'"
+          + " expression='a*b'/></Outputs><topology><root name='Ground'/><relCoorVals><jointVal"
+          + " name='hinge' posVals='0.4' velVals='1'/><jointVal name='ball' posVals='0.8;0.6;0;0'"
+          + " velVals='1;2;-1'/><jointVal name='rail'"
+          + " driven='0.1*sin(3*t)'/></relCoorVals></topology></MBSmodel></MechML>";
 
   /** A four-bar whose cut hinge is a coordinate of the controllers. */
   private static final String LOOP =
@@ -79,7 +82,7 @@ class FurtherStatesTest {
           + joint("j4", "R", "coupler", "p", "rocker", " vector='y'")
               .replace("name='rocker' point='o'", "name='rocker' point='p'")
           + "</Joints><States>"
-          + "<state name='a' x0='0.3' derivative='k*sin(j4.q) + j1.v*j4.v - a*b'/>"
+          + "<state name='a' x0='0.3' derivative='k*sin(j4.q) + j1.v*j4.v - a*b + aki(j4.q)'/>"
           + "<state name='b' derivative='(coupler.p.z - b)/0.1 + j2.q'/></States><Forces>"
           + "<jointForce name='motor' joint='j1' expression='2*a - b*j1.v'/>"
           + "<jointForce name='brake' joint='j4' expression='-a^2*j4.v + b'/>"

@@ -166,6 +166,14 @@ public sealed interface Expression {
     }
   }
 
+  /**
+   * The value of a table.
+   *
+   * @param table the table
+   * @param argument its argument
+   */
+  record TableValue(Table table, Expression argument) implements Expression {}
+
   private static void checkAxis(int axis) {
     if (axis < 0 || axis > 2) {
       throw new IllegalArgumentException("an axis is 0, 1 or 2, not " + axis);

@@ -4,153 +4,153 @@ package org.mechservice.solver.expression;
  * An operation of a tape on one or two earlier values, f(a) or f(a, b), with first and second
  * partial derivatives. StrictMath is used wherever Math may differ between machines.
  */
-enum Operation {
+enum Operation implements TapeStep {
   ADD {
     @Override
-    double value(double a, double b, LocalDerivatives d) {
+    public double value(double a, double b, LocalDerivatives d) {
       return a + b;
     }
 
     @Override
-    void differentiate(double a, double b, LocalDerivatives d) {
+    public void differentiate(double a, double b, LocalDerivatives d) {
       d.linear(1, 1);
     }
   },
   MULTIPLY {
     @Override
-    double value(double a, double b, LocalDerivatives d) {
+    public double value(double a, double b, LocalDerivatives d) {
       return a * b;
     }
 
     @Override
-    void differentiate(double a, double b, LocalDerivatives d) {
+    public void differentiate(double a, double b, LocalDerivatives d) {
       d.all(b, a, 0, 1, 0);
     }
   },
   DIVIDE {
     @Override
-    double value(double a, double b, LocalDerivatives d) {
+    public double value(double a, double b, LocalDerivatives d) {
       return a / b;
     }
 
     @Override
-    void differentiate(double a, double b, LocalDerivatives d) {
+    public void differentiate(double a, double b, LocalDerivatives d) {
       double f = a / b;
       d.all(1 / b, -f / b, 0, -1 / (b * b), 2 * f / (b * b));
     }
   },
   NEGATE {
     @Override
-    double value(double a, double b, LocalDerivatives d) {
+    public double value(double a, double b, LocalDerivatives d) {
       return -a;
     }
 
     @Override
-    void differentiate(double a, double b, LocalDerivatives d) {
+    public void differentiate(double a, double b, LocalDerivatives d) {
       d.single(-1, 0);
     }
   },
   /** a², the compiled form of a ^ 2. */
   SQUARE {
     @Override
-    double value(double a, double b, LocalDerivatives d) {
+    public double value(double a, double b, LocalDerivatives d) {
       return a * a;
     }
 
     @Override
-    void differentiate(double a, double b, LocalDerivatives d) {
+    public void differentiate(double a, double b, LocalDerivatives d) {
       d.single(2 * a, 2);
     }
   },
   SQRT {
     @Override
-    double value(double a, double b, LocalDerivatives d) {
+    public double value(double a, double b, LocalDerivatives d) {
       return Math.sqrt(a);
     }
 
     @Override
-    void differentiate(double a, double b, LocalDerivatives d) {
+    public void differentiate(double a, double b, LocalDerivatives d) {
       double f = Math.sqrt(a);
       d.single(0.5 / f, -0.25 / (a * f));
     }
   },
   ABS {
     @Override
-    double value(double a, double b, LocalDerivatives d) {
+    public double value(double a, double b, LocalDerivatives d) {
       return Math.abs(a);
     }
 
     @Override
-    void differentiate(double a, double b, LocalDerivatives d) {
+    public void differentiate(double a, double b, LocalDerivatives d) {
       d.single(StrictMath.signum(a), 0);
     }
   },
   SIN {
     @Override
-    double value(double a, double b, LocalDerivatives d) {
+    public double value(double a, double b, LocalDerivatives d) {
       return d.sin(a);
     }
 
     @Override
-    void differentiate(double a, double b, LocalDerivatives d) {
+    public void differentiate(double a, double b, LocalDerivatives d) {
       d.single(d.cos(a), -d.sin(a));
     }
   },
   COS {
     @Override
-    double value(double a, double b, LocalDerivatives d) {
+    public double value(double a, double b, LocalDerivatives d) {
       return d.cos(a);
     }
 
     @Override
-    void differentiate(double a, double b, LocalDerivatives d) {
+    public void differentiate(double a, double b, LocalDerivatives d) {
       d.single(-d.sin(a), -d.cos(a));
     }
   },
   TAN {
     @Override
-    double value(double a, double b, LocalDerivatives d) {
+    public double value(double a, double b, LocalDerivatives d) {
       return d.sin(a) / d.cos(a);
     }
 
     @Override
-    void differentiate(double a, double b, LocalDerivatives d) {
+    public void differentiate(double a, double b, LocalDerivatives d) {
       double f = d.sin(a) / d.cos(a);
       d.single(1 + f * f, 2 * f * (1 + f * f));
     }
   },
   ASIN {
     @Override
-    double value(double a, double b, LocalDerivatives d) {
+    public double value(double a, double b, LocalDerivatives d) {
       return StrictMath.asin(a);
     }
 
     @Override
-    void differentiate(double a, double b, LocalDerivatives d) {
+    public void differentiate(double a, double b, LocalDerivatives d) {
       double s = 1 - a * a;
       d.single(1 / Math.sqrt(s), a / (s * Math.sqrt(s)));
     }
   },
   ACOS {
     @Override
-    double value(double a, double b, LocalDerivatives d) {
+    public double value(double a, double b, LocalDerivatives d) {
       return StrictMath.acos(a);
     }
 
     @Override
-    void differentiate(double a, double b, LocalDerivatives d) {
+    public void differentiate(double a, double b, LocalDerivatives d) {
       double s = 1 - a * a;
       d.single(-1 / Math.sqrt(s), -a / (s * Math.sqrt(s)));
     }
   },
   ATAN {
     @Override
-    double value(double a, double b, LocalDerivatives d) {
+    public double value(double a, double b, LocalDerivatives d) {
       return StrictMath.atan(a);
     }
 
     @Override
-    void differentiate(double a, double b, LocalDerivatives d) {
+    public void differentiate(double a, double b, LocalDerivatives d) {
       double s = 1 + a * a;
       d.single(1 / s, -2 * a / (s * s));
     }
@@ -158,12 +158,12 @@ enum Operation {
   /** Its derivatives count as 0 at the origin, where the angle is not defined. */
   ATAN2 {
     @Override
-    double value(double a, double b, LocalDerivatives d) {
+    public double value(double a, double b, LocalDerivatives d) {
       return StrictMath.atan2(a, b);
     }
 
     @Override
-    void differentiate(double a, double b, LocalDerivatives d) {
+    public void differentiate(double a, double b, LocalDerivatives d) {
       double s = a * a + b * b;
       if (s == 0) {
         d.linear(0, 0);
@@ -174,81 +174,81 @@ enum Operation {
   },
   EXP {
     @Override
-    double value(double a, double b, LocalDerivatives d) {
+    public double value(double a, double b, LocalDerivatives d) {
       return StrictMath.exp(a);
     }
 
     @Override
-    void differentiate(double a, double b, LocalDerivatives d) {
+    public void differentiate(double a, double b, LocalDerivatives d) {
       double f = StrictMath.exp(a);
       d.single(f, f);
     }
   },
   LOG {
     @Override
-    double value(double a, double b, LocalDerivatives d) {
+    public double value(double a, double b, LocalDerivatives d) {
       return StrictMath.log(a);
     }
 
     @Override
-    void differentiate(double a, double b, LocalDerivatives d) {
+    public void differentiate(double a, double b, LocalDerivatives d) {
       d.single(1 / a, -1 / (a * a));
     }
   },
   MIN {
     @Override
-    double value(double a, double b, LocalDerivatives d) {
+    public double value(double a, double b, LocalDerivatives d) {
       return Math.min(a, b);
     }
 
     @Override
-    void differentiate(double a, double b, LocalDerivatives d) {
+    public void differentiate(double a, double b, LocalDerivatives d) {
       boolean first = a <= b;
       d.linear(first ? 1 : 0, first ? 0 : 1);
     }
   },
   MAX {
     @Override
-    double value(double a, double b, LocalDerivatives d) {
+    public double value(double a, double b, LocalDerivatives d) {
       return Math.max(a, b);
     }
 
     @Override
-    void differentiate(double a, double b, LocalDerivatives d) {
+    public void differentiate(double a, double b, LocalDerivatives d) {
       boolean first = a >= b;
       d.linear(first ? 1 : 0, first ? 0 : 1);
     }
   },
   SINH {
     @Override
-    double value(double a, double b, LocalDerivatives d) {
+    public double value(double a, double b, LocalDerivatives d) {
       return StrictMath.sinh(a);
     }
 
     @Override
-    void differentiate(double a, double b, LocalDerivatives d) {
+    public void differentiate(double a, double b, LocalDerivatives d) {
       d.single(StrictMath.cosh(a), StrictMath.sinh(a));
     }
   },
   COSH {
     @Override
-    double value(double a, double b, LocalDerivatives d) {
+    public double value(double a, double b, LocalDerivatives d) {
       return StrictMath.cosh(a);
     }
 
     @Override
-    void differentiate(double a, double b, LocalDerivatives d) {
+    public void differentiate(double a, double b, LocalDerivatives d) {
       d.single(StrictMath.sinh(a), StrictMath.cosh(a));
     }
   },
   TANH {
     @Override
-    double value(double a, double b, LocalDerivatives d) {
+    public double value(double a, double b, LocalDerivatives d) {
       return StrictMath.tanh(a);
     }
 
     @Override
-    void differentiate(double a, double b, LocalDerivatives d) {
+    public void differentiate(double a, double b, LocalDerivatives d) {
       double f = StrictMath.tanh(a);
       double c = StrictMath.cosh(a);
       // 1/cosh² keeps its digits where 1 − tanh² has none left
@@ -258,24 +258,24 @@ enum Operation {
   },
   SIGNUM {
     @Override
-    double value(double a, double b, LocalDerivatives d) {
+    public double value(double a, double b, LocalDerivatives d) {
       return Math.signum(a);
     }
 
     @Override
-    void differentiate(double a, double b, LocalDerivatives d) {
+    public void differentiate(double a, double b, LocalDerivatives d) {
       d.single(0, 0);
     }
   },
   /** Its derivatives count as 0 at the origin, where it is not differentiable. */
   HYPOT {
     @Override
-    double value(double a, double b, LocalDerivatives d) {
+    public double value(double a, double b, LocalDerivatives d) {
       return StrictMath.hypot(a, b);
     }
 
     @Override
-    void differentiate(double a, double b, LocalDerivatives d) {
+    public void differentiate(double a, double b, LocalDerivatives d) {
       double h = StrictMath.hypot(a, b);
       if (h == 0) {
         d.linear(0, 0);
@@ -288,34 +288,34 @@ enum Operation {
   },
   FLOOR {
     @Override
-    double value(double a, double b, LocalDerivatives d) {
+    public double value(double a, double b, LocalDerivatives d) {
       return Math.floor(a);
     }
 
     @Override
-    void differentiate(double a, double b, LocalDerivatives d) {
+    public void differentiate(double a, double b, LocalDerivatives d) {
       d.single(0, 0);
     }
   },
   STEP {
     @Override
-    double value(double a, double b, LocalDerivatives d) {
+    public double value(double a, double b, LocalDerivatives d) {
       return a < 0 ? 0 : a >= 0 ? 1 : a;
     }
 
     @Override
-    void differentiate(double a, double b, LocalDerivatives d) {
+    public void differentiate(double a, double b, LocalDerivatives d) {
       d.single(0, 0);
     }
   },
   SMOOTH_STEP {
     @Override
-    double value(double a, double b, LocalDerivatives d) {
+    public double value(double a, double b, LocalDerivatives d) {
       return smoothStep(a);
     }
 
     @Override
-    void differentiate(double a, double b, LocalDerivatives d) {
+    public void differentiate(double a, double b, LocalDerivatives d) {
       boolean between = a > 0 && a < 1;
       d.single(between ? 6 * a * (1 - a) : 0, between ? 6 - 12 * a : 0);
     }
@@ -323,12 +323,12 @@ enum Operation {
   /** a to the power of b; the derivative by b requires a positive a. */
   POWER {
     @Override
-    double value(double a, double b, LocalDerivatives d) {
+    public double value(double a, double b, LocalDerivatives d) {
       return Powers.power(a, b);
     }
 
     @Override
-    void differentiate(double a, double b, LocalDerivatives d) {
+    public void differentiate(double a, double b, LocalDerivatives d) {
       double f = Powers.power(a, b);
       double n = b * (b - 1);
       // a zero factor gives zero, even if the other factor is infinite
@@ -342,15 +342,6 @@ enum Operation {
       d.all(slope, f * log, bend, Powers.power(a, b - 1) * (1 + b * log), f * log * log);
     }
   };
-
-  /**
-   * Returns f, or NaN if f is not defined; functions of one argument ignore b. {@code d} provides
-   * scratch.
-   */
-  abstract double value(double a, double b, LocalDerivatives d);
-
-  /** Writes the partial derivatives; not finite if they do not exist. */
-  abstract void differentiate(double a, double b, LocalDerivatives d);
 
   private static double smoothStep(double a) {
     double s = Math.max(0, Math.min(1, a));

@@ -20,7 +20,7 @@ public final class Tape {
   final int[] result;
 
   /** The steps in order: operation, slot written, slots read. */
-  final Operation[] operation;
+  final TapeStep[] operation;
 
   final int[] target;
   final int[] first;
@@ -43,7 +43,7 @@ public final class Tape {
     }
     leaves = List.copyOf(compiler.leaves);
     leafSlot = compiler.leafSlots();
-    operation = compiler.steps.stream().map(TapeCompiler.Step::operation).toArray(Operation[]::new);
+    operation = compiler.steps.stream().map(TapeCompiler.Step::operation).toArray(TapeStep[]::new);
     target = compiler.targets.stream().mapToInt(Integer::intValue).toArray();
     first = compiler.steps.stream().mapToInt(TapeCompiler.Step::first).toArray();
     second = compiler.steps.stream().mapToInt(TapeCompiler.Step::second).toArray();

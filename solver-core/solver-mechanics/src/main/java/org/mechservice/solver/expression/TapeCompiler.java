@@ -14,6 +14,7 @@ import org.mechservice.solver.expression.Expression.Power;
 import org.mechservice.solver.expression.Expression.Product;
 import org.mechservice.solver.expression.Expression.Quotient;
 import org.mechservice.solver.expression.Expression.Sum;
+import org.mechservice.solver.expression.Expression.TableValue;
 
 /**
  * Turns expressions into steps on slots: one slot per leaf, per constant and per step, numbered as
@@ -21,7 +22,7 @@ import org.mechservice.solver.expression.Expression.Sum;
  */
 final class TapeCompiler {
   /** An operation on two slots; of one operand both are the same. */
-  record Step(Operation operation, int first, int second) {}
+  record Step(TapeStep operation, int first, int second) {}
 
   final List<Expression> leaves = new ArrayList<>();
   final List<Step> steps = new ArrayList<>();
@@ -35,6 +36,7 @@ final class TapeCompiler {
   private final IdentityHashMap<Expression, Integer> done = new IdentityHashMap<>();
   private final Map<Expression, Integer> slotOfLeaf = new HashMap<>();
   private final Map<Double, Integer> slotOfConstant = new HashMap<>();
+  private final Map<Table, TapeStep> curves = new HashMap<>();
   private final Map<Step, Integer> slotOfStep = new HashMap<>();
 
   /** Compiles without recursion: a sum of thousands of terms is a tree as deep. */
@@ -71,6 +73,8 @@ final class TapeCompiler {
       return List.of(negation.operand());
     } else if (expression instanceof Call call) {
       return call.arguments();
+    } else if (expression instanceof TableValue value) {
+      return List.of(value.argument());
     }
     return List.of();
   }
@@ -85,7 +89,7 @@ final class TapeCompiler {
     }
     int a = done.getOrDefault(operands.get(0), -1);
     int b = done.getOrDefault(operands.get(operands.size() - 1), -1);
-    Operation operation = operation(expression);
+    TapeStep operation = operation(expression);
     if (operation == Operation.SQUARE) {
       b = a;
     }
@@ -133,7 +137,7 @@ final class TapeCompiler {
     return slotOfConstant.getOrDefault(constants.get(slot), -1) == slot;
   }
 
-  private static Operation operation(Expression expression) {
+  private TapeStep operation(Expression expression) {
     if (expression instanceof Sum) {
       return Operation.ADD;
     } else if (expression instanceof Product) {
@@ -145,6 +149,8 @@ final class TapeCompiler {
       return square ? Operation.SQUARE : Operation.POWER;
     } else if (expression instanceof Call call) {
       return operation(call.function());
+    } else if (expression instanceof TableValue value) {
+      return curves.computeIfAbsent(value.table(), Table::curve);
     }
     return Operation.NEGATE;
   }

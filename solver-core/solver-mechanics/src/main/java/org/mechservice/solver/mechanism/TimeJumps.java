@@ -13,6 +13,7 @@ import org.mechservice.solver.expression.Expression.Power;
 import org.mechservice.solver.expression.Expression.Product;
 import org.mechservice.solver.expression.Expression.Quotient;
 import org.mechservice.solver.expression.Expression.Sum;
+import org.mechservice.solver.expression.Expression.TableValue;
 import org.mechservice.solver.expression.Expression.Time;
 import org.mechservice.solver.mechanism.force.ForceElement;
 
@@ -59,6 +60,9 @@ final class TimeJumps {
       call(call, twiceDifferentiated);
     } else {
       operands(expression).forEach(operand -> search(operand, twiceDifferentiated));
+      if (expression instanceof TableValue value) {
+        corners(value);
+      }
     }
   }
 
@@ -73,6 +77,8 @@ final class TimeJumps {
       return List.of(power.base(), power.exponent());
     } else if (expression instanceof Negation negation) {
       return List.of(negation.operand());
+    } else if (expression instanceof TableValue value) {
+      return List.of(value.argument());
     }
     return List.of();
   }
@@ -119,6 +125,14 @@ final class TimeJumps {
           TANH,
           HYPOT -> {}
     }
+  }
+
+  /** Adds the times at which the slope or the curvature of a table jumps. */
+  private void corners(TableValue value) {
+    List<Double> points = value.table().x();
+    line(value.argument())
+        .filter(line -> line.slope() != 0)
+        .ifPresent(line -> points.forEach(point -> add(line.where(point))));
   }
 
   private void addMeeting(Line one, Line other) {

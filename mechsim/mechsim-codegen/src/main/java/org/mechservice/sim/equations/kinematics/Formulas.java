@@ -5,6 +5,7 @@ import org.mechservice.sim.symbolic.MathFunction;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.TableCurve;
 
 /** Formulas of the model file as scalars. Subclasses supply the leaves. */
 public abstract class Formulas {
@@ -40,6 +41,8 @@ public abstract class Formulas {
       return scalar(negation.operand()).negated();
     } else if (formula instanceof Expression.Call call) {
       return call(call);
+    } else if (formula instanceof Expression.TableValue value) {
+      return table(value.table().curve(), scalar(value.argument()));
     }
     return leaf(formula);
   }
@@ -103,6 +106,33 @@ public abstract class Formulas {
       case HYPOT -> e.function(MathFunction.HYPOT, x, second(call));
       case POW -> power(x, second(call));
     };
+  }
+
+  /** Returns the polynomial of the interval that an argument is in, in the solver's order. */
+  private Scalar table(TableCurve curve, Scalar x) {
+    Scalar[] chosen = new Scalar[5];
+    for (int number = 0; number < chosen.length; number++) {
+      chosen[number] = e.constant(curve.number(0, number));
+      for (int point = 0; point < curve.pointCount(); point++) {
+        Scalar next = e.constant(curve.number(point + 1, number));
+        if (!next.equals(chosen[number])) {
+          Scalar knot = e.constant(curve.knot(point));
+          chosen[number] = e.function(MathFunction.CHOOSE, knot, x, next, chosen[number]);
+        }
+      }
+    }
+    Scalar d = x.minus(chosen[0]);
+    Scalar inner = chosen[3].plus(d.times(chosen[4]));
+    Scalar value = chosen[1].plus(d.times(chosen[2].plus(d.times(inner))));
+    return curve.isBounded() ? value.plus(nothingOutside(curve, x)) : value;
+  }
+
+  /** Returns 0 between the ends of a table, NaN beyond them. */
+  private Scalar nothingOutside(TableCurve curve, Scalar x) {
+    Scalar none = e.constant(-1).minus(x.squared()).squareRoot();
+    Scalar last = e.constant(curve.knot(curve.pointCount() - 1));
+    Scalar below = e.function(MathFunction.CHOOSE, x, last, e.zero(), none);
+    return e.function(MathFunction.CHOOSE, e.constant(curve.knot(0)), x, below, none);
   }
 
   private Scalar second(Expression.Call call) {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.Table;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.ForceElement;
 
@@ -106,6 +107,8 @@ public final class ForceFormulas {
       return List.of(negation.operand());
     } else if (formula instanceof Expression.Call call) {
       return call.arguments();
+    } else if (formula instanceof Expression.TableValue value) {
+      return List.of(value.argument());
     }
     return List.of();
   }
@@ -116,6 +119,8 @@ public final class ForceFormulas {
       return !(quotient.divisor() instanceof Expression.Constant);
     } else if (part instanceof Expression.Power) {
       return true;
+    } else if (part instanceof Expression.TableValue value) {
+      return value.table().outside() == Table.Extrapolation.ERROR;
     } else if (part instanceof Expression.Call call) {
       return switch (call.function()) {
         case SQRT, LOG, ASIN, ACOS, TAN, EXP, POW, SINH, COSH, SIGNUM, STEP, FLOOR -> true;

@@ -45,6 +45,8 @@ public final class FormulaText {
     } else if (formula instanceof Expression.Call call) {
       List<String> arguments = call.arguments().stream().map(this::of).toList();
       return call.function().symbol() + "(" + String.join(", ", arguments) + ")";
+    } else if (formula instanceof Expression.TableValue value) {
+      return value.table().name() + "(" + of(value.argument()) + ")";
     }
     return leaf(formula);
   }

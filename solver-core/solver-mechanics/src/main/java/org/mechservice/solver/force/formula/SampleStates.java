@@ -10,6 +10,9 @@ public final class SampleStates {
   /** Relative change of a component, as in difference quotients for Jacobians. */
   private static final double MOVE = 1e-7;
 
+  /** Relative distance in time of a state just behind a jump. */
+  private static final double JUST_AFTER = 1e-9;
+
   private final String lines;
   private final Evaluation formulas;
   private final List<Failure.Step> steps;
@@ -37,7 +40,7 @@ public final class SampleStates {
    * and neighbouring states such as difference quotients use. If all forces have values there, it
    * looks for a force that changes faster than the smallest step can follow, and for one that jumps
    * or is vertical between neighbouring states, so that the equations of an implicit step have no
-   * solution.
+   * solution. If no step was tried from the last state, as after a jump, it looks just behind it.
    *
    * @param lines of {@link ForceFormulas}
    * @param t time that the run has reached, s
@@ -59,11 +62,13 @@ public final class SampleStates {
     double[] here = formulas.at(t, y);
     Optional<Defect> found = FormulaFinding.of(t, lines, here);
     boolean unfinished = false;
+    boolean tried = false;
     for (int i = steps.size() - 1; i >= 0 && found.isEmpty(); i--) {
       Failure.Step step = steps.get(i);
       if (step.time() < t) {
         break;
       }
+      tried = true;
       double[] ahead = formulas.at(t + step.stepSize(), along(y, yDot, step.stepSize()));
       if (Double.isNaN(step.error())) {
         unfinished = true;
@@ -71,6 +76,10 @@ public final class SampleStates {
       } else if (i == steps.size() - 1) {
         return FormulaFinding.tooFast(t, lines, here, ahead);
       }
+    }
+    if (!tried && found.isEmpty()) {
+      double after = t + JUST_AFTER * Math.max(1, Math.abs(t));
+      found = FormulaFinding.of(after, lines, formulas.at(after, y));
     }
     for (int l = 0; unfinished && l < 2 * y.length && found.isEmpty(); l++) {
       double kept = y[l / 2];

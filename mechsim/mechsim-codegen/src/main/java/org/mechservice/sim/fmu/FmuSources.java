@@ -1,0 +1,121 @@
+package org.mechservice.sim.fmu;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Locale;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import org.mechservice.solver.text.ShortestDecimal;
+
+/** The C files of an FMU: those of the model, those of the resources, and the header between. */
+final class FmuSources {
+  private static final String MODEL_HEADER = "mech_fmu_model.h";
+
+  private static final List<String> FUNCTIONS =
+      List.of(
+          "init",
+          "start",
+          "derivatives",
+          "outputs",
+          "event_values",
+          "event",
+          "project",
+          "jacobian",
+          "failure");
+
+  private FmuSources() {}
+
+  /**
+   * Returns all files by name.
+   *
+   * @param token GUID or instantiation token, compiled in
+   */
+  static SortedMap<String, String> of(FmuModel model, FmiVersion version, String token) {
+    SortedMap<String, String> files = withoutHeader(model, version);
+    files.put(MODEL_HEADER, header(model, token));
+    return files;
+  }
+
+  /** Returns the files that do not depend on the token. */
+  static SortedMap<String, String> withoutHeader(FmuModel model, FmiVersion version) {
+    SortedMap<String, String> files = new TreeMap<>(model.sources());
+    for (String name :
+        List.of("mech_adams.c", "mech_adams.h", "mech_fmu.c", "mech_fmu.h", version.source())) {
+      files.put(name, resource(name));
+    }
+    return files;
+  }
+
+  /** Returns the names of those to compile. */
+  static List<String> compiled(SortedMap<String, String> files) {
+    return files.keySet().stream().filter(name -> name.endsWith(".c")).toList();
+  }
+
+  private static String header(FmuModel model, String token) {
+    String name = model.identifier();
+    FmuModel.Experiment run = model.experiment();
+    StringBuilder text =
+        new StringBuilder(
+            """
+            /* The model as the files of the FMU name it. */
+            #ifndef MECH_FMU_MODEL_H
+            #define MECH_FMU_MODEL_H
+
+            #include <math.h>
+
+            """);
+    text.append("#include \"").append(name).append(".h\"\n\n");
+    int[] counts = {
+      model.states().size(),
+      model.parameters().size(),
+      model.inputs().size(),
+      model.outputs().size(),
+      model.events().size()
+    };
+    List<String> letters = List.of("X", "P", "U", "Y", "G");
+    StringBuilder check = new StringBuilder();
+    for (int i = 0; i < counts.length; i++) {
+      define(text, "N" + letters.get(i), Integer.toString(counts[i]));
+      check.append(i == 0 ? "(" : " && ").append(name).append("_N").append(letters.get(i));
+      check.append(" == ").append(counts[i]);
+    }
+    define(text, "CHECK", check + ")");
+    define(text, "T", name + "_t");
+    FUNCTIONS.forEach(function -> define(text, function, name + "_" + function));
+    define(text, "TOKEN", "\"" + token + "\"");
+    define(text, "START", number(run.start()));
+    define(text, "INTERVAL", number(run.end() - run.start()));
+    define(text, "RTOL", number(run.relativeTolerance()));
+    define(text, "ATOL", number(run.absoluteTolerance()));
+    define(text, "LONGEST", number(run.maxStep()));
+    return text.append("\n#endif\n").toString();
+  }
+
+  private static void define(StringBuilder text, String name, String value) {
+    text.append("#define MODEL_").append(name).append(' ').append(value).append('\n');
+  }
+
+  /** Returns a constant of type double. */
+  private static String number(double value) {
+    if (Double.isInfinite(value)) {
+      return "HUGE_VAL";
+    }
+    String text = ShortestDecimal.format(value).toLowerCase(Locale.ROOT);
+    String decimal = text.contains(".") || text.contains("e") ? text : text + ".0";
+    return value < 0 ? "(" + decimal + ")" : decimal;
+  }
+
+  private static String resource(String name) {
+    try (InputStream in = FmuSources.class.getResourceAsStream(name)) {
+      if (in == null) {
+        throw new IllegalStateException("this program lacks its file " + name);
+      }
+      return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw new UncheckedIOException("cannot read " + name, e);
+    }
+  }
+}

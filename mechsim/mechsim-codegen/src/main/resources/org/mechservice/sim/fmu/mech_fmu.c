@@ -1,0 +1,824 @@
+#include "mech_fmu.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The model was printed for these numbers. */
+typedef char mech_check_states[MODEL_CHECK ? 1 : -1];
+
+static const unsigned long INSTANCE = 0x4d454348UL, SAVED = 0x53415645UL;
+
+/* Steps tried in one communication step, and events in it, before the run ends. */
+enum { MOST_TRIES = 1000000, MOST_EVENTS = 1000 };
+
+/* Parts of a step at whose ends the event functions are looked at. */
+enum { LOOKS = 4 };
+
+typedef struct {
+  unsigned long magic;
+  mech_state s;
+} saved_state;
+
+static int finite_number(double x) { return fabs(x) <= DBL_MAX; }
+
+mech_status mech_say(const mech_instance *c, mech_status status, const char *format, ...) {
+  char text[512];
+  va_list arguments;
+  if (c == NULL || c->log == NULL || (status < MECH_FAILED && !c->logging)) {
+    return status;
+  }
+  va_start(arguments, format);
+  vsnprintf(text, sizeof text, format, arguments);
+  va_end(arguments);
+  c->log(c, status,
+         status == MECH_OK        ? "logAll"
+         : status == MECH_WARNING ? "logStatusWarning"
+         : status == MECH_DISCARD ? "logStatusDiscard"
+                                  : "logStatusError",
+         text);
+  return status;
+}
+
+static const char *mode_name(mech_mode mode) {
+  switch (mode) {
+    case MECH_INSTANTIATED:
+      return "instantiated";
+    case MECH_INITIALIZATION:
+      return "initialization mode";
+    case MECH_EVENT:
+      return "event mode";
+    case MECH_CONTINUOUS:
+      return "continuous-time mode";
+    case MECH_STEPPING:
+      return "step mode";
+    case MECH_STEP_FAILED:
+      return "the state after a step that failed";
+    case MECH_TERMINATED:
+      return "the state after terminate";
+    case MECH_ERROR:
+      return "the state after an error";
+  }
+  return "an unknown state";
+}
+
+int mech_may(mech_instance *c, const char *function, int modes) {
+  if (c == NULL || c->magic != INSTANCE) {
+    return 0;
+  }
+  if ((c->s.mode & modes) == 0) {
+    mech_say(c, MECH_FAILED, "%s: not allowed in %s.", function, mode_name(c->s.mode));
+    return 0;
+  }
+  return 1;
+}
+
+static void forget(mech_instance *c) { c->derivatives_known = c->outputs_known = 0; }
+
+static mech_status model_failed(mech_instance *c, mech_status status, const char *what) {
+  const char *why = MODEL_failure(&c->s.model);
+  return mech_say(c, status, "%s at t = %.17g: %s", what, c->s.t,
+                  why != NULL && why[0] != 0 ? why : "a value is not finite.");
+}
+
+mech_instance *mech_create(void *(*allocate)(size_t, size_t), void (*release)(void *),
+                           const char *name) {
+  mech_instance *c = allocate(1, sizeof *c);
+  if (c == NULL) {
+    return NULL;
+  }
+  memset(c, 0, sizeof *c);
+  c->name = allocate(1, strlen(name) + 1);
+  if (c->name == NULL) {
+    release(c);
+    return NULL;
+  }
+  strcpy(c->name, name);
+  c->magic = INSTANCE;
+  c->release = release;
+  mech_reset(c);
+  return c;
+}
+
+void mech_free(mech_instance *c) {
+  if (c != NULL && c->magic == INSTANCE) {
+    void (*release)(void *) = c->release;
+    c->magic = 0;
+    release(c->name);
+    release(c);
+  }
+}
+
+void mech_reset(mech_instance *c) {
+  memset(&c->s, 0, sizeof c->s);
+  MODEL_init(&c->s.model);
+  c->s.mode = MECH_INSTANTIATED;
+  c->s.start = c->s.t = MODEL_START;
+  c->s.rtol = MODEL_RTOL;
+  forget(c);
+}
+
+mech_status mech_set_up(mech_instance *c, int tolerance_defined, double tolerance, double start,
+                        int stop_defined, double stop) {
+  if (!finite_number(start) || (stop_defined && !(finite_number(stop) && stop >= start))) {
+    return mech_say(c, MECH_FAILED, "The run from t = %g to %g is not an interval of time.", start,
+                    stop);
+  }
+  if (tolerance_defined && !(tolerance > 0 && tolerance < 1)) {
+    return mech_say(c, MECH_FAILED, "The relative tolerance %g is not between 0 and 1.", tolerance);
+  }
+  c->s.start = c->s.t = start;
+  c->s.stop = stop;
+  c->s.stop_defined = stop_defined;
+  c->s.rtol = tolerance_defined ? (tolerance > 2.3e-14 ? tolerance : 2.3e-14) : MODEL_RTOL;
+  c->s.start_known = 0;
+  forget(c);
+  return MECH_OK;
+}
+
+/* Start values that follow from the parameters, but for those that were set. */
+static mech_status know_start(mech_instance *c) {
+  double x[MECH_N] = {0};
+  int i;
+  if (c->s.start_known || (c->s.mode & (MECH_INSTANTIATED | MECH_INITIALIZATION)) == 0) {
+    return MECH_OK;
+  }
+  if (MODEL_start(&c->s.model, c->s.t, x) < 0) {
+    return model_failed(c, MECH_FAILED, "No start state");
+  }
+  for (i = 0; i < MODEL_NX; i++) {
+    if (!c->s.set[i]) {
+      c->s.x[i] = x[i];
+    }
+  }
+  c->s.start_known = 1;
+  forget(c);
+  return MECH_OK;
+}
+
+mech_status mech_initialised(mech_instance *c) {
+  mech_status status = know_start(c);
+  if (status != MECH_OK) {
+    return status;
+  }
+  if (MODEL_project(&c->s.model, c->s.t, c->s.x) < 0) {
+    return model_failed(c, MECH_FAILED, "The start state cannot be moved onto the constraints");
+  }
+  forget(c);
+  return mech_begin_continuous(c);
+}
+
+static mech_status know_derivatives(mech_instance *c) {
+  mech_status status = know_start(c);
+  int i;
+  if (status != MECH_OK || c->derivatives_known) {
+    return status;
+  }
+  memset(c->dx, 0, sizeof c->dx);
+  if (MODEL_derivatives(&c->s.model, c->s.t, c->s.x, c->dx) < 0) {
+    return model_failed(c, MECH_DISCARD, "The derivatives cannot be formed");
+  }
+  for (i = 0; i < MODEL_NX; i++) {
+    if (!finite_number(c->dx[i])) {
+      return mech_say(c, MECH_DISCARD, "The derivative of state %d is not finite at t = %.17g.", i,
+                      c->s.t);
+    }
+  }
+  c->derivatives_known = 1;
+  return MECH_OK;
+}
+
+static mech_status know_outputs(mech_instance *c) {
+  mech_status status = know_start(c);
+  if (status != MECH_OK || c->outputs_known) {
+    return status;
+  }
+  if (MODEL_NY > 0 && MODEL_outputs(&c->s.model, c->s.t, c->s.x, c->y) < 0) {
+    return model_failed(c, MECH_DISCARD, "The outputs cannot be formed");
+  }
+  c->outputs_known = 1;
+  return MECH_OK;
+}
+
+mech_status mech_get(mech_instance *c, const char *function, unsigned reference, double *value) {
+  mech_status status = MECH_OK;
+  if (reference == MECH_TIME) {
+    *value = c->s.t;
+  } else if (reference < MECH_DERIVATIVE) {
+    status = know_start(c);
+    *value = c->s.x[reference - MECH_STATE];
+  } else if (reference < MECH_PARAMETER) {
+    status = know_derivatives(c);
+    *value = c->dx[reference - MECH_DERIVATIVE];
+#if MODEL_NP > 0
+  } else if (reference < MECH_INPUT) {
+    *value = c->s.model.p[reference - MECH_PARAMETER];
+#endif
+#if MODEL_NU > 0
+  } else if (reference < MECH_OUTPUT) {
+    *value = c->s.model.u[reference - MECH_INPUT];
+#endif
+#if MODEL_NY > 0
+  } else if (reference < MECH_INDICATOR) {
+    status = know_outputs(c);
+    *value = c->y[reference - MECH_OUTPUT];
+#endif
+#if MODEL_NG > 0
+  } else if (reference < MECH_END) {
+    double g[MECH_NG];
+    status = mech_get_indicators(c, function, g, MODEL_NG);
+    *value = g[reference - MECH_INDICATOR];
+#endif
+  } else {
+    status = mech_say(c, MECH_FAILED, "%s: no variable has the value reference %u.", function,
+                      reference);
+  }
+  return status;
+}
+
+/* Integration begins anew at this place, with what was set. */
+static void changed_here(mech_instance *c) {
+  c->s.begun = 0;
+  forget(c);
+}
+
+mech_status mech_set(mech_instance *c, const char *function, unsigned reference, double value) {
+  int before = (c->s.mode & (MECH_INSTANTIATED | MECH_INITIALIZATION)) != 0;
+  if (!finite_number(value)) {
+    return mech_say(c, MECH_FAILED, "%s: the value for the reference %u is not finite.", function,
+                    reference);
+  }
+  if (reference >= MECH_STATE && reference < MECH_DERIVATIVE && before) {
+    c->s.x[reference - MECH_STATE] = value;
+    c->s.set[reference - MECH_STATE] = 1;
+    forget(c);
+    return MECH_OK;
+  }
+#if MODEL_NP > 0
+  if (reference >= MECH_PARAMETER && reference < MECH_INPUT) {
+    if (c->s.mode == MECH_CONTINUOUS) {
+      return mech_say(c, MECH_FAILED,
+                      "%s: parameter %u cannot be set in continuous-time mode; enter event mode.",
+                      function, reference);
+    }
+    if (c->s.model.p[reference - MECH_PARAMETER] != value) {
+      c->s.model.p[reference - MECH_PARAMETER] = value;
+      c->s.start_known = 0;
+      changed_here(c);
+    }
+    return MECH_OK;
+  }
+#endif
+#if MODEL_NU > 0
+  if (reference >= MECH_INPUT && reference < MECH_OUTPUT) {
+    if (c->s.model.u[reference - MECH_INPUT] != value) {
+      c->s.model.u[reference - MECH_INPUT] = value;
+      changed_here(c);
+    }
+    return MECH_OK;
+  }
+#endif
+  return mech_say(c, MECH_FAILED, "%s: %s %u cannot be set in %s.", function,
+                  reference < MECH_END ? "the variable with the value reference"
+                                       : "no variable has the value reference",
+                  reference, mode_name(c->s.mode));
+}
+
+mech_status mech_set_time(mech_instance *c, const char *function, double t) {
+  if (!finite_number(t)) {
+    return mech_say(c, MECH_FAILED, "%s: the time is not finite.", function);
+  }
+  c->s.t = t;
+  forget(c);
+  return MECH_OK;
+}
+
+static mech_status right_count(mech_instance *c, const char *function, const void *values, size_t n,
+                               int expected) {
+  if (n != (size_t)expected || (n > 0 && values == NULL)) {
+    return mech_say(c, MECH_FAILED, "%s: %lu values where the model has %d.", function,
+                    (unsigned long)n, expected);
+  }
+  return MECH_OK;
+}
+
+mech_status mech_set_states(mech_instance *c, const char *function, const double *x, size_t n) {
+  size_t i;
+  if (right_count(c, function, x, n, MODEL_NX) != MECH_OK) {
+    return MECH_FAILED;
+  }
+  for (i = 0; i < n; i++) {
+    if (!finite_number(x[i])) {
+      return mech_say(c, MECH_FAILED, "%s: state %lu is not finite.", function, (unsigned long)i);
+    }
+  }
+  memmove(c->s.x, x, n * sizeof(double));
+  forget(c);
+  return MECH_OK;
+}
+
+mech_status mech_get_states(mech_instance *c, const char *function, double *x, size_t n) {
+  mech_status status = right_count(c, function, x, n, MODEL_NX);
+  if (status == MECH_OK) {
+    status = know_start(c);
+    memmove(x, c->s.x, n * sizeof(double));
+  }
+  return status;
+}
+
+mech_status mech_get_derivatives(mech_instance *c, const char *function, double *dx, size_t n) {
+  mech_status status = right_count(c, function, dx, n, MODEL_NX);
+  if (status == MECH_OK && (status = know_derivatives(c)) == MECH_OK) {
+    memmove(dx, c->dx, n * sizeof(double));
+  }
+  return status;
+}
+
+static mech_status events_at(mech_instance *c, double t, const double *x, double *g) {
+  int i;
+  memset(g, 0, MECH_NG * sizeof(double));
+  if (MODEL_NG > 0 && MODEL_event_values(&c->s.model, t, x, g) < 0) {
+    return model_failed(c, MECH_DISCARD, "The event functions cannot be formed");
+  }
+  for (i = 0; i < MODEL_NG; i++) {
+    if (!finite_number(g[i])) {
+      return mech_say(c, MECH_DISCARD, "Event function %d is not finite at t = %.17g.", i, t);
+    }
+  }
+  return MECH_OK;
+}
+
+mech_status mech_get_indicators(mech_instance *c, const char *function, double *g, size_t n) {
+  double values[MECH_NG];
+  mech_status status = right_count(c, function, g, n, MODEL_NG);
+  if (status == MECH_OK && (status = know_start(c)) == MECH_OK &&
+      (status = events_at(c, c->s.t, c->s.x, values)) == MECH_OK && n > 0) {
+    memmove(g, values, n * sizeof(double));
+  }
+  return status;
+}
+
+/* Signs from here on. Where a jump has just happened at a zero, the direction in which the function
+ * leaves it counts: its value there is round-off. */
+static mech_status take_signs(mech_instance *c, const unsigned char *fired) {
+  double g[MECH_NG], ahead[MECH_NG], x[MECH_N];
+  double interval = c->s.stop_defined ? c->s.stop - c->s.start : MODEL_INTERVAL;
+  double e = 1e-6 * (interval > 0 ? interval : 1);
+  mech_status status = events_at(c, c->s.t, c->s.x, g);
+  int i;
+  if (MODEL_NG == 0 || status != MECH_OK) {
+    return status;
+  }
+  if ((status = know_derivatives(c)) != MECH_OK) {
+    return status;
+  }
+  for (i = 0; i < MODEL_NX; i++) {
+    x[i] = c->s.x[i] + e * c->dx[i];
+  }
+  status = events_at(c, c->s.t + e, x, ahead);
+  for (i = 0; i < MODEL_NG; i++) {
+    double value = g[i];
+    if (status == MECH_OK && (value == 0 || (fired != NULL && fired[i] &&
+                                             fabs(value) <= 1e-3 * fabs(ahead[i] - value)))) {
+      value = ahead[i] - value;
+    }
+    c->s.sign[i] = (signed char)((value > 0) - (value < 0));
+  }
+  return MECH_OK;
+}
+
+mech_status mech_begin_continuous(mech_instance *c) {
+  double g[MECH_NG];
+  int i;
+  mech_status status;
+  for (i = 0; i < MODEL_NG; i++) {
+    if (c->s.sign[i] == 0) {
+      return take_signs(c, NULL);
+    }
+  }
+  status = events_at(c, c->s.t, c->s.x, g);
+  return status;
+}
+
+/* Whether an event function has another sign than before. */
+static int crossed(const mech_instance *c, const double *g, int i) {
+  return c->s.sign[i] != 0 && g[i] * c->s.sign[i] < 0;
+}
+
+/* Applies events at (t, x); a zero counts as crossed where an importer stops right on it. */
+static mech_status apply_events(mech_instance *c, int zero_counts, int *changed) {
+  double g[MECH_NG];
+  unsigned char fired[MECH_NG] = {0};
+  int i, some = 0;
+  mech_status status = events_at(c, c->s.t, c->s.x, g);
+  *changed = 0;
+  if (status != MECH_OK) {
+    return status;
+  }
+  for (i = 0; i < MODEL_NG; i++) {
+    if (crossed(c, g, i) || (zero_counts && g[i] == 0 && c->s.sign[i] != 0)) {
+      int direction = -c->s.sign[i];
+      int result = MODEL_event(&c->s.model, i, direction, c->s.t, c->s.x);
+      if (result < 0) {
+        return model_failed(c, MECH_FAILED, "The change of an event cannot be formed");
+      }
+      c->s.sign[i] = (signed char)direction;
+      fired[i] = 1;
+      some = 1;
+      *changed |= result == 1;
+      c->s.terminate |= result == 2;
+    }
+  }
+  if (some) {
+    forget(c);
+  }
+  return *changed ? take_signs(c, fired) : MECH_OK;
+}
+
+mech_status mech_step_completed(mech_instance *c, int *event_needed) {
+  double x[MECH_N];
+  int i, result;
+  memcpy(x, c->s.x, sizeof x);
+  *event_needed = 0;
+  result = MODEL_project(&c->s.model, c->s.t, x);
+  if (result < 0) {
+    return model_failed(c, MECH_FAILED, "The state cannot be moved onto the constraints");
+  }
+  for (i = 0; result > 0 && i < MODEL_NX; i++) {
+    double size = fabs(x[i]) > 1 ? fabs(x[i]) : 1;
+    *event_needed |= fabs(x[i] - c->s.x[i]) > c->s.rtol * size;
+  }
+  return MECH_OK;
+}
+
+mech_status mech_update(mech_instance *c, int *changed) {
+  int result;
+  mech_status status = apply_events(c, 1, changed);
+  if (status != MECH_OK) {
+    return status;
+  }
+  result = MODEL_project(&c->s.model, c->s.t, c->s.x);
+  if (result < 0) {
+    return model_failed(c, MECH_FAILED, "The state cannot be moved onto the constraints");
+  }
+  *changed |= result > 0;
+  if (result > 0) {
+    forget(c);
+  }
+  return MECH_OK;
+}
+
+static mech_status step_failed(mech_instance *c, mech_step_result result) {
+  const mech_adams *a = &c->s.adams;
+  const char *why = MODEL_failure(&c->s.model);
+  const char *stiff =
+      a->stiff ? " The equations are stiff: stability, not accuracy, limits the steps of this"
+                 " method. Use Model Exchange with an implicit method, or less stiffness."
+               : "";
+  c->s.mode = MECH_STEP_FAILED;
+  switch (result) {
+    case MECH_STEP_NOT_FINITE:
+      return mech_say(c, MECH_FAILED, "No step can be made at t = %.17g: %s%s", a->t,
+                      why != NULL && why[0] != 0 ? why : "a value is not finite.", stiff);
+    case MECH_STEP_TOO_SMALL:
+      return mech_say(c, MECH_FAILED,
+                      "The steps at t = %.17g are smaller than the arithmetic can hold.%s", a->t,
+                      stiff);
+    case MECH_STEP_TOO_ACCURATE:
+      return mech_say(c, MECH_FAILED,
+                      "The tolerance %g asks at t = %.17g for more digits than numbers have.",
+                      a->rtol, a->t);
+    default:
+      return mech_say(c, MECH_FAILED, "%d steps in one communication step, at t = %.17g.%s",
+                      (int)MOST_TRIES, a->t, stiff);
+  }
+}
+
+static mech_status begin_integration(mech_instance *c) {
+  mech_adams *a = &c->s.adams;
+  double interval = c->s.stop_defined ? c->s.stop - c->s.start : MODEL_INTERVAL;
+  mech_step_result result;
+  a->rtol = c->s.rtol;
+  a->atol = MODEL_ATOL * (c->s.rtol < MODEL_RTOL ? c->s.rtol / MODEL_RTOL : 1);
+  a->longest = 0.1 * (interval > 0 ? interval : 1);
+  if (MODEL_LONGEST < a->longest) {
+    a->longest = MODEL_LONGEST;
+  }
+  a->stop = c->s.stop_defined ? c->s.stop : HUGE_VAL;
+  result = mech_adams_begin(a, &c->s.model, c->s.t, c->s.x);
+  if (result != MECH_STEP_DONE) {
+    return step_failed(c, result);
+  }
+  memcpy(c->s.x, a->x, sizeof c->s.x);
+  c->s.begun = 1;
+  c->s.waiting = 0;
+  c->s.horizon = c->s.t;
+  forget(c);
+  return MECH_OK;
+}
+
+/* Looks for the first change of sign between a place in the last step and its end. */
+static mech_status look_for_events(mech_instance *c, double from) {
+  const mech_adams *a = &c->s.adams;
+  double low = from, x[MECH_N], g[MECH_NG];
+  int look, i;
+  c->s.waiting = 0;
+  c->s.horizon = a->t;
+  for (look = 1; MODEL_NG > 0 && look <= LOOKS; look++) {
+    double high = look == LOOKS ? a->t : from + (a->t - from) * look / LOOKS;
+    int some = 0;
+    mech_adams_interpolate(a, high, x);
+    if (events_at(c, high, x, g) != MECH_OK) {
+      return MECH_DISCARD;
+    }
+    for (i = 0; i < MODEL_NG; i++) {
+      some |= crossed(c, g, i);
+    }
+    while (some) {
+      double middle = low + 0.5 * (high - low);
+      int before = 1;
+      if (high - low <= 2 * DBL_EPSILON * fabs(high) || middle <= low || middle >= high) {
+        c->s.waiting = 1;
+        c->s.horizon = high;
+        return MECH_OK;
+      }
+      mech_adams_interpolate(a, middle, x);
+      if (events_at(c, middle, x, g) != MECH_OK) {
+        return MECH_DISCARD;
+      }
+      for (i = 0; i < MODEL_NG; i++) {
+        before &= !crossed(c, g, i);
+      }
+      if (before) {
+        low = middle;
+      } else {
+        high = middle;
+      }
+    }
+    low = high;
+  }
+  return MECH_OK;
+}
+
+/* Brings the state to a place inside the last step. */
+static void place(mech_instance *c, double t) {
+  mech_adams_interpolate(&c->s.adams, t, c->s.x);
+  c->s.t = t;
+  forget(c);
+}
+
+mech_status mech_do_step(mech_instance *c, const char *function, double from, double size) {
+  double end = from + size;
+  long events = 0;
+  double tries = c->s.adams.tries;
+  if (!finite_number(from) || !finite_number(size) || !(size >= 0) || !finite_number(end)) {
+    return mech_say(c, MECH_FAILED, "%s: a step of %g from t = %g is none.", function, size, from);
+  }
+  if (fabs(from - c->s.t) > 1e-9 * (fabs(c->s.t) + size)) {
+    return mech_say(c, MECH_FAILED, "%s: a step from t = %.17g, but the model is at t = %.17g.",
+                    function, from, c->s.t);
+  }
+  if (c->s.terminate) {
+    return mech_say(c, MECH_DISCARD, "%s: the run has ended at t = %.17g by an event.", function,
+                    c->s.t);
+  }
+  if (c->s.stop_defined && end > c->s.stop) {
+    if (end - c->s.stop > 1e-9 * (fabs(end) + size)) {
+      return mech_say(c, MECH_FAILED, "%s: a step to t = %.17g passes the stop time %.17g.",
+                      function, end, c->s.stop);
+    }
+    end = c->s.stop;
+  }
+  if (!c->s.begun) {
+    mech_status status = begin_integration(c);
+    if (status != MECH_OK) {
+      return status;
+    }
+  }
+  while (c->s.t < end) {
+    if (end <= c->s.horizon && !(c->s.waiting && end == c->s.horizon)) {
+      place(c, end);
+    } else if (c->s.waiting) {
+      double te = c->s.horizon;
+      int changed;
+      mech_status status;
+      place(c, te);
+      if ((status = apply_events(c, 0, &changed)) != MECH_OK) {
+        c->s.mode = MECH_STEP_FAILED;
+        return status == MECH_DISCARD ? MECH_FAILED : status;
+      }
+      if (++events > MOST_EVENTS) {
+        c->s.mode = MECH_STEP_FAILED;
+        return mech_say(c, MECH_FAILED,
+                        "Events follow each other without end at t = %.17g: %d in one step. Let an"
+                        " event end the run, or give a jump that leaves the zero.",
+                        te, (int)MOST_EVENTS);
+      }
+      if (changed && (status = begin_integration(c)) != MECH_OK) {
+        return status;
+      }
+      if (c->s.terminate) {
+        return MECH_DISCARD;
+      }
+      if (!changed && (status = look_for_events(c, te)) != MECH_OK) {
+        c->s.mode = MECH_STEP_FAILED;
+        return MECH_FAILED;
+      }
+    } else {
+      mech_step_result result;
+      long left = (long)(MOST_TRIES - (c->s.adams.tries - tries));
+      result = mech_adams_step(&c->s.adams, &c->s.model, left);
+      if (result != MECH_STEP_DONE) {
+        return step_failed(c, result);
+      }
+      if (c->s.adams.stiff && !c->s.told_stiff) {
+        c->s.told_stiff = 1;
+        mech_say(c, MECH_WARNING,
+                 "From t = %.17g stability, not accuracy, limits the steps: the equations are"
+                 " stiff for this method.",
+                 c->s.adams.t);
+      }
+      if (look_for_events(c, c->s.adams.previous) != MECH_OK) {
+        c->s.mode = MECH_STEP_FAILED;
+        return MECH_FAILED;
+      }
+    }
+  }
+  return MECH_OK;
+}
+
+/* Values of derivatives, outputs and indicators after a small change of the knowns. */
+static mech_status shifted(mech_instance *c, const char *function, const unsigned *unknown,
+                           size_t unknowns, const unsigned *known, size_t knowns,
+                           const double *seed, double e, double *values) {
+  mech_status status = MECH_OK;
+  size_t i;
+  double x[MECH_N], t = c->s.t;
+  MODEL_T model = c->s.model;
+  memcpy(x, c->s.x, sizeof x);
+  for (i = 0; i < knowns; i++) {
+    unsigned r = known[i];
+    if (r == MECH_TIME) {
+      c->s.t += e * seed[i];
+    } else if (r >= MECH_STATE && r < MECH_DERIVATIVE) {
+      c->s.x[r - MECH_STATE] += e * seed[i];
+#if MODEL_NP > 0
+    } else if (r >= MECH_PARAMETER && r < MECH_INPUT) {
+      c->s.model.p[r - MECH_PARAMETER] += e * seed[i];
+#endif
+#if MODEL_NU > 0
+    } else if (r >= MECH_INPUT && r < MECH_OUTPUT) {
+      c->s.model.u[r - MECH_INPUT] += e * seed[i];
+#endif
+    } else {
+      status = mech_say(c, MECH_FAILED, "%s: %u is not the reference of a known.", function, r);
+      break;
+    }
+  }
+  forget(c);
+  for (i = 0; status == MECH_OK && i < unknowns; i++) {
+    if (unknown[i] < MECH_STATE || (unknown[i] >= MECH_PARAMETER && unknown[i] < MECH_OUTPUT)) {
+      status = mech_say(c, MECH_FAILED, "%s: %u is not the reference of an unknown.", function,
+                        unknown[i]);
+    } else {
+      status = mech_get(c, function, unknown[i], &values[i]);
+    }
+  }
+  c->s.model = model;
+  c->s.t = t;
+  memcpy(c->s.x, x, sizeof x);
+  forget(c);
+  return status;
+}
+
+mech_status mech_directional(mech_instance *c, const char *function, const unsigned *unknown,
+                             size_t unknowns, const unsigned *known, size_t knowns,
+                             const double *seed, size_t seeds, double *sensitivity,
+                             size_t sensitivities) {
+  double largest = 0, size = 0, e;
+  size_t i, j;
+  mech_status status = know_start(c);
+  int by_jacobian = 1;
+  if (status != MECH_OK) {
+    return status;
+  }
+  if (seeds != knowns || sensitivities != unknowns ||
+      (unknowns > 0 && (unknown == NULL || sensitivity == NULL)) ||
+      (knowns > 0 && (known == NULL || seed == NULL))) {
+    return mech_say(c, MECH_FAILED, "%s: wrong number of seeds or sensitivities.", function);
+  }
+  for (i = 0; i < knowns; i++) {
+    if (!finite_number(seed[i])) {
+      return mech_say(c, MECH_FAILED, "%s: a seed is not finite.", function);
+    }
+    largest = fabs(seed[i]) > largest ? fabs(seed[i]) : largest;
+    by_jacobian &= known[i] >= MECH_STATE && known[i] < MECH_DERIVATIVE;
+  }
+  for (i = 0; i < unknowns; i++) {
+    by_jacobian &= unknown[i] >= MECH_DERIVATIVE && unknown[i] < MECH_PARAMETER;
+  }
+  if (by_jacobian) {
+    double jacobian[MECH_N * MECH_N];
+    if (MODEL_jacobian(&c->s.model, c->s.t, c->s.x, jacobian) >= 0) {
+      for (i = 0; i < unknowns; i++) {
+        sensitivity[i] = 0;
+        for (j = 0; j < knowns; j++) {
+          sensitivity[i] += seed[j] * jacobian[(unknown[i] - MECH_DERIVATIVE) * MODEL_NX +
+                                               (known[j] - MECH_STATE)];
+        }
+      }
+      return MECH_OK;
+    }
+  }
+  for (i = 0; i < MODEL_NX; i++) {
+    size = fabs(c->s.x[i]) > size ? fabs(c->s.x[i]) : size;
+  }
+  e = 6e-6 * (size > 1 ? size : 1) / (largest > 0 ? largest : 1);
+  status = shifted(c, function, unknown, unknowns, known, knowns, seed, e, sensitivity);
+  for (i = 0; status == MECH_OK && i < unknowns; i++) {
+    double above = sensitivity[i], below;
+    status = shifted(c, function, &unknown[i], 1, known, knowns, seed, -e, &below);
+    sensitivity[i] = (above - below) / (2 * e);
+  }
+  return status;
+}
+
+mech_status mech_save(mech_instance *c, const char *function, void **state) {
+  saved_state *saved;
+  if (state == NULL) {
+    return mech_say(c, MECH_FAILED, "%s: no place for the state.", function);
+  }
+  saved = *state;
+  if (saved == NULL) {
+    saved = calloc(1, sizeof *saved);
+    if (saved == NULL) {
+      return mech_say(c, MECH_FAILED, "%s: no memory.", function);
+    }
+    saved->magic = SAVED;
+  } else if (saved->magic != SAVED) {
+    return mech_say(c, MECH_FAILED, "%s: not a state of this model.", function);
+  }
+  saved->s = c->s;
+  *state = saved;
+  return MECH_OK;
+}
+
+mech_status mech_restore(mech_instance *c, const char *function, const void *state) {
+  const saved_state *saved = state;
+  if (saved == NULL || saved->magic != SAVED) {
+    return mech_say(c, MECH_FAILED, "%s: not a state of this model.", function);
+  }
+  c->s = saved->s;
+  forget(c);
+  return MECH_OK;
+}
+
+mech_status mech_discard(mech_instance *c, const char *function, void **state) {
+  saved_state *saved = state == NULL ? NULL : *state;
+  if (saved == NULL) {
+    return MECH_OK;
+  }
+  if (saved->magic != SAVED) {
+    return mech_say(c, MECH_FAILED, "%s: not a state of this model.", function);
+  }
+  saved->magic = 0;
+  free(saved);
+  *state = NULL;
+  return MECH_OK;
+}
+
+/* Serialised: the token of the model, then the bytes of the state. */
+enum { TOKEN = sizeof MODEL_TOKEN };
+
+size_t mech_saved_size(void) { return TOKEN + sizeof(mech_state); }
+
+mech_status mech_serialize(mech_instance *c, const char *function, const void *state, void *bytes,
+                           size_t size) {
+  const saved_state *saved = state;
+  if (saved == NULL || saved->magic != SAVED || bytes == NULL || size < mech_saved_size()) {
+    return mech_say(c, MECH_FAILED, "%s: not a state of this model, or too little room.", function);
+  }
+  memcpy(bytes, MODEL_TOKEN, TOKEN);
+  memcpy((char *)bytes + TOKEN, &saved->s, sizeof saved->s);
+  return MECH_OK;
+}
+
+mech_status mech_deserialize(mech_instance *c, const char *function, const void *bytes, size_t size,
+                             void **state) {
+  saved_state *saved;
+  if (state == NULL || bytes == NULL || size != mech_saved_size() ||
+      memcmp(bytes, MODEL_TOKEN, TOKEN) != 0) {
+    return mech_say(c, MECH_FAILED, "%s: the bytes are not a state of this model.", function);
+  }
+  saved = calloc(1, sizeof *saved);
+  if (saved == NULL) {
+    return mech_say(c, MECH_FAILED, "%s: no memory.", function);
+  }
+  saved->magic = SAVED;
+  memcpy(&saved->s, (const char *)bytes + TOKEN, sizeof saved->s);
+  *state = saved;
+  return MECH_OK;
+}

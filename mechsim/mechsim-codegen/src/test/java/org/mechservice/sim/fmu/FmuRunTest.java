@@ -1,0 +1,172 @@
+package org.mechservice.sim.fmu;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.concurrent.TimeUnit;
+import org.assertj.core.data.Offset;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/**
+ * Units run in other programs. The Python of the environment variable MECH_PYTHON, or else {@code
+ * python3}, needs fmpy; both need a C compiler.
+ */
+class FmuRunTest {
+  private static final String PYTHON =
+      Optional.ofNullable(System.getenv("MECH_PYTHON")).orElse("python3");
+
+  private static final double GRAVITY = 9.81;
+
+  @TempDir private Path folder;
+
+  @ParameterizedTest
+  @EnumSource
+  void ballBouncesAsTheFormulaSaysAndGoesOnToTheBitWhereItWasSaved(FmiVersion version)
+      throws Exception {
+    Map<String, String> said = fmpy(CModels.ball(), version, "ball,resumed");
+    assertThat(said)
+        .containsEntry("findings", "[]")
+        .containsEntry("serialised", "True")
+        .containsEntry("restored", "True")
+        .containsEntry("reset", "True");
+    assertThat(number(said, "ModelExchange", 0)).isLessThan(1e-7);
+    assertThat(number(said, "CoSimulation", 0)).isLessThan(1e-12);
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void loopStaysClosedAndTakesStartValuesAndParameters(FmiVersion version) throws Exception {
+    Map<String, String> said = fmpy(CModels.circle(), version, "circle,tuned");
+    assertThat(said).containsEntry("findings", "[]");
+    // Relative tolerance 1e-8: projected when it is left, by what one step of CVode drifts.
+    assertThat(number(said, "ModelExchange", 1)).isLessThan(1e-6);
+    assertThat(number(said, "ModelExchange", 2)).isLessThan(1e-5);
+    assertThat(number(said, "CoSimulation", 0)).isLessThan(10 * 1e-8 * GRAVITY);
+    assertThat(number(said, "CoSimulation", 1)).isLessThan(1e-8);
+    assertThat(number(said, "CoSimulation", 2)).isLessThan(10 * 1e-8);
+    assertThat(number(said, "angle", 0)).isCloseTo(2, Offset.offset(1e-8));
+  }
+
+  @Test
+  void hundredInstancesOnThreadsGiveTheBitsOfOne() throws Exception {
+    assertThat(fmpy(CModels.ball(), FmiVersion.FMI_2, "many")).containsEntry("same", "True");
+  }
+
+  @Test
+  void stiffnessThatTheMethodCannotBearEndsByName() throws Exception {
+    Map<String, String> said = fmpy(CModels.circle(), FmiVersion.FMI_2, "stiff");
+    assertThat(said).containsEntry("ended", "FMICallException");
+    assertThat(said.toString()).contains("The equations are stiff");
+  }
+
+  @Tag("soak")
+  @ParameterizedTest
+  @EnumSource
+  void unitOfSourcesIsCompiledByTheImporter(FmiVersion version) throws Exception {
+    requireCompiler();
+    Map<String, String> said = run(FmuArchive.build(CModels.ball(), version, Set.of()), "compiled");
+    assertThat(number(said, "CoSimulation", 0)).isLessThan(1e-12);
+  }
+
+  @Test
+  void wrongCallsEndInErrorsAndNothingElse() throws Exception {
+    requireCompiler();
+    Map<String, String> files =
+        new TreeMap<>(FmuSources.of(CModels.ball(), FmiVersion.FMI_2, "{token}"));
+    files.put("hostile.c", CModels.resource("hostile.c"));
+    for (Map.Entry<String, String> file : files.entrySet()) {
+      Files.writeString(folder.resolve(file.getKey()), file.getValue());
+    }
+    List<String> strict =
+        List.of("-std=c99", "-Wall", "-Wextra", "-Werror", "-O1", "-g", "-o", "hostile");
+    List<String> sanitizers = List.of("-fsanitize=address,undefined", "-fno-sanitize-recover=all");
+    List<String> sources = List.of("hostile.c", "mech_fmu.c", "mech_adams.c", "ball.c", "-lm");
+    assumeTrue(
+        execute(command(List.of("cc"), sanitizers, List.of("-xc", "-", "-o", "probe")), true)
+            .equals("0\n"),
+        "this compiler has no sanitizers");
+    String compiled = execute(command(List.of("cc"), strict, sanitizers, sources), false);
+    assertThat(compiled).isEqualTo("0\n");
+    String ran = execute(List.of(folder.resolve("hostile").toString()), false);
+    assertThat(ran).isEqualTo("0 failures\n0\n");
+  }
+
+  @SafeVarargs
+  private static List<String> command(List<String>... parts) {
+    return List.of(parts).stream().flatMap(List::stream).toList();
+  }
+
+  private static void requireCompiler() {
+    assumeTrue(
+        FmuPlatform.ofThisMachine().flatMap(CCompiler::forPlatform).isPresent(),
+        "this machine has no C compiler");
+  }
+
+  private Map<String, String> fmpy(FmuModel model, FmiVersion version, String what)
+      throws Exception {
+    requireCompiler();
+    return run(FmuArchive.build(model, version), what);
+  }
+
+  private Map<String, String> run(FmuArchive archive, String what) throws Exception {
+    assumeTrue(
+        execute(List.of(PYTHON, "-c", "import fmpy"), false).equals("0\n"), "no fmpy in " + PYTHON);
+    Path unit = folder.resolve("model.fmu");
+    Files.write(unit, archive.bytes());
+    Path script = folder.resolve("fmpy_checks.py");
+    Files.writeString(script, CModels.resource("fmpy_checks.py"));
+    String text = execute(List.of(PYTHON, script.toString(), unit.toString(), what), false);
+    Map<String, String> lines = new HashMap<>();
+    for (String line : text.split("\n", -1)) {
+      int space = line.indexOf(' ');
+      if (space > 0) {
+        lines.put(line.substring(0, space), line.substring(space + 1));
+      }
+    }
+    return lines;
+  }
+
+  private static double number(Map<String, String> said, String name, int index) {
+    String line = said.getOrDefault(name, "");
+    assertThat(line).as("%s in %s", name, said).isNotEmpty();
+    return Double.parseDouble(line.split(" ", -1)[index]);
+  }
+
+  /** Runs a program; returns what it wrote and its exit status. */
+  private String execute(List<String> command, boolean withEmptyProgram)
+      throws IOException, InterruptedException {
+    Path said = folder.resolve("said.txt");
+    Process process;
+    try {
+      process =
+          new ProcessBuilder(command)
+              .directory(folder.toFile())
+              .redirectErrorStream(true)
+              .redirectOutput(said.toFile())
+              .start();
+    } catch (IOException e) {
+      return e.getMessage() + "\n";
+    }
+    try (var in = process.getOutputStream()) {
+      if (withEmptyProgram) {
+        in.write("int main(void) { return 0; }\n".getBytes(StandardCharsets.UTF_8));
+      }
+    }
+    assertThat(process.waitFor(5, TimeUnit.MINUTES)).isTrue();
+    return Files.readString(said) + process.exitValue() + "\n";
+  }
+}

@@ -1,0 +1,63 @@
+package org.mechservice.solver.expression;
+
+import java.util.List;
+
+/**
+ * A function of one argument given by points: y at ascending x.
+ *
+ * @param name name in the model file
+ * @param x arguments, strictly ascending, at least two
+ * @param y values, as many
+ * @param method curve between the points
+ * @param outside values beyond the first and the last point
+ */
+public record Table(
+    String name, List<Double> x, List<Double> y, Method method, Extrapolation outside) {
+  /** Curves between points. */
+  public enum Method {
+    /** Straight lines; the slope jumps at the points. */
+    LINEAR,
+    /**
+     * Cubics whose slopes follow the neighbouring points only, without overshoot beside a jump
+     * (Akima 1970); the curvature jumps at the points.
+     */
+    AKIMA,
+    /** A cubic spline, whose curvature is continuous, with the ends not-a-knot (de Boor 2001). */
+    CUBIC
+  }
+
+  /** Values beyond the ends. */
+  public enum Extrapolation {
+    /** The value at the end. */
+    HOLD,
+    /** The tangent at the end. */
+    LINEAR,
+    /** None: an evaluation there is not finite. */
+    ERROR
+  }
+
+  public Table {
+    x = List.copyOf(x);
+    y = List.copyOf(y);
+    if (x.size() < 2 || y.size() != x.size()) {
+      throw new IllegalArgumentException(
+          "table " + name + " has " + x.size() + " arguments and " + y.size() + " values");
+    }
+    for (int i = 1; i < x.size(); i++) {
+      if (!(x.get(i) > x.get(i - 1))) {
+        throw new IllegalArgumentException("the arguments of table " + name + " do not ascend");
+      }
+    }
+  }
+
+  /** Returns its curve. */
+  public TableCurve curve() {
+    return new TableCurve(this);
+  }
+
+  /** {@inheritDoc} Tables of one model differ by name. */
+  @Override
+  public int hashCode() {
+    return name.hashCode();
+  }
+}

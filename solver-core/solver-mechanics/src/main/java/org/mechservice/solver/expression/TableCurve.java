@@ -1,0 +1,193 @@
+package org.mechservice.solver.expression;
+
+import org.mechservice.solver.expression.Table.Extrapolation;
+import org.mechservice.solver.expression.Table.Method;
+
+/**
+ * The curve of a table: one polynomial c0 + d (c1 + d (c2 + d c3)) with d = x − origin for each
+ * interval between points, and one for each side beyond them. Immutable.
+ */
+public final class TableCurve implements TapeStep {
+  /** Numbers of a polynomial: origin, c0, c1, c2, c3. */
+  private static final int NUMBERS = 5;
+
+  private final double[] knots;
+  private final double[] polynomials;
+  private final boolean bounded;
+
+  TableCurve(Table table) {
+    knots = table.x().stream().mapToDouble(Double::doubleValue).toArray();
+    double[] y = table.y().stream().mapToDouble(Double::doubleValue).toArray();
+    polynomials = new double[NUMBERS * (knots.length + 1)];
+    double[] slope = slopes(table.method(), knots, y);
+    int n = knots.length;
+    for (int i = 0; i + 1 < n; i++) {
+      double h = knots[i + 1] - knots[i];
+      double chord = (y[i + 1] - y[i]) / h;
+      if (table.method() == Method.LINEAR) {
+        put(i + 1, knots[i], y[i], chord, 0, 0);
+      } else {
+        double c2 = (3 * chord - 2 * slope[i] - slope[i + 1]) / h;
+        double c3 = (slope[i] + slope[i + 1] - 2 * chord) / (h * h);
+        put(i + 1, knots[i], y[i], slope[i], c2, c3);
+      }
+    }
+    boolean holds = table.outside() == Extrapolation.HOLD;
+    put(0, knots[0], y[0], holds ? 0 : slope[0], 0, 0);
+    put(n, knots[n - 1], y[n - 1], holds ? 0 : slope[n - 1], 0, 0);
+    bounded = table.outside() == Extrapolation.ERROR;
+  }
+
+  private void put(int place, double origin, double c0, double c1, double c2, double c3) {
+    int at = NUMBERS * place;
+    polynomials[at] = origin;
+    polynomials[at + 1] = c0;
+    polynomials[at + 2] = c1;
+    polynomials[at + 3] = c2;
+    polynomials[at + 4] = c3;
+  }
+
+  /** Returns the slopes at the points; for straight lines those of the first and last interval. */
+  private static double[] slopes(Method method, double[] x, double[] y) {
+    int n = x.length;
+    double[] chord = new double[n - 1];
+    for (int i = 0; i + 1 < n; i++) {
+      chord[i] = (y[i + 1] - y[i]) / (x[i + 1] - x[i]);
+    }
+    double[] slope = new double[n];
+    if (n == 2 || method == Method.LINEAR) {
+      slope[0] = chord[0];
+      slope[n - 1] = chord[n - 2];
+      return slope;
+    }
+    return method == Method.AKIMA ? akima(chord) : spline(x, chord);
+  }
+
+  private static double[] akima(double[] chord) {
+    int n = chord.length + 1;
+    double[] m = new double[n + 3];
+    System.arraycopy(chord, 0, m, 2, chord.length);
+    m[1] = 2 * m[2] - m[3];
+    m[0] = 2 * m[1] - m[2];
+    m[n + 1] = 2 * m[n] - m[n - 1];
+    m[n + 2] = 2 * m[n + 1] - m[n];
+    double[] slope = new double[n];
+    for (int i = 0; i < n; i++) {
+      double after = Math.abs(m[i + 3] - m[i + 2]);
+      double before = Math.abs(m[i + 1] - m[i]);
+      slope[i] =
+          after + before == 0
+              ? (m[i + 1] + m[i + 2]) / 2
+              : (after * m[i + 1] + before * m[i + 2]) / (after + before);
+    }
+    return slope;
+  }
+
+  /** Slopes of the spline: continuous curvature inside, one cubic over the two end intervals. */
+  private static double[] spline(double[] x, double[] chord) {
+    int n = x.length;
+    if (n == 3) {
+      double curve = (chord[1] - chord[0]) / (x[2] - x[0]);
+      double h0 = x[1] - x[0];
+      double h1 = x[2] - x[1];
+      return new double[] {chord[0] - curve * h0, chord[0] + curve * h0, chord[1] + curve * h1};
+    }
+    double[] lower = new double[n];
+    double[] middle = new double[n];
+    double[] upper = new double[n];
+    double[] right = new double[n];
+    double h0 = x[1] - x[0];
+    double h1 = x[2] - x[1];
+    middle[0] = h1;
+    upper[0] = h0 + h1;
+    right[0] = ((h0 + 2 * (h0 + h1)) * h1 * chord[0] + h0 * h0 * chord[1]) / (h0 + h1);
+    for (int i = 1; i + 1 < n; i++) {
+      double before = x[i] - x[i - 1];
+      double after = x[i + 1] - x[i];
+      lower[i] = after;
+      middle[i] = 2 * (before + after);
+      upper[i] = before;
+      right[i] = 3 * (after * chord[i - 1] + before * chord[i]);
+    }
+    double g0 = x[n - 1] - x[n - 2];
+    double g1 = x[n - 2] - x[n - 3];
+    lower[n - 1] = g0 + g1;
+    middle[n - 1] = g1;
+    right[n - 1] = (g0 * g0 * chord[n - 3] + (2 * (g0 + g1) + g0) * g1 * chord[n - 2]) / (g0 + g1);
+    for (int i = 1; i < n; i++) {
+      double factor = lower[i] / middle[i - 1];
+      middle[i] -= factor * upper[i - 1];
+      right[i] -= factor * right[i - 1];
+    }
+    double[] slope = new double[n];
+    slope[n - 1] = right[n - 1] / middle[n - 1];
+    for (int i = n - 2; i >= 0; i--) {
+      slope[i] = (right[i] - upper[i] * slope[i + 1]) / middle[i];
+    }
+    return slope;
+  }
+
+  /** Returns the number of points. */
+  public int pointCount() {
+    return knots.length;
+  }
+
+  /** Returns whether there are no values beyond the ends. */
+  public boolean isBounded() {
+    return bounded;
+  }
+
+  /** Returns the argument of a point. */
+  public double knot(int point) {
+    return knots[point];
+  }
+
+  /**
+   * Returns a number of a polynomial.
+   *
+   * @param place how many points are not above the argument: 0 to {@link #pointCount}
+   * @param number 0: the origin; 1 to 4: c0 to c3
+   */
+  public double number(int place, int number) {
+    return polynomials[NUMBERS * place + number];
+  }
+
+  private int polynomialAt(double x) {
+    int low = 0;
+    int high = knots.length;
+    while (low < high) {
+      int middle = (low + high) >>> 1;
+      if (knots[middle] <= x) {
+        low = middle + 1;
+      } else {
+        high = middle;
+      }
+    }
+    return NUMBERS * low;
+  }
+
+  /** Returns the value at an argument. */
+  public double at(double x) {
+    int p = polynomialAt(x);
+    double d = x - polynomials[p];
+    if (bounded && !(x >= knots[0] && x <= knots[knots.length - 1])) {
+      return Double.NaN;
+    }
+    return polynomials[p + 1]
+        + d * (polynomials[p + 2] + d * (polynomials[p + 3] + d * polynomials[p + 4]));
+  }
+
+  @Override
+  public double value(double a, double b, LocalDerivatives derivatives) {
+    return at(a);
+  }
+
+  @Override
+  public void differentiate(double a, double b, LocalDerivatives derivatives) {
+    int p = polynomialAt(a);
+    double d = a - polynomials[p];
+    double c2 = polynomials[p + 3];
+    double c3 = polynomials[p + 4];
+    derivatives.single(polynomials[p + 2] + d * (2 * c2 + 3 * c3 * d), 2 * c2 + 6 * c3 * d);
+  }
+}
