@@ -6,6 +6,7 @@ import java.util.TreeMap;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.compile.ModelCompiler;
 import org.mechservice.sim.emit.AnalysisTask;
+import org.mechservice.sim.emit.c.CModel;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.user.UserClasses;
 import org.mechservice.solver.catalogue.MethodNames;
@@ -46,6 +47,17 @@ public final class ModelFactory {
             .map(why -> resolved.because("; auto: " + integrator + ", since at the start " + why))
             .orElse(resolved);
     return new ModelAssembly(model, options, choice).generated();
+  }
+
+  /**
+   * Derives a model's code in C. Options that belong to Java, such as the layout, do not matter;
+   * the formulation is DSR if asked for, else DTR.
+   *
+   * @throws org.mechservice.sim.scene.ModelBuildException S-170 if C code cannot express the model;
+   *     the message names each part and the remedy
+   */
+  public static CModel inC(MechmlModel model, BuildOptions options) {
+    return TreeInC.derive(model, options);
   }
 
   /**
