@@ -221,7 +221,10 @@ final class MechanismReader {
 
   /** Reports states in a simulation that does not integrate them. */
   void checkStates(Mechanism mechanism, SimulationSettings settings) {
-    boolean integrates = settings.task() instanceof SimulationTask.Dynamic;
+    boolean integrates =
+        settings.task() instanceof SimulationTask.Dynamic
+            || (settings.task() instanceof SimulationTask.Linearization linear
+                && !linear.atEquilibrium());
     if (!integrates && !mechanism.furtherStates().isEmpty()) {
       Element first = states.first();
       diagnostics.error(
