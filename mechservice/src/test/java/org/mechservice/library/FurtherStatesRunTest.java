@@ -295,6 +295,73 @@ class FurtherStatesRunTest {
   }
 
   @Test
+  void modesAreTheEigenvaluesOfTheWholeLoop() throws Exception {
+    String states =
+        "<state name='sum' derivative='1-j.q'/><state name='lag' derivative='(j.v-lag)/0.05'/>"
+            + "<state name='apart' derivative='-7*apart'/>";
+    Trajectory modes = of(slide(states, "40*(1-j.q) + 60*sum - 8*lag", "")).modes();
+    // by hand: (s + 7) ((s + 20) (s^3 + 20 s + 30) + 80 s^2) = 0
+    double found = 0;
+    for (int i = 0; i < modes.rows(); i++) {
+      double re = modes.column("eigenvalue.re")[i];
+      double im = modes.column("eigenvalue.im")[i];
+      if (im == 0 && Math.abs(re + 7) < 1e-9) {
+        found++;
+        assertThat(modes.column("apart.re")[i]).isEqualTo(1);
+        continue;
+      }
+      double[] s2 = product(re, im, re, im);
+      double[] s3 = product(s2[0], s2[1], re, im);
+      double[] whole = product(re + 20, im, s3[0] + 20 * re + 30, s3[1] + 20 * im);
+      assertThat(whole[0] + 80 * s2[0]).isCloseTo(0, within(1e-8 * 1e4));
+      assertThat(whole[1] + 80 * s2[1]).isCloseTo(0, within(1e-8 * 1e4));
+      // sum' = -q
+      double[] rate = product(re, im, modes.column("sum.re")[i], modes.column("sum.im")[i]);
+      assertThat(rate[0]).isCloseTo(-modes.column("j.re")[i], within(1e-9));
+      found += im == 0 ? 1 : 2;
+    }
+    assertThat(found).isEqualTo(5);
+  }
+
+  private static double[] product(double a, double b, double c, double d) {
+    return new double[] {a * c - b * d, a * d + b * c};
+  }
+
+  @Test
+  void matricesOfSmallMotionsHoldTheStates() throws Exception {
+    Trajectory rows =
+        of(slide("<state name='s' derivative='3*j.q - 5*j.v - 7*s'/>", "11*s - 13*j.q", ""))
+            .linearise();
+    assertThat(rows.column("M.j")).containsExactly(2, 0);
+    assertThat(rows.column("C.j")[1]).isCloseTo(5, within(1e-9));
+    assertThat(rows.column("K.j")[0]).isCloseTo(13, within(1e-9));
+    assertThat(rows.column("K.j")[1]).isCloseTo(-3, within(1e-9));
+    assertThat(rows.column("S.s")).containsExactly(new double[] {-11, 7}, within(1e-12));
+  }
+
+  @Test
+  void modesOfLoopsSatisfyTheEquationOfTheState() throws Exception {
+    String states = "<States><state name='u' derivative='-3*j1.q - 2*u'/></States>";
+    Trajectory modes = of(fourBar("DSR", "projection", states, "5*u - 2*j1.v")).modes();
+    assertThat(modes.rows()).isBetween(2, 3);
+    for (int i = 0; i < modes.rows(); i++) {
+      // (s + 2) u = -3 j1
+      double re = modes.column("eigenvalue.re")[i];
+      double im = modes.column("eigenvalue.im")[i];
+      double[] left = product(re + 2, im, modes.column("u.re")[i], modes.column("u.im")[i]);
+      assertThat(left[0]).isCloseTo(-3 * modes.column("j1.re")[i], within(1e-8));
+      assertThat(left[1]).isCloseTo(-3 * modes.column("j1.im")[i], within(1e-8));
+    }
+  }
+
+  @Test
+  void analysesThatDoNotIntegrateSaySo() throws Exception {
+    MechModel model = of(slide("<state name='s' derivative='1'/>", "0", ""));
+    assertThatThrownBy(model::equilibrium).hasMessageContaining("M-069");
+    assertThatThrownBy(model::kinematics).hasMessageContaining("does not integrate");
+  }
+
+  @Test
   void transferFunctionIsItsClosedStepResponse() throws Exception {
     // (2s + 3)/(s^2 + 3s + 2) = 1/(s + 1) + 1/(s + 2), and one with feedthrough: 2 - 3/(s + 1)
     String states =

@@ -21,6 +21,7 @@ import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.assembly.ClosedStart;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.text.TableFiles;
 import org.mechservice.view.scene.SceneDescription;
 import org.mechservice.view.scene.SceneVerdict;
 import org.mechservice.view.web.ModelReader;
@@ -41,7 +42,7 @@ public final class SceneReader {
    *     given for a robot, which has neither simulations nor parameters
    */
   public static SceneDescription read(Path file, ReadOptions options) throws IOException {
-    byte[] content = Files.readAllBytes(file);
+    byte[] content = TableFiles.inlined(Files.readAllBytes(file), file);
     String fileName = String.valueOf(file.getFileName());
     try {
       if (fileName.toLowerCase(Locale.ROOT).endsWith(ROBOT)) {

@@ -7,8 +7,6 @@ import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.SimulationTask;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.Phrase;
-import org.mechservice.mechml.diagnosis.Quoted;
-import org.mechservice.mechml.diagnosis.SourcePosition;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.document.Limits;
 import org.mechservice.mechml.resolve.body.BodyDefinition;
@@ -223,17 +221,19 @@ final class MechanismReader {
 
   /** Reports states in a simulation that does not integrate them. */
   void checkStates(Mechanism mechanism, SimulationSettings settings) {
-    boolean integrates = settings.task() instanceof SimulationTask.Dynamic;
+    boolean integrates =
+        settings.task() instanceof SimulationTask.Dynamic
+            || (settings.task() instanceof SimulationTask.Linearization linear
+                && !linear.atEquilibrium());
     if (!integrates && !mechanism.furtherStates().isEmpty()) {
-      FurtherState first = mechanism.furtherStates().get(0);
+      Element first = states.first();
       diagnostics.error(
           MessageCode.STATE_NOT_INTEGRATED,
-          new SourcePosition(first.origin().line(), 1, ""),
+          first.position(),
           Phrase.of(
-              "the model has state %s, whose value follows from integration in time, and <%s> does"
-                  + " not integrate; simulate with <dynamic>, or leave the states out of this"
-                  + " model",
-              Quoted.of(first.name()), settings.task().element()));
+              "%s: its value follows from integration in time, and <%s> does not integrate;"
+                  + " simulate with <dynamic>, or leave the states out of this model",
+              first.label(), settings.task().element()));
     }
   }
 

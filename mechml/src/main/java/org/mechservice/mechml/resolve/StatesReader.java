@@ -169,6 +169,11 @@ final class StatesReader {
     }
   }
 
+  /** Returns the first element, of which there is one if there are states. */
+  Element first() {
+    return entries.get(0).element;
+  }
+
   /** Returns the states without errors, in file order. */
   List<FurtherState> read(FormulaReader formulas) {
     blocks = Optional.of(new ControllerBlocks(formulas, diagnostics));

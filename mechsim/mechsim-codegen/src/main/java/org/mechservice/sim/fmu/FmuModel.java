@@ -7,10 +7,9 @@ import java.util.TreeMap;
 /**
  * A model in C with what an FMU says about it.
  *
- * <p>The sources define the structure {@code IDENTIFIER_t}, the numbers {@code IDENTIFIER_NX} (and
- * {@code NP}, {@code NU}, {@code NY}, {@code NG}) and the functions {@code IDENTIFIER_init}, {@code
- * start}, {@code derivatives}, {@code outputs}, {@code event_values}, {@code event}, {@code
- * project}, {@code jacobian} and {@code failure} in {@code IDENTIFIER.h}.
+ * <p>The sources have a header {@code IDENTIFIER.h} with the structure {@code IDENTIFIER_t} of an
+ * instance, its numbers of states, parameters, inputs, outputs and event functions, and functions
+ * for its start, derivatives, outputs, events, projection and Jacobian.
  *
  * @param name name of the model
  * @param identifier its name in C

@@ -4,10 +4,14 @@ import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.mechservice.mechml.MechmlModel;
+import org.mechservice.mechml.SimulationTask;
 import org.mechservice.sim.compile.ModelCompiler;
 import org.mechservice.sim.emit.AnalysisTask;
+import org.mechservice.sim.emit.c.CModel;
 import org.mechservice.sim.scene.FormulationChoice;
+import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.sim.user.UserClasses;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.mechanism.Mechanism;
 
@@ -31,6 +35,7 @@ public final class ModelFactory {
     GeneratedNames.requireUsable(mechanism);
     Optional<AnalysisTask> task = AnalysisTask.of(model.settings().task());
     if (task.isPresent()) {
+      requireNoStates(mechanism, model.settings().task());
       String name = model.settings().task().element();
       FormulationChoice asked =
           new FormulationChoice(name, MethodNames.NONE, "the simulation asks for it");
@@ -46,6 +51,31 @@ public final class ModelFactory {
             .map(why -> resolved.because("; auto: " + integrator + ", since at the start " + why))
             .orElse(resolved);
     return new ModelAssembly(model, options, choice).generated();
+  }
+
+  private static void requireNoStates(Mechanism mechanism, SimulationTask task) {
+    boolean atStart =
+        task instanceof SimulationTask.Linearization linear && !linear.atEquilibrium();
+    if (!atStart && !mechanism.furtherStates().isEmpty()) {
+      throw new ModelBuildException(
+          MessageCode.STATE_NOT_INTEGRATED,
+          "the model has states, such as \""
+              + mechanism.furtherStates().get(0).name()
+              + "\", whose values follow from integration in time, and <"
+              + task.element()
+              + "> does not integrate; simulate the motion, or leave the states out");
+    }
+  }
+
+  /**
+   * Derives a model's code in C. Options that belong to Java, such as the layout, do not matter;
+   * the formulation is DSR if asked for, else DTR.
+   *
+   * @throws org.mechservice.sim.scene.ModelBuildException S-170 if C code cannot express the model;
+   *     the message names each part and the remedy
+   */
+  public static CModel inC(MechmlModel model, BuildOptions options) {
+    return TreeInC.derive(model, options);
   }
 
   /**

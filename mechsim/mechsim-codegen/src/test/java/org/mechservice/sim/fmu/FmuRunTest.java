@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -91,23 +92,24 @@ class FmuRunTest {
     for (Map.Entry<String, String> file : files.entrySet()) {
       Files.writeString(folder.resolve(file.getKey()), file.getValue());
     }
-    List<String> strict =
-        List.of("-std=c99", "-Wall", "-Wextra", "-Werror", "-O1", "-g", "-o", "hostile");
     List<String> sanitizers = List.of("-fsanitize=address,undefined", "-fno-sanitize-recover=all");
+    List<String> strict = new ArrayList<>(sanitizers);
+    strict.addAll(List.of("-std=c99", "-Wall", "-Wextra", "-Werror", "-O1", "-g", "-o", "hostile"));
     List<String> sources = List.of("hostile.c", "mech_fmu.c", "mech_adams.c", "ball.c", "-lm");
     assumeTrue(
-        execute(command(List.of("cc"), sanitizers, List.of("-xc", "-", "-o", "probe")), true)
-            .equals("0\n"),
+        execute(compiler(sanitizers, List.of("-xc", "-", "-o", "probe")), true).equals("0\n"),
         "this compiler has no sanitizers");
-    String compiled = execute(command(List.of("cc"), strict, sanitizers, sources), false);
+    String compiled = execute(compiler(strict, sources), false);
     assertThat(compiled).isEqualTo("0\n");
     String ran = execute(List.of(folder.resolve("hostile").toString()), false);
     assertThat(ran).isEqualTo("0 failures\n0\n");
   }
 
-  @SafeVarargs
-  private static List<String> command(List<String>... parts) {
-    return List.of(parts).stream().flatMap(List::stream).toList();
+  private static List<String> compiler(List<String> first, List<String> rest) {
+    List<String> command = new ArrayList<>(List.of("cc"));
+    command.addAll(first);
+    command.addAll(rest);
+    return command;
   }
 
   private static void requireCompiler() {

@@ -30,9 +30,22 @@ public record IntegrationFailure(
     lastSteps = List.copyOf(lastSteps);
   }
 
+  /**
+   * Returns whether the steps became too small for what is left, and not for the arithmetic: the
+   * solution slides along a jump of the right-hand side, of which both sides lead back to it, and
+   * would cross it millions of times.
+   */
+  public boolean slidesAlongJump() {
+    double spacing = Math.ulp(Math.abs(time) + Math.abs(stepSize));
+    return cause == Cause.STEP_TOO_SMALL && Math.abs(stepSize) > 1000 * spacing;
+  }
+
   /** Kinds of failure. */
   public enum Cause {
-    /** The error test fails at the smallest step the arithmetic can hold. */
+    /**
+     * The error test fails at the smallest step the arithmetic can hold, or the solution
+     * {@linkplain #slidesAlongJump slides along a jump}.
+     */
     STEP_TOO_SMALL,
     /**
      * The right-hand side and the solution grow beyond every bound within the next step: a pole.

@@ -5,6 +5,9 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.mechservice.solver.ode.IntegratorSettings.Mode;
 import org.mechservice.solver.ode.suite.Ode;
 import org.mechservice.solver.ode.suite.Run;
 
@@ -38,6 +41,21 @@ public abstract class AdamsContract extends IntegratorContract {
     assertThat(run.integrator().time()).isCloseTo(2 * Math.PI, within(1e-3));
     assertThat(run.atEnd()).containsExactly(new double[] {-0.7, 0}, within(1e-4));
     assertThat(run.statistics().evaluations()).isLessThan(100_000);
+  }
+
+  /** y' = 1/2 − sgn y: from t = 2 on both sides lead back to 0, and short steps chatter there. */
+  @ParameterizedTest
+  @EnumSource
+  void chatterAroundAJumpEndsTheRunEarly(Mode mode) {
+    Ode relay = new Ode(1, (t, y, yDot) -> yDot[0] = 0.5 - Math.signum(y[0]));
+    for (double tolerance : new double[] {1e-6, 1e-9}) {
+      IntegratorSettings settings = new IntegratorSettings(tolerance, tolerance).withMode(mode);
+      Run run = Run.of(create(settings), relay, 0, new double[] {1}, 10);
+      assertThat(run.result()).isEqualTo(StepResult.FAILED);
+      assertThat(run.integrator().failure().slidesAlongJump()).isTrue();
+      assertThat(run.integrator().time()).isCloseTo(2, within(0.01));
+      assertThat(run.statistics().evaluations()).isLessThan(20_000);
+    }
   }
 
   @Test

@@ -20,6 +20,7 @@ import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.compact.DataDriven;
 import org.mechservice.solver.force.user.UserForceSource;
+import org.mechservice.solver.mechanism.FurtherState;
 
 /**
  * Small motions of a mechanism about its start or an equilibrium, as a table: one row per mode with
@@ -55,7 +56,7 @@ final class LinearModel implements ResultTable, RunNotes {
     description = AnalysisModel.description(data);
     names = new CoordinateNames(data.mechanism());
     equations = new EquationsOfMotion(data.mechanism(), userForces);
-    y = new double[equations.nq + equations.nv];
+    y = new double[data.mechanism().stateCount()];
     a = new double[equations.nv];
   }
 
@@ -83,12 +84,19 @@ final class LinearModel implements ResultTable, RunNotes {
         columns.add(new Variable(names.name(j) + ".re", names.unit(j)));
         columns.add(new Variable(names.name(j) + ".im", names.unit(j)));
       }
+      for (FurtherState state : data.mechanism().furtherStates()) {
+        columns.add(new Variable(state.name() + ".re", state.unit()));
+        columns.add(new Variable(state.name() + ".im", state.unit()));
+      }
       return columns;
     }
     for (String matrix : List.of("M", "C", "K")) {
       for (int j = 0; j < names.count(); j++) {
         columns.add(new Variable(matrix + "." + names.name(j), "SI"));
       }
+    }
+    for (FurtherState state : data.mechanism().furtherStates()) {
+      columns.add(new Variable("S." + state.name(), "SI"));
     }
     return columns;
   }
@@ -142,7 +150,7 @@ final class LinearModel implements ResultTable, RunNotes {
     } else if (result != ExplicitModel.REGULAR) {
       fail(noInertia("joint \"" + description.joints().get(result).name() + "\""));
     }
-    a = Arrays.copyOfRange(yDot, equations.nq, yDot.length);
+    a = Arrays.copyOfRange(yDot, equations.nq, equations.nq + equations.nv);
     return result == ExplicitModel.REGULAR;
   }
 
@@ -155,7 +163,7 @@ final class LinearModel implements ResultTable, RunNotes {
   }
 
   private int writeModes(double t, Linearisation linear, ResultSink sink) throws IOException {
-    if (linear.freedom() == 0) {
+    if (linear.freedom() + linear.furtherCount() == 0) {
       return ExplicitModel.REGULAR;
     }
     double[] system = linear.system();
@@ -171,9 +179,9 @@ final class LinearModel implements ResultTable, RunNotes {
               "The eigenvalues of small motions were not found.",
               "Look for masses and stiffnesses that differ by more than 1e16."));
     }
-    double[] re = new double[names.count()];
-    double[] im = new double[names.count()];
-    double[] row = new double[6 + 2 * names.count()];
+    double[] re = new double[names.count() + linear.furtherCount()];
+    double[] im = new double[re.length];
+    double[] row = new double[6 + 2 * re.length];
     for (int k = 0; k < found.count(); k++) {
       row[0] = t;
       row[1] = k + 1;
@@ -191,19 +199,37 @@ final class LinearModel implements ResultTable, RunNotes {
     return ExplicitModel.REGULAR;
   }
 
-  /** Writes the row of each independent coordinate; columns of dependent ones are zero. */
+  /**
+   * Writes the row of each independent coordinate, then that of each further state; columns of
+   * dependent coordinates are zero.
+   */
   private int writeMatrices(double t, Linearisation linear, ResultSink sink) throws IOException {
     int f = linear.freedom();
+    int ns = linear.furtherCount();
+    int ofStates = 2 + 3 * names.count();
     double[][] matrices = {linear.mass, linear.damping, linear.stiffness};
     for (int i = 0; i < f; i++) {
-      double[] row = new double[2 + 3 * names.count()];
+      double[] row = new double[ofStates + ns];
       row[0] = t;
       row[1] = linear.independent()[i] + 1;
+      System.arraycopy(linear.byState, i * ns, row, ofStates, ns);
       for (int m = 0; m < matrices.length; m++) {
         for (int j = 0; j < f; j++) {
           row[2 + m * names.count() + linear.independent()[j]] = matrices[m][i * f + j];
         }
       }
+      sink.row(row);
+    }
+    for (int k = 0; k < ns; k++) {
+      double[] row = new double[ofStates + ns];
+      row[0] = t;
+      row[1] = names.count() + k + 1;
+      for (int l = 0; l < f; l++) {
+        int column = 2 + names.count() + linear.independent()[l];
+        row[column] = linear.rateDamping[k * f + l];
+        row[column + names.count()] = linear.rateStiffness[k * f + l];
+      }
+      System.arraycopy(linear.rateByState, k * ns, row, ofStates, ns);
       sink.row(row);
     }
     return ExplicitModel.REGULAR;

@@ -3,10 +3,12 @@ package org.mechservice.solver.analysis;
 import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.solver.api.capability.Defects.Defect;
+import org.mechservice.solver.dynamics.derivative.FurtherDerivatives;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.dynamics.recursion.MassiveRods;
 import org.mechservice.solver.dynamics.tree.TreePattern;
 import org.mechservice.solver.force.ForceSet;
+import org.mechservice.solver.force.formula.FurtherRates;
 import org.mechservice.solver.linear.DenseLu;
 import org.mechservice.solver.linear.LinearSolver;
 
@@ -20,8 +22,12 @@ import org.mechservice.solver.linear.LinearSolver;
  *
  * <p>ξ is a small displacement of each velocity's coordinate: a rotation in the axes of body 1 for
  * Euler parameters. The derivatives of F are analytic, with constant λ; V, A_q and A_v are those of
- * {@link LoopVariations}. At an equilibrium the equations describe the motions near it; at another
- * state they describe the differences between neighbouring motions at that time.
+ * {@link LoopVariations}. With further states s there are f + ns equations,
+ *
+ * <pre>M z'' + C z' + K z + B s = 0,  s' + C_s z' + K_s z + D s = 0</pre>
+ *
+ * <p>At an equilibrium the equations describe the motions near it; at another state they describe
+ * the differences between neighbouring motions at that time.
  */
 final class Linearisation {
   private final EquationsOfMotion equations;
@@ -37,6 +43,18 @@ final class Linearisation {
 
   /** Turning of small rotations with the angular velocity of Euler parameters, f × f. */
   private final double[] turning;
+
+  /** Number of further states. */
+  private final int ns;
+
+  /** B, f × ns. */
+  final double[] byState;
+
+  /** C_s and K_s, ns × f, and D, ns × ns: what follows from the derivatives of the states. */
+  final double[] rateDamping;
+
+  final double[] rateStiffness;
+  final double[] rateByState;
 
   /**
    * Linearises.
@@ -77,7 +95,51 @@ final class Linearisation {
         sum(
             sum(free.reduce(k, free.r), free.reduce(c, loops.velocityByPlace)),
             free.reduce(m, loops.accelerationByPlace));
+    ns = equations.tree.mechanism().furtherStates().size();
+    byState = new double[f * ns];
+    rateDamping = new double[ns * f];
+    rateStiffness = new double[ns * f];
+    rateByState = new double[ns * ns];
+    if (ns > 0) {
+      lineariseFurther(t, y, loops);
+    }
     turning = turning();
+  }
+
+  /** Reduces the derivatives that further states add to the free directions. */
+  private void lineariseFurther(double t, double[] y, LoopVariations loops) {
+    FurtherDerivatives further = new FurtherDerivatives(equations.nq, n, ns);
+    further.evaluate(
+        equations.motion,
+        equations.forces,
+        new FurtherRates(equations.motion),
+        equations.coordinates,
+        t,
+        y);
+    double[] column = new double[n];
+    double[] reduced = new double[f];
+    for (int k = 0; k < ns; k++) {
+      for (int i = 0; i < n; i++) {
+        column[i] = further.forces[i * ns + k];
+      }
+      free.project(column, reduced);
+      for (int j = 0; j < f; j++) {
+        byState[j * ns + k] = reduced[j];
+        double damping = 0;
+        double stiffness = 0;
+        for (int i = 0; i < n; i++) {
+          double direction = free.r[i * f + j];
+          damping -= further.byVelocity[k * n + i] * direction;
+          stiffness -= further.byPlace[k * n + i] * direction;
+          stiffness -= further.byVelocity[k * n + i] * loops.velocityByPlace[i * f + j];
+        }
+        rateDamping[k * f + j] = damping;
+        rateStiffness[k * f + j] = stiffness;
+      }
+      for (int l = 0; l < ns; l++) {
+        rateByState[k * ns + l] = -further.byState[k * ns + l];
+      }
+    }
   }
 
   private void require(boolean fine) throws NotLinearised {
@@ -168,23 +230,44 @@ final class Linearisation {
     free.project(x, reduced);
   }
 
-  /** Returns A of [z; v_I]' = A [z; v_I], 2f × 2f row by row; empty if M is singular. */
+  /** Returns the number of further states. */
+  int furtherCount() {
+    return ns;
+  }
+
+  /** Returns A of [z; v_I; s]' = A [z; v_I; s], square and row by row; empty if M is singular. */
   double[] system() {
     DenseLu lu = new DenseLu(f);
     if (lu.factor(mass) != LinearSolver.NONSINGULAR) {
       return new double[0];
     }
-    double[] a = new double[4 * f * f];
+    int size = 2 * f + ns;
+    double[] a = new double[size * size];
     double[] column = new double[f];
     for (int j = 0; j < 2 * f; j++) {
       double[] source = j < f ? stiffness : damping;
       for (int i = 0; i < f; i++) {
         column[i] = -source[i * f + j % f];
-        a[i * 2 * f + j] = j < f ? turning[i * f + j] : i == j - f ? 1 : 0;
+        a[i * size + j] = j < f ? turning[i * f + j] : i == j - f ? 1 : 0;
       }
       lu.solve(column);
       for (int i = 0; i < f; i++) {
-        a[(f + i) * 2 * f + j] = column[i];
+        a[(f + i) * size + j] = column[i];
+      }
+      for (int k = 0; k < ns; k++) {
+        a[(2 * f + k) * size + j] = -(j < f ? rateStiffness : rateDamping)[k * f + j % f];
+      }
+    }
+    for (int k = 0; k < ns; k++) {
+      for (int i = 0; i < f; i++) {
+        column[i] = -byState[i * ns + k];
+      }
+      lu.solve(column);
+      for (int i = 0; i < f; i++) {
+        a[(f + i) * size + 2 * f + k] = column[i];
+      }
+      for (int l = 0; l < ns; l++) {
+        a[(2 * f + l) * size + 2 * f + k] = -rateByState[l * ns + k];
       }
     }
     return a;

@@ -51,7 +51,7 @@ final class LoopVariations {
 
   private boolean atRest() {
     double largest = 0;
-    for (int i = equations.nq; i < y.length; i++) {
+    for (int i = equations.nq; i < equations.nq + equations.nv; i++) {
       largest = Math.max(largest, Math.abs(y[i]));
     }
     for (double acceleration : a) {

@@ -15,6 +15,9 @@ final class Modes {
    */
   private static final double ZERO = 1e-6;
 
+  /** Part of the change of further states below which the mechanism stands still in a mode. */
+  private static final double STILL = 1e-12;
+
   private final Linearisation linear;
   private final Eigenvalues eigen;
   private final int[] mode;
@@ -25,7 +28,7 @@ final class Modes {
    */
   Modes(Linearisation linear, double[] system) {
     this.linear = linear;
-    int size = 2 * linear.freedom();
+    int size = 2 * linear.freedom() + linear.furtherCount();
     eigen = new Eigenvalues(size, system);
     int[] found = new int[size];
     int count = 0;
@@ -82,36 +85,52 @@ final class Modes {
 
   /**
    * Writes the displacement of each velocity's coordinate, rad or m, with the largest equal to 1 (1
-   * rad or one length of the mechanism).
+   * rad or one length of the mechanism), and the change of each further state. In a mode of further
+   * states alone the largest of these is 1.
    *
    * @param unit of each velocity
-   * @param re real parts; overwritten
-   * @param im imaginary parts; overwritten
+   * @param re real parts, those of the further states after those of the velocities; overwritten
+   * @param im imaginary parts, likewise; overwritten
    */
   void shape(int k, double[] unit, double[] re, double[] im) {
     int f = linear.freedom();
-    double[] vr = new double[2 * f];
-    double[] vi = new double[2 * f];
+    int ns = linear.furtherCount();
+    double[] vr = new double[2 * f + ns];
+    double[] vi = new double[2 * f + ns];
     eigen.vector(mode[k], vr, vi);
     linear.expand(vr, re);
     linear.expand(vi, im);
-    int largest = 0;
-    for (int i = 1; i < unit.length; i++) {
-      if (size(re, im, unit, i) > size(re, im, unit, largest) * (1 + 1e-9)) {
-        largest = i;
-      }
+    System.arraycopy(vr, 2 * f, re, unit.length, ns);
+    System.arraycopy(vi, 2 * f, im, unit.length, ns);
+    int largest = largest(re, im, unit, 0, unit.length);
+    if (ns > 0) {
+      int ofStates = largest(re, im, unit, unit.length, re.length);
+      boolean still =
+          unit.length == 0 || size(re, im, unit, largest) <= STILL * size(re, im, unit, ofStates);
+      largest = still ? ofStates : largest;
     }
-    double dr = re[largest] / unit[largest];
-    double di = im[largest] / unit[largest];
+    double of = largest < unit.length ? unit[largest] : 1;
+    double dr = re[largest] / of;
+    double di = im[largest] / of;
     double square = dr * dr + di * di;
-    for (int i = 0; i < unit.length; i++) {
+    for (int i = 0; i < re.length; i++) {
       double r = (re[i] * dr + im[i] * di) / square;
       im[i] = eigen.imaginary(mode[k]) == 0 ? 0 : (im[i] * dr - re[i] * di) / square;
       re[i] = r;
     }
   }
 
+  private static int largest(double[] re, double[] im, double[] unit, int from, int to) {
+    int largest = from;
+    for (int i = from + 1; i < to; i++) {
+      if (size(re, im, unit, i) > size(re, im, unit, largest) * (1 + 1e-9)) {
+        largest = i;
+      }
+    }
+    return largest;
+  }
+
   private static double size(double[] re, double[] im, double[] unit, int i) {
-    return StrictMath.hypot(re[i], im[i]) / unit[i];
+    return StrictMath.hypot(re[i], im[i]) / (i < unit.length ? unit[i] : 1);
   }
 }

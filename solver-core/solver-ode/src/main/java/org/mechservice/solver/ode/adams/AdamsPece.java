@@ -10,8 +10,11 @@ import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.ode.StepPolynomial;
 import org.mechservice.solver.ode.StepResult;
 import org.mechservice.solver.ode.TrialOutcome;
+import org.mechservice.solver.ode.jumps.ChatterMonitor;
+import org.mechservice.solver.ode.jumps.JumpProbe;
 import org.mechservice.solver.ode.jumps.JumpSearch;
 import org.mechservice.solver.ode.jumps.PoleProbe;
+import org.mechservice.solver.ode.jumps.PulseProbe;
 import org.mechservice.solver.ode.step.ErrorNorm;
 import org.mechservice.solver.ode.step.IntegrationProgress;
 import org.mechservice.solver.ode.step.Manifold;
@@ -41,10 +44,12 @@ abstract class AdamsPece extends SteppingIntegrator {
   private final AdamsInterpolant interpolant = new AdamsInterpolant();
   private final StiffnessMonitor stiffness = new StiffnessMonitor();
   private final JumpSearch jumps = new JumpSearch();
+  private final ChatterMonitor chatter = new ChatterMonitor();
 
   private RightHandSide equations = RightHandSide.none();
   private Manifold manifold = new Manifold(equations.system());
   private PoleProbe poles = new PoleProbe(0);
+  private PulseProbe pulses = new PulseProbe(0);
   private AdamsHistory history = new AdamsHistory(0, false);
 
   /** End of the problem. */
@@ -100,6 +105,7 @@ abstract class AdamsPece extends SteppingIntegrator {
     norm.weigh(y0);
     history = new AdamsHistory(y0.length, compensates(roundOff(y0)));
     poles = new PoleProbe(y0.length);
+    pulses = new PulseProbe(y0.length);
     stiffness.clear();
     return beginAt(t0, y0, settings.initialStep());
   }
@@ -178,6 +184,7 @@ abstract class AdamsPece extends SteppingIntegrator {
     coefficients.clear();
     control.begin(settings.highestOrder(AdamsCoefficients.HIGHEST_ORDER));
     jumps.clear();
+    chatter.begin(t, progress.steps(), progress.rejectedSteps());
     bounds.stopAt(equations.breakpoints().next());
     triedTime = t;
     h = 0;
@@ -227,7 +234,17 @@ abstract class AdamsPece extends SteppingIntegrator {
         if (pole >= 0) {
           return fail(Cause.UNBOUNDED, pole);
         }
+        double part = partToPulse();
+        if (part < 1) {
+          progress.rejected(h, control.order(), Double.NaN, TrialOutcome.TOO_INACCURATE, -1);
+          h *= part;
+          prepared = false;
+          continue;
+        }
         accept();
+        if (slides()) {
+          return fail(Cause.STEP_TOO_SMALL, norm.largest(history.discrepancy));
+        }
         return progress.goOn(bounds.reachedAt(progress.time()));
       }
       Optional<Cause> cause = reject(attempt);
@@ -317,6 +334,25 @@ abstract class AdamsPece extends SteppingIntegrator {
             history.derivative);
   }
 
+  /** Returns the part of the step that passed up to a pulse inside of it; 1 if none is seen. */
+  private double partToPulse() {
+    boolean wanted =
+        settings.mode() != Mode.FAITHFUL
+            && !manifold.completes()
+            && pulses.wanted(
+                h, progress.stepSize(), tEnd - progress.start(), jumps.shortestDistance());
+    if (!wanted) {
+      return 1;
+    }
+    pulses.place(h, history.state(), history.corrected());
+    if (!pulses.straight(h, history.difference(1), norm)
+        || !pulses.straight(h, history.derivative, norm)) {
+      return 1;
+    }
+    jumps.straightFrom(progress.start());
+    return pulses.partToPulse(equations, progress.time(), h, history.state(), norm);
+  }
+
   private void accept() {
     int k = control.order();
     poles.accepted(progress.time(), history.difference(1));
@@ -337,6 +373,14 @@ abstract class AdamsPece extends SteppingIntegrator {
     h = Math.copySign(Math.min(Math.abs(h), jumps.longestStep(triedTime)), h);
     begun = false;
     prepared = false;
+  }
+
+  /** Returns whether the solution slides along a jump and would have to cross it for ever. */
+  private boolean slides() {
+    double t = progress.time();
+    return chatter.suspects(t, tEnd, progress.steps(), progress.rejectedSteps())
+        && !manifold.completes()
+        && new JumpProbe(equations.system(), t, history.state()).foundInState(h);
   }
 
   /** Begins at order 1 behind a jump, where f is known. */
@@ -452,6 +496,7 @@ abstract class AdamsPece extends SteppingIntegrator {
       begin(t0, end);
       history = new AdamsHistory(n, compensated);
       poles = new PoleProbe(n);
+      pulses = new PulseProbe(n);
     }
     equations.transfer(state);
     if (state.restoring()) {
@@ -467,6 +512,7 @@ abstract class AdamsPece extends SteppingIntegrator {
     coefficients.transfer(state);
     control.transfer(state);
     jumps.transfer(state);
+    chatter.transfer(state);
     poles.transfer(state);
     stiffness.transfer(state);
     h = state.number(h);

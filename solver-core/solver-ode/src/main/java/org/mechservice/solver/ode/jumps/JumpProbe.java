@@ -23,6 +23,9 @@ public final class JumpProbe {
   private final double[] between;
   private final double[] slopeBetween;
 
+  /** 1, or 0 while time is held. */
+  private double timeMoves = 1;
+
   /**
    * @param here the state at {@code t}; kept, not modified
    */
@@ -37,6 +40,19 @@ public final class JumpProbe {
   }
 
   /**
+   * Returns whether the right-hand side jumps with the state alone, at the time as it is, on the
+   * tangent ahead.
+   *
+   * @param step of which on the way ahead is looked at
+   */
+  public boolean foundInState(double step) {
+    timeMoves = 0;
+    boolean found = lookAhead(step) == Finding.JUMP;
+    timeMoves = 1;
+    return found;
+  }
+
+  /**
    * Returns whether the right-hand side jumps where the solution slides, unless it is proved to be
    * steep only: along the tangent ahead derivatives change much within a short way, and by halving
    * that way until no number lies between, their changes get smaller. Of a real jump an implicit
@@ -45,6 +61,16 @@ public final class JumpProbe {
    * @param step of which on the way ahead is looked at
    */
   public boolean found(double step) {
+    return lookAhead(step) != Finding.STEEP;
+  }
+
+  private enum Finding {
+    NOTHING,
+    STEEP,
+    JUMP
+  }
+
+  private Finding lookAhead(double step) {
     double[] slopeAhead = new double[here.length];
     boolean[] looked = new boolean[here.length];
     boolean steep = false;
@@ -57,12 +83,12 @@ public final class JumpProbe {
           looked[l] = true;
           steep = true;
           if (changeLasts(l, h, slopeAhead[l])) {
-            return true;
+            return Finding.JUMP;
           }
         }
       }
     }
-    return !steep;
+    return steep ? Finding.STEEP : Finding.NOTHING;
   }
 
   /** Returns whether a derivative still changes as much when its ends are neighbours. */
@@ -90,6 +116,6 @@ public final class JumpProbe {
     for (int l = 0; l < here.length; l++) {
       between[l] = here[l] + way * slope[l];
     }
-    system.derivative(t + way, between, derivative);
+    system.derivative(t + timeMoves * way, between, derivative);
   }
 }

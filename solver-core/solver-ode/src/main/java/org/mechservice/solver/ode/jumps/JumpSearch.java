@@ -46,6 +46,11 @@ public final class JumpSearch {
   /** Longest step after jumps, in shortest distances between them. */
   private static final double PART = 0.25;
 
+  /** The same while only a few distances are known, of which none may be short. */
+  private static final double PART_AT_FIRST = 0.1;
+
+  private static final int FEW = 5;
+
   /** How long jumps are expected to follow each other, in longest distances between them. */
   private static final double PATIENCE = 2;
 
@@ -80,6 +85,9 @@ public final class JumpSearch {
 
   private double longest;
 
+  /** How many distances these are of. */
+  private int distances;
+
   /** A place behind the jump, and the size of the jump in units of the error allowed. */
   private double behind;
 
@@ -90,7 +98,18 @@ public final class JumpSearch {
     crossed = Double.NaN;
     shortest = 0;
     longest = 0;
+    distances = 0;
     forget();
+  }
+
+  /**
+   * Says that the solution was straight from a place on: the distance of the first jump from there
+   * counts as one between jumps.
+   */
+  public void straightFrom(double start) {
+    if (Double.isNaN(crossed)) {
+      crossed = start;
+    }
   }
 
   private void forget() {
@@ -192,16 +211,23 @@ public final class JumpSearch {
     double distance = Math.abs(end - crossed);
     crossed = end;
     if (distance > 0) {
+      distances++;
       longest = Math.max(longest, distance);
       shortest = shortest == 0 ? distance : Math.min(shortest, distance);
       shortest = Math.max(shortest, longest / SCATTER);
     }
   }
 
+  /** Returns the shortest distance known between jumps, 0 before there is one. */
+  public double shortestDistance() {
+    return shortest;
+  }
+
   /** Returns the longest step from {@code t} that does not go over two jumps unawares. */
   public double longestStep(double t) {
     boolean expected = Math.abs(t - crossed) <= PATIENCE * longest;
-    return expected ? PART * shortest : Double.POSITIVE_INFINITY;
+    double part = distances < FEW ? PART_AT_FIRST : PART;
+    return expected ? part * shortest : Double.POSITIVE_INFINITY;
   }
 
   /**
@@ -265,5 +291,6 @@ public final class JumpSearch {
     crossed = state.number(crossed);
     shortest = state.number(shortest);
     longest = state.number(longest);
+    distances = state.integer(distances);
   }
 }

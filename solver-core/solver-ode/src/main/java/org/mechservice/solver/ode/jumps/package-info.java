@@ -6,9 +6,11 @@
  * failing error tests. {@link JumpSearch} then narrows it down by shorter steps until the jump lies
  * between two neighbouring places; {@link JumpMonitor} recognises it in an implicit method by the
  * way in which the tests fail. {@link SlidingMonitor} recognises a solution that slides along a
- * jump, as a block with dry friction at rest does (a sliding mode of Filippov). {@link JumpProbe}
+ * jump, as a block with dry friction at rest does (a sliding mode of Filippov), by equations that
+ * cannot be solved, {@link ChatterMonitor} by steps of which many are rejected. {@link JumpProbe}
  * looks a little ahead whether f jumps or is only steep. {@link PoleProbe} looks whether a step
- * goes across a place where f grows beyond every bound.
+ * goes across a place where f grows beyond every bound, {@link PulseProbe} whether a long straight
+ * step has two jumps inside that cancel.
  *
  * <p>The package depends on {@code ode} alone and serves the methods; users of the library need
  * none of its types. Source: E. Hairer, S. P. Nørsett and G. Wanner, <i>Solving Ordinary

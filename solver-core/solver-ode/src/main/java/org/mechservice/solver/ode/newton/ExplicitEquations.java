@@ -15,6 +15,7 @@ import org.mechservice.solver.ode.SparseSystem;
 import org.mechservice.solver.ode.TrialOutcome;
 import org.mechservice.solver.ode.backward.BackwardDifferences;
 import org.mechservice.solver.ode.jumps.Breakpoints;
+import org.mechservice.solver.ode.jumps.PulseProbe;
 import org.mechservice.solver.ode.step.ErrorNorm;
 import org.mechservice.solver.ode.step.Manifold;
 import org.mechservice.solver.ode.step.RightHandSide;
@@ -119,6 +120,27 @@ public final class ExplicitEquations extends StepEquations {
     differencing.knowValue(slope);
     notFiniteComponent = RightHandSide.firstNotFinite(slope);
     return notFiniteComponent < 0 ? TrialOutcome.PASSED : TrialOutcome.NOT_FINITE;
+  }
+
+  @Override
+  public double partToPulse(
+      PulseProbe probe,
+      double t,
+      double h,
+      double hGamma,
+      BackwardDifferences differences,
+      ErrorNorm norm) {
+    if (manifold().completes()) {
+      return 1;
+    }
+    double[] slope = probe.slope();
+    for (int l = 0; l < slope.length; l++) {
+      slope[l] = (differences.psi[l] + differences.correction[l]) / hGamma;
+    }
+    probe.place(h, differences.state(), differences.corrected());
+    return probe.straight(h, slope, norm)
+        ? probe.partToPulse(rightHandSide, t, h, differences.state(), norm)
+        : 1;
   }
 
   @Override

@@ -6,6 +6,7 @@ import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.ode.TrialOutcome;
 import org.mechservice.solver.ode.backward.BackwardDifferences;
 import org.mechservice.solver.ode.jumps.Breakpoints;
+import org.mechservice.solver.ode.jumps.PulseProbe;
 import org.mechservice.solver.ode.step.ErrorNorm;
 import org.mechservice.solver.ode.step.Manifold;
 import org.mechservice.solver.ode.step.RightHandSide;
@@ -77,6 +78,20 @@ public abstract class StepEquations {
    * @param slope its derivative; overwritten
    */
   public abstract TrialOutcome findStart(double t, double[] y, double[] slope);
+
+  /**
+   * Returns the part of a step that passed up to a pulse inside of it; 1 if none is seen or looked
+   * for.
+   */
+  public double partToPulse(
+      PulseProbe probe,
+      double t,
+      double h,
+      double hGamma,
+      BackwardDifferences differences,
+      ErrorNorm norm) {
+    return 1;
+  }
 
   /** Takes note that the next start follows a change of the state from outside. */
   public void stateChanged() {}

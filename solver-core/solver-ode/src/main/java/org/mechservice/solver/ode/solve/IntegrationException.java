@@ -55,14 +55,23 @@ public final class IntegrationException extends RuntimeException {
     text.append(" to ").append(solution.requestedEnd());
     text.append(" ended at t = ").append(solution.end());
     text.append(" (step ").append(failure.stepSize()).append("): ");
-    text.append(cause(failure.cause(), maxSteps));
+    text.append(
+        failure.slidesAlongJump()
+            ? "the solution slides along a jump of the equations, which both sides lead back to"
+            : cause(failure.cause(), maxSteps));
     if (failure.worstComponent() >= 0) {
       text.append("; y[").append(failure.worstComponent()).append("] limits it");
     }
     if (failure.time() != solution.end()) {
-      text.append("; the difficulty begins at t = ").append(failure.time());
+      text.append("; the solution is lost between t = ").append(failure.time());
+      text.append(" and t = ").append(solution.end() + failure.stepSize());
     }
-    return text.append(". ").append(advice(failure.cause())).toString();
+    String advice =
+        failure.slidesAlongJump()
+            ? "Describe the motion along the jump by equations of its own, entered and left at"
+                + " events, or replace the jump by a steep slope and use ODE15S or AUTO."
+            : advice(failure.cause());
+    return text.append(". ").append(advice).toString();
   }
 
   private static String cause(Cause cause, long maxSteps) {

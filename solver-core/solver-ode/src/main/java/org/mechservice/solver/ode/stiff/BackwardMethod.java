@@ -196,6 +196,9 @@ abstract class BackwardMethod extends SteppingIntegrator {
       if (attempt == TrialOutcome.STOPPED) {
         return StepResult.STOPPED;
       }
+      if (attempt == TrialOutcome.PASSED && step.cutAtPulse()) {
+        continue;
+      }
       if (attempt == TrialOutcome.PASSED) {
         step.accept();
         return progress.goOn(step.atEnd());

@@ -12,6 +12,7 @@ import org.mechservice.solver.ode.backward.BackwardFormulas;
 import org.mechservice.solver.ode.backward.BackwardOrderControl;
 import org.mechservice.solver.ode.jumps.JumpMonitor;
 import org.mechservice.solver.ode.jumps.JumpSearch;
+import org.mechservice.solver.ode.jumps.PulseProbe;
 import org.mechservice.solver.ode.jumps.SlidingMonitor;
 import org.mechservice.solver.ode.newton.StepEquations;
 import org.mechservice.solver.ode.newton.StepSolver;
@@ -37,6 +38,7 @@ final class BackwardStep {
   private final JumpMonitor jumps = new JumpMonitor();
   private final JumpSearch search = new JumpSearch();
   private final SlidingMonitor slide = new SlidingMonitor();
+  private PulseProbe pulses = new PulseProbe(0);
 
   private StepEquations equations;
   private StepSolver solver;
@@ -84,6 +86,7 @@ final class BackwardStep {
     this.tEnd = tEnd;
     solver = new StepSolver(equations, mode);
     differences = new BackwardDifferences(n);
+    pulses = new PulseProbe(n);
     relativeTolerance = tested.relativeTolerance();
     norm.begin(relativeTolerance, tested.absoluteTolerances(n), equations.manifold());
     allowance.begin(relativeTolerance, toleranceFactor);
@@ -208,6 +211,26 @@ final class BackwardStep {
   /** Returns the norm of what y' differs by from its prediction. */
   private double discrepancy() {
     return norm.of(differences.correction) / Math.abs(hGamma());
+  }
+
+  /** Returns whether there is a pulse in the step that passed; it is then cut off in front. */
+  boolean cutAtPulse() {
+    if (mode == Mode.FAITHFUL
+        || !pulses.wanted(
+            step.size(), progress.stepSize(), tEnd - progress.start(), search.shortestDistance())) {
+      return false;
+    }
+    double part =
+        equations.partToPulse(pulses, progress.time(), step.size(), hGamma(), differences, norm);
+    if (pulses.sawStraightLine()) {
+      search.straightFrom(progress.start());
+    }
+    if (part == 1) {
+      return false;
+    }
+    progress.rejected(step.size(), control.order(), Double.NaN, TrialOutcome.TOO_INACCURATE, -1);
+    step.reduce(part, progress.time());
+    return true;
   }
 
   /** Goes on to the end of the step that passed. */

@@ -1,0 +1,134 @@
+package org.mechservice.solver.ode.jumps;
+
+import org.mechservice.solver.ode.step.ErrorNorm;
+import org.mechservice.solver.ode.step.RightHandSide;
+
+/**
+ * Looks into a step along a straight line for a pulse: two jumps of the right-hand side that cancel
+ * each other and leave no trace at its ends.
+ *
+ * <p>Where a solution is straight every step passes the error test by far, so that steps grow to
+ * any length, and nothing is known of what lies inside of them. Long ones are looked into, more
+ * closely if they are longer than those before.
+ */
+public final class PulseProbe {
+  /** Parts of a step at whose ends is looked, for each time that it is as long as the last one. */
+  private static final double PARTS = 4;
+
+  /** Fewest and most of them. */
+  private static final int FEWEST = 8;
+
+  /** The fewest of a step that is no longer than the one before. */
+  private static final int FEWEST_AGAIN = 4;
+
+  private static final int MOST = 64;
+
+  /** Parts of the shortest distance between jumps known. */
+  private static final double PARTS_OF_DISTANCE = 2;
+
+  /** A step is longer than the one before if it is by this factor. */
+  private static final double LONGER = 1.5;
+
+  /**
+   * What a derivative that is that of a straight line adds to it over half the step, and one that
+   * is noticed, in errors allowed: rounding, and all of one.
+   */
+  private static final double ROUNDING = 1e-6;
+
+  private static final double NOTICED = 1;
+
+  /** Share of the interval that a step must have. */
+  private static final double LONG = 1e-3;
+
+  /** Parts of the step to be looked into. */
+  private int parts = FEWEST;
+
+  private boolean line;
+
+  private final double[] chord;
+  private final double[] state;
+  private final double[] slope;
+
+  /**
+   * @param dimension n
+   */
+  public PulseProbe(int dimension) {
+    chord = new double[dimension];
+    state = new double[dimension];
+    slope = new double[dimension];
+  }
+
+  /**
+   * Returns whether a step is to be looked into.
+   *
+   * @param h its size
+   * @param before size of the one before; 0 if there was none
+   * @param interval of the problem
+   * @param distance shortest one known between jumps; 0 if there is none
+   */
+  public boolean wanted(double h, double before, double interval, double distance) {
+    double size = Math.abs(h);
+    boolean longer = size > LONGER * Math.abs(before);
+    double byGrowth = longer && before != 0 ? PARTS * size / Math.abs(before) : 0;
+    double byDistance = distance == 0 ? 0 : PARTS_OF_DISTANCE * size / distance;
+    int fewest = longer ? FEWEST : FEWEST_AGAIN;
+    parts = (int) Math.max(fewest, Math.min(MOST, Math.max(byGrowth, byDistance)));
+    line = false;
+    return size >= LONG * Math.abs(interval);
+  }
+
+  /** Returns where the derivative at an end of the step is to be written, length n. */
+  public double[] slope() {
+    return slope;
+  }
+
+  /** Returns whether the step placed last was a straight line as far as asked. */
+  public boolean sawStraightLine() {
+    return line;
+  }
+
+  /** Takes the straight line of a step. */
+  public void place(double h, double[] from, double[] to) {
+    line = false;
+    for (int l = 0; l < chord.length; l++) {
+      chord[l] = (to[l] - from[l]) / h;
+    }
+  }
+
+  /**
+   * Returns whether a derivative is that of the line but for rounding.
+   *
+   * @param derivative not modified
+   */
+  public boolean straight(double h, double[] derivative, ErrorNorm norm) {
+    line = difference(h, derivative, norm) <= ROUNDING;
+    return line;
+  }
+
+  /** Returns what half the step with a derivative instead of the line's would change. */
+  private double difference(double h, double[] derivative, ErrorNorm norm) {
+    for (int l = 0; l < chord.length; l++) {
+      state[l] = derivative[l] - chord[l];
+    }
+    return 0.5 * Math.abs(h) * norm.of(state);
+  }
+
+  /**
+   * Returns the part of the step up to the first place at which the derivative is not that of the
+   * line; 1 if there is none.
+   */
+  public double partToPulse(
+      RightHandSide rightHandSide, double t, double h, double[] from, ErrorNorm norm) {
+    for (int i = 1; i < parts; i++) {
+      double part = (double) i / parts;
+      for (int l = 0; l < chord.length; l++) {
+        state[l] = from[l] + part * h * chord[l];
+      }
+      rightHandSide.evaluateAlways(t + part * h, state, slope);
+      if (difference(h, slope, norm) > NOTICED) {
+        return part;
+      }
+    }
+    return 1;
+  }
+}
