@@ -6,7 +6,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
@@ -14,6 +13,7 @@ import org.mechservice.cli.shell.ExitStatus;
 import org.mechservice.cli.shell.MechVersion;
 import org.mechservice.cli.shell.OutputFile;
 import org.mechservice.cli.shell.UsageException;
+import org.mechservice.result.ResultFormat;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.view.drawing.Theme;
 import org.mechservice.view.plot.Plot;
@@ -38,10 +38,10 @@ public final class PlotCommand implements Callable<Integer> {
 
   @Parameters(
       arity = "1..*",
-      paramLabel = "R.csv|COLUMN",
+      paramLabel = "RESULT|COLUMN",
       description =
-          "Result files, and the names of columns; * and ? stand for other characters. Without"
-              + " columns the coordinates of the joints are drawn.")
+          "Result files (CSV, TSV, MAT, JSON, Parquet), and the names of columns; * and ? stand for"
+              + " other characters. Without columns the coordinates of the joints are drawn.")
   private List<String> words = List.of();
 
   @Option(
@@ -93,7 +93,7 @@ public final class PlotCommand implements Callable<Integer> {
   }
 
   private static boolean isFile(String word) {
-    return word.toLowerCase(Locale.ROOT).endsWith(".csv") || Files.isRegularFile(Path.of(word));
+    return ResultFormat.of(Path.of(word)).isPresent() || Files.isRegularFile(Path.of(word));
   }
 
   private static List<Path> distinct(List<Path> files) {

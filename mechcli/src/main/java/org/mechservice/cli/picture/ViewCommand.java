@@ -27,6 +27,7 @@ import org.mechservice.client.SimulationOptions;
 import org.mechservice.client.run.PreparedRun;
 import org.mechservice.client.run.RunResult;
 import org.mechservice.mechml.ReadOptions;
+import org.mechservice.result.ResultFormat;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.Outcome;
@@ -36,7 +37,7 @@ import org.mechservice.view.player.AnimatedScene;
 import org.mechservice.view.player.PlayerPage;
 import org.mechservice.view.player.Recording;
 import org.mechservice.view.player.Stage;
-import org.mechservice.view.plot.ResultCsv;
+import org.mechservice.view.plot.StoredResult;
 import org.mechservice.view.scene.SceneDescription;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -65,7 +66,7 @@ public final class ViewCommand implements Callable<Integer> {
   private static final Set<ColumnGroup> COLUMNS =
       EnumSet.complementOf(EnumSet.of(ColumnGroup.MOMENTUM, ColumnGroup.ACCELERATIONS));
 
-  @Parameters(paramLabel = "MODEL.xml|R.csv", description = "Model in MechML, or results of it.")
+  @Parameters(paramLabel = "MODEL.xml|RESULT", description = "Model in MechML, or results of it.")
   private Path input = Path.of("");
 
   @Option(
@@ -80,7 +81,7 @@ public final class ViewCommand implements Callable<Integer> {
   @Option(
       names = "--model",
       paramLabel = "MODEL.xml",
-      description = "The model that the results R.csv are of.")
+      description = "The model that the results are of.")
   private Optional<Path> model = Optional.empty();
 
   @Option(
@@ -105,10 +106,13 @@ public final class ViewCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException {
     targets.forEach(ViewCommand::requireFormat);
-    boolean results = ending(input).endsWith(".csv");
+    boolean results = ResultFormat.of(input).isPresent();
     if (!results && model.isPresent()) {
       throw new UsageException(
-          MessageCode.OPTION_UNUSABLE + " --model goes with results R.csv; " + input + " is none");
+          MessageCode.OPTION_UNUSABLE
+              + " --model goes with results such as R.csv; "
+              + input
+              + " is none");
     }
     Path file =
         results
@@ -159,9 +163,9 @@ public final class ViewCommand implements Callable<Integer> {
 
   /** Takes the rows of a result file. */
   private Told read(SceneDescription scene, Path file, Recording recording) throws IOException {
-    ResultCsv csv;
+    StoredResult csv;
     try {
-      csv = ResultCsv.open(input);
+      csv = StoredResult.open(input);
       List<Variable> columns =
           csv.names().stream().map(name -> new Variable(name, csv.unit(name))).toList();
       Optional<String> missing = Recording.missing(scene, columns);

@@ -3,15 +3,21 @@ package org.mechservice.cli.picture;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.cli.Mech;
 import org.mechservice.cli.shell.ExitStatus;
+import org.mechservice.result.ResultFormat;
+import org.mechservice.solver.api.result.Variable;
+import org.mechservice.solver.text.ResultWriter;
 
 /** {@code mech plot} writes what the name of the output says, and explains what it cannot. */
 class PlotCommandTest {
@@ -46,6 +52,36 @@ class PlotCommandTest {
     assertThat(folder.resolve("p.HTML")).content().startsWith("<!DOCTYPE html>").contains("j.v");
     assertThat(Files.readAllBytes(folder.resolve("p.png"))).startsWith(0x89, 'P', 'N', 'G');
     assertThat(err.toString()).contains("1 of 2 columns");
+  }
+
+  /** The picture of the same rows is the same whatever file they are in. */
+  @Test
+  void resultsOfEveryFormatAreDrawnAlike() throws IOException {
+    double[][] rows = {{0, 1, 0}, {1, 2, 1}};
+    List<Variable> columns =
+        List.of(new Variable("t", "s"), new Variable("j.q", "rad"), new Variable("j.v", "rad/s"));
+    Files.writeString(
+        folder.resolve("rows.units.json"), "{\"t\":\"s\",\"j.q\":\"rad\",\"j.v\":\"rad/s\"}");
+    String first = "";
+    for (ResultFormat format : ResultFormat.values()) {
+      Path file = folder.resolve("rows." + format.name().toLowerCase(Locale.ROOT));
+      try (OutputStream out = Files.newOutputStream(file);
+          ResultWriter writer = format.writer(out, file)) {
+        writer.begin(columns);
+        for (double[] row : rows) {
+          writer.row(row);
+        }
+        writer.finish();
+      }
+      Path picture = folder.resolve(format.name() + ".svg");
+      assertThat(plot(file.toString(), "-o", picture.toString()))
+          .as("%s: %s", format, err)
+          .isEqualTo(ExitStatus.DONE);
+      String drawn = Files.readString(picture).replace(String.valueOf(file.getFileName()), "rows");
+      assertThat(drawn).contains("j.q");
+      first = first.isEmpty() ? drawn : first;
+      assertThat(drawn).as(format.name()).isEqualTo(first);
+    }
   }
 
   @Test

@@ -51,9 +51,9 @@ public record PlotRequest(List<Path> files, List<String> columns, Optional<Strin
    *     not exist
    */
   public Plot read() throws IOException {
-    List<ResultCsv> results = new ArrayList<>();
+    List<StoredResult> results = new ArrayList<>();
     for (Path file : files) {
-      results.add(ResultCsv.open(file));
+      results.add(StoredResult.open(file));
     }
     String horizontal = horizontal(results);
     Set<String> all = new LinkedHashSet<>();
@@ -64,7 +64,7 @@ public record PlotRequest(List<Path> files, List<String> columns, Optional<Strin
     List<String> notes = new ArrayList<>(choice.notes());
     List<List<double[]>> tables = new ArrayList<>();
     List<List<String>> shownOf = new ArrayList<>();
-    for (ResultCsv result : results) {
+    for (StoredResult result : results) {
       List<String> wanted = new ArrayList<>(List.of(horizontal));
       choice.columns().stream().filter(result.names()::contains).forEach(wanted::add);
       List<String> missing =
@@ -89,8 +89,8 @@ public record PlotRequest(List<Path> files, List<String> columns, Optional<Strin
         notes);
   }
 
-  private String horizontal(List<ResultCsv> results) {
-    for (ResultCsv result : results) {
+  private String horizontal(List<StoredResult> results) {
+    for (StoredResult result : results) {
       if (x.isPresent() && !result.names().contains(x.get())) {
         throw unknown(x.get(), result.names(), String.valueOf(result.file().getFileName()));
       }
@@ -99,7 +99,7 @@ public record PlotRequest(List<Path> files, List<String> columns, Optional<Strin
       return x.get();
     }
     String first = results.get(0).names().contains(TIME) ? TIME : results.get(0).names().get(0);
-    for (ResultCsv result : results) {
+    for (StoredResult result : results) {
       if (!result.names().contains(first)) {
         throw unknown(first, result.names(), String.valueOf(result.file().getFileName()));
       }
@@ -108,7 +108,7 @@ public record PlotRequest(List<Path> files, List<String> columns, Optional<Strin
   }
 
   /** Positions of joints in radians and metres, else all columns; as many as can be told apart. */
-  private static Choice byItself(List<String> there, List<ResultCsv> results) {
+  private static Choice byItself(List<String> there, List<StoredResult> results) {
     List<String> positions =
         there.stream()
             .filter(name -> name.endsWith(POSITION) || name.contains(POSITION + "["))
@@ -220,12 +220,12 @@ public record PlotRequest(List<Path> files, List<String> columns, Optional<Strin
     return files.stream().map(Path::toString).toList();
   }
 
-  private static String title(List<String> names, String horizontal, List<ResultCsv> results) {
+  private static String title(List<String> names, String horizontal, List<StoredResult> results) {
     boolean phase = results.get(0).names().contains(TIME) && !horizontal.equals(TIME);
     return String.join(", ", names) + (phase ? " over " + horizontal : "");
   }
 
-  private static String unit(List<ResultCsv> results, String column) {
+  private static String unit(List<StoredResult> results, String column) {
     return results.stream()
         .map(result -> result.unit(column))
         .filter(unit -> !unit.isEmpty())
@@ -236,7 +236,7 @@ public record PlotRequest(List<Path> files, List<String> columns, Optional<Strin
   /** One panel for each unit; columns without a unit go together by the end of their names. */
   private static List<Plot.Panel> panels(
       List<String> shown,
-      List<ResultCsv> results,
+      List<StoredResult> results,
       List<List<double[]>> tables,
       List<List<String>> shownOf) {
     Map<String, List<String>> byUnit = new LinkedHashMap<>();

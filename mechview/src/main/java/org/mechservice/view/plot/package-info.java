@@ -1,7 +1,7 @@
 /**
  * Diagrams of results: {@code mech plot}.
  *
- * <p>{@link org.mechservice.view.plot.ResultCsv} reads result files with the units beside them.
+ * <p>{@link org.mechservice.view.plot.StoredResult} reads result files with the units beside them.
  * {@link org.mechservice.view.plot.PlotRequest} chooses columns by name, by wildcard or by itself,
  * and reads them in one pass; {@code ThinnedRows} keeps the extreme rows of a file of any length,
  * so that peaks stay. The outcome is a {@link org.mechservice.view.plot.Plot}: panels, one for each

@@ -16,25 +16,35 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import org.mechservice.result.ResultFormat;
+import org.mechservice.result.SignalTable;
+import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * A result file: CSV after RFC 4180 with one header line, and beside {@code r.csv} the units in
- * {@code r.units.json}. Reading streams: a file of any length takes the memory of a line.
+ * A result file in any format of {@code mech simulate --out}. CSV, after RFC 4180 with one header
+ * line and beside {@code r.csv} the units in {@code r.units.json}, is read as a stream: a file of
+ * any length takes the memory of a line. The other formats are read into memory.
  */
-public final class ResultCsv {
+public final class StoredResult {
   private static final String EXTENSION = ".csv";
 
   private final Path file;
   private final List<String> names;
   private final Map<String, String> units;
 
-  private ResultCsv(Path file, List<String> names, Map<String, String> units) {
+  /** The rows, unless they are read from the file as a stream. */
+  private final Optional<SignalTable> table;
+
+  private StoredResult(
+      Path file, List<String> names, Map<String, String> units, Optional<SignalTable> table) {
     this.file = file;
     this.names = List.copyOf(names);
     this.units = Map.copyOf(units);
+    this.table = table;
   }
 
   /**
@@ -43,7 +53,20 @@ public final class ResultCsv {
    * @throws IOException if it cannot be read
    * @throws IllegalArgumentException with a message code if it is no result file
    */
-  public static ResultCsv open(Path file) throws IOException {
+  public static StoredResult open(Path file) throws IOException {
+    Optional<ResultFormat> format = ResultFormat.of(file);
+    return format.isPresent() && format.get() != ResultFormat.CSV ? inMemory(file) : csv(file);
+  }
+
+  private static StoredResult inMemory(Path file) throws IOException {
+    SignalTable table = SignalTable.read(file);
+    Map<String, String> units = new HashMap<>();
+    table.columns().forEach(column -> units.put(column.name(), column.unit()));
+    List<String> names = table.columns().stream().map(Variable::name).toList();
+    return new StoredResult(file, names, units, Optional.of(table));
+  }
+
+  private static StoredResult csv(Path file) throws IOException {
     try (BufferedReader in = Files.newBufferedReader(file, StandardCharsets.UTF_8)) {
       String header = in.readLine();
       if (header == null || header.isBlank()) {
@@ -56,7 +79,7 @@ public final class ResultCsv {
           throw unusable(file, "its first line names column \"" + name + "\" twice");
         }
       }
-      return new ResultCsv(file, names, units(file));
+      return new StoredResult(file, names, units(file), Optional.empty());
     } catch (CharacterCodingException e) {
       throw unusable(file, "it is no text in UTF-8");
     }
@@ -116,6 +139,25 @@ public final class ResultCsv {
    *     or a row has not one cell for each column
    */
   public void read(List<String> columns, Consumer<double[]> rows) throws IOException {
+    if (table.isPresent()) {
+      read(table.get(), columns.stream().mapToInt(names::indexOf).toArray(), rows);
+    } else {
+      readCsv(columns, rows);
+    }
+  }
+
+  private static void read(SignalTable table, int[] columns, Consumer<double[]> rows) {
+    for (int row = 0; row < table.rows(); row++) {
+      double[] values = new double[columns.length];
+      for (int i = 0; i < columns.length; i++) {
+        double value = table.values().get(columns[i])[row];
+        values[i] = Double.isInfinite(value) ? Double.NaN : value;
+      }
+      rows.accept(values);
+    }
+  }
+
+  private void readCsv(List<String> columns, Consumer<double[]> rows) throws IOException {
     int[] place = new int[names.size()];
     Arrays.fill(place, -1);
     for (int i = 0; i < columns.size(); i++) {
