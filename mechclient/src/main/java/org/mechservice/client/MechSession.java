@@ -227,8 +227,8 @@ public final class MechSession implements AutoCloseable {
 
   /**
    * Returns the Java classes that the server generates for the model, the equations first; together
-   * they compile to the model. With {@link SimulationOptions#inC} these are the files of the model in
-   * C.
+   * they compile to the model. With {@link SimulationOptions#inC} these are the files of the model
+   * in C.
    *
    * @throws InvalidOptionException if an option cannot be used
    */

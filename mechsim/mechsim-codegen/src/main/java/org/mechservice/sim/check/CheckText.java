@@ -1,6 +1,5 @@
 package org.mechservice.sim.check;
 
-import org.mechservice.solver.mechanism.FurtherState;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -8,6 +7,7 @@ import org.mechservice.sim.scene.LoopAnalysis;
 import org.mechservice.sim.scene.LoopEntry;
 import org.mechservice.sim.scene.RoadmapEntry;
 import org.mechservice.sim.scene.SceneAnalysis;
+import org.mechservice.solver.mechanism.FurtherState;
 import org.mechservice.solver.text.ShortestDecimal;
 
 /** A check's report as text. */

@@ -38,7 +38,6 @@ import org.mechservice.sim.check.CheckReport;
 import org.mechservice.sim.model.BuildOptions;
 import org.mechservice.sim.model.CompiledModel;
 import org.mechservice.sim.model.GeneratedFacts;
-import org.mechservice.sim.model.GeneratedModel;
 import org.mechservice.sim.model.ModelFactory;
 import org.mechservice.sim.packaging.JarImage;
 import org.mechservice.sim.packaging.ModelJars;
@@ -219,11 +218,15 @@ final class MechSimServant implements MechSimOperations {
         : new ModelFile("", new byte[0]);
   }
 
-  private List<ModelFile> sources(Parsed parsed) throws InvalidModel, InvalidOption, NotAvailable, ServerFailure {
+  private List<ModelFile> sources(Parsed parsed)
+      throws InvalidModel, InvalidOption, NotAvailable, ServerFailure {
     LoadedModel model = parsed.model();
     BuildOptions options = parsed.request().forJar();
     if (parsed.language() == SourceLanguage.C) {
-      return ContractErrors.build(() -> ModelFactory.inC(model.model(), options)).files().entrySet().stream()
+      return ContractErrors.build(() -> ModelFactory.inC(model.model(), options))
+          .files()
+          .entrySet()
+          .stream()
           .map(file -> file(file.getKey(), file.getValue()))
           .toList();
     }
