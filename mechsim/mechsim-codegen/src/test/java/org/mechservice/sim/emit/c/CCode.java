@@ -94,12 +94,13 @@ final class CCode {
     words.addAll(arguments);
     Ended ended = ended(program.resolveSibling("."), words, given.array());
     assertThat(ended.status()).as(ended.said()).isZero();
-    double[] result = new double[ended.output().length / Double.BYTES];
-    ByteBuffer.wrap(ended.output()).order(ByteOrder.nativeOrder()).asDoubleBuffer().get(result);
+    byte[] output = Files.readAllBytes(ended.output());
+    double[] result = new double[output.length / Double.BYTES];
+    ByteBuffer.wrap(output).order(ByteOrder.nativeOrder()).asDoubleBuffer().get(result);
     return result;
   }
 
-  private record Ended(int status, byte[] output, String said) {}
+  private record Ended(int status, Path output, String said) {}
 
   private static Ended ended(Path folder, List<String> words, byte[] input) throws IOException {
     Path given = Files.createTempFile(folder, "given", ".bin");
@@ -115,7 +116,7 @@ final class CCode {
     try {
       int status = process.waitFor();
       String text = new String(Files.readAllBytes(said), StandardCharsets.UTF_8);
-      return new Ended(status, Files.readAllBytes(output), text);
+      return new Ended(status, output, text);
     } catch (InterruptedException e) {
       process.destroyForcibly();
       Thread.currentThread().interrupt();
