@@ -48,13 +48,31 @@ class UserWebTest {
   private static final HttpClient HTTP = HttpClient.newHttpClient();
 
   /** An answer of the page's server. */
-  private record Answer(int status, byte[] content, HttpHeaders headers) {
+  private static final class Answer {
+    private final HttpResponse<byte[]> response;
+
+    Answer(HttpResponse<byte[]> response) {
+      this.response = response;
+    }
+
+    int status() {
+      return response.statusCode();
+    }
+
+    byte[] content() {
+      return response.body();
+    }
+
+    HttpHeaders headers() {
+      return response.headers();
+    }
+
     JsonObject json() {
       return JsonParser.parseString(text()).getAsJsonObject();
     }
 
     String text() {
-      return new String(content, StandardCharsets.UTF_8);
+      return new String(content(), StandardCharsets.UTF_8);
     }
   }
 
@@ -68,8 +86,7 @@ class UserWebTest {
       request.header("Content-Type", "application/json").POST(BodyPublishers.ofString(body));
     }
     try {
-      HttpResponse<byte[]> answer = HTTP.send(request.build(), BodyHandlers.ofByteArray());
-      return new Answer(answer.statusCode(), answer.body(), answer.headers());
+      return new Answer(HTTP.send(request.build(), BodyHandlers.ofByteArray()));
     } catch (InterruptedException e) {
       throw new IOException("interrupted", e);
     }
