@@ -7,6 +7,7 @@ import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.SimulationTask;
 import org.mechservice.sim.compile.ModelCompiler;
 import org.mechservice.sim.emit.AnalysisTask;
+import org.mechservice.sim.emit.c.CModel;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.sim.user.UserClasses;
@@ -64,6 +65,17 @@ public final class ModelFactory {
               + task.element()
               + "> does not integrate; simulate the motion, or leave the states out");
     }
+  }
+
+  /**
+   * Derives a model's code in C. Options that belong to Java, such as the layout, do not matter;
+   * the formulation is DSR if asked for, else DTR.
+   *
+   * @throws org.mechservice.sim.scene.ModelBuildException S-170 if C code cannot express the model;
+   *     the message names each part and the remedy
+   */
+  public static CModel inC(MechmlModel model, BuildOptions options) {
+    return TreeInC.derive(model, options);
   }
 
   /**

@@ -10,9 +10,7 @@ import org.mechservice.sim.emit.method.ValueLocation;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarOperation;
 
-/**
- * Writes values as Java expressions, with as few parentheses as the order of operations permits.
- */
+/** Writes values as expressions, with as few parentheses as the order of operations permits. */
 final class ExpressionPrinter {
   private static final int SUM = 1;
   private static final int PRODUCT = 2;
@@ -24,6 +22,7 @@ final class ExpressionPrinter {
   private final MethodSignature head;
   private final LocalNames names;
   private final NumberText numbers;
+  private final Syntax syntax;
 
   /**
    * @param method locations of values; values without a location are written out
@@ -31,7 +30,13 @@ final class ExpressionPrinter {
    * @param names names of local variables
    * @param numbers writes constants
    */
-  ExpressionPrinter(MethodPlan method, MethodSignature head, LocalNames names, NumberText numbers) {
+  ExpressionPrinter(
+      MethodPlan method,
+      MethodSignature head,
+      LocalNames names,
+      NumberText numbers,
+      Syntax syntax) {
+    this.syntax = syntax;
     this.places = method.places();
     this.originals = method.originals();
     this.head = head;
@@ -77,7 +82,7 @@ final class ExpressionPrinter {
       case CONSTANT -> numbers.of(node.value());
       case INPUT -> input(node.index());
       case NEGATE -> opposite(node.first());
-      case SQUARE_ROOT -> "Math.sqrt(" + value(node.first()) + ")";
+      case SQUARE_ROOT -> syntax.squareRoot(value(node.first()));
       case FUNCTION -> call(node);
       case SINE, COSINE -> throw new IllegalStateException("an angle function has a place");
       default -> binary(BinaryForm.of(node, places));
@@ -95,9 +100,7 @@ final class ExpressionPrinter {
   }
 
   private String call(Scalar node) {
-    String owner = node.function().owner();
-    StringBuilder text = new StringBuilder(owner.substring(owner.lastIndexOf('/') + 1));
-    text.append('.').append(node.function().method()).append('(');
+    StringBuilder text = new StringBuilder(syntax.function(node.function())).append('(');
     for (int i = 0; i < node.operands().size(); i++) {
       text.append(i == 0 ? "" : ", ").append(value(node.operands().get(i)));
     }

@@ -37,8 +37,10 @@ final class LocalNames {
 
   /**
    * @param head the method that has the inputs as parameters
+   * @param reserved words that cannot be names
    */
-  LocalNames(ProgramPlan plan, MethodSignature head) {
+  LocalNames(ProgramPlan plan, MethodSignature head, Set<String> reserved) {
+    given.addAll(reserved);
     Program program = plan.program();
     ValueUsage usage = plan.usage();
     for (Scalar node : usage.given()) {

@@ -1,5 +1,6 @@
 package org.mechservice.sim.emit.source;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.sim.emit.method.AngleGroup;
 import org.mechservice.sim.emit.method.CallSequence;
@@ -8,23 +9,35 @@ import org.mechservice.sim.emit.method.IndexExpression;
 import org.mechservice.sim.emit.method.MethodPlan;
 import org.mechservice.sim.emit.method.MethodSignature;
 import org.mechservice.sim.emit.method.NumberText;
+import org.mechservice.sim.emit.method.ParameterSlots;
 import org.mechservice.sim.emit.method.Statement;
 import org.mechservice.sim.emit.plan.ProgramPlan;
 
-/** Writes a planned program as Java methods. */
+/** Writes a planned program as the methods of a class, or as functions. */
 public final class ProgramPrinter {
-  private final SourceLines source;
+  private final Syntax syntax;
+  private SourceLines source;
   private final MethodSignature head;
   private final ProgramPlan plan;
   private final LocalNames names;
   private final List<List<AngleGroup>> angleParts;
   private final NumberText numbers = new NumberText();
+  private final List<String> prototypes = new ArrayList<>();
 
+  /** Prints Java. */
   public ProgramPrinter(SourceLines source, MethodSignature head, ProgramPlan plan) {
+    this(source, head, plan, Syntax.JAVA);
+  }
+
+  /**
+   * @param source receives the text
+   */
+  public ProgramPrinter(SourceLines source, MethodSignature head, ProgramPlan plan, Syntax syntax) {
+    this.syntax = syntax;
     this.source = source;
     this.head = head;
     this.plan = plan;
-    this.names = new LocalNames(plan, head);
+    this.names = new LocalNames(plan, head, syntax.reserved());
     this.angleParts = plan.angleParts();
   }
 
@@ -46,14 +59,15 @@ public final class ProgramPrinter {
     if (head.isPublic()) {
       source.line("@Override");
     }
-    source.open(
-        (head.isPublic() ? "public " : "private ")
-            + (head.returnsResult() ? "int " : "void ")
-            + head.name()
-            + "("
-            + parameters(head.arguments())
-            + ")");
-    plan.fields().forEach(this::field);
+    SourceLines whole = source;
+    whole.open(
+        syntax.head(
+            head.isPublic() ? "public" : "private",
+            head.returnsResult() ? "int" : "void",
+            head.name(),
+            parameters(head.arguments())));
+    source = whole.sameIndentation();
+    plan.fields().forEach(name -> source.line(syntax.field(name)));
     first.forEach(source::line);
     angles();
     if (!plan.angles().isEmpty()) {
@@ -68,30 +82,49 @@ public final class ProgramPrinter {
     if (head.returnsResult()) {
       source.line("return REGULAR;");
     }
-    source.close();
+    List<String> given = argumentNames(head.arguments());
+    given.add(syntax.receiver());
+    closeBody(whole, given);
     angleParts();
     if (!plan.isOneMethod()) {
       parts();
     }
   }
 
-  private void field(String name) {
-    boolean ofClass = name.equals(ConstantTable.NAME);
-    source.line(
-        "double[] " + name + " = " + (ofClass ? ConstantTable.FIELD : "this." + name) + ";");
+  /** Ends a body that was written apart, after what the language says of unused parameters. */
+  private void closeBody(SourceLines whole, List<String> names) {
+    syntax.unused(names, source.toString()).forEach(whole::line);
+    whole.append(source).close();
+    source = whole;
   }
 
-  private String parameters(List<MethodSignature.Argument> arguments) {
-    StringBuilder parameters = new StringBuilder();
+  /**
+   * Returns the lines that opened the parts of the program, for languages that need them before
+   * their calls.
+   */
+  public List<String> prototypes() {
+    return List.copyOf(prototypes);
+  }
+
+  private List<String> parameters(List<MethodSignature.Argument> arguments) {
+    List<String> parameters = new ArrayList<>();
     for (MethodSignature.Argument argument : arguments) {
-      parameters.append(argument.isArray() ? "double[] " : "double ");
-      parameters.append(argument.name()).append(", ");
+      parameters.add(
+          argument.isArray() ? syntax.array(argument.name(), false) : "double " + argument.name());
     }
-    return parameters.append("double[] ").append(head.output()).toString();
+    parameters.add(syntax.array(head.output(), true));
+    return parameters;
+  }
+
+  private List<String> argumentNames(List<MethodSignature.Argument> arguments) {
+    List<String> names = new ArrayList<>();
+    arguments.forEach(argument -> names.add(argument.name()));
+    names.add(head.output());
+    return names;
   }
 
   private ExpressionPrinter printer(MethodPlan method) {
-    return new ExpressionPrinter(method, head, names, numbers);
+    return new ExpressionPrinter(method, head, names, numbers, syntax);
   }
 
   /** Writes the angles, or calls of the methods that compute them. */
@@ -111,7 +144,7 @@ public final class ProgramPrinter {
         loop(run, printer);
       } else {
         String angle = printer.value(run.angle());
-        source.line("SinCos.sinCos(" + angle + ", w, " + 2 * run.start() + ");");
+        source.line(syntax.sinCos(angle, Integer.toString(2 * run.start())));
       }
     }
   }
@@ -122,7 +155,7 @@ public final class ProgramPrinter {
     String factor = run.isMultiple() ? printer.value(run.factor()) + " * " : "";
     String angle = factor + array.name() + "[" + sum("i", input - array.first()) + "]";
     source.open("for (int i = 0; i < " + run.count() + "; i++)");
-    source.line("SinCos.sinCos(" + angle + ", w, " + sum("2 * i", 2 * run.start()) + ");");
+    source.line(syntax.sinCos(angle, sum("2 * i", 2 * run.start())));
     source.close();
   }
 
@@ -190,20 +223,15 @@ public final class ProgramPrinter {
   }
 
   private String names(List<MethodSignature.Argument> arguments) {
-    StringBuilder list = new StringBuilder();
-    for (MethodSignature.Argument argument : arguments) {
-      list.append(argument.name()).append(", ");
-    }
-    list.append(head.output());
-    plan.fields().forEach(field -> list.append(", ").append(field));
-    return list.toString();
+    List<String> names = argumentNames(arguments);
+    names.addAll(plan.fields());
+    return String.join(", ", names);
   }
 
   private void angleParts() {
     for (int i = 0; i < angleParts.size(); i++) {
-      open(head.anglesName(i), false, 0);
-      angles(angleParts.get(i));
-      close(false);
+      int part = i;
+      part(head.anglesName(i), false, 0, () -> angles(angleParts.get(part)));
     }
   }
 
@@ -211,34 +239,35 @@ public final class ProgramPrinter {
     List<List<CallSequence>> parts = plan.parts();
     for (int i = 0; i < parts.size() && parts.size() > 1; i++) {
       boolean checks = plan.checks(parts.get(i));
-      open(partName(i), checks, 0);
-      steps(parts.get(i));
-      close(checks);
+      int part = i;
+      part(partName(i), checks, 0, () -> steps(parts.get(part)));
     }
     for (int i = 0; i < plan.methods().size(); i++) {
       MethodPlan method = plan.methods().get(i);
-      open(methodName(i), method.checks(), method.parameters());
-      body(method);
-      close(method.checks());
+      part(methodName(i), method.checks(), method.parameters(), () -> body(method));
     }
   }
 
-  private void open(String name, boolean checks, int wholeNumbers) {
-    StringBuilder line = new StringBuilder("private static ");
-    line.append(checks ? "int " : "void ").append(name).append('(');
-    line.append(parameters(plan.arguments(head)));
-    plan.fields().forEach(field -> line.append(", double[] ").append(field));
+  private void part(String name, boolean checks, int wholeNumbers, Runnable body) {
+    List<String> parameters = parameters(plan.arguments(head));
+    List<String> names = argumentNames(plan.arguments(head));
+    for (String field : plan.fields()) {
+      parameters.add(syntax.array(field, field.equals(ParameterSlots.WORKSPACE)));
+      names.add(field);
+    }
     for (int i = 0; i < wholeNumbers; i++) {
-      line.append(", int ").append(IndexExpression.name(i));
+      parameters.add("int " + IndexExpression.name(i));
+      names.add(IndexExpression.name(i));
     }
-    source.blank().open(line.append(')').toString());
-  }
-
-  private void close(boolean checks) {
+    String line = syntax.part(checks ? "int" : "void", name, parameters);
+    prototypes.add(line);
+    SourceLines whole = source.blank().open(line);
+    source = whole.sameIndentation();
+    body.run();
     if (checks) {
       source.line("return REGULAR;");
     }
-    source.close();
+    closeBody(whole, names);
   }
 
   private void body(MethodPlan method) {
@@ -281,13 +310,12 @@ public final class ProgramPrinter {
       source.line(printer.place(put.to()) + " = " + printer.value(put.value()) + ";");
     } else if (statement instanceof Statement.CopyInputs copy) {
       source.line(
-          "System.arraycopy(%s, %d, %s, %d, %d);"
-              .formatted(
-                  head.argumentOf(copy.input()).name(),
-                  copy.input() - head.argumentOf(copy.input()).first(),
-                  head.output(),
-                  copy.index(),
-                  copy.count()));
+          syntax.copy(
+              head.argumentOf(copy.input()).name(),
+              copy.input() - head.argumentOf(copy.input()).first(),
+              head.output(),
+              copy.index(),
+              copy.count()));
     } else if (statement instanceof Statement.Check check) {
       check(check, printer);
     }

@@ -1,12 +1,25 @@
 package org.mechservice.sim.emit.source;
 
-/** Builds Java source: indented, at most 100 columns wide. */
+/** Builds source code: indented, at most 100 columns wide. */
 public final class SourceLines {
   private static final int WIDTH = 100;
   private static final int CONTINUATION = 4;
 
   private final StringBuilder text = new StringBuilder();
   private int indentation;
+
+  /** Returns empty lines of the same indentation, to be appended later. */
+  public SourceLines sameIndentation() {
+    SourceLines lines = new SourceLines();
+    lines.indentation = indentation;
+    return lines;
+  }
+
+  /** Appends lines. */
+  public SourceLines append(SourceLines lines) {
+    text.append(lines.text);
+    return this;
+  }
 
   /** Opens a block: writes a line and indents the lines after it. */
   public SourceLines open(String line) {

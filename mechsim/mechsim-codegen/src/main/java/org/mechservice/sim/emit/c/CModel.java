@@ -1,0 +1,161 @@
+package org.mechservice.sim.emit.c;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.mechservice.sim.equations.links.Labels;
+import org.mechservice.sim.symbolic.Program;
+import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.api.result.Variable;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.Parameter;
+
+/**
+ * The equations of motion of a tree as C99: the same operations in the same order as in the class
+ * of the model, so that both compute the same bits. The code depends on no library, and allocates
+ * nothing.
+ */
+public final class CModel {
+  private static final List<String> COPIED = List.of("mech_math.h", "mech_math.c");
+
+  private final String name;
+  private final Mechanism mechanism;
+  private final ModelDescription description;
+  private final Program derivative;
+  private final Program energy;
+  private final List<COutputs> outputs;
+
+  /**
+   * @param derivative program from [q; v; s] to its derivative
+   * @param energy program from [q; v; s] to kinetic and potential energy
+   * @param outputs what the model puts out, in order
+   */
+  public CModel(
+      Mechanism mechanism,
+      ModelDescription description,
+      Program derivative,
+      Program energy,
+      List<COutputs> outputs) {
+    this.name = identifier(mechanism.name());
+    this.mechanism = mechanism;
+    this.description = description;
+    this.derivative = derivative;
+    this.energy = energy;
+    this.outputs = List.copyOf(outputs);
+  }
+
+  private static String identifier(String modelName) {
+    String name = Labels.sanitized(modelName);
+    boolean starts = Character.isLetter(name.charAt(0));
+    return starts ? name : "model_" + name;
+  }
+
+  /** Returns the identifier that the names of all its functions begin with. */
+  public String name() {
+    return name;
+  }
+
+  /** Returns the name of the model in its file. */
+  public String modelName() {
+    return mechanism.name();
+  }
+
+  /** Returns the states x = [q; v; s] in order. */
+  public List<CVariable> states() {
+    double[] start = start();
+    List<CVariable> states = new ArrayList<>();
+    for (Variable state : description.states()) {
+      int i = states.size();
+      String what =
+          i < description.positionCount()
+              ? "position"
+              : i < mechanism.furtherOffset() ? "velocity" : "state";
+      states.add(new CVariable(state.name(), state.unit(), what, start[i]));
+    }
+    return states;
+  }
+
+  /** Returns the start state. */
+  double[] start() {
+    double[] start = new double[description.stateCount()];
+    mechanism.initialState(start);
+    return start;
+  }
+
+  /** Returns the tunable parameters in order. */
+  public List<CVariable> parameters() {
+    return mechanism.parameters().stream().map(CModel::variable).toList();
+  }
+
+  private static CVariable variable(Parameter parameter) {
+    return new CVariable(
+        parameter.name(), parameter.unit(), "tunable parameter", parameter.value());
+  }
+
+  /** Returns the outputs in order. */
+  public List<CVariable> outputs() {
+    return outputs.stream().flatMap(group -> group.variables().stream()).toList();
+  }
+
+  /** Returns the groups of outputs. */
+  List<COutputs> groups() {
+    return outputs;
+  }
+
+  Mechanism mechanism() {
+    return mechanism;
+  }
+
+  ModelDescription description() {
+    return description;
+  }
+
+  Program derivative() {
+    return derivative;
+  }
+
+  Program energy() {
+    return energy;
+  }
+
+  /** Returns the index of the first element of each set of Euler parameters in the state. */
+  List<Integer> eulerParameters() {
+    List<Integer> found = new ArrayList<>();
+    int position = 0;
+    for (var joint : description.joints()) {
+      if (joint.type().hasEulerParameters()) {
+        found.add(position);
+      }
+      position += joint.type().positionCount();
+    }
+    return found;
+  }
+
+  /** Returns the texts of all files by their names: header, code, elementary functions, example. */
+  public Map<String, String> files() {
+    Map<String, String> files = new LinkedHashMap<>();
+    files.put(name + ".h", new CHeader(this).text());
+    files.put(name + ".c", new CSource(this).text());
+    for (String copied : COPIED) {
+      files.put(copied, resource(copied));
+    }
+    files.put("example.c", resource("example.c").replace("MODEL", name));
+    return files;
+  }
+
+  private static String resource(String file) {
+    try (InputStream in = CModel.class.getResourceAsStream(file)) {
+      if (in == null) {
+        throw new IllegalStateException(file + " is missing in this installation");
+      }
+      return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+}

@@ -1,0 +1,14 @@
+/**
+ * Models as C99, the third language of the same plans.
+ *
+ * <p>{@link org.mechservice.sim.emit.c.CModel} takes the programs of a tree and returns the files:
+ * a header that documents every array, the code, the elementary functions with the bits of Java's
+ * StrictMath ({@code mech_math.c}), and an example that steps the model. {@code CSource} plans the
+ * programs as for Java and prints them by {@code emit.source.ProgramPrinter} in the syntax of
+ * {@code CSyntax}; operations and their order are the same, so with {@code -ffp-contract=off} the
+ * results are the same bits.
+ *
+ * <p>The package knows no files and no compilers; {@code sim.model.ModelFactory} derives the
+ * programs and refuses what has no C yet.
+ */
+package org.mechservice.sim.emit.c;
