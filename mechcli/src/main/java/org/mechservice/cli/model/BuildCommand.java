@@ -18,6 +18,7 @@ import org.mechservice.client.GeneratedSource;
 import org.mechservice.client.MechSession;
 import org.mechservice.client.SimulationOptions;
 import org.mechservice.client.jar.BuiltJar;
+import org.mechservice.sim.fmu.FmuArchive;
 import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -26,10 +27,10 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code mech build}: a model as a JAR. */
+/** {@code mech build}: a model as a JAR, or as an FMU. */
 @Command(
     name = "build",
-    description = "Compiles a model into a JAR.",
+    description = "Compiles a model into a JAR, or writes it as an FMU.",
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class BuildCommand implements Callable<Integer> {
@@ -39,8 +40,11 @@ public final class BuildCommand implements Callable<Integer> {
   @Option(
       names = {"-o", "--output"},
       required = true,
-      paramLabel = "FILE.jar",
-      description = "The JAR to write.")
+      paramLabel = "FILE.jar|FILE.fmu",
+      hideParamSyntax = true,
+      description =
+          "The JAR to write; or the FMU, which is built here, without a server, for other"
+              + " simulators.")
   private Path target = Path.of("");
 
   @Option(
@@ -77,6 +81,8 @@ public final class BuildCommand implements Callable<Integer> {
   @Option(names = "--host", paramLabel = "NAME", description = "Host of the server to build on.")
   private String host = "";
 
+  @Mixin private FmuOption unit = new FmuOption();
+
   @Mixin private UserCodeOption userCode = new UserCodeOption();
 
   @Spec private CommandSpec spec = CommandSpec.create();
@@ -84,6 +90,9 @@ public final class BuildCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException {
     OutputFile.requireUsable(target);
+    if (unit.isAskedFor(target)) {
+      return buildUnit();
+    }
     SimulationOptions asInFile = parameters.addTo(SimulationOptions.asInFile());
     SimulationOptions laidOut = code.isEmpty() ? asInFile : asInFile.code(code);
     SimulationOptions options = method.addTo(compact ? laidOut.compact() : laidOut);
@@ -104,6 +113,33 @@ public final class BuildCommand implements Callable<Integer> {
       }
       tell(jar, session.runtimeJarBytes());
       return ExitStatus.DONE;
+    }
+  }
+
+  private Integer buildUnit() throws IOException {
+    refuseForUnit(standalone, "--standalone");
+    refuseForUnit(compact, "--compact");
+    refuseForUnit(!code.isEmpty(), "--code");
+    refuseForUnit(sourceFolder.isPresent(), "--source");
+    refuseForUnit(!host.isEmpty(), "--host");
+    FmuArchive archive =
+        unit.build(LocalModel.read(model, method.reading(parameters.values()), method));
+    byte[] bytes = archive.bytes();
+    OutputFile.write(target, bytes);
+    size(target.toString(), bytes.length);
+    fact("contains", archive.contents());
+    return ExitStatus.DONE;
+  }
+
+  private void refuseForUnit(boolean given, String option) {
+    if (given) {
+      throw new UsageException(
+          MessageCode.OPTION_UNUSABLE
+              + " "
+              + option
+              + " is for a JAR, and "
+              + target
+              + " is an FMU: leave it out, or write -o FILE.jar");
     }
   }
 
