@@ -25,7 +25,13 @@ class RandomPulseTest {
   private static final double LEAST_MISSED = 1.8 * SHORTEST;
 
   /** y' = 1 and −1 in turns. */
-  private record Turns(double[] places) implements OdeFunction {
+  private static final class Turns implements OdeFunction {
+    private final double[] places;
+
+    Turns(double[] places) {
+      this.places = places;
+    }
+
     static Turns random(long seed) {
       Random random = new Random(seed);
       double[] places = new double[300];
