@@ -1,11 +1,14 @@
 package org.mechservice.examples;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -48,6 +51,15 @@ class DocumentedCommandsIT {
         terminal.shell(command).orFail();
       }
     }
+  }
+
+  @Test
+  void everyCommandOfThePageOnCWorks() throws IOException {
+    boolean hasCompiler =
+        Stream.of(System.getenv().getOrDefault("PATH", "").split(File.pathSeparator))
+            .anyMatch(folder -> new File(folder, "cc").canExecute());
+    assumeTrue(hasCompiler, "this machine has no C compiler (cc)");
+    everyCommandOfThePageWorks("docs/c.md");
   }
 
   @Test

@@ -12,6 +12,7 @@ import org.mechservice.cli.model.VerifyCommand;
 import org.mechservice.cli.picture.PlotCommand;
 import org.mechservice.cli.picture.ShowCommand;
 import org.mechservice.cli.picture.ViewCommand;
+import org.mechservice.cli.picture.WebCommand;
 import org.mechservice.cli.service.KeysCommand;
 import org.mechservice.cli.service.ServerCommand;
 import org.mechservice.cli.service.SimhostCommand;
@@ -64,6 +65,7 @@ public final class Mech {
           CheckCommand.class,
           ShowCommand.class,
           ViewCommand.class,
+          WebCommand.class,
           BuildCommand.class,
           ImportCommand.class,
           ReportCommand.class,

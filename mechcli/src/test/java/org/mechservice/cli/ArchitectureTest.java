@@ -105,7 +105,7 @@ class ArchitectureTest {
     "mechreport, mechclient solver-runtime solver-api solver-ode",
     "mechresult, solver-api",
     "mechservice, mechsim-codegen mechml solver-runtime solver-api solver-ode solver-mechanics",
-    "mechview, mechclient solver-api",
+    "mechview, mechclient mechresult idl solver-api",
   })
   @ParameterizedTest
   void moduleDependsOnlyOnTheModulesTheDesignAllows(String module, String allowed) {

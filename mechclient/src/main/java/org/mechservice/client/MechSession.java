@@ -43,6 +43,7 @@ import org.mechservice.idl.RunSetUp;
 import org.mechservice.idl.RuntimeInfo;
 import org.mechservice.orb.connection.LimitedBuffers;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.text.TableFiles;
 
 /**
  * One model at a server: load it once, then check it, run it at the server, fetch it and run it on
@@ -118,7 +119,7 @@ public final class MechSession implements AutoCloseable {
    * @throws InvalidModelException if the model cannot be used; the messages name the places
    */
   public List<ModelMessage> loadModel(Path file, Optional<Path> userCode) throws IOException {
-    byte[] content = NamedFile.of(file);
+    byte[] content = TableFiles.inlined(NamedFile.of(file), file);
     String name = String.valueOf(file.getFileName());
     UserFiles classes = new UserFiles(file, userCode);
     while (true) {
@@ -226,7 +227,8 @@ public final class MechSession implements AutoCloseable {
 
   /**
    * Returns the Java classes that the server generates for the model, the equations first; together
-   * they compile to the model.
+   * they compile to the model. With {@link SimulationOptions#inC} these are the files of the model in
+   * C.
    *
    * @throws InvalidOptionException if an option cannot be used
    */

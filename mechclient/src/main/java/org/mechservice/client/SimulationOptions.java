@@ -32,6 +32,7 @@ import org.mechservice.idl.OPT_T_END;
 import org.mechservice.idl.OPT_T_STEP;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.catalogue.Accuracy;
+import org.mechservice.solver.catalogue.SourceLanguage;
 
 /**
  * Options of a simulation that differ from the model's file. Immutable: every method returns a new
@@ -115,6 +116,11 @@ public final class SimulationOptions {
    */
   public SimulationOptions code(String form) {
     return with(OPT_CODE.value, form);
+  }
+
+  /** Requests the sources in C instead of Java. */
+  public SimulationOptions inC() {
+    return with(SourceLanguage.OPTION, SourceLanguage.C.label());
   }
 
   /** Requests another class of the model than that of its equations, from 1. */

@@ -44,6 +44,7 @@ import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.simulation.RuntimeSolver;
 import org.mechservice.solver.text.ResultFile;
 import org.mechservice.solver.text.Sha256;
+import org.mechservice.solver.text.TableFiles;
 
 /**
  * A model with the settings of its run, to be changed, checked, simulated and analysed in this
@@ -114,7 +115,10 @@ public final class MechModel {
     folders.add(file.toRealPath().resolveSibling("."));
     folders.addAll(List.of(userCode));
     return read(
-        new Source(file.toString(), Files.readAllBytes(file), List.copyOf(folders)),
+        new Source(
+            file.toString(),
+            TableFiles.inlined(Files.readAllBytes(file), file),
+            List.copyOf(folders)),
         ReadOptions.NONE);
   }
 

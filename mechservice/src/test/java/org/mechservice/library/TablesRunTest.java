@@ -4,9 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.mechservice.mechml.diagnosis.MechmlException;
@@ -14,6 +17,8 @@ import org.mechservice.mechml.diagnosis.MechmlException;
 /** Runs of models with tables, against closed solutions. */
 class TablesRunTest {
   private static final String AXES = "<vector name='x' vx='1' vy='0' vz='0'/>";
+
+  @TempDir private Path folder = Path.of("");
 
   private static String slide(String tables, String force, String driven) {
     return "<MechML><MBSsimulation><dynamic><timeSet tini='0' tend='2' tstep='0.25'/><integrator"
@@ -105,6 +110,34 @@ class TablesRunTest {
         of(slide("<table name='way' x='0;1;2' y='0;1;3'/>", "0", "way(t)")).simulate();
     // momentum is kept when the velocity of the trolley on the cart jumps from 1 to 2
     assertThat(last(jumps, "j.v")).isCloseTo(-0.5, within(1e-8));
+  }
+
+  @Test
+  void fileBesideTheModelIsItsPoints() throws Exception {
+    Path model = folder.resolve("m.xml");
+    Files.writeString(
+        folder.resolve("road.csv"), "# measured\ns;h;t\n0;0;0\n9;3;0.3\n5;2;1\n1;0;2\n");
+    String table = "<table name='f1' %s extrapolation='hold'/>";
+    Files.writeString(
+        model,
+        slide(
+            table.formatted("file='road.csv' xColumn='t' yColumn='2'")
+                + "<!-- <table file='no'/> -->",
+            "2*f1(t)",
+            "0"));
+    Trajectory rows = MechModel.read(model).simulate();
+    Trajectory inline =
+        of(slide(table.formatted("x='0;0.3;1;2' y='0;3;2;0'"), "2*f1(t)", "0")).simulate();
+    assertThat(rows.column("j.v")).isEqualTo(inline.column("j.v"));
+    Files.writeString(model, slide(table.formatted("file='../road.csv'"), "f1(t)", "0"));
+    assertThatThrownBy(() -> MechModel.read(model)).hasMessageContaining("model's folder");
+    Files.writeString(model, slide(table.formatted("file='no.csv'"), "f1(t)", "0"));
+    assertThatThrownBy(() -> MechModel.read(model)).hasMessageContaining("does not exist");
+    Files.writeString(model, slide(table.formatted("file='road.csv' xColumn='u'"), "f1(t)", "0"));
+    assertThatThrownBy(() -> MechModel.read(model))
+        .hasMessageContaining("there is no column \"u\"; there are s, h, t");
+    assertSaid(table.formatted("file='road.csv'"), "f1(t)", "its file was not read");
+    assertSaid(table.formatted(""), "f1(t)", "write x and y");
   }
 
   @Test

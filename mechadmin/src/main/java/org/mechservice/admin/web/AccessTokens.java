@@ -8,10 +8,8 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
-import java.security.MessageDigest;
-import java.security.SecureRandom;
-import java.util.Base64;
 import java.util.Properties;
+import org.mechservice.orb.http.AccessToken;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
@@ -22,7 +20,6 @@ import org.mechservice.solver.catalogue.MessageCode;
  * @param admin lets its bearer do everything
  */
 public record AccessTokens(String monitor, String admin) {
-  private static final int BYTES = 24;
   private static final int SHORTEST = 16;
   private static final String MONITOR = "monitor";
   private static final String ADMIN = "admin";
@@ -42,13 +39,7 @@ public record AccessTokens(String monitor, String admin) {
 
   /** Makes tokens from a secure random generator. */
   public static AccessTokens random() {
-    return new AccessTokens(secret(), secret());
-  }
-
-  private static String secret() {
-    byte[] bytes = new byte[BYTES];
-    new SecureRandom().nextBytes(bytes);
-    return Base64.getUrlEncoder().withoutPadding().encodeToString(bytes);
+    return new AccessTokens(AccessToken.random(), AccessToken.random());
   }
 
   /**
@@ -87,16 +78,10 @@ public record AccessTokens(String monitor, String admin) {
 
   /** Returns the right of a token. */
   Right rightOf(String token) {
-    if (same(token, admin)) {
+    if (AccessToken.isSame(token, admin)) {
       return Right.ADMIN;
     }
-    return same(token, monitor) ? Right.MONITOR : Right.NONE;
-  }
-
-  /** Takes as long whether the first or the last character differs. */
-  private static boolean same(String token, String secret) {
-    return MessageDigest.isEqual(
-        token.getBytes(StandardCharsets.UTF_8), secret.getBytes(StandardCharsets.UTF_8));
+    return AccessToken.isSame(token, monitor) ? Right.MONITOR : Right.NONE;
   }
 
   /** Returns no secrets. */

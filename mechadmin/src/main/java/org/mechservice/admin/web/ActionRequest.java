@@ -6,6 +6,7 @@ import java.math.BigDecimal;
 import java.util.Map;
 import java.util.TreeMap;
 import org.mechservice.admin.AdminAction;
+import org.mechservice.orb.http.Refused;
 
 /**
  * The action that a button requests.

@@ -13,6 +13,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Optional;
 import org.mechservice.admin.PlainText;
+import org.mechservice.orb.http.Request;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;

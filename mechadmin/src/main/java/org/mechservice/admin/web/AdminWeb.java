@@ -6,12 +6,14 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Optional;
-import java.util.Set;
 import org.mechservice.admin.AdminConsole;
 import org.mechservice.admin.AdminFailure;
 import org.mechservice.admin.live.LiveView;
 import org.mechservice.orb.GuardedServant;
 import org.mechservice.orb.LoopbackHttp;
+import org.mechservice.orb.http.PageFiles;
+import org.mechservice.orb.http.Refused;
+import org.mechservice.orb.http.Request;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
@@ -23,10 +25,9 @@ public final class AdminWeb implements AutoCloseable {
   private final LiveView view;
   private final AdminAuditLog audit;
   private final Api api;
-  private final PageFiles files = new PageFiles();
+  private final PageFiles files = new PageFiles(AdminWeb.class, "page/");
   private final ErrorPages errors = new ErrorPages();
   private final AccessTokens tokens;
-  private final Set<String> names;
 
   /**
    * Starts to serve.
@@ -43,7 +44,6 @@ public final class AdminWeb implements AutoCloseable {
     this.tokens = tokens;
     audit = new AdminAuditLog(auditFile);
     http = LoopbackHttp.open(port, "admin-web");
-    names = Set.of("127.0.0.1:" + port(), "localhost:" + port(), "[::1]:" + port());
     view = new LiveView(console);
     api = new Api(console, tokens, new Streams(console, view), audit);
     http.serve("/", this::handle);
@@ -74,7 +74,7 @@ public final class AdminWeb implements AutoCloseable {
       } catch (Refused refusal) {
         tell(request, refusal);
       } catch (AdminFailure failure) {
-        tell(request, Refused.of(failure));
+        tell(request, Api.refusal(failure));
       } catch (InterruptedException e) {
         Thread.currentThread().interrupt();
       } catch (RuntimeException e) {
@@ -94,18 +94,8 @@ public final class AdminWeb implements AutoCloseable {
     request.answer(refusal.status(), json);
   }
 
-  /**
-   * A browser says which name it asked and which site made it ask. Neither can be forged by a site:
-   * one that gives its own name our address, or sends forms here, is found out.
-   */
   private void requireOwnSite(Request request) {
-    String origin = request.header("Origin");
-    String site = request.header("Sec-Fetch-Site");
-    boolean own =
-        names.contains(request.header("Host"))
-            && (origin.isEmpty() || origin.equals("http://" + request.header("Host")))
-            && (site.isEmpty() || site.equals("same-origin") || site.equals("none"));
-    if (!own) {
+    if (!request.isFromOwnSite(port())) {
       String why = MessageCode.CROSS_SITE_REQUEST + " the request came from another site";
       audit.refused(request, tokens.rightOf(request.token()), "", request.path(), why);
       throw new Refused(403, why);

@@ -8,6 +8,9 @@ import org.mechservice.admin.AdminConsole;
 import org.mechservice.admin.AdminFailure;
 import org.mechservice.admin.AdminJson;
 import org.mechservice.admin.AdminTarget;
+import org.mechservice.orb.http.EventStream;
+import org.mechservice.orb.http.Refused;
+import org.mechservice.orb.http.Request;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /** The requests of the page to the console. Every request needs a right. */
@@ -142,9 +145,21 @@ final class Api {
       console.perform(asked.server(), asked.action());
     } catch (AdminFailure failure) {
       audit.refused(request, right, asked.server(), summary, failure.text());
-      throw Refused.of(failure);
+      throw refusal(failure);
     }
     audit.done(request, right, asked.server(), summary);
     return asked.preview();
+  }
+
+  /** Returns the refusal that reports a failure. */
+  static Refused refusal(AdminFailure failure) {
+    int status =
+        switch (failure.reason()) {
+          case NO_ANSWER -> 504;
+          case NOT_ALLOWED -> 403;
+          case NOT_FOUND -> 404;
+          case NOT_USABLE -> 400;
+        };
+    return new Refused(status, failure.text());
   }
 }

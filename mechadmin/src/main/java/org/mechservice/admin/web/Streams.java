@@ -11,6 +11,7 @@ import org.mechservice.admin.AdminTarget;
 import org.mechservice.admin.DetailJson;
 import org.mechservice.admin.live.LiveView;
 import org.mechservice.admin.live.LoadSample;
+import org.mechservice.orb.http.EventStream;
 
 /** Streams of updates to pages. Each stream ends when its page or the console is closed. */
 final class Streams {

@@ -2,9 +2,9 @@
  * {@code mech admin web}: the administration page, served on the loopback interface.
  *
  * <p>{@link org.mechservice.admin.web.AdminWeb} is the HTTP server. It checks host name and origin
- * of every {@link org.mechservice.admin.web.Request}, and the token against {@link
+ * of every {@link org.mechservice.orb.http.Request}, and the token against {@link
  * org.mechservice.admin.web.AccessTokens}: a {@link org.mechservice.admin.web.Right} to see or to
- * steer. {@link org.mechservice.admin.web.PageFiles} and {@link
+ * steer. {@link org.mechservice.orb.http.PageFiles} and {@link
  * org.mechservice.admin.web.ErrorPages} serve the files, {@link org.mechservice.admin.web.Api}
  * answers the page's requests, and {@link org.mechservice.admin.web.Streams} sends updates as
  * server-sent events.

@@ -292,7 +292,7 @@ class PageInBrowserTest {
         .isTrue();
     String status =
         "fetch('/api/actions', {method: 'POST', headers: {'Content-Type': 'application/json',"
-            + " Authorization: 'Bearer ' + sessionStorage.getItem('mechadmin-token')}, body:"
+            + " Authorization: 'Bearer ' + sessionStorage.getItem('mechservice-token')}, body:"
             + " JSON.stringify({server: '"
             + lab.address()
             + "', action: 'drain', host: ''})}).then(r => r.status)";

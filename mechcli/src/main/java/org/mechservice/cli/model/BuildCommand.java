@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
@@ -27,10 +28,10 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code mech build}: a model as a JAR, or as an FMU. */
+/** {@code mech build}: a model as a JAR, in C, or as an FMU. */
 @Command(
     name = "build",
-    description = "Compiles a model into a JAR, or writes it as an FMU.",
+    description = "Compiles a model into a JAR, writes it as C or as an FMU.",
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class BuildCommand implements Callable<Integer> {
@@ -39,13 +40,20 @@ public final class BuildCommand implements Callable<Integer> {
 
   @Option(
       names = {"-o", "--output"},
-      required = true,
       paramLabel = "FILE.jar|FILE.fmu",
       hideParamSyntax = true,
       description =
-          "The JAR to write; or the FMU, which is built here, without a server, for other"
-              + " simulators.")
-  private Path target = Path.of("");
+          "The JAR or, built here for other simulators, the FMU to write; needed unless --c is"
+              + " given.")
+  private Optional<Path> target = Optional.empty();
+
+  @Option(
+      names = "--c",
+      paramLabel = "DIR",
+      description =
+          "Write the model as C99 into this folder: header, code, elementary functions and an"
+              + " example program; the results have the same bits as in Java.")
+  private Optional<Path> cFolder = Optional.empty();
 
   @Option(
       names = "--standalone",
@@ -89,9 +97,17 @@ public final class BuildCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException {
-    OutputFile.requireUsable(target);
-    if (unit.isAskedFor(target)) {
-      return buildUnit();
+    if (target.isEmpty() && (cFolder.isEmpty() || standalone)) {
+      throw new UsageException(
+          MessageCode.OPTION_UNUSABLE
+              + " -o FILE.jar is missing"
+              + (standalone ? "; --standalone needs it" : ", or --c DIR for the model in C"));
+    }
+    if (target.isPresent()) {
+      OutputFile.requireUsable(target.get());
+    }
+    if (unit.isAskedFor(target.orElse(Path.of("")))) {
+      return buildUnit(target.orElse(Path.of("")));
     }
     SimulationOptions asInFile = parameters.addTo(SimulationOptions.asInFile());
     SimulationOptions laidOut = code.isEmpty() ? asInFile : asInFile.code(code);
@@ -99,47 +115,59 @@ public final class BuildCommand implements Callable<Integer> {
     try (ServiceConnection service = ServiceConnection.open(server);
         MechSession session = service.connection().openSession(host)) {
       session.loadModel(model, userCode.folder()).forEach(spec.commandLine().getErr()::println);
-      BuiltJar jar = session.build(options, standalone);
+      List<GeneratedSource> inC =
+          cFolder.isPresent() ? session.generatedSources(options.inC()) : List.of();
+      Optional<BuiltJar> jar =
+          target.isPresent() ? Optional.of(session.build(options, standalone)) : Optional.empty();
       if (sourceFolder.isPresent()) {
         for (GeneratedSource source : session.generatedSources(options)) {
           writeSource(source, sourceFolder.get());
         }
       }
-      OutputFile.write(target, jar.bytes());
-      if (jar.signature().length > 0) {
-        OutputFile.write(
-            target.resolveSibling(target.getFileName() + VerifyCommand.SIGNATURE_SUFFIX),
-            jar.signature());
+      for (GeneratedSource source : inC) {
+        writeSource(source, cFolder.orElseThrow());
+        size(source.fileName(), source.text().getBytes(StandardCharsets.UTF_8).length);
       }
-      tell(jar, session.runtimeJarBytes());
+      if (jar.isPresent()) {
+        write(jar.get(), target.orElseThrow());
+        tell(jar.get(), target.orElseThrow(), session.runtimeJarBytes());
+      }
       return ExitStatus.DONE;
     }
   }
 
-  private Integer buildUnit() throws IOException {
+  private Integer buildUnit(Path file) throws IOException {
     refuseForUnit(standalone, "--standalone");
     refuseForUnit(compact, "--compact");
     refuseForUnit(!code.isEmpty(), "--code");
     refuseForUnit(sourceFolder.isPresent(), "--source");
+    refuseForUnit(cFolder.isPresent(), "--c");
     refuseForUnit(!host.isEmpty(), "--host");
     FmuArchive archive =
         unit.build(LocalModel.read(model, method.reading(parameters.values()), method));
     byte[] bytes = archive.bytes();
-    OutputFile.write(target, bytes);
-    size(target.toString(), bytes.length);
+    OutputFile.write(file, bytes);
+    size(file.toString(), bytes.length);
     fact("contains", archive.contents());
     return ExitStatus.DONE;
   }
 
-  private void refuseForUnit(boolean given, String option) {
+  private static void refuseForUnit(boolean given, String option) {
     if (given) {
       throw new UsageException(
           MessageCode.OPTION_UNUSABLE
               + " "
               + option
-              + " is for a JAR, and "
-              + target
-              + " is an FMU: leave it out, or write -o FILE.jar");
+              + " is for a JAR, not for an FMU: leave it out, or write -o FILE.jar");
+    }
+  }
+
+  private static void write(BuiltJar jar, Path target) throws IOException {
+    OutputFile.write(target, jar.bytes());
+    if (jar.signature().length > 0) {
+      OutputFile.write(
+          target.resolveSibling(target.getFileName() + VerifyCommand.SIGNATURE_SUFFIX),
+          jar.signature());
     }
   }
 
@@ -153,7 +181,7 @@ public final class BuildCommand implements Callable<Integer> {
     OutputFile.write(file, source.text().getBytes(StandardCharsets.UTF_8));
   }
 
-  private void tell(BuiltJar jar, long runtimeBytes) {
+  private void tell(BuiltJar jar, Path target, long runtimeBytes) {
     size(target.toString(), jar.bytes().length);
     size("model classes, compressed", jar.modelClassBytes());
     size(standalone ? "runtime JAR (not needed)" : "runtime JAR (needed)", runtimeBytes);

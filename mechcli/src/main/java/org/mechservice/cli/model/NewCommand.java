@@ -55,7 +55,8 @@ public final class NewCommand implements Callable<Integer> {
     return ExitStatus.DONE;
   }
 
-  private static String template() throws IOException {
+  /** Returns the model that users begin with; {@code @NAME@} stands for its name. */
+  public static String template() throws IOException {
     try (InputStream in = NewCommand.class.getResourceAsStream(TEMPLATE)) {
       return new String(
           Objects.requireNonNull(in, TEMPLATE).readAllBytes(), StandardCharsets.UTF_8);

@@ -1,11 +1,14 @@
 package org.mechservice.cli.picture;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
 import org.mechservice.cli.shell.UsageException;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.ReadOptions;
@@ -18,8 +21,10 @@ import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.assembly.ClosedStart;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.text.TableFiles;
 import org.mechservice.view.scene.SceneDescription;
 import org.mechservice.view.scene.SceneVerdict;
+import org.mechservice.view.web.ModelReader;
 
 /** Reads model files as scenes for pictures: poses at the start, with closed loops. */
 public final class SceneReader {
@@ -37,7 +42,7 @@ public final class SceneReader {
    *     given for a robot, which has neither simulations nor parameters
    */
   public static SceneDescription read(Path file, ReadOptions options) throws IOException {
-    byte[] content = Files.readAllBytes(file);
+    byte[] content = TableFiles.inlined(Files.readAllBytes(file), file);
     String fileName = String.valueOf(file.getFileName());
     try {
       if (fileName.toLowerCase(Locale.ROOT).endsWith(ROBOT)) {
@@ -53,6 +58,29 @@ public final class SceneReader {
       }
       MechmlModel model = MechmlReader.read(fileName, content, options);
       return scene(model, geometries(MechmlReader.document(fileName, content)));
+    } catch (MechmlException e) {
+      throw new UsageException(String.valueOf(e.getMessage()));
+    }
+  }
+
+  /**
+   * Reads a model that is no file, for the page of {@code mech web}.
+   *
+   * @param text the model in MechML
+   * @param parameters values by the names of parameters
+   * @throws UsageException with the messages of the reader if it is no valid model
+   */
+  static ModelReader.ReadModel read(String text, Map<String, String> parameters) {
+    byte[] content = text.getBytes(StandardCharsets.UTF_8);
+    String name = "model.xml";
+    try {
+      MechmlModel model =
+          MechmlReader.read(name, content, new ReadOptions(Optional.empty(), parameters, Set.of()));
+      return new ModelReader.ReadModel(
+          scene(model, geometries(MechmlReader.document(name, content))),
+          model.parameters().stream()
+              .map(one -> new ModelReader.Parameter(one.name(), one.unit(), one.value()))
+              .toList());
     } catch (MechmlException e) {
       throw new UsageException(String.valueOf(e.getMessage()));
     }

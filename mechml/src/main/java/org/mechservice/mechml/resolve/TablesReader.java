@@ -59,6 +59,13 @@ final class TablesReader {
           Phrase.of("%s: %s is a function of expressions", element.label(), name));
       return Optional.empty();
     }
+    if (element.attribute("x").isEmpty() || element.attribute("y").isEmpty()) {
+      return error(
+          element,
+          element.attribute("file").isPresent()
+              ? "its file was not read, because this model is not read from a folder; write x and y"
+              : "write x and y, or file with the name of a CSV file beside the model");
+    }
     Optional<List<Double>> x = numbers(element, "x");
     Optional<List<Double>> y = numbers(element, "y");
     if (x.isEmpty() || y.isEmpty()) {

@@ -67,6 +67,16 @@ public final class PlayerPage {
   }
 
   /**
+   * Returns what a page needs to draw a mechanism in any position: its surfaces, and the columns
+   * that hold the poses of its bodies; positions are counted from {@code origin}.
+   *
+   * @param recording has the columns; frames it holds are told too
+   */
+  public static JsonObject sceneJson(SceneDescription scene, Stage stage, Recording recording) {
+    return new PlayerPage(scene, stage, recording).data(Map.of(), List.of());
+  }
+
+  /**
    * Something that happened in the run.
    *
    * @param time s

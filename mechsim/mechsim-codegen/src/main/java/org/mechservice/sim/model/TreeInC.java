@@ -5,6 +5,7 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
 import org.mechservice.mechml.MechmlModel;
+import org.mechservice.sim.emit.AnalysisTask;
 import org.mechservice.sim.emit.ModelClass;
 import org.mechservice.sim.emit.c.CModel;
 import org.mechservice.sim.emit.c.COutputs;
@@ -73,6 +74,12 @@ final class TreeInC {
 
   private void requireExportable() {
     List<String> beyond = new ArrayList<>();
+    if (AnalysisTask.of(model.settings().task()).isPresent()) {
+      beyond.add(
+          "the simulation <"
+              + model.settings().task().element()
+              + ">; choose one of kind <dynamic> by --simulation");
+    }
     if (!mechanism.closures().isEmpty()) {
       beyond.add("closed loops (" + mechanism.closures().get(0).name() + " closes one)");
     }

@@ -29,6 +29,7 @@ import org.mechservice.idl.OPT_T_STEP;
 import org.mechservice.mechml.ReadOptions;
 import org.mechservice.sim.service.contract.ContractErrors;
 import org.mechservice.solver.catalogue.Accuracy;
+import org.mechservice.solver.catalogue.SourceLanguage;
 
 /**
  * The options of a request: the values of those that concern the run, by name, and how the model
@@ -51,6 +52,7 @@ public final class RequestOptions {
               OPT_SET.value,
               OPT_TUNABLE.value,
               OPT_SOURCE_PART.value,
+              SourceLanguage.OPTION,
               OPT_STANDALONE.value,
               OPT_STRICT.value,
               OPT_MAX_DRIFT.value,

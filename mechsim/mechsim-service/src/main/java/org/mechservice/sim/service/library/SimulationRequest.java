@@ -40,6 +40,7 @@ import org.mechservice.solver.catalogue.Accuracy;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.IntegrationMethod;
 import org.mechservice.solver.catalogue.MethodNames;
+import org.mechservice.solver.catalogue.SourceLanguage;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**
@@ -134,6 +135,21 @@ public record SimulationRequest(
           OPT_SOURCE_PART.value + " is \"" + text + "\"; it must be a number from 0 to 999");
     }
     return Integer.parseInt(text);
+  }
+
+  /**
+   * Returns the language of the source files requested; Java unless the request names another.
+   *
+   * @throws InvalidOption if there is none of that name
+   */
+  public static SourceLanguage sourceLanguage(RequestOptions given) throws InvalidOption {
+    String text = given.text(SourceLanguage.OPTION, SourceLanguage.JAVA.label());
+    return SourceLanguage.of(text)
+        .orElseThrow(
+            () ->
+                ContractErrors.option(
+                    SourceLanguage.OPTION,
+                    SourceLanguage.OPTION + " is \"" + text + "\"; it must be java or c"));
   }
 
   private static List<String> earlierIds(RequestOptions given) throws InvalidOption {

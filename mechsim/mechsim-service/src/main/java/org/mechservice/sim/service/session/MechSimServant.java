@@ -39,7 +39,7 @@ import org.mechservice.sim.model.BuildOptions;
 import org.mechservice.sim.model.CompiledModel;
 import org.mechservice.sim.model.GeneratedFacts;
 import org.mechservice.sim.model.GeneratedModel;
-import org.mechservice.sim.model.SourceFile;
+import org.mechservice.sim.model.ModelFactory;
 import org.mechservice.sim.packaging.JarImage;
 import org.mechservice.sim.packaging.ModelJars;
 import org.mechservice.sim.packaging.RuntimeJar;
@@ -65,6 +65,7 @@ import org.mechservice.sim.worker.UserCodePolicy;
 import org.mechservice.sim.worker.WorkerBounds;
 import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.catalogue.SourceLanguage;
 import org.mechservice.solver.simulation.SolverVersion;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -165,8 +166,10 @@ final class MechSimServant implements MechSimOperations {
    * A parsed request, with the model read as it wants it.
    *
    * @param sourcePart index of the source file wanted
+   * @param language its language
    */
-  private record Parsed(LoadedModel model, SimulationRequest request, int sourcePart) {}
+  private record Parsed(
+      LoadedModel model, SimulationRequest request, int sourcePart, SourceLanguage language) {}
 
   private Parsed parsed(NameValue[] options) throws InvalidState, InvalidOption, InvalidModel {
     LoadedModel present = requireModel();
@@ -174,7 +177,10 @@ final class MechSimServant implements MechSimOperations {
     try {
       LoadedModel model = present.with(given.reading());
       return new Parsed(
-          model, SimulationRequest.of(given, model.model()), SimulationRequest.sourcePart(given));
+          model,
+          SimulationRequest.of(given, model.model()),
+          SimulationRequest.sourcePart(given),
+          SimulationRequest.sourceLanguage(given));
     } catch (MechmlException e) {
       throw ContractErrors.model(e.diagnostics());
     }
@@ -207,17 +213,27 @@ final class MechSimServant implements MechSimOperations {
   public ModelFile generatedSource(NameValue[] options)
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
     Parsed parsed = parsed(options);
-    GeneratedModel generated =
-        ContractErrors.build(
-            () -> library.generated(parsed.model(), parsed.request().forJar(), times));
-    List<SourceFile> sources = generated.sources();
-    if (parsed.sourcePart() >= sources.size()) {
-      return new ModelFile("", new byte[0]);
+    List<ModelFile> sources = sources(parsed);
+    return parsed.sourcePart() < sources.size()
+        ? sources.get(parsed.sourcePart())
+        : new ModelFile("", new byte[0]);
+  }
+
+  private List<ModelFile> sources(Parsed parsed) throws InvalidModel, InvalidOption, NotAvailable, ServerFailure {
+    LoadedModel model = parsed.model();
+    BuildOptions options = parsed.request().forJar();
+    if (parsed.language() == SourceLanguage.C) {
+      return ContractErrors.build(() -> ModelFactory.inC(model.model(), options)).files().entrySet().stream()
+          .map(file -> file(file.getKey(), file.getValue()))
+          .toList();
     }
-    SourceFile source = sources.get(parsed.sourcePart());
-    return new ModelFile(
-        source.className().replace('.', '/') + ".java",
-        source.text().getBytes(StandardCharsets.UTF_8));
+    return ContractErrors.build(() -> library.generated(model, options, times)).sources().stream()
+        .map(source -> file(source.className().replace('.', '/') + ".java", source.text()))
+        .toList();
+  }
+
+  private static ModelFile file(String name, String text) {
+    return new ModelFile(name, text.getBytes(StandardCharsets.UTF_8));
   }
 
   @Override

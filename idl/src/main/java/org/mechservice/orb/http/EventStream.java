@@ -1,4 +1,4 @@
-package org.mechservice.admin.web;
+package org.mechservice.orb.http;
 
 import com.google.gson.JsonElement;
 import java.io.IOException;
@@ -6,7 +6,7 @@ import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 
 /** Server-sent events to one page. */
-final class EventStream implements AutoCloseable {
+public final class EventStream implements AutoCloseable {
   private final OutputStream out;
 
   EventStream(OutputStream out) {
@@ -20,12 +20,12 @@ final class EventStream implements AutoCloseable {
    * @param json its data; JSON has no line feeds
    * @throws IOException if the page is gone
    */
-  void send(String name, JsonElement json) throws IOException {
+  public void send(String name, JsonElement json) throws IOException {
     write("event: " + name + "\ndata: " + json + "\n\n");
   }
 
   /** Sends nothing, which finds out whether the page is still there. */
-  void ping() throws IOException {
+  public void ping() throws IOException {
     write(": still here\n\n");
   }
 

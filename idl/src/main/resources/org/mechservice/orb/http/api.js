@@ -1,7 +1,7 @@
-// The console behind the page. The token comes behind the number sign of the address that opened the page, is kept for
+// The server behind a page. The token comes behind the number sign of the address that opened the page, is kept for
 // this tab alone, and travels in a header that no other site can set.
 
-const KEY = "mechadmin-token";
+const KEY = "mechservice-token";
 
 export function takeToken() {
   const found = /^#token=([\w-]+)$/.exec(location.hash);
@@ -19,7 +19,7 @@ export function address(path, parameters) {
 
 async function checked(response) {
   if (response.ok) return response;
-  let text = `S-035 the console answered with ${response.status}`;
+  let text = `S-035 the server answered with ${response.status}`;
   try {
     text = (await response.json()).error || text;
   } catch { /* no JSON: the status says what there is to say */ }

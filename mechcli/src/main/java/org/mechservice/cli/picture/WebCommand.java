@@ -1,0 +1,55 @@
+package org.mechservice.cli.picture;
+
+import java.util.Map;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CountDownLatch;
+import org.mechservice.cli.model.NewCommand;
+import org.mechservice.cli.service.ListenOptions;
+import org.mechservice.cli.service.ServingProcess;
+import org.mechservice.cli.shell.ExitStatus;
+import org.mechservice.cli.shell.MechVersion;
+import org.mechservice.cli.shell.ServerOption;
+import org.mechservice.cli.shell.ServiceConnection;
+import org.mechservice.view.web.UserWeb;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** {@code mech web}: models checked, run and watched in a browser of this machine. */
+@Command(
+    name = "web",
+    description =
+        "Serves a page on this machine to check, run and watch models, until it is stopped with"
+            + " Ctrl-C.",
+    mixinStandardHelpOptions = true,
+    versionProvider = MechVersion.class)
+public final class WebCommand implements Callable<Integer> {
+  private static final int DEFAULT_PORT = 15081;
+
+  @Mixin private ServerOption server = new ServerOption();
+
+  @Option(
+      names = "--port",
+      paramLabel = "P",
+      description = "Port of the page; 0: any free one (default: ${DEFAULT-VALUE}).")
+  private int port = DEFAULT_PORT;
+
+  @Spec private CommandSpec spec = CommandSpec.create();
+
+  @Override
+  public Integer call() throws Exception {
+    ListenOptions.usable(port);
+    int atOnce = Math.max(2, Runtime.getRuntime().availableProcessors());
+    Map<String, String> examples =
+        Map.of("double pendulum", NewCommand.template().replace("@NAME@", "DoublePendulum"));
+    try (ServiceConnection service = ServiceConnection.open(server, atOnce);
+        UserWeb web = new UserWeb(service.connection(), SceneReader::read, examples, port)) {
+      spec.commandLine().getOut().println("open in a browser: " + web.url());
+      spec.commandLine().getOut().flush();
+      ServingProcess.untilEnded(web, new CountDownLatch(1)::await);
+    }
+    return ExitStatus.DONE;
+  }
+}

@@ -1,0 +1,281 @@
+package org.mechservice.view.web;
+
+import com.google.gson.JsonArray;
+import com.google.gson.JsonNull;
+import com.google.gson.JsonObject;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.EnumSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import org.mechservice.client.MechConnection;
+import org.mechservice.client.MechSession;
+import org.mechservice.client.SimulationOptions;
+import org.mechservice.client.failure.ServiceException;
+import org.mechservice.client.run.PreparedRun;
+import org.mechservice.client.run.RunProgress;
+import org.mechservice.client.run.RunResult;
+import org.mechservice.orb.http.EventStream;
+import org.mechservice.orb.http.Refused;
+import org.mechservice.result.ResultFormat;
+import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.api.result.ResultSink;
+import org.mechservice.solver.api.result.Variable;
+import org.mechservice.solver.api.run.Outcome;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.text.ResultFile;
+import org.mechservice.view.mesh.MeshFolder;
+import org.mechservice.view.player.AnimatedScene;
+import org.mechservice.view.player.PlayerPage;
+import org.mechservice.view.player.Recording;
+import org.mechservice.view.player.Stage;
+import org.mechservice.view.scene.SceneDescription;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** One run of one model, and what pages and files get of it. */
+final class UserRun {
+  private static final Logger LOG = LoggerFactory.getLogger(UserRun.class);
+
+  /** What players need, and curves that users ask for. */
+  private static final Set<ColumnGroup> COLUMNS =
+      EnumSet.complementOf(EnumSet.of(ColumnGroup.MOMENTUM, ColumnGroup.ACCELERATIONS));
+
+  /** Shortest interval between two updates of a page: 30 a second. */
+  private static final long PAUSE_MILLIS = 34;
+
+  private static final long PING_NANOS = 2_000_000_000L;
+  private static final int FRAMES_AT_ONCE = 300;
+
+  private final byte[] model;
+  private final SimulationOptions options;
+  private final SceneDescription scene;
+  private final Stage stage;
+  private final Path folder;
+  private final Recording recording = new Recording();
+  private volatile Optional<RunFrames> frames = Optional.empty();
+  private volatile Optional<JsonObject> ending = Optional.empty();
+  private volatile boolean closed;
+  private @Nullable PreparedRun active;
+  private boolean cancelled;
+
+  /**
+   * @param model MechML text's bytes
+   * @param folder of this run alone; receives its result files
+   */
+  UserRun(byte[] model, SimulationOptions options, SceneDescription scene, Path folder) {
+    this.model = model;
+    this.options = options;
+    this.scene = scene;
+    this.folder = folder;
+    stage = new Stage(scene, new MeshFolder(folder));
+  }
+
+  /** Runs to the end; what goes wrong is told to the pages. */
+  void run(MechConnection service) {
+    JsonObject end = new JsonObject();
+    try (MechSession session = service.openSession()) {
+      session.loadModel("model.xml", model);
+      try (PreparedRun run = session.prepareRemoteRun(options.columns(COLUMNS))) {
+        begin(run);
+        tell(end, run);
+      } finally {
+        over();
+      }
+    } catch (ServiceException e) {
+      // A run that is cancelled before it has started cannot start.
+      end.addProperty("outcome", wasCancelled() ? "cancelled" : "failed");
+      end.addProperty("message", wasCancelled() ? "" : String.valueOf(e.getMessage()));
+    } catch (IOException e) {
+      end.addProperty("outcome", "failed");
+      end.addProperty("message", MessageCode.FILE_UNUSABLE + " " + e.getMessage());
+    } finally {
+      if (end.size() == 0) {
+        end.addProperty("outcome", "failed");
+        end.addProperty("message", MessageCode.INTERNAL_SERVER_ERROR + " the page's server failed");
+      }
+      ending = Optional.of(end);
+    }
+  }
+
+  private void tell(JsonObject end, PreparedRun run) throws IOException {
+    RunProgress interval = run.progress();
+    RunFrames live = new RunFrames(interval.endTime() - interval.startTime());
+    try (ResultFile csv = new ResultFile(file(ResultFormat.CSV), ResultFormat.CSV);
+        ResultFile mat = new ResultFile(file(ResultFormat.MAT), ResultFormat.MAT)) {
+      ResultSink all =
+          new ResultSink() {
+            @Override
+            public void begin(List<Variable> columns) throws IOException {
+              csv.begin(columns);
+              mat.begin(columns);
+              recording.begin(columns);
+              live.begin(columns);
+              frames = Optional.of(live);
+            }
+
+            @Override
+            public void row(double[] values) throws IOException {
+              csv.row(values);
+              mat.row(values);
+              recording.row(values);
+              live.row(values);
+            }
+          };
+      RunResult result = run.toEnd(all);
+      csv.keep();
+      mat.keep();
+      end.addProperty("outcome", outcome(result.outcome()));
+      if (result.outcome() instanceof Outcome.Failed failed) {
+        end.addProperty("message", failed.failure().message());
+      }
+      JsonObject report = new JsonObject();
+      result.report().forEach((key, value) -> report.addProperty(key, String.valueOf(value)));
+      end.add("report", report);
+    }
+  }
+
+  private static String outcome(Outcome outcome) {
+    return outcome instanceof Outcome.Completed
+        ? "done"
+        : outcome instanceof Outcome.Stopped ? "cancelled" : "failed";
+  }
+
+  private Path file(ResultFormat format) {
+    return folder.resolve("result" + format.ending());
+  }
+
+  private synchronized void begin(PreparedRun run) {
+    active = run;
+    if (cancelled) {
+      run.cancel();
+    }
+  }
+
+  private synchronized void over() {
+    active = null;
+  }
+
+  /** Stops the run, if it has not ended. */
+  synchronized void cancel() {
+    cancelled = true;
+    if (active != null) {
+      active.cancel();
+    }
+  }
+
+  private synchronized boolean wasCancelled() {
+    return cancelled;
+  }
+
+  boolean hasEnded() {
+    return ending.isPresent();
+  }
+
+  /** Sends a page the mechanism, the frames as they come, and how the run ended. */
+  void watch(EventStream page) throws IOException, InterruptedException {
+    int sent = 0;
+    boolean begun = false;
+    long last = System.nanoTime();
+    while (!closed) {
+      // Read first: what comes after it is then complete.
+      Optional<JsonObject> end = ending;
+      Optional<RunFrames> live = frames;
+      if (live.isPresent() && !begun) {
+        page.send("begin", beginning(live.get()));
+        begun = true;
+      }
+      int first = sent;
+      List<double[]> more =
+          live.map(running -> running.from(first, FRAMES_AT_ONCE)).orElse(List.of());
+      if (!more.isEmpty()) {
+        page.send("rows", rows(more));
+        sent += more.size();
+        last = System.nanoTime();
+      } else if (end.isPresent()) {
+        page.send("end", end.get());
+        return;
+      } else if (System.nanoTime() - last > PING_NANOS) {
+        page.ping();
+        last = System.nanoTime();
+      }
+      Thread.sleep(PAUSE_MILLIS);
+    }
+  }
+
+  private JsonObject beginning(RunFrames live) {
+    Recording columns = new Recording();
+    columns.begin(live.columns());
+    return PlayerPage.sceneJson(scene, stage, columns);
+  }
+
+  private static JsonArray rows(List<double[]> frames) {
+    JsonArray rows = new JsonArray();
+    for (double[] frame : frames) {
+      JsonArray row = new JsonArray(frame.length);
+      for (double value : frame) {
+        if (Double.isFinite(value)) {
+          row.add((float) value);
+        } else {
+          row.add(JsonNull.INSTANCE);
+        }
+      }
+      rows.add(row);
+    }
+    return rows;
+  }
+
+  /** Returns a result in a format. */
+  Download download(MechConnection service, String format) throws IOException {
+    if (format.equals("jar")) {
+      try (MechSession session = service.openSession()) {
+        session.loadModel("model.xml", model);
+        return Download.of("application/java-archive", session.build(options, true).bytes());
+      }
+    }
+    if (!hasEnded() || recording.frameCount() == 0) {
+      throw Refused.notUnderstood("this run has no results yet");
+    }
+    return switch (format) {
+      case "csv" -> Download.of("text/csv", file(ResultFormat.CSV));
+      case "mat" -> Download.of("application/octet-stream", file(ResultFormat.MAT));
+      case "glb" -> Download.of("model/gltf-binary", AnimatedScene.write(scene, stage, recording));
+      case "html" ->
+          Download.of("text/html", PlayerPage.write(scene, stage, recording, facts(), List.of()));
+      default -> throw Refused.notUnderstood("there is no format " + format);
+    };
+  }
+
+  private Map<String, String> facts() {
+    Map<String, String> facts = new LinkedHashMap<>();
+    ending
+        .map(end -> end.getAsJsonObject("report"))
+        .ifPresent(
+            report ->
+                report.entrySet().forEach(e -> facts.put(e.getKey(), e.getValue().getAsString())));
+    return facts;
+  }
+
+  /** Stops the run and removes its files. */
+  void close() {
+    closed = true;
+    try {
+      cancel();
+    } catch (ServiceException e) {
+      LOG.debug("the server is gone, and the run with it", e);
+    }
+    try (var files = Files.list(folder)) {
+      for (Path file : files.toList()) {
+        Files.deleteIfExists(file);
+      }
+      Files.deleteIfExists(folder);
+    } catch (IOException e) {
+      folder.toFile().deleteOnExit();
+    }
+  }
+}

@@ -1,0 +1,85 @@
+package org.mechservice.view.web;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.mechservice.client.MechConnection;
+import org.mechservice.client.SimulationOptions;
+import org.mechservice.orb.http.AccessToken;
+import org.mechservice.orb.http.Refused;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.view.scene.SceneDescription;
+
+/** The latest runs of all users, by identities that nobody guesses. */
+final class UserRuns implements AutoCloseable {
+  private static final int MOST_ACTIVE = 32;
+  private static final int MOST_KEPT = 100;
+
+  private final MechConnection service;
+  private final Map<String, UserRun> runs = new LinkedHashMap<>();
+
+  UserRuns(MechConnection service) {
+    this.service = service;
+  }
+
+  /**
+   * Starts a run.
+   *
+   * @return its identity
+   */
+  synchronized String start(byte[] model, SimulationOptions options, SceneDescription scene)
+      throws IOException {
+    if (runs.values().stream().filter(run -> !run.hasEnded()).count() >= MOST_ACTIVE) {
+      throw new Refused(
+          503,
+          MessageCode.TOO_MANY_PAGES
+              + " more than "
+              + MOST_ACTIVE
+              + " runs of this page go on already; wait for one to end or cancel one");
+    }
+    while (runs.size() >= MOST_KEPT) {
+      String oldest =
+          runs.entrySet().stream()
+              .filter(run -> run.getValue().hasEnded())
+              .findFirst()
+              .orElseThrow()
+              .getKey();
+      runs.remove(oldest).close();
+    }
+    UserRun run = new UserRun(model, options, scene, Files.createTempDirectory("mechweb"));
+    String id = AccessToken.random();
+    runs.put(id, run);
+    Thread thread = new Thread(() -> run.run(service), "mechservice-user-run");
+    thread.setDaemon(true);
+    thread.start();
+    return id;
+  }
+
+  /**
+   * Returns a run.
+   *
+   * @throws Refused if there is none, or it is no longer kept
+   */
+  synchronized UserRun get(String id) {
+    UserRun run = runs.get(id);
+    if (run == null) {
+      throw new Refused(
+          404,
+          MessageCode.REQUEST_UNUSABLE
+              + " the request cannot be used: the run is no longer kept; run it again");
+    }
+    return run;
+  }
+
+  @Override
+  public void close() {
+    List<UserRun> all;
+    synchronized (this) {
+      all = List.copyOf(runs.values());
+      runs.clear();
+    }
+    all.forEach(UserRun::close);
+  }
+}
