@@ -56,7 +56,7 @@ class DocumentedCommandsIT {
   @Test
   void everyCommandOfThePageOnCWorks() throws IOException {
     boolean hasCompiler =
-        Stream.of(System.getenv().getOrDefault("PATH", "").split(File.pathSeparator))
+        Stream.of(System.getenv().getOrDefault("PATH", "").split(File.pathSeparator, -1))
             .anyMatch(folder -> new File(folder, "cc").canExecute());
     assumeTrue(hasCompiler, "this machine has no C compiler (cc)");
     everyCommandOfThePageWorks("docs/c.md");

@@ -304,6 +304,17 @@ class WholeWayTest {
     }
   }
 
+  @Test
+  void buildWritesTheModelInCAndRefusesALoopBeforeItWritesAnything() throws IOException {
+    assertThat(mech("build", MODEL, "--c", file("c"))).isZero();
+    assertThat(folder.resolve("c"))
+        .isDirectoryContaining("glob:**/*.h")
+        .isDirectoryContaining("glob:**/example.c");
+    String suspension = "../examples/five-point-suspension/five-point-suspension.xml";
+    assertThat(mech("build", suspension, "--c", file("loop"))).isNotZero();
+    assertThat(folder.resolve("loop")).doesNotExist();
+  }
+
   /** Equations, data beside them, and what events watch and assign: the JAR's classes. */
   @Test
   void theSourceOfAModelWithEventsIsThatOfAllItsClasses() throws IOException {

@@ -7,7 +7,10 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
+import java.util.regex.Pattern;
 import org.mechservice.sim.equations.links.Labels;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.ModelDescription;
@@ -22,6 +25,30 @@ import org.mechservice.solver.mechanism.Parameter;
  */
 public final class CModel {
   private static final List<String> COPIED = List.of("mech_math.h", "mech_math.c");
+
+  /** Names with whose ending {@code _t} C declares types, and names of other files. */
+  private static final Set<String> TAKEN =
+      Set.of(
+          "size",
+          "ssize",
+          "ptrdiff",
+          "wchar",
+          "float",
+          "double",
+          "div",
+          "ldiv",
+          "lldiv",
+          "time",
+          "clock",
+          "off",
+          "fpos",
+          "sig_atomic",
+          "max_align",
+          "example");
+
+  /** Beginnings of the names of whole-number types, and of the files copied beside the model. */
+  private static final Pattern TAKEN_PREFIX =
+      Pattern.compile("u?int(_least|_fast)?\\d+$|u?int(ptr|max)$|mech_");
 
   private final String name;
   private final Mechanism mechanism;
@@ -51,8 +78,9 @@ public final class CModel {
 
   private static String identifier(String modelName) {
     String name = Labels.sanitized(modelName);
-    boolean starts = Character.isLetter(name.charAt(0));
-    return starts ? name : "model_" + name;
+    String lower = name.toLowerCase(Locale.ROOT);
+    boolean taken = TAKEN.contains(lower) || TAKEN_PREFIX.matcher(lower).lookingAt();
+    return Character.isLetter(name.charAt(0)) && !taken ? name : "model_" + name;
   }
 
   /** Returns the identifier that the names of all its functions begin with. */

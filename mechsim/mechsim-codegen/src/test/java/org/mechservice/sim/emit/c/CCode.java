@@ -37,7 +37,8 @@ final class CCode {
     String path = System.getenv().getOrDefault("PATH", "");
     String found =
         Stream.of("cc", "gcc", "clang")
-            .flatMap(name -> Stream.of(path.split(File.pathSeparator)).map(p -> new File(p, name)))
+            .flatMap(
+                name -> Stream.of(path.split(File.pathSeparator, -1)).map(p -> new File(p, name)))
             .filter(File::canExecute)
             .map(File::getPath)
             .findFirst()

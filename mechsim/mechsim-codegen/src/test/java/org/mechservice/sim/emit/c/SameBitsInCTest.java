@@ -118,7 +118,7 @@ class SameBitsInCTest {
     return CCode.compiled(place, options, sources);
   }
 
-  /** Compares one scene; returns whether it has equations of motion on the Java machine. */
+  /** Compares one scene in random states. */
   private void compare(int seed, int states, List<String> flags, Count count) throws IOException {
     MechmlModel model = Scenes.model(scene(seed));
     BuildOptions options = options(seed);
@@ -227,6 +227,15 @@ class SameBitsInCTest {
     }
     Path program = CCode.compiled(folder, CCode.FAST, sources);
     assertThat(CCode.run(program, List.of("0.1", "1e-3"), new double[0])).isNotEmpty();
+  }
+
+  @Test
+  void namesThatCAlreadyHasGetAPrefix() {
+    for (String name : List.of("size", "double", "example", "mech_math")) {
+      Mechanism tree = Scenes.scene("pendulum5.json", name);
+      assertThat(ModelFactory.inC(Scenes.model(tree), options(1)).name())
+          .isEqualTo("model_" + name);
+    }
   }
 
   @Test
