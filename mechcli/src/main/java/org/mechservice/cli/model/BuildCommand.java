@@ -144,7 +144,7 @@ public final class BuildCommand implements Callable<Integer> {
     refuseForUnit(cFolder.isPresent(), "--c");
     refuseForUnit(!host.isEmpty(), "--host");
     FmuArchive archive =
-        unit.build(LocalModel.read(model, method.reading(parameters.values()), method));
+        unit.build(ModelToExport.read(model, method.reading(parameters.values()), method));
     byte[] bytes = archive.bytes();
     OutputFile.write(file, bytes);
     size(file.toString(), bytes.length);

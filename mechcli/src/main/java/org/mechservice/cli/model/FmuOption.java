@@ -59,7 +59,7 @@ public final class FmuOption {
    * @throws UsageException if version or platform are not known, or no compiler is here for one
    * @throws IOException if the compiler fails
    */
-  FmuArchive build(LocalModel local) throws IOException {
+  FmuArchive build(ModelToExport local) throws IOException {
     try {
       FmiVersion fmi = version.isEmpty() ? FmiVersion.FMI_2 : FmiVersion.of(version.strip());
       if (platforms.isEmpty()) {
@@ -74,7 +74,7 @@ public final class FmuOption {
     }
   }
 
-  private static FmuModel printed(LocalModel local) {
+  private static FmuModel printed(ModelToExport local) {
     CModel model = ModelFactory.inC(local.model(), local.options());
     return FmuModel.of(model, local.options().settings());
   }

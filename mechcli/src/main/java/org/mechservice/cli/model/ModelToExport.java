@@ -24,7 +24,7 @@ import org.mechservice.solver.catalogue.MethodNames;
  * @param model the model of the file
  * @param options how it is generated
  */
-record LocalModel(MechmlModel model, BuildOptions options) {
+record ModelToExport(MechmlModel model, BuildOptions options) {
 
   /**
    * Reads a model.
@@ -35,11 +35,12 @@ record LocalModel(MechmlModel model, BuildOptions options) {
    * @throws UsageException with the messages of the reader if it is no valid model; if its
    *     simulation is no motion
    */
-  static LocalModel read(Path file, ReadOptions reading, ModelOptions method) throws IOException {
+  static ModelToExport read(Path file, ReadOptions reading, ModelOptions method)
+      throws IOException {
     try {
       MechmlModel model =
           MechmlReader.read(String.valueOf(file.getFileName()), Files.readAllBytes(file), reading);
-      return new LocalModel(model, options(file, model, method));
+      return new ModelToExport(model, options(file, model, method));
     } catch (MechmlException e) {
       throw new UsageException(String.valueOf(e.getMessage()));
     }
