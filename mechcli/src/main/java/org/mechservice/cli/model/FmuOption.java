@@ -10,7 +10,9 @@ import org.mechservice.sim.fmu.FmiVersion;
 import org.mechservice.sim.fmu.FmuArchive;
 import org.mechservice.sim.fmu.FmuModel;
 import org.mechservice.sim.fmu.FmuPlatform;
+import org.mechservice.sim.model.BuildOptions;
 import org.mechservice.sim.model.ModelFactory;
+import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Option;
@@ -75,6 +77,10 @@ public final class FmuOption {
   }
 
   private static FmuModel printed(ModelToExport local) {
+    BuildOptions options = local.options();
+    // Refuses names of formulations and closures that there are not; C has one formulation.
+    FormulationChoice.of(
+        options.formulation(), options.closure(), options.settings(), local.model());
     CModel model = ModelFactory.inC(local.model(), local.options());
     return FmuModel.of(model, local.options().settings());
   }
