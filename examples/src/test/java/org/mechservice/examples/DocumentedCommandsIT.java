@@ -31,6 +31,7 @@ class DocumentedCommandsIT {
       strings = {
         "README.md",
         "docs/curves.md",
+        "docs/fmu.md",
         "docs/view.md",
         "examples/embedding/README.md",
         "examples/pendulum/README.md",

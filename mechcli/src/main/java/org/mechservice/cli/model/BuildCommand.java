@@ -19,6 +19,7 @@ import org.mechservice.client.GeneratedSource;
 import org.mechservice.client.MechSession;
 import org.mechservice.client.SimulationOptions;
 import org.mechservice.client.jar.BuiltJar;
+import org.mechservice.sim.fmu.FmuArchive;
 import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -27,10 +28,10 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code mech build}: a model as a JAR, or in C. */
+/** {@code mech build}: a model as a JAR, in C, or as an FMU. */
 @Command(
     name = "build",
-    description = "Compiles a model into a JAR, or writes it as C.",
+    description = "Compiles a model into a JAR, writes it as C or as an FMU.",
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class BuildCommand implements Callable<Integer> {
@@ -39,8 +40,11 @@ public final class BuildCommand implements Callable<Integer> {
 
   @Option(
       names = {"-o", "--output"},
-      paramLabel = "FILE.jar",
-      description = "The JAR to write; needed unless --c is given.")
+      paramLabel = "FILE.jar|FILE.fmu",
+      hideParamSyntax = true,
+      description =
+          "The JAR or, built here for other simulators, the FMU to write; needed unless --c is"
+              + " given.")
   private Optional<Path> target = Optional.empty();
 
   @Option(
@@ -85,6 +89,8 @@ public final class BuildCommand implements Callable<Integer> {
   @Option(names = "--host", paramLabel = "NAME", description = "Host of the server to build on.")
   private String host = "";
 
+  @Mixin private FmuOption unit = new FmuOption();
+
   @Mixin private UserCodeOption userCode = new UserCodeOption();
 
   @Spec private CommandSpec spec = CommandSpec.create();
@@ -99,6 +105,9 @@ public final class BuildCommand implements Callable<Integer> {
     }
     if (target.isPresent()) {
       OutputFile.requireUsable(target.get());
+    }
+    if (unit.isAskedFor(target.orElse(Path.of("")))) {
+      return buildUnit(target.orElse(Path.of("")));
     }
     SimulationOptions asInFile = parameters.addTo(SimulationOptions.asInFile());
     SimulationOptions laidOut = code.isEmpty() ? asInFile : asInFile.code(code);
@@ -124,6 +133,32 @@ public final class BuildCommand implements Callable<Integer> {
         tell(jar.get(), target.orElseThrow(), session.runtimeJarBytes());
       }
       return ExitStatus.DONE;
+    }
+  }
+
+  private Integer buildUnit(Path file) throws IOException {
+    refuseForUnit(standalone, "--standalone");
+    refuseForUnit(compact, "--compact");
+    refuseForUnit(!code.isEmpty(), "--code");
+    refuseForUnit(sourceFolder.isPresent(), "--source");
+    refuseForUnit(cFolder.isPresent(), "--c");
+    refuseForUnit(!host.isEmpty(), "--host");
+    FmuArchive archive =
+        unit.build(ModelToExport.read(model, method.reading(parameters.values()), method));
+    byte[] bytes = archive.bytes();
+    OutputFile.write(file, bytes);
+    size(file.toString(), bytes.length);
+    fact("contains", archive.contents());
+    return ExitStatus.DONE;
+  }
+
+  private static void refuseForUnit(boolean given, String option) {
+    if (given) {
+      throw new UsageException(
+          MessageCode.OPTION_UNUSABLE
+              + " "
+              + option
+              + " is for a JAR, not for an FMU: leave it out, or write -o FILE.jar");
     }
   }
 

@@ -3,11 +3,15 @@ package org.mechservice.cli.model;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.mechservice.cli.shell.UsageException;
 import org.mechservice.client.SimulationOptions;
+import org.mechservice.mechml.ReadOptions;
+import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Option;
@@ -69,6 +73,36 @@ public final class ModelOptions {
   /** Returns whether another simulation of the file than the first may be meant. */
   public boolean choosesSimulation() {
     return !simulation.isEmpty();
+  }
+
+  /**
+   * Returns how a model file is to be read here, without a server.
+   *
+   * @param values values of parameters, by name
+   */
+  ReadOptions reading(Map<String, String> values) {
+    Set<String> names = tunable.stream().map(String::strip).collect(Collectors.toSet());
+    return new ReadOptions(
+        simulation.isEmpty() ? Optional.empty() : Optional.of(simulation), values, names);
+  }
+
+  /** Returns the settings of a simulation with those that are given here. */
+  SimulationSettings addTo(SimulationSettings settings) {
+    SimulationSettings all = settings;
+    if (!formulation.isEmpty()) {
+      all = all.withFormulation(formulation);
+    }
+    if (!integrator.isEmpty()) {
+      all = all.with(all.run().withIntegrator(integrator));
+    }
+    return columns.isEmpty()
+        ? all
+        : all.withColumns(groups().stream().map(ColumnGroup::label).toList());
+  }
+
+  /** Returns the closure given; empty if none is. */
+  String closure() {
+    return closure;
   }
 
   /** Returns the options given with these added. */

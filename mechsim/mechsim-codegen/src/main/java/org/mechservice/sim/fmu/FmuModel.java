@@ -3,6 +3,9 @@ package org.mechservice.sim.fmu;
 import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import org.mechservice.sim.emit.c.CModel;
+import org.mechservice.sim.emit.c.CVariable;
+import org.mechservice.solver.api.run.RunSettings;
 
 /**
  * A model in C with what an FMU says about it.
@@ -31,6 +34,9 @@ public record FmuModel(
     List<String> events,
     Experiment experiment,
     SortedMap<String, String> sources) {
+  /** A program of its own among the files of a printed model. */
+  private static final String EXAMPLE = "example.c";
+
   public FmuModel {
     states = List.copyOf(states);
     parameters = List.copyOf(parameters);
@@ -38,6 +44,41 @@ public record FmuModel(
     outputs = List.copyOf(outputs);
     events = List.copyOf(events);
     sources = new TreeMap<>(sources);
+  }
+
+  /**
+   * Returns a printed model.
+   *
+   * @param run the run that its file describes
+   */
+  public static FmuModel of(CModel model, RunSettings run) {
+    SortedMap<String, String> files = new TreeMap<>(model.files());
+    files.remove(EXAMPLE);
+    return new FmuModel(
+        model.modelName(),
+        model.name(),
+        variables(model.states()),
+        variables(model.parameters()),
+        List.of(),
+        variables(model.outputs()),
+        List.of(),
+        new Experiment(
+            run.tStart(),
+            run.tEnd(),
+            run.tStep(),
+            run.relativeTolerance(),
+            run.absoluteTolerance(),
+            run.maxStep()),
+        files);
+  }
+
+  private static List<FmuVariable> variables(List<CVariable> printed) {
+    return printed.stream()
+        .map(
+            variable ->
+                new FmuVariable(
+                    variable.name(), variable.unit(), variable.description(), variable.start()))
+        .toList();
   }
 
   /**

@@ -6,6 +6,7 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.mechservice.solver.text.ShortestDecimal;
@@ -25,6 +26,16 @@ final class FmuSources {
           "project",
           "jacobian",
           "failure");
+
+  /** What stands for a function that a model does not have. */
+  private static final Map<String, String> WITHOUT =
+      Map.of(
+          "event_values", "(m, t, x, g) 0",
+          "event", "(m, i, direction, t, x) ((void)(direction), 0)",
+          "project", "(m, t, x) 0",
+          "outputs", "(m, t, x, y) 0",
+          "jacobian", "(m, t, x, J) ((void)(J), -1)",
+          "failure", "(m) \"\"");
 
   private FmuSources() {}
 
@@ -84,7 +95,16 @@ final class FmuSources {
     }
     define(text, "CHECK", check + ")");
     define(text, "T", name + "_t");
-    FUNCTIONS.forEach(function -> define(text, function, name + "_" + function));
+    String declared = model.sources().getOrDefault(name + ".h", "");
+    for (String function : FUNCTIONS) {
+      boolean there = declared.contains(name + "_" + function + "(");
+      String without = WITHOUT.getOrDefault(function, "");
+      if (there || without.isEmpty()) {
+        define(text, function, name + "_" + function);
+      } else {
+        text.append("#define MODEL_").append(function).append(without).append('\n');
+      }
+    }
     define(text, "TOKEN", "\"" + token + "\"");
     define(text, "START", number(run.start()));
     define(text, "INTERVAL", number(run.end() - run.start()));
