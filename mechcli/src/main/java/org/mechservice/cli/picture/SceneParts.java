@@ -201,14 +201,15 @@ final class SceneParts {
 
   private static SceneForce between(String name, SceneForce.Kind kind, List<BodyPoint> points) {
     Function<BodyPoint, Anchor> anchor = SceneParts::anchor;
-    return new SceneForce(name, kind, points.stream().map(anchor).toList(), Point3.ZERO, 0, "");
+    return new SceneForce(
+        name, kind, points.stream().map(anchor).toList(), Point3.ZERO, false, 0, "");
   }
 
   private SceneForce inJoint(String name, SceneForce.Kind kind, Coordinate coordinate) {
     Joint joint = mechanism.jointOf(coordinate);
     SceneJoint shown = joint(joint, false, false);
     return new SceneForce(
-        name, kind, List.of(shown.first(), shown.second()), Point3.ZERO, 0, joint.name());
+        name, kind, List.of(shown.first(), shown.second()), Point3.ZERO, false, 0, joint.name());
   }
 
   /** Returns a force as an arrow along it, or a moment if there is no force. */
@@ -223,6 +224,7 @@ final class SceneParts {
         pushes ? SceneForce.Kind.FORCE : SceneForce.Kind.MOMENT,
         List.of(anchor(wrench.point())),
         inBody ? pose(wrench.point().body()).turn(direction) : direction,
+        inBody,
         0,
         "");
   }
@@ -298,6 +300,7 @@ final class SceneParts {
           SceneForce.Kind.CONTACT,
           List.of(anchor(one.center()), anchor(one.surface().origin())),
           pose(surface).turn(point(one.surface().axes().apply(Z))),
+          false,
           value(one.radius()),
           "");
     }

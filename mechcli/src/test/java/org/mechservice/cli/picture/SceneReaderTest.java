@@ -58,6 +58,17 @@ class SceneReaderTest {
     assertThat(scene.extent()).isNotEmpty();
   }
 
+  /** Results hold its components in these axes, so the player has to know them. */
+  @Test
+  void forceSaysWhetherItsComponentsTurnWithItsBody(@TempDir Path folder) throws IOException {
+    Path inWorld = EXAMPLES.resolve("elements/forceTorque.xml");
+    String text = Files.readString(inWorld).replace("frame=\"world\"", "frame=\"body\"");
+    Path inBody = Files.writeString(folder.resolve("body.xml"), text);
+
+    assertThat(read(inWorld).forces().get(0).inBodyAxes()).isFalse();
+    assertThat(read(inBody).forces().get(0).inBodyAxes()).isTrue();
+  }
+
   @Test
   void loopsAreClosedInThePicture() throws IOException {
     SceneDescription scene = read(EXAMPLES.resolve("extremes/fourbar_redundant.xml"));

@@ -349,6 +349,7 @@ public final class PlayerPage {
       force.anchors().forEach(anchor -> anchors.add(array(anchor)));
       one.add("anchors", anchors);
       one.add("direction", array(force.direction()));
+      one.addProperty("inBodyAxes", force.inBodyAxes());
       one.addProperty("radius", force.radius());
       one.addProperty("force", place(force.name() + ".fx"));
       one.addProperty("normal", place(force.name() + ".normal"));

@@ -12,11 +12,19 @@ import java.util.List;
  *     the joint's points for what acts in a joint
  * @param direction unit vector in world axes at the start: the direction of a force or moment, the
  *     outward normal of a contact's surface; zero where there is none
+ * @param inBodyAxes whether the components of the force in results are in axes of the body it acts
+ *     on, not of the world
  * @param radius radius of a contact's sphere, m; 0 for every other force
  * @param joint name of the joint it acts in; empty if it acts between points
  */
 public record SceneForce(
-    String name, Kind kind, List<Anchor> anchors, Point3 direction, double radius, String joint) {
+    String name,
+    Kind kind,
+    List<Anchor> anchors,
+    Point3 direction,
+    boolean inBodyAxes,
+    double radius,
+    String joint) {
   /** What acts. */
   public enum Kind {
     /** A spring without damping between two points. */

@@ -273,7 +273,9 @@ class Player {
       }
       for (const force of this.data.forces) {
         if (force.kind === 'FORCE' && force.force >= 0) {
-          put(placed(poses, force.anchors[0]), this.motion.vector(force.force, frame), FORCE);
+          const given = this.motion.vector(force.force, frame);
+          const acting = force.inBodyAxes ? turned(poses(force.anchors[0][0]).q, given) : given;
+          put(placed(poses, force.anchors[0]), acting, FORCE);
         } else if (force.kind === 'CONTACT' && force.normal >= 0) {
           const centre = placed(poses, force.anchors[0]);
           const push = scale(force.direction, this.motion.value(force.normal, frame));

@@ -45,6 +45,7 @@ final class Pendulums {
                 SceneForce.Kind.SPRING,
                 List.of(new Anchor(Anchor.ROOT, new Point3(0, 0, 2)), tip),
                 Point3.ZERO,
+                false,
                 0,
                 "")),
         new SceneVerdict(1, 0, 0, true, List.of()));

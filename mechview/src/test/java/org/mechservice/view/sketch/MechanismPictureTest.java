@@ -97,6 +97,7 @@ class MechanismPictureTest {
             kind,
             List.of(end(1), new Anchor(Anchor.ROOT, new Point3(2, 0, -0.5))),
             new Point3(0, 0, 1),
+            false,
             kind == SceneForce.Kind.CONTACT ? 0.2 : 0,
             joint));
 
