@@ -16,6 +16,9 @@ import org.mechservice.solver.ode.TrialOutcome;
 
 /** Words the failures of runs in terms of mechanics. */
 final class FailureText {
+  /** Result of a step whose error was too large. */
+  static final String TOO_INACCURATE = "error too large";
+
   /** Spacing of floating-point times, s, above which steps cannot be short. */
   private static final double COARSE = 1e-10;
 
@@ -142,7 +145,7 @@ final class FailureText {
   private static String told(TrialOutcome attempt) {
     return switch (attempt) {
       case PASSED -> "accepted";
-      case TOO_INACCURATE -> "error too large";
+      case TOO_INACCURATE -> TOO_INACCURATE;
       case NOT_CONVERGING -> Failure.Step.UNSOLVED;
       case SINGULAR_MATRIX -> "its matrix was singular";
       case NOT_COMPLETED -> "the loops could not be closed";
