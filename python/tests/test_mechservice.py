@@ -112,7 +112,12 @@ def test_ctrl_c_keeps_the_rows_there_are():
         "print(rows.complete, len(rows) > 0, rows.report['outcome'])\n"
     )
     run = subprocess.Popen(
-        [sys.executable, "-c", program], stdout=subprocess.PIPE, text=True, env=environment()
+        [sys.executable, "-c", program],
+        stdout=subprocess.PIPE,
+        text=True,
+        env=environment(),
+        # A job in the background of a shell inherits that it ignores Ctrl-C.
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
     )
     assert run.stdout.readline() == "begun\n"
     time.sleep(0.5)
