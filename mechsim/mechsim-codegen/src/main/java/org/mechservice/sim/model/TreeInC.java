@@ -146,7 +146,7 @@ final class TreeInC {
     if (options.columns().contains(ColumnGroup.ENERGY)) {
       List<CVariable> energies =
           List.of(output("energy.kinetic", "J"), output("energy.potential", "J"));
-      groups.add(new COutputs("energies", energies, energy, false));
+      groups.add(new COutputs(COutputs.ENERGIES, energies, energy, false));
     }
     List<Variable> forces = ForceColumnNames.of(mechanism);
     if (options.columns().contains(ColumnGroup.FORCES) && !forces.isEmpty()) {

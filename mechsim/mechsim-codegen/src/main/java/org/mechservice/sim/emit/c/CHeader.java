@@ -10,10 +10,15 @@ import org.mechservice.sim.emit.source.JavaText;
 final class CHeader {
   private final CModel model;
   private final String name;
+  private final int slots;
   private final StringBuilder text = new StringBuilder();
 
-  CHeader(CModel model) {
+  /**
+   * @param slots length of the workspace of an instance
+   */
+  CHeader(CModel model, int slots) {
     this.model = model;
+    this.slots = slots;
     this.name = model.name();
   }
 
@@ -58,7 +63,7 @@ final class CHeader {
     line("typedef struct {");
     line("  double p[" + Math.max(1, model.parameters().size()) + "];");
     line("  double u[1];");
-    line("  double w[" + Math.max(1, new CSource(model).slots()) + "];");
+    line("  double w[" + Math.max(1, slots) + "];");
     line("  int failure;");
     line("} " + name + "_t;");
     line("");

@@ -13,6 +13,7 @@ import java.util.Set;
 import java.util.regex.Pattern;
 import org.mechservice.sim.equations.links.Labels;
 import org.mechservice.sim.symbolic.Program;
+import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -155,7 +156,7 @@ public final class CModel {
   List<Integer> eulerParameters() {
     List<Integer> found = new ArrayList<>();
     int position = 0;
-    for (var joint : description.joints()) {
+    for (JointVariables joint : description.joints()) {
       if (joint.type().hasEulerParameters()) {
         found.add(position);
       }
@@ -167,8 +168,9 @@ public final class CModel {
   /** Returns the texts of all files by their names: header, code, elementary functions, example. */
   public Map<String, String> files() {
     Map<String, String> files = new LinkedHashMap<>();
-    files.put(name + ".h", new CHeader(this).text());
-    files.put(name + ".c", new CSource(this).text());
+    CSource source = new CSource(this);
+    files.put(name + ".h", new CHeader(this, source.slots()).text());
+    files.put(name + ".c", source.text());
     for (String copied : COPIED) {
       files.put(copied, resource(copied));
     }

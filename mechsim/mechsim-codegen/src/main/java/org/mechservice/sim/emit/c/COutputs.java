@@ -11,4 +11,7 @@ import org.mechservice.sim.symbolic.Program;
  * @param program from time and state to the values
  * @param poses whether they are poses of bodies, whose Euler parameters are put out with e0 ≥ 0
  */
-public record COutputs(String name, List<CVariable> variables, Program program, boolean poses) {}
+public record COutputs(String name, List<CVariable> variables, Program program, boolean poses) {
+  /** Name of the function of kinetic and potential energy, which every model has. */
+  public static final String ENERGIES = "energies";
+}

@@ -1,5 +1,6 @@
 package org.mechservice.sim.emit.c;
 
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.sim.emit.method.ConstantTable;
@@ -32,9 +33,9 @@ final class CSource {
     this.model = model;
     this.name = model.name();
     add("derivative", "dx", true, model.derivative());
-    add("energies", "energy", false, model.energy());
+    add(COutputs.ENERGIES, "energy", false, model.energy());
     for (COutputs group : model.groups()) {
-      if (group.program() != model.energy()) {
+      if (!group.name().equals(COutputs.ENERGIES)) {
         add(group.name(), "values", false, group.program());
       }
     }
@@ -114,7 +115,7 @@ final class CSource {
   /** Returns a literal in UTF-8 by octal escapes, which no following digit joins. */
   private static String literal(String text) {
     StringBuilder literal = new StringBuilder("\"");
-    for (byte b : text.getBytes(java.nio.charset.StandardCharsets.UTF_8)) {
+    for (byte b : text.getBytes(StandardCharsets.UTF_8)) {
       boolean plain = b >= ' ' && b <= '~' && b != '"' && b != '\\' && b != '?';
       literal.append(plain ? Character.toString(b) : "\\%03o".formatted(b & 0xff));
     }
@@ -154,7 +155,7 @@ final class CSource {
     source.line("m->failure = derivative(m, t, x, dx);");
     source.line("return m->failure == REGULAR ? 0 : -1;").close();
     open("int ", "energy", instance() + ", double t, const double *x, double *energy");
-    source.line("energies(m, t, x, energy);");
+    source.line(COutputs.ENERGIES + "(m, t, x, energy);");
     source.line("return 0;").close();
   }
 
@@ -162,8 +163,7 @@ final class CSource {
     open("int ", "outputs", instance() + ", double t, const double *x, double *y");
     int at = 0;
     for (COutputs group : model.groups()) {
-      String function = group.program() == model.energy() ? "energies" : group.name();
-      source.line(function + "(m, t, x, y + " + at + ");");
+      source.line(group.name() + "(m, t, x, y + " + at + ");");
       if (group.poses()) {
         poses(at, group.variables().size());
       }

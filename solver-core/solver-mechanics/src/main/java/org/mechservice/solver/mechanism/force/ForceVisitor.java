@@ -1,8 +1,8 @@
 package org.mechservice.solver.mechanism.force;
 
 /**
- * An answer for every kind of force. Whoever needs one implements it, so that the compiler names
- * every place that a new kind concerns.
+ * A visitor with a method for every kind of force. The compiler names every visitor that lacks the
+ * method of a new kind.
  *
  * @param <R> type of the answer
  */

@@ -12,29 +12,31 @@ import org.mechservice.solver.ode.step.RightHandSide;
  * closely if they are longer than those before.
  */
 public final class PulseProbe {
-  /** Parts of a step at whose ends is looked, for each time that it is as long as the last one. */
+  /** Parts into which a step is divided, times its length over that of the step before. */
   private static final double PARTS = 4;
 
-  /** Fewest and most of them. */
+  /** Fewest parts of a step that is longer than the one before. */
   private static final int FEWEST = 8;
 
-  /** The fewest of a step that is no longer than the one before. */
+  /** Fewest parts of a step that is no longer than the one before. */
   private static final int FEWEST_AGAIN = 4;
 
+  /** Most parts of a step. */
   private static final int MOST = 64;
 
-  /** Parts of the shortest distance between jumps known. */
+  /** Parts into which the shortest known distance between jumps is divided. */
   private static final double PARTS_OF_DISTANCE = 2;
 
   /** A step is longer than the one before if it is by this factor. */
   private static final double LONGER = 1.5;
 
   /**
-   * What a derivative that is that of a straight line adds to it over half the step, and one that
-   * is noticed, in errors allowed: rounding, and all of one.
+   * Largest change over half the step, in allowed errors, that counts as rounding: the derivative
+   * is then that of the straight line.
    */
   private static final double ROUNDING = 1e-6;
 
+  /** Smallest change over half the step, in allowed errors, that a pulse is noticed by. */
   private static final double NOTICED = 1;
 
   /** Share of the interval that a step must have. */
