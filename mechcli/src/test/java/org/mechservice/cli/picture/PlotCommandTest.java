@@ -74,11 +74,11 @@ class PlotCommandTest {
         writer.finish();
       }
       Path picture = folder.resolve(format.name() + ".svg");
-      assertThat(plot(file.toString(), "-o", picture.toString()))
+      assertThat(plot(file.toString(), "j.v", "-o", picture.toString()))
           .as("%s: %s", format, err)
           .isEqualTo(ExitStatus.DONE);
       String drawn = Files.readString(picture).replace(String.valueOf(file.getFileName()), "rows");
-      assertThat(drawn).contains("j.q");
+      assertThat(drawn).contains("j.v");
       first = first.isEmpty() ? drawn : first;
       assertThat(drawn).as(format.name()).isEqualTo(first);
     }

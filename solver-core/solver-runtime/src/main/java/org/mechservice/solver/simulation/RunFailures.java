@@ -26,9 +26,6 @@ import org.mechservice.solver.simulation.equations.RunEvents;
  * defect of the equations if they have one, else from the integrator.
  */
 final class RunFailures {
-  /** How far to look across a jump: so many powers of ten of the last step. */
-  private static final int DECADES_AHEAD = 4;
-
   /** Instead of a column: the loops cannot be closed at an output time. */
   static final int LOOPS_OPEN = -2;
 
@@ -111,21 +108,19 @@ final class RunFailures {
 
   /**
    * Looks for the force that jumps beside the last state, from which the last step went back to its
-   * side of the jump: at states that lie a step or some further ahead.
+   * side of the jump: at the state that lies such a step ahead.
    */
   private Optional<Defects.Defect> acrossTheJump(
       IntegrationFailure failure, double[] y, double[] yDot) {
     double t = integrator.time();
-    Optional<Defects.Defect> defect = Optional.empty();
-    double ahead = Math.abs(failure.stepSize());
-    for (int i = 0; i < DECADES_AHEAD && defect.isEmpty(); i++) {
-      Failure.Step step =
-          new Failure.Step(
-              t, ahead, failure.order(), Double.POSITIVE_INFINITY, FailureText.TOO_INACCURATE);
-      defect = equations.defect(t, y, yDot, List.of(step));
-      ahead *= 10;
-    }
-    return defect;
+    Failure.Step ahead =
+        new Failure.Step(
+            t,
+            Math.abs(failure.stepSize()),
+            failure.order(),
+            Double.POSITIVE_INFINITY,
+            FailureText.TOO_INACCURATE);
+    return equations.defect(t, y, yDot, List.of(ahead));
   }
 
   /** Returns the value instead of a column if a balance has drifted too far. */

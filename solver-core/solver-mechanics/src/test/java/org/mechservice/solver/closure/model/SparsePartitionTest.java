@@ -44,6 +44,8 @@ class SparsePartitionTest {
     assertThat(partition.renew(elements(2, 3, 1), BETTER)).isFalse();
     assertThat(partition.dependent).containsExactly(0);
     assertThat(partition.bestPivot()).isEqualTo(3);
+    // From now on the choice is measured by what it was when compared, not by the best there was.
+    assertThat(partition.renew(elements(1.9, 9, 1), BETTER)).isFalse();
   }
 
   /** A tenth of the largest pivot so far and less: no comparison is left out. */
