@@ -1,13 +1,13 @@
 package org.mechservice.solver.closure;
 
-import org.mechservice.solver.linear.Cholesky;
+import org.mechservice.solver.linear.SparseMatrix;
 
 /** Penalty equations with M + α JᵀJ as a dense matrix, which is fast for small mechanisms. */
 final class DensePenalty implements PenaltyEquations {
   private final ClosedTree work;
   private final double stiffness;
-  private final AugmentedEquations equations;
-  private final double[] rows;
+  private final DenseAugmentedEquations equations;
+  private final SparseMatrix rows;
   private final double[] offset;
 
   /**
@@ -17,22 +17,20 @@ final class DensePenalty implements PenaltyEquations {
   DensePenalty(ClosedTree work, double stiffness, boolean holds) {
     this.work = work;
     this.stiffness = stiffness;
-    int count = work.loops.count() + (holds ? work.nv : 0);
-    equations =
-        new AugmentedEquations(
-            count, work.units.velocities, AugmentedEquations.Factors.of(new Cholesky(work.nv)));
-    rows = new double[count * work.nv];
-    offset = new double[count];
+    rows = work.loops.stateRows(work.nv, holds);
+    equations = DenseAugmentedEquations.symmetric(rows, work.units.velocities);
+    offset = new double[rows.rows()];
   }
 
   @Override
   public int factor(boolean[] held) {
     work.formMass();
-    work.loops.scaledRows(rows, work.nv);
+    work.loops.scaledRows(rows);
     for (int k = 0; k < held.length; k++) {
-      rows[(work.loops.count() + k) * work.nv + k] = held[k] ? 1 / work.units.velocities[k] : 0;
+      int place = rows.start[work.loops.count() + k];
+      rows.value[place] = held[k] ? 1 / work.units.velocities[k] : 0;
     }
-    return equations.factor(work.mass(), rows, stiffness * largestInertia());
+    return equations.factor(work.mass(), stiffness * largestInertia());
   }
 
   /**

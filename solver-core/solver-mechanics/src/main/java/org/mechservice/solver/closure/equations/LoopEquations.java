@@ -238,18 +238,35 @@ public final class LoopEquations {
   }
 
   /**
+   * Returns a matrix for the columns of J that belong to the state.
+   *
+   * @param columns number of velocities of the state
+   * @param holds whether a row with one element follows for each column
+   */
+  public SparseMatrix stateRows(int columns, boolean holds) {
+    int[][] pattern = new int[count() + (holds ? columns : 0)][];
+    for (int row = 0; row < pattern.length; row++) {
+      pattern[row] =
+          row < count()
+              ? Arrays.stream(jacobian.column, jacobian.start[row], jacobian.start[row + 1])
+                  .filter(column -> column < columns)
+                  .toArray()
+              : new int[] {row - count()};
+    }
+    return SparseMatrix.of(pattern, columns);
+  }
+
+  /**
    * Writes the columns of J that belong to the state, with rows divided by their sizes.
    *
-   * @param rows {@link #count} times {@code columns} numbers; overwritten
+   * @param rows of {@link #stateRows}; those of the equations are overwritten
    */
-  public void scaledRows(double[] rows, int columns) {
-    Arrays.fill(rows, 0, count() * columns, 0);
+  public void scaledRows(SparseMatrix rows) {
     for (int row = 0; row < closureOfRow.length; row++) {
       double perSize = 1 / size(row);
-      for (int e = jacobian.start[row]; e < jacobian.start[row + 1]; e++) {
-        if (jacobian.column[e] < columns) {
-          rows[row * columns + jacobian.column[e]] = perSize * jacobian.value[e];
-        }
+      int from = jacobian.start[row] - rows.start[row];
+      for (int e = rows.start[row]; e < rows.start[row + 1]; e++) {
+        rows.value[e] = perSize * jacobian.value[from + e];
       }
     }
   }

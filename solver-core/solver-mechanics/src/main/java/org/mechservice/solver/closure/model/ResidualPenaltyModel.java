@@ -4,7 +4,9 @@ import java.util.Arrays;
 import org.mechservice.solver.api.capability.LinearisedModel;
 import org.mechservice.solver.closure.AugmentedEquations;
 import org.mechservice.solver.closure.ClosedMechanism;
+import org.mechservice.solver.closure.DenseAugmentedEquations;
 import org.mechservice.solver.closure.PenaltySettings;
+import org.mechservice.solver.closure.SparseAugmentedEquations;
 import org.mechservice.solver.closure.equations.LoopRounding;
 import org.mechservice.solver.dynamics.derivative.BorderedStep;
 import org.mechservice.solver.dynamics.derivative.FurtherDerivatives;
@@ -12,9 +14,9 @@ import org.mechservice.solver.dynamics.derivative.ResidualDifferences;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.dynamics.derivative.TreeIteration;
 import org.mechservice.solver.dynamics.tree.TreePattern;
+import org.mechservice.solver.dynamics.tree.TreeSquare;
 import org.mechservice.solver.force.user.UserForceSource;
-import org.mechservice.solver.linear.Cholesky;
-import org.mechservice.solver.linear.DenseLu;
+import org.mechservice.solver.linear.SparseMatrix;
 
 /**
  * RR and RR-JF with closed loops by penalty: the stabilised equations of index 2 (Gear, Gupta and
@@ -40,12 +42,6 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     DIFFERENCES
   }
 
-  /**
-   * Multiple of the largest element that is added to the diagonal of J U² Jᵀ, since rows of J may
-   * be zero.
-   */
-  private static final double REGULAR_PART = 1e-10;
-
   private static final int REPETITIONS = 3;
 
   /** Relative residual that assembly leaves, in addition to rounding. */
@@ -62,16 +58,14 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
   private final int m;
 
   /** J with scaled rows at the state of F and at the linearisation, m × n. */
-  private final double[] rows;
+  private final SparseMatrix rows;
 
-  private final double[] linearisedRows;
+  private final SparseMatrix linearisedRows;
   private final double[] force;
   private final double[] velocity;
   private final double[] lambda;
-  private final double[] full;
   private final AugmentedEquations equations;
-  private final double[] normal;
-  private final Cholesky gram;
+  private final PositionCorrection correction;
   private final double[] right;
   private final double[] ofVelocity;
   private final double[] ofPosition;
@@ -122,16 +116,20 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     iteration = new TreeIteration(work.tree, pattern, jacobian);
     differences =
         new ResidualDifferences(jacobian, work.coordinates, pattern, work.tree.velocityCount);
-    rows = new double[m * n];
-    linearisedRows = new double[m * n];
+    rows = work.loops.stateRows(n, false);
+    linearisedRows = rows.sameShape();
     force = new double[work.tree.velocityCount];
     velocity = new double[n];
     lambda = new double[m];
-    full = new double[n * n];
-    DenseLu lu = new DenseLu(n);
-    equations = new AugmentedEquations(m, work.units.velocities, AugmentedEquations.Factors.of(lu));
-    normal = new double[m * m];
-    gram = new Cholesky(m);
+    double[] units = work.units.velocities;
+    equations =
+        work.loops.isLarge()
+            ? new SparseAugmentedEquations(linearisedRows, units, pattern)
+            : DenseAugmentedEquations.general(linearisedRows, units);
+    correction =
+        work.loops.isLarge()
+            ? new SparsePositionCorrection(linearisedRows, units)
+            : new DensePositionCorrection(linearisedRows, units);
     right = new double[n];
     ofVelocity = new double[m];
     ofPosition = new double[m];
@@ -225,11 +223,11 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
   }
 
   /** Forms J with scaled rows; redundant rows are zero. */
-  private void formRows(double[] j) {
-    work.loops.scaledRows(j, n);
+  private void formRows(SparseMatrix j) {
+    work.loops.scaledRows(j);
     for (int row = 0; row < m; row++) {
       if (isRepeated[row]) {
-        Arrays.fill(j, row * n, (row + 1) * n, 0);
+        Arrays.fill(j.value, j.start[row], j.start[row + 1], 0);
       }
     }
   }
@@ -242,12 +240,13 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
 
   /** Adds factor Jᵀ λ or factor U² Jᵀ λ to x. */
   private void addTransposed(
-      double[] j, double[] multipliers, int at, double factor, boolean inUnits, double[] x) {
+      SparseMatrix j, double[] multipliers, int at, double factor, boolean inUnits, double[] x) {
     double[] unit = work.units.velocities;
     for (int row = 0; row < m; row++) {
       double push = factor * multipliers[at + row];
-      for (int k = 0; push != 0 && k < n; k++) {
-        x[k] += push * j[row * n + k] * (inUnits ? unit[k] * unit[k] : 1);
+      for (int e = j.start[row]; push != 0 && e < j.start[row + 1]; e++) {
+        int k = j.column[e];
+        x[k] += push * j.value[e] * (inUnits ? unit[k] * unit[k] : 1);
       }
     }
   }
@@ -298,38 +297,20 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
   public boolean factor(double hGamma) {
     this.hGamma = hGamma;
     iteration.form(hGamma);
-    iteration.matrix().toDense(full);
+    TreeSquare matrix = iteration.matrix();
     double largest = 0;
     for (int j = 0; j < n; j++) {
       double unit = work.units.velocities[j];
-      largest = Math.max(largest, Math.abs(full[j * n + j]) * unit * unit);
+      largest = Math.max(largest, Math.abs(matrix.get(j, j)) * unit * unit);
     }
-    singular = equations.factor(full, linearisedRows, settings.stiffness() * largest);
-    regular = singular < 0 && factorGram();
+    singular = equations.factor(matrix, settings.stiffness() * largest);
+    regular = singular < 0 && factorCorrection();
     return regular && bordered.factor(hGamma);
   }
 
-  /** Forms and factors J U² Jᵀ with a small additional diagonal. */
-  private boolean factorGram() {
-    double[] unit = work.units.velocities;
-    double largest = 0;
-    for (int i = 0; i < m; i++) {
-      for (int j = 0; j <= i; j++) {
-        double sum = 0;
-        for (int k = 0; k < n; k++) {
-          sum += linearisedRows[i * n + k] * unit[k] * unit[k] * linearisedRows[j * n + k];
-        }
-        normal[i * m + j] = sum;
-      }
-      largest = Math.max(largest, normal[i * m + i]);
-    }
-    // omitted rows are zero, and so are all rows of loops between bodies that cannot move
-    double regular = REGULAR_PART * (largest > 0 ? largest : 1);
-    for (int i = 0; i < m; i++) {
-      normal[i * m + i] += regular;
-    }
+  private boolean factorCorrection() {
     singular = 0;
-    return m == 0 || gram.factor(normal) < 0;
+    return correction.factor();
   }
 
   @Override
@@ -353,7 +334,8 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
       ofPosition[row] =
           repeats
               ? 0
-              : product(row, iteration.tangent()) / hGamma - r[atMu + row] / (hGamma * hGamma);
+              : linearisedRows.product(row, iteration.tangent(), 0) / hGamma
+                  - r[atMu + row] / (hGamma * hGamma);
     }
     System.arraycopy(r, 0, reduced, 0, work.nq);
     System.arraycopy(change, 0, right, 0, n);
@@ -410,22 +392,14 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     Arrays.fill(mu, 0);
     for (int i = 0; i < REPETITIONS; i++) {
       for (int row = 0; row < m; row++) {
-        lambda[row] = product(row, change) + ofPosition[row];
+        lambda[row] = linearisedRows.product(row, change, 0) + ofPosition[row];
       }
-      gram.solve(lambda, 0);
+      correction.solve(lambda);
       addTransposed(linearisedRows, lambda, 0, -1, true, change);
       for (int row = 0; row < m; row++) {
         mu[row] += lambda[row];
       }
     }
-  }
-
-  private double product(int row, double[] x) {
-    double sum = 0;
-    for (int k = 0; k < n; k++) {
-      sum += linearisedRows[row * n + k] * x[k];
-    }
-    return sum;
   }
 
   @Override

@@ -54,6 +54,13 @@ public final class TreeSquare implements TreeElements {
     Arrays.fill(upper, 0);
   }
 
+  /** Takes the elements of a matrix of the same pattern. */
+  public void copy(TreeSquare other) {
+    System.arraycopy(other.diagonal, 0, diagonal, 0, diagonal.length);
+    System.arraycopy(other.lower, 0, lower, 0, lower.length);
+    System.arraycopy(other.upper, 0, upper, 0, upper.length);
+  }
+
   /**
    * Adds to an element.
    *
