@@ -30,6 +30,7 @@ import org.mechservice.report.measure.ReferenceFile;
 import org.mechservice.report.measure.ReferenceMaker;
 import org.mechservice.report.measure.ReportProgress;
 import org.mechservice.report.measure.RunGrid;
+import org.mechservice.report.measure.SceneFindings;
 import org.mechservice.report.measure.Spectrum;
 import org.mechservice.report.measure.StateDistance;
 import org.mechservice.report.measure.TimeShares;

@@ -5,8 +5,8 @@
  * <p>{@link org.mechservice.report.ModelReport} makes the page of {@code mech report}. It lets the
  * service build the model with every method that fits ({@code method}), makes a reference ({@code
  * reference}), runs every method at every tolerance in this process and times it ({@code measure}),
- * and writes the page ({@code page}) from the {@link org.mechservice.report.SceneFindings}. The
- * suite of stiff and extreme scenes behind {@code mech stability} is in {@code stability}.
+ * and writes the page ({@code page}) from the {@link org.mechservice.report.measure.SceneFindings}.
+ * The suite of stiff and extreme scenes behind {@code mech stability} is in {@code stability}.
  */
 @NullMarked
 package org.mechservice.report;

@@ -23,6 +23,7 @@ import org.mechservice.report.measure.Reference;
 import org.mechservice.report.measure.ReferenceMaker;
 import org.mechservice.report.measure.ReportProgress;
 import org.mechservice.report.measure.RunGrid;
+import org.mechservice.report.measure.SceneFindings;
 import org.mechservice.report.measure.StateDistance;
 import org.mechservice.report.method.Candidate;
 import org.mechservice.report.method.SimulationMethod;

@@ -4,6 +4,7 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.mechml.diagnosis.Phrase;
@@ -36,6 +37,10 @@ final class BundledDtd implements EntityResolver2 {
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
+  }
+
+  static String text() {
+    return new String(TEXT, StandardCharsets.UTF_8);
   }
 
   /** Returns whether the parser has read the DTD. */

@@ -19,6 +19,11 @@ public record Document(
     epilog = List.copyOf(epilog);
   }
 
+  /** Returns the DTD of MechML. */
+  public static String dtd() {
+    return BundledDtd.text();
+  }
+
   /** Returns a document of its root alone, whose DOCTYPE names {@code mechml.dtd}. */
   public static Document of(Element root) {
     return new Document(Optional.of("mechml.dtd"), List.of(), root, List.of());

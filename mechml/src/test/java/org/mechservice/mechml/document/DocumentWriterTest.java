@@ -22,6 +22,7 @@ class DocumentWriterTest {
       return files
           .filter(f -> f.toString().endsWith(".xml") && !f.endsWith("pom.xml"))
           .filter(f -> !f.toString().contains("target"))
+          .filter(f -> !f.toString().contains("study"))
           .toList()
           .stream();
     }

@@ -41,6 +41,7 @@ final class Campaign {
       return found
           .filter(file -> file.toString().endsWith(".xml") && file.getNameCount() > 3)
           .filter(file -> !file.toString().contains("target"))
+          .filter(file -> !file.toString().contains("study"))
           .sorted()
           .map(Campaign::bytes)
           .toList();

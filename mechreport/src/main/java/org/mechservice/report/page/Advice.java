@@ -5,9 +5,9 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import org.mechservice.report.SceneFindings;
 import org.mechservice.report.measure.EqualError;
 import org.mechservice.report.measure.Point;
+import org.mechservice.report.measure.SceneFindings;
 import org.mechservice.report.measure.Spectrum;
 import org.mechservice.report.method.SimulationMethod;
 

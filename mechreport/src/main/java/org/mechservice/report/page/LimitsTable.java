@@ -5,8 +5,8 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.mechservice.report.SceneFindings;
 import org.mechservice.report.measure.Point;
+import org.mechservice.report.measure.SceneFindings;
 import org.mechservice.report.method.SimulationMethod;
 
 /** Which joints had steps rejected, and with which methods. */

@@ -2,10 +2,10 @@ package org.mechservice.report.page;
 
 import java.util.Locale;
 import java.util.OptionalDouble;
-import org.mechservice.report.SceneFindings;
 import org.mechservice.report.measure.ColdRunTimes;
 import org.mechservice.report.measure.EqualError;
 import org.mechservice.report.measure.Point;
+import org.mechservice.report.measure.SceneFindings;
 import org.mechservice.report.measure.TimeShares;
 import org.mechservice.report.method.SimulationMethod;
 

@@ -2,10 +2,10 @@ package org.mechservice.report.page;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.mechservice.report.SceneFindings;
 import org.mechservice.report.measure.EqualError;
 import org.mechservice.report.measure.Point;
 import org.mechservice.report.measure.Quantiles;
+import org.mechservice.report.measure.SceneFindings;
 import org.mechservice.report.method.SimulationMethod;
 
 /** Warnings of results that are not reliable, one sentence with its numbers each. */

@@ -2,8 +2,8 @@ package org.mechservice.report.page;
 
 import java.util.List;
 import java.util.Locale;
-import org.mechservice.report.SceneFindings;
 import org.mechservice.report.measure.Point;
+import org.mechservice.report.measure.SceneFindings;
 import org.mechservice.report.method.SimulationMethod;
 
 /**

@@ -1,20 +1,18 @@
 /**
- * Jumps of the right-hand side: declared ones and those that the steps run into.
+ * Jumps of the right-hand side that a problem has not declared and that the steps run into.
  *
- * <p>{@link Breakpoints} keeps the places that a {@link org.mechservice.solver.ode.PiecewiseSystem}
- * declares, so that steps end there and nothing is evaluated across. An undeclared jump shows by
- * failing error tests. {@link JumpSearch} then narrows it down by shorter steps until the jump lies
- * between two neighbouring places; {@link JumpMonitor} recognises it in an implicit method by the
- * way in which the tests fail. {@link SlidingMonitor} recognises a solution that slides along a
- * jump, as a block with dry friction at rest does (a sliding mode of Filippov), by equations that
- * cannot be solved, {@link ChatterMonitor} by steps of which many are rejected. {@link JumpProbe}
- * looks a little ahead whether f jumps or is only steep. {@link PoleProbe} looks whether a step
- * goes across a place where f grows beyond every bound, {@link PulseProbe} whether a long straight
- * step has two jumps inside that cancel.
+ * <p>Such a jump shows by failing error tests. {@link JumpSearch} then narrows it down by shorter
+ * steps until the jump lies between two neighbouring places; {@link JumpMonitor} recognises it in
+ * an implicit method by the way in which the tests fail. {@link SlidingMonitor} recognises a
+ * solution that slides along a jump, as a block with dry friction at rest does (a sliding mode of
+ * Filippov), by equations that cannot be solved, {@link ChatterMonitor} by steps of which many are
+ * rejected. {@link JumpProbe} looks a little ahead whether f jumps or is only steep. {@link
+ * PoleProbe} looks whether a step goes across a place where f grows beyond every bound, {@link
+ * PulseProbe} whether a long straight step has two jumps inside that cancel.
  *
- * <p>The package depends on {@code ode} alone and serves the methods; users of the library need
- * none of its types. Source: E. Hairer, S. P. Nørsett and G. Wanner, <i>Solving Ordinary
- * Differential Equations I</i>, II.6; A. F. Filippov, <i>Differential Equations with Discontinuous
- * Righthand Sides</i>, 1988.
+ * <p>The package depends on {@code ode} and {@code ode.step} and serves the methods; users of the
+ * library need none of its types. Source: E. Hairer, S. P. Nørsett and G. Wanner, <i>Solving
+ * Ordinary Differential Equations I</i>, II.6; A. F. Filippov, <i>Differential Equations with
+ * Discontinuous Righthand Sides</i>, 1988.
  */
 package org.mechservice.solver.ode.jumps;

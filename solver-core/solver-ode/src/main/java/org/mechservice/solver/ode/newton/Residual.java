@@ -5,7 +5,7 @@ import java.util.function.BooleanSupplier;
 import org.mechservice.solver.ode.ResidualSystem;
 import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.ode.SavedSystem;
-import org.mechservice.solver.ode.jumps.Breakpoints;
+import org.mechservice.solver.ode.step.Breakpoints;
 import org.mechservice.solver.ode.step.Manifold;
 
 /**

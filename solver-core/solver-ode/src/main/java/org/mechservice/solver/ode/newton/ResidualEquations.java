@@ -6,7 +6,7 @@ import org.mechservice.solver.ode.IntegratorSettings.Mode;
 import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.ode.TrialOutcome;
 import org.mechservice.solver.ode.backward.BackwardDifferences;
-import org.mechservice.solver.ode.jumps.Breakpoints;
+import org.mechservice.solver.ode.step.Breakpoints;
 import org.mechservice.solver.ode.step.ErrorNorm;
 import org.mechservice.solver.ode.step.RightHandSide;
 

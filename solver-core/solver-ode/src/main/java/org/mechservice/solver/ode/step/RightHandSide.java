@@ -4,7 +4,6 @@ import java.util.function.BooleanSupplier;
 import org.mechservice.solver.ode.OdeSystem;
 import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.ode.SavedSystem;
-import org.mechservice.solver.ode.jumps.Breakpoints;
 
 /**
  * The problem as its integrator sees it: counted, not evaluated after the stop signal, and not

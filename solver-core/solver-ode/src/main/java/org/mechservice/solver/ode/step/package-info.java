@@ -7,13 +7,14 @@
  * ExactEndBounds} ends the last step at the end, {@link PastEndBounds} steps past it and
  * interpolates, as DE does.
  *
- * <p>{@link RightHandSide} evaluates f, counts the evaluations and obeys the stop signal and the
- * declared jumps. {@link Manifold} completes and projects a state and scales groups of unit norm
+ * <p>{@link RightHandSide} evaluates f, counts the evaluations and obeys the stop signal; {@link
+ * Breakpoints} keeps the jumps that a problem declares, so that steps end there and nothing is
+ * evaluated across. {@link Manifold} completes and projects a state and scales groups of unit norm
  * back. {@link ErrorNorm} measures errors in units of the tolerance: {@link MaximumNorm} component
  * by component, {@link EuclideanNorm} by the root of the sum of squares.
  *
  * <p>The types are public for the rooms of the methods; users of the library need none of them. The
- * package depends on {@code ode} and {@code ode.jumps}. Source: L. F. Shampine and M. K. Gordon,
- * <i>Computer Solution of Ordinary Differential Equations</i>, 1975.
+ * package depends on {@code ode} alone. Source: L. F. Shampine and M. K. Gordon, <i>Computer
+ * Solution of Ordinary Differential Equations</i>, 1975.
  */
 package org.mechservice.solver.ode.step;

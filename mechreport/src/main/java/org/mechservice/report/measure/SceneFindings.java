@@ -1,16 +1,9 @@
-package org.mechservice.report;
+package org.mechservice.report.measure;
 
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.mechservice.report.measure.ColdRunTimes;
-import org.mechservice.report.measure.Effort;
-import org.mechservice.report.measure.Judge;
-import org.mechservice.report.measure.Point;
-import org.mechservice.report.measure.Reference;
-import org.mechservice.report.measure.Spectrum;
-import org.mechservice.report.measure.TimeShares;
 import org.mechservice.report.method.OmittedMethod;
 import org.mechservice.report.method.SimulationMethod;
 

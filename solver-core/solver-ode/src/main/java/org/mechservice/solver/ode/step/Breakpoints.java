@@ -1,4 +1,4 @@
-package org.mechservice.solver.ode.jumps;
+package org.mechservice.solver.ode.step;
 
 import java.util.Arrays;
 import java.util.List;
