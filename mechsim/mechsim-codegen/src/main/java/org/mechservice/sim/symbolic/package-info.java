@@ -6,7 +6,8 @@
  * constants are folded, and terms that are zero disappear ({@code Simplification}). {@link
  * org.mechservice.sim.symbolic.ScalarVector} and {@link org.mechservice.sim.symbolic.ScalarMatrix}
  * are vectors and matrices of three such numbers a side. {@link
- * org.mechservice.sim.symbolic.Differentiation} and {@link
+ * org.mechservice.sim.symbolic.Differentiation} along a direction, {@link
+ * org.mechservice.sim.symbolic.ReverseDifferentiation} by all inputs at once and {@link
  * org.mechservice.sim.symbolic.Substitution} make new expressions from old ones.
  *
  * <p>Mechanics written over scalars are recorded as a {@link org.mechservice.sim.symbolic.Program}:
