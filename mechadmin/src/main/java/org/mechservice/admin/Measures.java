@@ -2,8 +2,11 @@ package org.mechservice.admin;
 
 import java.time.Duration;
 import java.time.Instant;
+import java.time.ZoneOffset;
 import java.util.Locale;
+import org.mechservice.idl.NameValue;
 import org.mechservice.idl.Progress;
+import org.mechservice.orb.tls.TlsIdentity;
 
 /** Numbers with their units as people read them. */
 public final class Measures {
@@ -47,6 +50,25 @@ public final class Measures {
   /** Returns how far a simulation is, s. */
   public static String time(Progress progress) {
     return number(progress.simTime) + " of " + number(progress.endTime) + " s";
+  }
+
+  /**
+   * Returns the end of a certificate among a server's or host's statistics: a day, and the time
+   * left once it is to be renewed; empty without TLS.
+   */
+  static String certificate(NameValue[] statistics, Instant now) {
+    for (NameValue statistic : statistics) {
+      if (statistic.key.equals("certificateExpires")) {
+        Instant end = Instant.ofEpochMilli(Long.parseLong(statistic.text));
+        String day = end.atZone(ZoneOffset.UTC).toLocalDate().toString();
+        if (end.isBefore(now)) {
+          return day + " (expired)";
+        }
+        boolean soon = now.isAfter(end.minus(TlsIdentity.RENEWAL));
+        return soon ? day + " (" + Duration.between(now, end).toDays() + " d left)" : day;
+      }
+    }
+    return "";
   }
 
   /** Returns a time of day in UTC. */

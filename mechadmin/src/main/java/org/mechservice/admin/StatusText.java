@@ -46,7 +46,8 @@ public final class StatusText {
             "SESSIONS",
             "RUNNING",
             "QUEUED",
-            "VERSION");
+            "VERSION",
+            "CERTIFICATE");
     for (ServerReading reading : readings) {
       if (reading instanceof ServerReading.Answering answering) {
         addServer(table, answering);
@@ -68,7 +69,8 @@ public final class StatusText {
         Integer.toString(status.sessions),
         Integer.toString(status.running),
         Integer.toString(status.queued),
-        status.info.serverVersion);
+        status.info.serverVersion,
+        Measures.certificate(status.statistics, now));
   }
 
   /** Returns the hosts of all servers that answered. */
@@ -85,6 +87,7 @@ public final class StatusText {
             "CPU",
             "MEMORY",
             "USER CODE",
+            "CERTIFICATE",
             "LAST MESSAGE");
     for (ServerReading reading : readings) {
       if (reading instanceof ServerReading.Answering answering) {
@@ -94,7 +97,7 @@ public final class StatusText {
     return table;
   }
 
-  private static void addHost(TextTable table, ServerReading.Answering server, HostStatus host) {
+  private void addHost(TextTable table, ServerReading.Answering server, HostStatus host) {
     HostLoad load = host.load;
     table.add(
         host.info.name,
@@ -107,6 +110,7 @@ public final class StatusText {
         Measures.load(load.cpuLoad),
         Measures.memory(load.memoryUsed),
         userCode(load),
+        Measures.certificate(load.statistics, now),
         host.text);
   }
 

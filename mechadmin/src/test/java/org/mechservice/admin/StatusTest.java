@@ -41,12 +41,12 @@ class StatusTest {
     assertThat(new StatusText(NOW).all(readings))
         .isEqualTo(
             """
-            SERVER  ADDRESS          STATE      UP         HOSTS  SESSIONS  RUNNING  QUEUED  VERSION
+            SERVER  ADDRESS          STATE      UP         HOSTS  SESSIONS  RUNNING  QUEUED  VERSION  CERTIFICATE
             lab     localhost:15000  up         2 h 5 min  1      2         1        0       0.1.0
             -       10.0.0.9:15000   no answer
 
-            HOST  SERVER  ADDRESS     STATE  CORES  RUNNING  QUEUED  CPU   MEMORY  USER CODE  LAST MESSAGE
-            big   lab     10.0.0.2:7  up     8      1 of 4   0       25 %  3 MiB   confined
+            HOST  SERVER  ADDRESS     STATE  CORES  RUNNING  QUEUED  CPU   MEMORY  USER CODE  CERTIFICATE             LAST MESSAGE
+            big   lab     10.0.0.2:7  up     8      1 of 4   0       25 %  3 MiB   confined   2026-01-12 (10 d left)
 
             SIMULATION  HOST  MODEL     OWNER  STATE    TIME              STEPS  STEP SIZE  X REAL TIME  AGE   LAST MESSAGE
             s1          big   pendulum  ann    running  1.500 of 3.000 s  42     0.001000   1000         10 s  step by step
@@ -68,7 +68,8 @@ class StatusTest {
             new ServerReading.Silent("b", "S-153 not yours", true));
     assertThat(new StatusText(NOW).all(reading))
         .containsPattern(
-            "big .* no answer .* 3 MiB +confined +silent since 2026-01-02T03:04:05Z: no answer")
+            "big .* no answer .* 3 MiB +confined +2026-01-12 \\(10 d left\\) +silent since"
+                + " 2026-01-02T03:04:05Z: no answer")
         .containsPattern("- +b +refused");
   }
 
@@ -100,7 +101,8 @@ class StatusTest {
   }
 
   private static final NameValue[] USER_CODE = {
-    new NameValue("userCode", "confined: bubblewrap with a filter of system calls")
+    new NameValue("userCode", "confined: bubblewrap with a filter of system calls"),
+    new NameValue("certificateExpires", Long.toString(NOW.plus(Duration.ofDays(10)).toEpochMilli()))
   };
 
   private static HostStatus host(String name) {

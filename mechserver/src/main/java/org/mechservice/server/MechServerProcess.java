@@ -72,14 +72,15 @@ public final class MechServerProcess implements AutoCloseable {
     FarmLimits farmLimits = new FarmLimits(limits, directory);
     DenialLog denials = new DenialLog(journal);
     publish(
-        new MechAdminServant(server, directory, placement, farmLimits, journal, this::shutDown),
+        new MechAdminServant(
+            server, directory, placement, farmLimits, journal, orb.identity(), this::shutDown),
         new HostRegistryServant(orb, directory, farmLimits, denials),
         denials);
-    Metrics figures = new Metrics(directory, server);
+    Metrics figures = new Metrics(directory, server, orb.identity());
     metrics =
         settings
-            .metricsPort()
-            .map(port -> MetricsEndpoint.open(port, figures::text, figures::health));
+            .metrics()
+            .map(address -> MetricsEndpoint.open(address, figures::text, figures::health));
     findable = ServerPublication.make(orb, settings.iorFile(), settings.naming());
     journal.add(JournalEntry.info("server-started", "server " + settings.name() + " has started"));
   }

@@ -1,5 +1,6 @@
 package org.mechservice.server;
 
+import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.mechservice.orb.tls.TlsIdentity;
@@ -17,7 +18,7 @@ import org.mechservice.sim.host.HostOptions;
  * @param iorFile file to write the server's reference to; empty: none
  * @param naming naming service to bind the server's reference at; empty: none
  * @param tls identity of the server; empty: it serves this machine only, unencrypted
- * @param metricsPort port of this machine where figures are to be had; 0: any free one; empty: none
+ * @param metrics address where figures are to be had; port 0: any free one; empty: none
  * @param auditFile file of the audit log; empty: none
  */
 public record ServerSettings(
@@ -28,7 +29,7 @@ public record ServerSettings(
     Optional<Path> iorFile,
     Optional<String> naming,
     Optional<TlsIdentity> tls,
-    Optional<Integer> metricsPort,
+    Optional<InetSocketAddress> metrics,
     Optional<Path> auditFile) {
 
   /** A server with default settings. */

@@ -2,17 +2,27 @@ package org.mechservice.server;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
+import java.io.File;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.idl.IMechSimRemote;
@@ -35,7 +45,7 @@ class ObservabilityTest {
         Optional.empty(),
         Optional.empty(),
         Optional.empty(),
-        Optional.of(0),
+        Optional.of(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0)),
         Optional.of(audit));
   }
 
@@ -72,6 +82,44 @@ class ObservabilityTest {
       assertThat(lines)
           .contains("mechservice_hosts_reachable 1.0", "# TYPE mechservice_hosts gauge");
     }
+  }
+
+  @Test
+  void alertRulesNameFiguresThatThereAre() throws Exception {
+    String rules = Files.readString(Path.of("../dist/prometheus/mechservice.rules.yml"));
+    Set<String> named =
+        Pattern.compile("mechservice_[a-z_]+")
+            .matcher(rules)
+            .results()
+            .map(MatchResult::group)
+            .collect(Collectors.toSet());
+    try (MechServerProcess server = MechServerProcess.start(watched(folder.resolve("audit")))) {
+      List<String> there =
+          get(server, "/metrics")
+              .body()
+              .lines()
+              .filter(line -> !line.startsWith("#"))
+              .map(line -> line.split("[{ ]", 2)[0])
+              .toList();
+      assertThat(named).hasSizeGreaterThan(8);
+      // Those of certificates are there with TLS only (CertificatesTest).
+      assertThat(there)
+          .containsAll(named.stream().filter(name -> !name.contains("certificate")).toList());
+    }
+  }
+
+  @Test
+  void prometheusReadsTheAlertRules() throws Exception {
+    boolean found =
+        Stream.of(System.getenv().getOrDefault("PATH", "").split(File.pathSeparator, -1))
+            .anyMatch(path -> new File(path, "promtool").canExecute());
+    assumeTrue(found, "this machine has no promtool (Debian: prometheus)");
+    Process promtool =
+        new ProcessBuilder("promtool", "check", "rules", "../dist/prometheus/mechservice.rules.yml")
+            .redirectErrorStream(true)
+            .start();
+    String said = new String(promtool.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    assertThat(promtool.waitFor()).as(said).isZero();
   }
 
   @Test

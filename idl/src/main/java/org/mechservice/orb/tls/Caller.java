@@ -10,10 +10,12 @@ import org.mechservice.solver.catalogue.MessageCode;
  *
  * @param certificate of the caller; empty: the connection is not encrypted, so the caller is on
  *     this machine
+ * @param seen certificate of this process that the caller has seen when it connected
  * @param address of the other end of the connection, {@code address:port}; empty: this process
  */
-public record Caller(Optional<X509Certificate> certificate, String address) {
-  private static final Caller THIS_MACHINE = new Caller(Optional.empty(), "");
+public record Caller(
+    Optional<X509Certificate> certificate, Optional<X509Certificate> seen, String address) {
+  private static final Caller THIS_MACHINE = new Caller(Optional.empty(), Optional.empty(), "");
   private static final ThreadLocal<Caller> CURRENT = ThreadLocal.withInitial(() -> THIS_MACHINE);
 
   /** Returns the caller of the operation that this thread executes. */

@@ -1,6 +1,8 @@
 package org.mechservice.orb.tls;
 
+import java.io.IOException;
 import java.net.Socket;
+import java.security.cert.Certificate;
 import java.security.cert.X509Certificate;
 import java.util.Optional;
 import javax.net.ssl.SSLPeerUnverifiedException;
@@ -10,6 +12,7 @@ import org.jacorb.orb.giop.GIOPConnection;
 import org.jacorb.orb.iiop.IIOPConnection;
 import org.jacorb.orb.portableInterceptor.ServerRequestInfoImpl;
 import org.mechservice.orb.connection.ReplyMemory;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.INITIALIZE;
 import org.omg.CORBA.LocalObject;
 import org.omg.PortableInterceptor.ORBInitInfo;
@@ -17,6 +20,8 @@ import org.omg.PortableInterceptor.ORBInitInfoPackage.DuplicateName;
 import org.omg.PortableInterceptor.ORBInitializer;
 import org.omg.PortableInterceptor.ServerRequestInfo;
 import org.omg.PortableInterceptor.ServerRequestInterceptor;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * Sets {@link Caller#current} before each call; the ORB runs interceptors and servant in one
@@ -27,6 +32,7 @@ import org.omg.PortableInterceptor.ServerRequestInterceptor;
 public final class CallerInterceptor extends LocalObject
     implements ORBInitializer, ServerRequestInterceptor {
   private static final long serialVersionUID = 1L;
+  private static final Logger LOG = LoggerFactory.getLogger(CallerInterceptor.class);
 
   @Override
   public void pre_init(ORBInitInfo info) {
@@ -54,7 +60,13 @@ public final class CallerInterceptor extends LocalObject
     }
     Socket socket = over.getSocket();
     String address = socket.getInetAddress().getHostAddress() + ":" + socket.getPort();
-    return new Caller(session(socket).map(CallerInterceptor::certificate), address);
+    Optional<SSLSession> session = session(socket);
+    Optional<X509Certificate> shown = session.map(CallerInterceptor::certificate);
+    if (socket instanceof EncryptedConnection opened
+        && shown.filter(opened.owner()::revoked).isPresent()) {
+      refuse(opened, shown.get());
+    }
+    return new Caller(shown, session.flatMap(CallerInterceptor::own), address);
   }
 
   /** Returns what the two sides of an encrypted connection have agreed on. */
@@ -63,6 +75,27 @@ public final class CallerInterceptor extends LocalObject
       return Optional.of(opened.session());
     }
     return socket instanceof SSLSocket ours ? Optional.of(ours.getSession()) : Optional.empty();
+  }
+
+  /** Ends a connection that was made before its caller's certificate was taken back. */
+  private static void refuse(EncryptedConnection connection, X509Certificate revoked) {
+    LOG.warn(
+        MessageCode.CERTIFICATE_REVOKED
+            + " a connection of \"{}\" is closed: its certificate has been revoked",
+        TlsIdentity.nameOf(revoked));
+    try {
+      connection.close();
+    } catch (IOException e) {
+      LOG.debug("the connection is closed already", e);
+    }
+    throw new org.omg.CORBA.NO_PERMISSION("the certificate has been revoked");
+  }
+
+  private static Optional<X509Certificate> own(SSLSession session) {
+    Certificate[] chain = session.getLocalCertificates();
+    return chain != null && chain[0] instanceof X509Certificate own
+        ? Optional.of(own)
+        : Optional.empty();
   }
 
   private static X509Certificate certificate(SSLSession session) {

@@ -16,14 +16,21 @@ import javax.net.ssl.SSLSocket;
 final class EncryptedConnection extends Socket {
   private final SSLSocket encrypted;
   private final InputStream messages;
+  private final TlsIdentity owner;
 
   /**
+   * @param owner identity of this process
    * @param encrypted reads from and writes to the connection
    * @param messages what it reads, watched
    */
-  EncryptedConnection(SSLSocket encrypted, InputStream messages) {
+  EncryptedConnection(TlsIdentity owner, SSLSocket encrypted, InputStream messages) {
+    this.owner = owner;
     this.encrypted = encrypted;
     this.messages = messages;
+  }
+
+  TlsIdentity owner() {
+    return owner;
   }
 
   /** Returns what the two sides have agreed on; waits for it. */

@@ -38,7 +38,7 @@ public enum Role {
   }
 
   /** Returns the role a certificate names; a certificate that names none is a client's. */
-  static Role of(X509Certificate certificate) {
+  public static Role of(X509Certificate certificate) {
     String named = CertificateName.part(certificate, "OU");
     return Arrays.stream(values())
         .filter(role -> role.unit.equals(named))

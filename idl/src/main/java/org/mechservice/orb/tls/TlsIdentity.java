@@ -1,26 +1,32 @@
 package org.mechservice.orb.tls;
 
 import java.io.IOException;
-import java.io.InputStream;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.security.GeneralSecurityException;
-import java.security.Key;
-import java.security.KeyStore;
 import java.security.PrivateKey;
 import java.security.cert.X509Certificate;
-import javax.net.ssl.KeyManagerFactory;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.ZoneOffset;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
 import javax.net.ssl.SSLContext;
-import javax.net.ssl.TrustManagerFactory;
 import org.jspecify.annotations.Nullable;
+import org.mechservice.orb.tls.Credentials.Stamp;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * The identity of a process on the network: its key with the certificate, and the authority that
  * signs the certificates of all others. Stored in a folder that {@code mech keys} makes, with
- * {@code identity.p12}, {@code trust.p12} and {@code password}.
+ * {@code identity.p12}, {@code trust.p12} and {@code password}, and {@code revoked.crl} if
+ * certificates have been taken back.
+ *
+ * <p>Who replaces these files replaces the identity of the running process: new connections use
+ * what the folder holds then, and existing ones stay. Files that do not fit together, such as in
+ * the middle of their replacement, change nothing.
  */
 public final class TlsIdentity {
   /** Holds the key and its certificate, PKCS#12. */
@@ -32,17 +38,31 @@ public final class TlsIdentity {
   /** Holds the password of both. */
   public static final String PASSWORD_FILE = "password";
 
-  private static final String STORE_TYPE = "PKCS12";
-  private static final String ALGORITHM = "PKIX";
+  /** Lists the certificates that are not accepted any more, a CRL; need not be there. */
+  public static final String REVOKED_FILE = "revoked.crl";
 
-  private final PrivateKey key;
-  private final X509Certificate certificate;
-  private final SSLContext context;
+  /** Before its end by less than this, a certificate is to be renewed. */
+  public static final Duration RENEWAL = Duration.ofDays(30);
 
-  private TlsIdentity(PrivateKey key, X509Certificate certificate, SSLContext context) {
-    this.key = key;
-    this.certificate = certificate;
-    this.context = context;
+  private static final Logger LOG = LoggerFactory.getLogger(TlsIdentity.class);
+  private static final long CHECK_NANOS = 1_000_000_000L;
+  private static final Duration BETWEEN_WARNINGS = Duration.ofDays(1);
+
+  private final Path folder;
+  private final Map<X509Certificate, PrivateKey> keys = new ConcurrentHashMap<>();
+  private volatile Credentials credentials;
+  private Stamp stamp;
+  private @Nullable Stamp unusable;
+  private boolean unusableSaid;
+  private long checkedAt = System.nanoTime();
+  private Instant nextWarning = Instant.MIN;
+
+  private TlsIdentity(Path folder, Stamp stamp, Credentials credentials) {
+    this.folder = folder;
+    this.stamp = stamp;
+    this.credentials = credentials;
+    keys.put(credentials.certificate(), credentials.key());
+    warnOfItsEnd(credentials.certificate());
   }
 
   /**
@@ -51,84 +71,125 @@ public final class TlsIdentity {
    * @throws IllegalArgumentException with code S-150 if the folder holds none that can be used
    */
   public static TlsIdentity load(Path folder) {
+    Stamp stamp = Stamp.of(folder);
     try {
-      char[] password =
-          Files.readString(folder.resolve(PASSWORD_FILE), StandardCharsets.US_ASCII)
-              .strip()
-              .toCharArray();
-      return of(
-          store(folder.resolve(KEY_FILE), password),
-          store(folder.resolve(TRUST_FILE), password),
-          password);
-    } catch (NoSuchFileException e) {
-      throw unusable(folder, "there is no file " + e.getFile(), e);
+      return new TlsIdentity(folder, stamp, Credentials.read(folder));
     } catch (IOException | GeneralSecurityException e) {
-      throw unusable(folder, String.valueOf(e.getMessage()), e);
+      throw new IllegalArgumentException(
+          MessageCode.CERTIFICATES_UNUSABLE
+              + " the certificates in "
+              + folder
+              + " cannot be used: "
+              + reason(e),
+          e);
     }
   }
 
-  private static IllegalArgumentException unusable(Path folder, String why, Exception cause) {
-    return new IllegalArgumentException(
-        MessageCode.CERTIFICATES_UNUSABLE
-            + " the certificates in "
-            + folder
-            + " cannot be used: "
-            + why,
-        cause);
+  private static String reason(Exception e) {
+    return e instanceof NoSuchFileException missing
+        ? "there is no file " + missing.getFile()
+        : String.valueOf(e.getMessage());
   }
 
-  private static KeyStore store(Path file, char[] password)
-      throws IOException, GeneralSecurityException {
-    KeyStore store = KeyStore.getInstance(STORE_TYPE);
-    try (InputStream in = Files.newInputStream(file)) {
-      store.load(in, password);
+  /** Returns what the folder holds now, or has held last that could be used. */
+  private Credentials current() {
+    synchronized (this) {
+      long now = System.nanoTime();
+      if (now - checkedAt >= CHECK_NANOS) {
+        checkedAt = now;
+        readAgain();
+        warnOfItsEnd(credentials.certificate());
+      }
     }
-    return store;
+    return credentials;
   }
 
-  private static TlsIdentity of(KeyStore keys, KeyStore trusted, char[] password)
-      throws GeneralSecurityException {
-    String alias = keys.aliases().hasMoreElements() ? keys.aliases().nextElement() : "";
-    Key key = keys.getKey(alias, password);
-    if (!(key instanceof PrivateKey own)
-        || !(keys.getCertificate(alias) instanceof X509Certificate certificate)) {
-      throw new GeneralSecurityException(KEY_FILE + " holds no key with a certificate");
+  private void readAgain() {
+    Stamp found = Stamp.of(folder);
+    if (found.equals(stamp) || (unusableSaid && found.equals(unusable))) {
+      return;
     }
-    certificate.checkValidity();
-    KeyManagerFactory ownKeys = KeyManagerFactory.getInstance(ALGORITHM);
-    ownKeys.init(keys, password);
-    TrustManagerFactory others = TrustManagerFactory.getInstance(ALGORITHM);
-    others.init(trusted);
-    SSLContext context = SSLContext.getInstance("TLS");
-    context.init(ownKeys.getKeyManagers(), others.getTrustManagers(), null);
-    return new TlsIdentity(own, certificate, context);
+    try {
+      Credentials read = Credentials.read(folder);
+      keys.put(read.certificate(), read.key());
+      credentials = read;
+      stamp = found;
+      unusable = null;
+      nextWarning = Instant.MIN;
+      LOG.info(
+          "the certificates in {} were read again; \"{}\" is valid until {}",
+          folder,
+          this,
+          read.certificate().getNotAfter().toInstant());
+    } catch (IOException | GeneralSecurityException e) {
+      // Somebody may be about to write the other files.
+      unusableSaid = found.equals(unusable);
+      unusable = found;
+      if (unusableSaid) {
+        LOG.warn(
+            MessageCode.CERTIFICATES_NOT_REPLACED
+                + " the changed certificates in {} cannot be used, and the former go on: {}",
+            folder,
+            reason(e));
+      }
+    }
+  }
+
+  private void warnOfItsEnd(X509Certificate certificate) {
+    Instant now = Instant.now();
+    Instant end = certificate.getNotAfter().toInstant();
+    if (now.isAfter(nextWarning) && now.isAfter(end.minus(RENEWAL))) {
+      nextWarning = now.plus(BETWEEN_WARNINGS);
+      LOG.warn(
+          MessageCode.CERTIFICATE_EXPIRES + " the certificate of \"{}\" in {} {} on {}",
+          nameOf(certificate),
+          folder,
+          end.isBefore(now) ? "has expired" : "expires",
+          end.atZone(ZoneOffset.UTC).toLocalDate());
+    }
   }
 
   /** Returns the certificate others see. */
   public X509Certificate certificate() {
-    return certificate;
+    return current().certificate();
+  }
+
+  /** Returns when the certificate expires. */
+  public Instant expires() {
+    return certificate().getNotAfter().toInstant();
   }
 
   /** Returns what the certificate allows its holder. */
   public Role role() {
-    return Role.of(certificate);
+    return Role.of(certificate());
   }
 
   SSLContext context() {
-    return context;
+    return current().context();
   }
 
-  /** Returns a detached signature of bytes, made with the identity's key. */
+  /** Returns whether the authority has taken a certificate back. */
+  boolean revoked(X509Certificate other) {
+    return current().revoked().contains(other);
+  }
+
+  /**
+   * Returns a detached signature of bytes, made with the identity's key: the one that the caller of
+   * the current operation has seen when it connected, which it checks the signature with.
+   */
   public byte[] sign(byte[] bytes) {
+    Credentials now = current();
+    PrivateKey key = Caller.current().seen().map(keys::get).orElse(now.key());
     return DetachedSignature.make(key, bytes);
   }
 
   @Override
   public String toString() {
-    return nameOf(certificate);
+    return nameOf(credentials.certificate());
   }
 
-  static String nameOf(@Nullable X509Certificate certificate) {
+  /** Returns the name in a certificate; empty without one. */
+  public static String nameOf(@Nullable X509Certificate certificate) {
     return certificate == null ? "" : CertificateName.part(certificate, "CN");
   }
 }

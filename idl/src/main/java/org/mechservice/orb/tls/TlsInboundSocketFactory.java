@@ -41,6 +41,7 @@ public final class TlsInboundSocketFactory extends InboundSocketFactory {
     socket.setUseClientMode(false);
     socket.setNeedClientAuth(true);
     socket.setEnabledProtocols(TlsOutboundSocketFactory.PROTOCOLS);
-    return new EncryptedConnection(socket, accepted.readAsMessages(socket.getInputStream()));
+    return new EncryptedConnection(
+        peers.identity(), socket, accepted.readAsMessages(socket.getInputStream()));
   }
 }

@@ -80,6 +80,9 @@ public final class TlsOutboundSocketFactory extends AbstractSocketFactory {
 
   private static String why(SSLException refusal) {
     for (Throwable cause = refusal; cause != null; cause = cause.getCause()) {
+      if (cause instanceof RevocationCheck.RevokedException) {
+        return String.valueOf(cause.getMessage());
+      }
       if (cause instanceof CertPathBuilderException
           || cause instanceof CertPathValidatorException) {
         return "its certificate is of another authority than this process's, or not valid now";

@@ -2,7 +2,8 @@
  * Identities and encryption: keys and certificates of processes, and who calls.
  *
  * <p>{@link org.mechservice.orb.tls.TlsIdentity} is a key with its certificate and the authority
- * that signs all others; {@link org.mechservice.orb.tls.TlsPeers} makes TLS connections with it and
+ * that signs all others, read again whenever its files change, and with the certificates that the
+ * authority has revoked; {@link org.mechservice.orb.tls.TlsPeers} makes TLS connections with it and
  * remembers the certificates of the peers. {@link org.mechservice.orb.tls.Caller} is the caller of
  * the present thread, with the {@link org.mechservice.orb.tls.Role} that the certificate names;
  * {@code CallerInterceptor} sets it before each call. {@code DetachedSignature} signs JARs, and

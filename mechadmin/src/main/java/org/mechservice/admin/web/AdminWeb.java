@@ -9,8 +9,8 @@ import java.util.Optional;
 import org.mechservice.admin.AdminConsole;
 import org.mechservice.admin.AdminFailure;
 import org.mechservice.admin.live.LiveView;
+import org.mechservice.orb.BoundedHttp;
 import org.mechservice.orb.GuardedServant;
-import org.mechservice.orb.LoopbackHttp;
 import org.mechservice.orb.http.PageFiles;
 import org.mechservice.orb.http.Refused;
 import org.mechservice.orb.http.Request;
@@ -21,7 +21,7 @@ import org.mechservice.solver.catalogue.MessageCode;
  * another site caused is refused whatever it carries.
  */
 public final class AdminWeb implements AutoCloseable {
-  private final LoopbackHttp http;
+  private final BoundedHttp http;
   private final LiveView view;
   private final AdminAuditLog audit;
   private final Api api;
@@ -43,7 +43,7 @@ public final class AdminWeb implements AutoCloseable {
       throws IOException {
     this.tokens = tokens;
     audit = new AdminAuditLog(auditFile);
-    http = LoopbackHttp.open(port, "admin-web");
+    http = BoundedHttp.open(port, "admin-web");
     view = new LiveView(console);
     api = new Api(console, tokens, new Streams(console, view), audit);
     http.serve("/", this::handle);

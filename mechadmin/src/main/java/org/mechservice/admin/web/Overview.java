@@ -92,7 +92,9 @@ final class Overview {
   /** What grows all the time by itself would make a server's row new in every update. */
   private static JsonObject server(ServerReading reading) {
     JsonObject row = AdminJson.server(reading);
-    row.remove("statistics");
+    if (row.remove("statistics") instanceof JsonObject all && all.has("certificateExpires")) {
+      row.add("certificateExpires", all.get("certificateExpires"));
+    }
     return row;
   }
 }

@@ -59,7 +59,11 @@ public record ModelMessage(
   public String toString() {
     String place =
         fileName + (line > 0 ? ":" + line : "") + (line > 0 && column > 0 ? ":" + column : "");
-    String said = text.startsWith(code) ? text : code + " " + text;
-    return place.isEmpty() ? said : place + ": " + said;
+    return place.isEmpty() ? codeAndText() : place + ": " + codeAndText();
+  }
+
+  /** Returns {@code code text}, without the position. */
+  public String codeAndText() {
+    return text.startsWith(code) ? text : code + " " + text;
   }
 }

@@ -19,6 +19,7 @@ import org.mechservice.idl.ServerStatus;
 import org.mechservice.idl.ServiceEvent;
 import org.mechservice.idl.SimDetail;
 import org.mechservice.idl.SimSummary;
+import org.mechservice.orb.tls.TlsIdentity;
 import org.mechservice.server.hosts.FarmLimits;
 import org.mechservice.server.hosts.HostCalls;
 import org.mechservice.server.hosts.HostDirectory;
@@ -44,6 +45,7 @@ public final class MechAdminServant implements MechAdminOperations {
   private final Placement placement;
   private final FarmLimits limits;
   private final Journal journal;
+  private final Optional<TlsIdentity> identity;
   private final Shutdown shutdown;
 
   public MechAdminServant(
@@ -52,12 +54,14 @@ public final class MechAdminServant implements MechAdminOperations {
       Placement placement,
       FarmLimits limits,
       Journal journal,
+      Optional<TlsIdentity> identity,
       Shutdown shutdown) {
     this.server = server;
     this.directory = directory;
     this.placement = placement;
     this.limits = limits;
     this.journal = journal;
+    this.identity = identity;
     this.shutdown = shutdown;
   }
 
@@ -65,7 +69,6 @@ public final class MechAdminServant implements MechAdminOperations {
   public ServerStatus getStatus() {
     directory.refresh();
     List<HostLoad> loads = directory.all().stream().map(RegisteredHost::load).toList();
-    Runtime machine = Runtime.getRuntime();
     return new ServerStatus(
         server.getInfo(),
         server.draining(),
@@ -73,12 +76,23 @@ public final class MechAdminServant implements MechAdminOperations {
         loads.stream().mapToInt(load -> load.sessions).sum(),
         loads.stream().mapToInt(load -> load.running).sum(),
         loads.stream().mapToInt(load -> load.queued).sum(),
-        new NameValue[] {
-          new NameValue(
-              "uptimeSeconds",
-              Long.toString((System.currentTimeMillis() - server.getInfo().startedAt) / 1000)),
-          new NameValue("heapBytes", Long.toString(machine.totalMemory() - machine.freeMemory()))
-        });
+        statistics());
+  }
+
+  private NameValue[] statistics() {
+    Runtime machine = Runtime.getRuntime();
+    List<NameValue> all = new ArrayList<>();
+    all.add(
+        new NameValue(
+            "uptimeSeconds",
+            Long.toString((System.currentTimeMillis() - server.getInfo().startedAt) / 1000)));
+    all.add(
+        new NameValue("heapBytes", Long.toString(machine.totalMemory() - machine.freeMemory())));
+    identity.ifPresent(
+        own ->
+            all.add(
+                new NameValue("certificateExpires", Long.toString(own.expires().toEpochMilli()))));
+    return all.toArray(NameValue[]::new);
   }
 
   @Override

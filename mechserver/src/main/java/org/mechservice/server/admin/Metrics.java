@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import org.mechservice.idl.HostLoad;
 import org.mechservice.idl.NameValue;
+import org.mechservice.orb.tls.TlsIdentity;
 import org.mechservice.server.hosts.HostDirectory;
 import org.mechservice.server.hosts.MechServerServant;
 import org.mechservice.server.hosts.RegisteredHost;
@@ -24,10 +25,16 @@ public final class Metrics {
 
   private final HostDirectory directory;
   private final MechServerServant server;
+  private final Optional<TlsIdentity> identity;
 
-  public Metrics(HostDirectory directory, MechServerServant server) {
+  /**
+   * @param identity of the server; empty: without TLS
+   */
+  public Metrics(
+      HostDirectory directory, MechServerServant server, Optional<TlsIdentity> identity) {
     this.directory = directory;
     this.server = server;
+    this.identity = identity;
   }
 
   /** Returns all figures. */
@@ -53,7 +60,36 @@ public final class Metrics {
     gauge(
         text, hosts, "cpu_load", "share of the machine's processors in use", load -> load.cpuLoad);
     gauge(text, hosts, "host_memory_bytes", "memory in use", load -> (double) load.memoryUsed);
+    gauge(
+        text,
+        hosts,
+        "process_cpu_load",
+        "share of the machine's processors that the host's process uses",
+        load -> number(load, "processLoad"));
+    identity.ifPresent(
+        own -> {
+          one(
+              text,
+              "certificate_expiry_seconds",
+              "time at which the server's certificate expires, since 1970",
+              own.expires().toEpochMilli() * 1e-3);
+          gauge(
+              text,
+              hosts,
+              "host_certificate_expiry_seconds",
+              "time at which the certificate of a host expires, since 1970",
+              load -> number(load, "certificateExpires") * 1e-3);
+        });
+    head(text, "host_memory_limit_bytes", "gauge", "memory that the host may use");
+    hosts.forEach(
+        host -> sample(text, "host_memory_limit_bytes", host, (double) host.memoryBytes()));
     gauge(text, hosts, "spool_bytes", "size of all rows kept", load -> number(load, "spoolBytes"));
+    gauge(
+        text,
+        hosts,
+        "disk_free_bytes",
+        "space left on the disk of the rows",
+        load -> number(load, "freeDisk"));
     gauge(text, hosts, "connections", "connections", load -> number(load, "connections"));
     COUNTERS.entrySet().stream()
         .sorted(Map.Entry.comparingByValue())
@@ -111,15 +147,13 @@ public final class Metrics {
       String help,
       ToDoubleFunction<HostLoad> value) {
     head(text, name, type, help);
-    for (RegisteredHost host : hosts) {
-      // Host names have letters, digits, points, hyphens and underscores only.
-      text.append("mechservice_")
-          .append(name)
-          .append("{host=\"")
-          .append(host.name())
-          .append("\"} ");
-      text.append(value.applyAsDouble(host.load())).append('\n');
-    }
+    hosts.forEach(host -> sample(text, name, host, value.applyAsDouble(host.load())));
+  }
+
+  private static void sample(StringBuilder text, String name, RegisteredHost host, double value) {
+    // Host names have letters, digits, points, hyphens and underscores only.
+    text.append("mechservice_").append(name).append("{host=\"").append(host.name());
+    text.append("\"} ").append(value).append('\n');
   }
 
   /** Returns whether sessions can be opened, and if not, why. */

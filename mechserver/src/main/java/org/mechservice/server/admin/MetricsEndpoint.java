@@ -2,17 +2,17 @@ package org.mechservice.server.admin;
 
 import com.sun.net.httpserver.HttpExchange;
 import java.io.IOException;
+import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.function.Supplier;
+import org.mechservice.orb.BoundedHttp;
 import org.mechservice.orb.GuardedServant;
-import org.mechservice.orb.LoopbackHttp;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * Figures for a monitoring system, over HTTP on this machine's loopback interface: {@code /metrics}
- * in the text format of Prometheus, {@code /health} with status 200 as long as sessions can be
- * opened and 503 otherwise.
+ * Figures for a monitoring system, over HTTP: {@code /metrics} in the text format of Prometheus,
+ * {@code /health} with status 200 as long as sessions can be opened and 503 otherwise.
  */
 public final class MetricsEndpoint implements AutoCloseable {
   private static final String TEXT = "text/plain; version=0.0.4; charset=utf-8";
@@ -25,22 +25,24 @@ public final class MetricsEndpoint implements AutoCloseable {
    */
   public record Health(boolean good, String text) {}
 
-  private final LoopbackHttp server;
+  private final BoundedHttp server;
 
-  private MetricsEndpoint(LoopbackHttp server) {
+  private MetricsEndpoint(BoundedHttp server) {
     this.server = server;
   }
 
   /**
    * Opens the port.
    *
-   * @param port 0: any free one
+   * @param address with port 0: any free one
    * @param metrics writes the figures
    * @param health returns the state of the service
    * @throws org.mechservice.orb.PortInUseException if the port is taken
+   * @throws IllegalArgumentException with code S-004 if the address is none of this machine
    */
-  public static MetricsEndpoint open(int port, Supplier<String> metrics, Supplier<Health> health) {
-    LoopbackHttp server = LoopbackHttp.open(port, "metrics");
+  public static MetricsEndpoint open(
+      InetSocketAddress address, Supplier<String> metrics, Supplier<Health> health) {
+    BoundedHttp server = BoundedHttp.open(address, "metrics");
     server.serve("/metrics", exchange -> answer(exchange, () -> ok(metrics.get())));
     server.serve("/health", exchange -> answer(exchange, health));
     server.start();

@@ -231,6 +231,11 @@ public final class RegisteredHost {
     return info.capacity - Math.max(load.sessions, load.running + load.queued) - placedAt.size();
   }
 
+  /** Returns the memory that its process may use, B. */
+  public long memoryBytes() {
+    return info.memoryBytes;
+  }
+
   synchronized HostStatus status() {
     return new HostStatus(info, load, reachable, lastSeen, text);
   }

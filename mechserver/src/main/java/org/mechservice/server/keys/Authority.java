@@ -9,25 +9,30 @@ import java.security.KeyPairGenerator;
 import java.security.PrivateKey;
 import java.security.PublicKey;
 import java.security.SecureRandom;
+import java.security.cert.X509CRL;
 import java.security.cert.X509Certificate;
 import java.security.spec.ECGenParameterSpec;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.Date;
 import java.util.List;
+import java.util.Optional;
 import org.bouncycastle.asn1.ASN1Encodable;
 import org.bouncycastle.asn1.ASN1ObjectIdentifier;
 import org.bouncycastle.asn1.x500.X500Name;
 import org.bouncycastle.asn1.x500.X500NameBuilder;
 import org.bouncycastle.asn1.x500.style.BCStyle;
 import org.bouncycastle.asn1.x509.BasicConstraints;
+import org.bouncycastle.asn1.x509.CRLReason;
 import org.bouncycastle.asn1.x509.ExtendedKeyUsage;
 import org.bouncycastle.asn1.x509.Extension;
 import org.bouncycastle.asn1.x509.GeneralName;
 import org.bouncycastle.asn1.x509.GeneralNames;
 import org.bouncycastle.asn1.x509.KeyPurposeId;
 import org.bouncycastle.asn1.x509.KeyUsage;
+import org.bouncycastle.cert.X509v2CRLBuilder;
 import org.bouncycastle.cert.X509v3CertificateBuilder;
+import org.bouncycastle.cert.jcajce.JcaX509CRLConverter;
 import org.bouncycastle.cert.jcajce.JcaX509CertificateConverter;
 import org.bouncycastle.cert.jcajce.JcaX509ExtensionUtils;
 import org.bouncycastle.cert.jcajce.JcaX509v3CertificateBuilder;
@@ -39,11 +44,14 @@ import org.mechservice.orb.tls.Role;
 /** A small certificate authority, RFC 5280, with elliptic keys over P-256. */
 final class Authority {
   private static final Duration OWN_LIFE = Duration.ofDays(3650);
-  private static final Duration LIFE = Duration.ofDays(1095);
+
+  /** How long certificates are valid unless said otherwise. */
+  static final Duration LIFE = Duration.ofDays(1095);
 
   /** Clocks of two machines may differ. */
   private static final Duration CLOCK_SKEW = Duration.ofHours(1);
 
+  private static final String SIGNATURE = "SHA256withECDSA";
   private static final int SERIAL_BITS = 127;
   private static final SecureRandom RANDOM = new SecureRandom();
 
@@ -83,8 +91,10 @@ final class Authority {
    * Makes an identity.
    *
    * @param addresses names and numeric addresses at which a server is reached
+   * @param life how long its certificate is valid
    */
-  StoredKey identity(String name, Role role, List<String> addresses) throws IOException {
+  StoredKey identity(String name, Role role, List<String> addresses, Duration life)
+      throws IOException {
     KeyPair pair = newKey();
     boolean serves = role == Role.SERVER;
     KeyPurposeId[] purposes =
@@ -105,9 +115,39 @@ final class Authority {
             name(name, role.unit()),
             pair.getPublic(),
             key.key(),
-            LIFE,
+            life,
             extensions);
     return new StoredKey(pair.getPrivate(), List.of(own, certificate()));
+  }
+
+  /**
+   * Returns a list of certificates that are not accepted any more, RFC 5280.
+   *
+   * @param before earlier list, whose certificates stay on it; empty: none
+   * @param revoked the certificate to add
+   */
+  X509CRL withRevoked(Optional<X509CRL> before, X509Certificate revoked) throws IOException {
+    Date now = Date.from(Instant.now());
+    X509v2CRLBuilder builder =
+        new X509v2CRLBuilder(name("MechService authority", "authority"), now);
+    builder.setNextUpdate(certificate().getNotAfter());
+    before
+        .map(X509CRL::getRevokedCertificates)
+        .ifPresent(
+            entries ->
+                entries.forEach(
+                    entry ->
+                        builder.addCRLEntry(
+                            entry.getSerialNumber(),
+                            entry.getRevocationDate(),
+                            CRLReason.unspecified)));
+    builder.addCRLEntry(revoked.getSerialNumber(), now, CRLReason.unspecified);
+    try {
+      return new JcaX509CRLConverter()
+          .getCRL(builder.build(new JcaContentSignerBuilder(SIGNATURE).build(key.key())));
+    } catch (GeneralSecurityException | OperatorCreationException e) {
+      throw new IOException(e);
+    }
   }
 
   private static KeyPair newKey() throws IOException {
@@ -159,8 +199,7 @@ final class Authority {
     try {
       extensions.addTo(builder, subjectKey);
       return new JcaX509CertificateConverter()
-          .getCertificate(
-              builder.build(new JcaContentSignerBuilder("SHA256withECDSA").build(issuerKey)));
+          .getCertificate(builder.build(new JcaContentSignerBuilder(SIGNATURE).build(issuerKey)));
     } catch (GeneralSecurityException | OperatorCreationException e) {
       throw new IOException(e);
     }

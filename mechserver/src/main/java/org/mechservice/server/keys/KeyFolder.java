@@ -1,16 +1,27 @@
 package org.mechservice.server.keys;
 
 import java.io.IOException;
+import java.io.InputStream;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
+import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.security.GeneralSecurityException;
+import java.security.cert.CertificateFactory;
+import java.security.cert.CertificateParsingException;
+import java.security.cert.X509CRL;
+import java.security.cert.X509Certificate;
+import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Pattern;
 import org.mechservice.orb.tls.Role;
+import org.mechservice.orb.tls.TlsIdentity;
 import org.mechservice.sim.service.contract.FileErrors;
 import org.mechservice.solver.catalogue.MessageCode;
 
@@ -26,7 +37,9 @@ import org.mechservice.solver.catalogue.MessageCode;
  *   admin/
  * </pre>
  *
- * Existing files are never overwritten, so that more identities can be made later.
+ * Existing identities are kept unless they are renewed, so that more can be made later.
+ * Certificates that have been taken back stand in {@code revoked.crl}, here and in the folder of
+ * each identity.
  */
 public final class KeyFolder {
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9._:-]{1,64}");
@@ -34,6 +47,7 @@ public final class KeyFolder {
   private final Path folder;
   private final Authority authority;
   private final List<Path> made = new ArrayList<>();
+  private Duration life = Authority.LIFE;
 
   private KeyFolder(Path folder, Authority authority) {
     this.folder = folder;
@@ -57,6 +71,11 @@ public final class KeyFolder {
     } catch (IOException e) {
       throw unusable(folder.toString(), e);
     }
+  }
+
+  /** Sets how long the certificates are valid that are made from now on. */
+  public void validFor(Duration duration) {
+    life = duration;
   }
 
   private static IllegalArgumentException unusable(String what, IOException cause) {
@@ -109,11 +128,94 @@ public final class KeyFolder {
       return;
     }
     try {
-      authority.identity(name, role, addresses).save(place, authority.certificate());
+      authority.identity(name, role, addresses, life).save(place, authority.certificate());
+      if (Files.exists(revokedFile())) {
+        Files.copy(revokedFile(), place.resolve(TlsIdentity.REVOKED_FILE));
+      }
       made.add(place);
     } catch (IOException e) {
       throw unusable(place.toString(), e);
     }
+  }
+
+  /**
+   * Makes a new key and certificate for an identity that there is, with the same name, role and
+   * addresses. The former certificate stays valid until its end.
+   *
+   * @param child folder of the identity
+   * @throws IllegalArgumentException with code S-155 if there is none
+   */
+  public void renew(String child) {
+    Path place = existing(child);
+    try {
+      X509Certificate former = StoredKey.load(place).certificate();
+      List<String> addresses = new ArrayList<>();
+      Collection<List<?>> names = former.getSubjectAlternativeNames();
+      if (names != null) {
+        names.forEach(name -> addresses.add(String.valueOf(name.get(1))));
+      }
+      authority
+          .identity(TlsIdentity.nameOf(former), Role.of(former), addresses, life)
+          .replace(place, authority.certificate());
+      made.add(place);
+    } catch (IOException e) {
+      throw unusable(place.toString(), e);
+    } catch (CertificateParsingException e) {
+      throw unusable(place.toString(), new IOException(e));
+    }
+  }
+
+  /**
+   * Takes the certificate of an identity back: who has the new {@code revoked.crl} accepts it no
+   * longer.
+   *
+   * @param child folder of the identity
+   * @return the file
+   * @throws IllegalArgumentException with code S-155 if there is none
+   */
+  public Path revoke(String child) {
+    Path place = existing(child);
+    try {
+      X509CRL list = authority.withRevoked(revokedBefore(), StoredKey.load(place).certificate());
+      byte[] text = StoredKey.pem("X509 CRL", list.getEncoded());
+      Files.write(revokedFile(), text);
+      try (DirectoryStream<Path> children = Files.newDirectoryStream(folder, Files::isDirectory)) {
+        for (Path identity : children) {
+          if (!identity.endsWith("ca")) {
+            Files.write(identity.resolve(TlsIdentity.REVOKED_FILE), text);
+          }
+        }
+      }
+      return revokedFile();
+    } catch (IOException e) {
+      throw unusable(place.toString(), e);
+    } catch (GeneralSecurityException e) {
+      throw unusable(place.toString(), new IOException(e));
+    }
+  }
+
+  private Optional<X509CRL> revokedBefore() throws IOException, GeneralSecurityException {
+    if (!Files.exists(revokedFile())) {
+      return Optional.empty();
+    }
+    try (InputStream in = Files.newInputStream(revokedFile())) {
+      return Optional.of((X509CRL) CertificateFactory.getInstance("X.509").generateCRL(in));
+    }
+  }
+
+  private Path revokedFile() {
+    return folder.resolve(TlsIdentity.REVOKED_FILE);
+  }
+
+  private Path existing(String child) {
+    Path place = folder.resolve(child.replace(':', '-'));
+    if (!NAME.matcher(child).matches()
+        || child.equals("ca")
+        || !Files.exists(place.resolve(TlsIdentity.KEY_FILE))) {
+      throw new IllegalArgumentException(
+          MessageCode.KEYS_NOT_MADE + " there is no identity \"" + child + "\" in " + folder);
+    }
+    return place;
   }
 
   /** A name that is not known here may be known where it is used. */

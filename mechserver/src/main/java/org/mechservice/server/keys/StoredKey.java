@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.FileAttribute;
 import java.nio.file.attribute.PosixFilePermissions;
@@ -75,10 +76,30 @@ record StoredKey(PrivateKey key, List<X509Certificate> chain) {
           (password + "\n").getBytes(StandardCharsets.US_ASCII));
       write(folder.resolve(TlsIdentity.KEY_FILE), bytes(keys, password));
       write(folder.resolve(TlsIdentity.TRUST_FILE), bytes(trust, password));
-      write(folder.resolve(CERTIFICATE_FILE), pem(chain.get(0)));
+      write(folder.resolve(CERTIFICATE_FILE), pem("CERTIFICATE", certificate().getEncoded()));
     } catch (GeneralSecurityException e) {
       throw new IOException(e);
     }
+  }
+
+  /** Writes them in the place of those that the folder holds. */
+  void replace(Path folder, X509Certificate trusted) throws IOException {
+    Path fresh = folder.resolveSibling(".new-" + folder.getFileName());
+    save(fresh, trusted);
+    for (String file :
+        List.of(
+            TlsIdentity.PASSWORD_FILE,
+            TlsIdentity.TRUST_FILE,
+            CERTIFICATE_FILE,
+            TlsIdentity.KEY_FILE)) {
+      Files.move(fresh.resolve(file), folder.resolve(file), StandardCopyOption.REPLACE_EXISTING);
+    }
+    Files.delete(fresh);
+  }
+
+  /** Returns the certificate. */
+  X509Certificate certificate() {
+    return chain.get(0);
   }
 
   private static KeyStore empty() throws IOException, GeneralSecurityException {
@@ -94,10 +115,10 @@ record StoredKey(PrivateKey key, List<X509Certificate> chain) {
     return out.toByteArray();
   }
 
-  private static byte[] pem(X509Certificate certificate) throws GeneralSecurityException {
-    String text =
-        Base64.getMimeEncoder(PEM_LINE, new byte[] {'\n'}).encodeToString(certificate.getEncoded());
-    return ("-----BEGIN CERTIFICATE-----\n" + text + "\n-----END CERTIFICATE-----\n")
+  /** Returns the text form of something encoded, RFC 7468. */
+  static byte[] pem(String what, byte[] encoded) {
+    String text = Base64.getMimeEncoder(PEM_LINE, new byte[] {'\n'}).encodeToString(encoded);
+    return ("-----BEGIN " + what + "-----\n" + text + "\n-----END " + what + "-----\n")
         .getBytes(StandardCharsets.US_ASCII);
   }
 

@@ -4,7 +4,7 @@ import { drainButton, shutdownButton, stopButton } from "./actions.js";
 import { stream } from "./api.js";
 import { chart } from "./chart.js";
 import { el, fill, liveFacts, meter, setText, showJson } from "./dom.js";
-import { age, clock, codeOf, memory, moment, number, percent, stateKind, statistic } from "./format.js";
+import { age, certificate, clock, codeOf, memory, moment, number, percent, stateKind, statistic } from "./format.js";
 import { goesOn, loading, path, serverName, store } from "./store.js";
 import { simulationTable } from "./table.js";
 import { docLink, limitCard, logCard, serverState } from "./views.js";
@@ -44,7 +44,8 @@ export function serverView(address) {
     head.show(server.name || address, serverState(server),
       () => server.answers && [drainButton(address, "", server.draining), shutdownButton(address, server.name)]);
     about.show(server.answers ? [["Address", address], ["Up", age(server.startedAt)], ["Version", `${server.version}, API ${server.apiVersion}`],
-      ["Hosts", server.hostCount], ["Sessions", server.sessions], ["Running", server.running], ["Queued", server.queued]]
+      ["Hosts", server.hostCount], ["Sessions", server.sessions], ["Running", server.running], ["Queued", server.queued],
+      ...(server.certificateExpires ? [["Certificate", certificate(server.certificateExpires)]] : [])]
       : [["Address", address], ["Problem", server.problem], ["Help", docLink(codeOf(server.problem)) || ""]]);
     table.update();
   }

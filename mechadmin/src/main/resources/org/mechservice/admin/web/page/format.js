@@ -42,10 +42,19 @@ export const words = name => /^[a-z][A-Za-z]*$/.test(name) ? name.replace(/([a-z
 /** A text with a capital letter, unless it is a name. */
 export const sentence = text => /^[a-z]+( |$)/.test(text) ? text[0].toUpperCase() + text.slice(1) : text;
 
+/** The end of a certificate; what is left of it in its last 30 days. */
+export function certificate(millis) {
+  const end = new Date(Number(millis));
+  const left = Math.floor((end - Date.now()) / 86400000);
+  const day = end.toISOString().slice(0, 10);
+  return left < 0 ? `${day} (expired)` : left < 30 ? `${day} (${left} d left)` : day;
+}
+
 const STATISTICS = {
   spoolBytes: ["Rows kept", value => memory(Number(value))], connections: ["Connections"],
   sessionsOpened: ["Sessions since start"], completed: ["Runs completed"], failed: ["Runs failed"], cancelled: ["Runs cancelled"],
-  userCode: ["Classes of users"],
+  freeDisk: ["Disk free", value => memory(Number(value))], userCode: ["Classes of users"], processLoad: ["CPU of this process", value => percent(Number(value))],
+  certificateExpires: ["Certificate", certificate],
 };
 
 /** A figure of a host with its label. */

@@ -1,8 +1,7 @@
 package org.mechservice.sim.host;
 
-import com.sun.management.OperatingSystemMXBean;
-import java.lang.management.ManagementFactory;
-import java.util.Arrays;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.ServiceLoader;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.jspecify.annotations.Nullable;
@@ -57,6 +56,8 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
   private final Runnable shutdown;
   private final long startedAt = System.currentTimeMillis();
   private final AtomicBoolean draining = new AtomicBoolean();
+
+  private final MachineLoad processors = MachineLoad.ofThisMachine();
 
   /** What operators read about classes of users; the wall is known after the warm-up. */
   private volatile String userCode;
@@ -121,12 +122,18 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
     }
   }
 
-  /** Returns counts and sizes, and whether classes of users run here. */
+  /** Returns counts and sizes, whether classes of users run here, and how long this is trusted. */
   private NameValue[] statistics() {
-    NameValue[] counts = sessions.statistics();
-    NameValue[] all = Arrays.copyOf(counts, counts.length + 1);
-    all[counts.length] = new NameValue("userCode", userCode);
-    return all;
+    List<NameValue> all = new ArrayList<>(List.of(sessions.statistics()));
+    all.add(new NameValue("userCode", userCode));
+    all.add(new NameValue("processLoad", Double.toString(processors.now().process())));
+    orb.identity()
+        .ifPresent(
+            own ->
+                all.add(
+                    new NameValue(
+                        "certificateExpires", Long.toString(own.expires().toEpochMilli()))));
+    return all.toArray(NameValue[]::new);
   }
 
   /** Returns the solver of this process. */
@@ -156,17 +163,10 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
         sessions.count(),
         sessions.count(SimState.SIM_RUNNING, SimState.SIM_PAUSED),
         sessions.count(SimState.SIM_QUEUED),
-        cpuLoad(),
+        processors.now().machine(),
         machine.totalMemory() - machine.freeMemory(),
         draining.get(),
         statistics());
-  }
-
-  /** Returns the share of the machine's processors in use, 0 to 1; 0 if it is not known. */
-  private static double cpuLoad() {
-    return ManagementFactory.getOperatingSystemMXBean() instanceof OperatingSystemMXBean system
-        ? Math.max(0, system.getCpuLoad())
-        : 0;
   }
 
   @Override

@@ -60,6 +60,14 @@ public enum HostLimit {
       1,
       MessageCode.SPOOL_FULL,
       "size of the rows of all runs of one host"),
+  /** Enough for the system to go on; rows of runs are not worth a full disk. */
+  FREE_DISK(
+      "freeDisk",
+      "B",
+      1L << 30,
+      0,
+      MessageCode.DISK_FULL,
+      "space on the disk of the rows that runs leave free"),
   /** A day: a run that nobody waits for gives its place back. */
   WALL_TIME(
       "wallTime", "s", 86_400, 1, MessageCode.RUN_TOO_LONG, "time one run takes, without pauses"),

@@ -30,6 +30,7 @@ public final class HostLimits {
           .with(HostLimit.CPU_TIME, UNLIMITED)
           .with(HostLimit.RESULT_BYTES, UNLIMITED)
           .with(HostLimit.SPOOL_BYTES, UNLIMITED)
+          .with(HostLimit.FREE_DISK, 0)
           .with(HostLimit.MEMORY, UNLIMITED)
           .with(HostLimit.WORKER_MEMORY, UNLIMITED);
 

@@ -2,6 +2,7 @@ package org.mechservice.sim.service.limits;
 
 import java.util.Locale;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.LongSupplier;
 import org.mechservice.idl.LimitExceeded;
 
 /** The disk space of the rows of a host's runs, and its limits. */
@@ -9,10 +10,20 @@ public final class SpoolQuota {
   private static final double MEGABYTE = 1e6;
 
   private final CurrentLimits limits;
+  private final LongSupplier freeDisk;
   private final AtomicLong used = new AtomicLong();
 
-  public SpoolQuota(CurrentLimits limits) {
+  /**
+   * @param freeDisk returns what the disk of the rows has left, B
+   */
+  public SpoolQuota(CurrentLimits limits, LongSupplier freeDisk) {
     this.limits = limits;
+    this.freeDisk = freeDisk;
+  }
+
+  /** Returns what the disk of the rows has left, B. */
+  public long freeDisk() {
+    return freeDisk.getAsLong();
   }
 
   /**
@@ -20,7 +31,8 @@ public final class SpoolQuota {
    *
    * @param more bytes
    * @param ofRun bytes the run will have then
-   * @throws LimitReachedException if that is more than the run, or all runs, may have
+   * @throws LimitReachedException if that is more than the run, or all runs, may have, or the disk
+   *     is nearly full
    */
   public void take(long more, long ofRun) throws LimitReachedException {
     long most = limits.now().bound(HostLimit.RESULT_BYTES);
@@ -30,6 +42,10 @@ public final class SpoolQuota {
           "the rows of the run are more than the "
               + megabytes(most)
               + " this host keeps of one; make t-step larger or choose fewer columns");
+    }
+    long least = leastFree();
+    if (least > 0 && freeDisk() - more < least) {
+      throw new LimitReachedException(HostLimit.FREE_DISK, nearlyFull(freeDisk(), least));
     }
     long all = limits.now().bound(HostLimit.SPOOL_BYTES);
     if (used.addAndGet(more) > all) {
@@ -61,14 +77,18 @@ public final class SpoolQuota {
    * Makes sure that a run whose rows are foreseeable fits.
    *
    * @param bytes what it will put out
-   * @param free what the disk has left
-   * @throws LimitExceeded if it does not
+   * @throws LimitExceeded if it does not, or the disk is nearly full
    */
-  public void require(double bytes, long free, String whatToDo) throws LimitExceeded {
+  public void require(double bytes, String whatToDo) throws LimitExceeded {
     HostLimits now = limits.now();
+    long free = freeDisk();
     long ofRun = Math.min(now.bound(HostLimit.RESULT_BYTES), free);
     if (bytes > ofRun) {
       throw HostLimit.RESULT_BYTES.refusal(ofRun, (long) bytes, whatToDo);
+    }
+    long least = leastFree();
+    if (least > 0 && free - bytes < least) {
+      throw HostLimit.FREE_DISK.refusal(least, (long) bytes, nearlyFull(free, least));
     }
     long left = now.bound(HostLimit.SPOOL_BYTES) - used.get();
     if (bytes > left) {
@@ -78,6 +98,19 @@ public final class SpoolQuota {
           "the rows of this and all other runs are more than this host keeps;"
               + " destroy runs that are no longer needed, or try another host");
     }
+  }
+
+  /** Returns the space that runs leave free, B; 0: none. */
+  private long leastFree() {
+    return Math.max(0, limits.now().of(HostLimit.FREE_DISK));
+  }
+
+  private static String nearlyFull(long free, long least) {
+    return "the disk for the rows of this host has "
+        + megabytes(free)
+        + " left, and with the rows of this run it would have less than the "
+        + megabytes(least)
+        + " that stay free; destroy runs that are no longer needed, or try another host";
   }
 
   private static String megabytes(long bytes) {

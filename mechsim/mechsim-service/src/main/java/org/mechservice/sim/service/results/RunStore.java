@@ -2,6 +2,7 @@ package org.mechservice.sim.service.results;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -77,8 +78,17 @@ public final class RunStore implements AutoCloseable {
   public RunStore(Optional<Path> folder, CurrentLimits limits) {
     this.folder = folder.map(SpoolFolder::open);
     this.limits = limits;
-    account = new SpoolQuota(limits);
+    Path disk = folder.orElse(Path.of(System.getProperty("java.io.tmpdir", ".")));
+    account = new SpoolQuota(limits, () -> freeOn(disk));
     this.folder.ifPresent(this::takeUp);
+  }
+
+  private static long freeOn(Path disk) {
+    try {
+      return Files.getFileStore(disk).getUsableSpace();
+    } catch (IOException e) {
+      return Long.MAX_VALUE; // not known: the run itself will find out
+    }
   }
 
   private static ExecutorService oneThread() {

@@ -1,8 +1,5 @@
 package org.mechservice.sim.service.run;
 
-import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import org.mechservice.idl.LimitExceeded;
 import org.mechservice.sim.model.CompiledModel;
 import org.mechservice.sim.service.results.RunColumns;
@@ -20,16 +17,11 @@ public final class RunFactory {
   private final Solver solver;
   private final RunQueue queue;
   private final RunStore store;
-  private final Path disk;
 
-  /**
-   * @param disk where the rows go
-   */
-  public RunFactory(Solver solver, RunQueue queue, RunStore store, Path disk) {
+  public RunFactory(Solver solver, RunQueue queue, RunStore store) {
     this.solver = solver;
     this.queue = queue;
     this.store = store;
-    this.disk = disk;
   }
 
   /**
@@ -87,20 +79,11 @@ public final class RunFactory {
         .account()
         .require(
             rows * columns * Double.BYTES,
-            freeDisk(),
             "the run would put out "
                 + (long) rows
                 + " rows of "
                 + columns
                 + " columns, more than this host keeps; make t-step larger or choose fewer"
                 + " columns");
-  }
-
-  private long freeDisk() {
-    try {
-      return Files.getFileStore(disk).getUsableSpace();
-    } catch (IOException e) {
-      return Long.MAX_VALUE; // not known: the run itself will find out
-    }
   }
 }

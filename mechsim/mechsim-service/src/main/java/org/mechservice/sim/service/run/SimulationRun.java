@@ -153,10 +153,10 @@ public final class SimulationRun implements Runnable {
    */
   public synchronized void start() throws InvalidState, LimitExceeded {
     if (lifecycle.isNew()) {
-      queue.requireRoom();
+      queue.requireRoom(plan.identity().owner());
     }
     lifecycle.queue();
-    queue.submit(this);
+    queue.submit(plan.identity().owner(), this);
   }
 
   private synchronized void startIfNew() throws InvalidState, LimitExceeded {

@@ -114,9 +114,7 @@ public final class SessionTable implements AutoCloseable {
     callbacks = Executors.newCachedThreadPool(named("callback"));
     host = new HostServices(orb, hostName, limits, journal, denials, store, callbacks, userCode);
     queue = new RunQueue(capacity, limits);
-    runs =
-        new RunFactory(
-            solver, queue, store, spool.orElse(Path.of(System.getProperty("java.io.tmpdir", "."))));
+    runs = new RunFactory(solver, queue, store);
     admission = new AdmissionControl(limits, this::runsOf);
     var unused =
         clock.scheduleWithFixedDelay(this::tick, TICK_MILLIS, TICK_MILLIS, TimeUnit.MILLISECONDS);
@@ -285,6 +283,7 @@ public final class SessionTable implements AutoCloseable {
   public NameValue[] statistics() {
     return ContractTypes.nameValues(
         Map.of(
+            "freeDisk", Long.toString(host.store().account().freeDisk()),
             "spoolBytes", Long.toString(host.store().account().used()),
             "connections", Integer.toString(host.orb().connections()),
             "sessionsOpened", Long.toString(opened.get()),

@@ -2,7 +2,6 @@ package org.mechservice.sim.service.session;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -37,6 +36,7 @@ import org.mechservice.sim.service.library.SetUpTimes;
 import org.mechservice.sim.service.library.SimulationRequest;
 import org.mechservice.sim.service.limits.AdmissionControl;
 import org.mechservice.sim.service.limits.CurrentLimits;
+import org.mechservice.sim.service.limits.HostLimit;
 import org.mechservice.sim.service.limits.HostLimits;
 import org.mechservice.sim.service.results.RunStore;
 import org.mechservice.sim.service.run.RunFactory;
@@ -104,7 +104,7 @@ public final class WarmUp implements AutoCloseable {
 
   /** Runs the whole warm-up; returns the final state of its run. */
   SimState run() throws UserException, IOException, InterruptedException {
-    CurrentLimits limits = new CurrentLimits(HostLimits.DEFAULT);
+    CurrentLimits limits = new CurrentLimits(HostLimits.DEFAULT.with(HostLimit.FREE_DISK, 0));
     IMechClient client = orb.export(new SilentClient());
     try (RunQueue queue = new RunQueue(1, limits);
         RunStore store = new RunStore(Optional.empty(), limits);
@@ -122,9 +122,7 @@ public final class WarmUp implements AutoCloseable {
               UserCodePolicy.REFUSED);
       Session session = new Session("warm-up", client, host);
       try {
-        RunFactory runs =
-            new RunFactory(
-                solver, queue, store, Path.of(System.getProperty("java.io.tmpdir", ".")));
+        RunFactory runs = new RunFactory(solver, queue, store);
         AdmissionControl admission = new AdmissionControl(limits, owner -> 0);
         return cancelled(
             opened(session, new MechSimServant(session, library, runs, admission, session::end)));

@@ -10,10 +10,13 @@ import java.util.Random;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.mechservice.idl.LimitExceeded;
 import org.mechservice.sim.service.limits.CurrentLimits;
 import org.mechservice.sim.service.limits.HostLimits;
+import org.mechservice.sim.service.limits.LimitReachedException;
 import org.mechservice.sim.service.limits.SpoolQuota;
 
 class ResultSpoolTest {
@@ -34,7 +37,9 @@ class ResultSpoolTest {
 
   private static ResultSpool spool() {
     return new ResultSpool(
-        COLUMNS, RowFile.temporary(), new SpoolQuota(new CurrentLimits(HostLimits.DEFAULT)));
+        COLUMNS,
+        RowFile.temporary(),
+        new SpoolQuota(new CurrentLimits(HostLimits.DEFAULT), () -> Long.MAX_VALUE));
   }
 
   private static void assertRows(double[] values, long first, int count) {
@@ -42,6 +47,26 @@ class ResultSpoolTest {
     for (int i = 0; i < values.length; i++) {
       assertThat(values[i]).isEqualTo((first + i / COLUMNS) * 10.0 + i % COLUMNS);
     }
+  }
+
+  @Test
+  void runEndsBeforeTheDiskIsFullAndNewOnesAreRefused() throws Exception {
+    AtomicLong free = new AtomicLong(3L << 30);
+    SpoolQuota quota = new SpoolQuota(new CurrentLimits(HostLimits.DEFAULT), free::get);
+    quota.require(1 << 30, "");
+    quota.take(1 << 20, 1 << 20);
+    assertThatThrownBy(() -> quota.require(2.5 * (1L << 30), ""))
+        .isInstanceOfSatisfying(
+            LimitExceeded.class,
+            refused -> {
+              assertThat(refused.code).isEqualTo("S-174");
+              assertThat(refused.limitName).isEqualTo("freeDisk");
+            });
+    free.set(1L << 30);
+    assertThatThrownBy(() -> quota.take(1 << 20, 1 << 20))
+        .isInstanceOf(LimitReachedException.class)
+        .hasMessageContaining("left");
+    assertThat(quota.used()).isEqualTo(1 << 20);
   }
 
   @Test

@@ -6,18 +6,21 @@ import java.io.IOException;
 import java.net.BindException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.net.NetworkInterface;
+import java.net.SocketException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.SynchronousQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * An HTTP server on this machine's loopback interface that no caller can hold up. A request whose
- * head or body does not arrive within {@value #REQUEST_SECONDS} s costs its own connection and
- * nobody else's: each is read by a thread of its own, and beyond {@value #MOST_REQUESTS} at once a
- * connection is closed at its first byte.
+ * An HTTP server that no caller can hold up, on the loopback interface unless said otherwise. A
+ * request whose head or body does not arrive within {@value #REQUEST_SECONDS} s costs its own
+ * connection and nobody else's: each is read by a thread of its own, and beyond {@value
+ * #MOST_REQUESTS} at once a connection is closed at its first byte.
  */
-public final class LoopbackHttp implements AutoCloseable {
+public final class BoundedHttp implements AutoCloseable {
   /** Longest time for a request to arrive, s. */
   static final int REQUEST_SECONDS = 10;
 
@@ -32,20 +35,31 @@ public final class LoopbackHttp implements AutoCloseable {
   private final HttpServer server;
   private final ExecutorService threads;
 
-  private LoopbackHttp(HttpServer server, ExecutorService threads) {
+  private BoundedHttp(HttpServer server, ExecutorService threads) {
     this.server = server;
     this.threads = threads;
   }
 
   /**
-   * Opens a port. Nothing is served before {@link #start}.
+   * Opens a port of the loopback interface. Nothing is served before {@link #start}.
    *
    * @param port 0: any free one
    * @param name of its threads
    * @throws PortInUseException if the port is taken
    */
-  public static LoopbackHttp open(int port, String name) {
-    InetSocketAddress address = new InetSocketAddress(loopback(), port);
+  public static BoundedHttp open(int port, String name) {
+    return open(new InetSocketAddress(loopback(), port), name);
+  }
+
+  /**
+   * Opens a port. Nothing is served before {@link #start}.
+   *
+   * @param address with port 0: any free one
+   * @param name of its threads
+   * @throws PortInUseException if the port is taken
+   * @throws IllegalArgumentException with code S-004 if the address is none of this machine
+   */
+  public static BoundedHttp open(InetSocketAddress address, String name) {
     ExecutorService threads =
         new ThreadPoolExecutor(
             0,
@@ -61,11 +75,28 @@ public final class LoopbackHttp implements AutoCloseable {
     try {
       HttpServer server = HttpServer.create(address, 0);
       server.setExecutor(threads);
-      return new LoopbackHttp(server, threads);
+      return new BoundedHttp(server, threads);
     } catch (BindException e) {
-      throw new PortInUseException("127.0.0.1:" + port, e);
+      if (isOfThisMachine(address.getAddress())) {
+        throw new PortInUseException(
+            address.getAddress().getHostAddress() + ":" + address.getPort(), e);
+      }
+      throw new IllegalArgumentException(
+          MessageCode.LISTEN_ADDRESS
+              + " cannot listen on "
+              + address.getHostString()
+              + ": it is no address of this machine",
+          e);
     } catch (IOException e) {
-      throw new IllegalStateException("no port of the loopback interface can be opened", e);
+      throw new IllegalStateException("no port of " + address + " can be opened", e);
+    }
+  }
+
+  private static boolean isOfThisMachine(InetAddress address) {
+    try {
+      return address.isAnyLocalAddress() || NetworkInterface.getByInetAddress(address) != null;
+    } catch (SocketException e) {
+      return true;
     }
   }
 

@@ -20,15 +20,15 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** A caller that never ends its request costs its own connection, and nobody else waits. */
-class LoopbackHttpTest {
+class BoundedHttpTest {
   private static final Duration PATIENCE = Duration.ofSeconds(60);
 
   private final List<Socket> halfSent = new ArrayList<>();
-  private LoopbackHttp server;
+  private BoundedHttp server;
 
   @BeforeEach
   void open() {
-    server = LoopbackHttp.open(0, "test");
+    server = BoundedHttp.open(0, "test");
     server.serve(
         "/health",
         exchange -> {
@@ -93,7 +93,7 @@ class LoopbackHttpTest {
 
   @Test
   void portInUseIsNamed() {
-    assertThatThrownBy(() -> LoopbackHttp.open(server.port(), "second"))
+    assertThatThrownBy(() -> BoundedHttp.open(server.port(), "second"))
         .isInstanceOf(PortInUseException.class)
         .hasMessageContaining("127.0.0.1:" + server.port());
   }
