@@ -1,0 +1,358 @@
+package org.mechservice.study;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import org.mechservice.library.MechModel;
+import org.mechservice.mechml.ModelParameter;
+import org.mechservice.mechml.diagnosis.Diagnostic;
+import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.mechml.diagnosis.NearestName;
+import org.mechservice.solver.api.ModelSource;
+import org.mechservice.solver.api.TunableParameter;
+import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.api.result.Variable;
+import org.mechservice.solver.api.run.Outcome;
+import org.mechservice.solver.api.run.RunControl;
+import org.mechservice.solver.api.run.RunReport;
+import org.mechservice.solver.api.run.RunRequest;
+import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.catalogue.Severity;
+import org.mechservice.solver.simulation.RuntimeSolver;
+import org.mechservice.solver.simulation.Simulation;
+import org.mechservice.solver.text.ShortestDecimal;
+
+/**
+ * A model that runs with many values of its parameters.
+ *
+ * <p>Code is generated once for all parameters that can be inputs of it ({@link #tunable}).
+ * Parameters that masses, points or settings depend on are settled when the file is read: with
+ * other values of these the model is read and generated again; those used latest are kept.
+ *
+ * <p>Thread-safe; the bits of an outcome depend on the values of its point only.
+ */
+public final class PointModel implements PointEvaluation {
+  private static final int MOST_VALUES = 20_000;
+  private static final int MOST_NAMES = 12;
+  private static final int MOST_MODELS = 64;
+  private static final Pattern CODE = Pattern.compile("\\b[MNS]-\\d{3}\\b");
+
+  private final MechModel model;
+  private final Set<String> factors;
+  private final Set<String> tunable;
+  private final List<String> names;
+  private final List<String> units;
+  private final List<Reduction> single;
+  private final List<Reduction> origins;
+  private final ThreadLocal<Workplace> workplaces;
+
+  /** Models with settled values, those used latest. */
+  private final Map<Map<String, Double>, MechModel> models =
+      new LinkedHashMap<>(MOST_MODELS, 0.75f, true) {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<Map<String, Double>, MechModel> eldest) {
+          return size() > MOST_MODELS;
+        }
+      };
+
+  /** What a thread keeps between points. */
+  private final class Workplace {
+    final Reducer reducer = new Reducer(single);
+    Map<String, Double> settled = Map.of();
+    @Nullable ModelSource source;
+    @Nullable RunRequest request;
+  }
+
+  private PointModel(
+      MechModel model,
+      Set<String> factors,
+      Set<String> tunable,
+      List<Reduction> reductions,
+      List<Variable> columns) {
+    this.model = model;
+    this.factors = factors;
+    this.tunable = tunable;
+    RunSettings run = model.request().settings();
+    single = new ArrayList<>();
+    origins = new ArrayList<>();
+    names = new ArrayList<>();
+    units = new ArrayList<>();
+    for (Reduction reduction : reductions) {
+      expand(reduction, run, columns);
+    }
+    if (single.size() > MOST_VALUES) {
+      throw new IllegalArgumentException(
+          "the outputs have "
+              + single.size()
+              + " values for each point; at most "
+              + MOST_VALUES
+              + " are kept: write a distance of the series, such as series(x, 0.1)");
+    }
+    workplaces = ThreadLocal.withInitial(Workplace::new);
+  }
+
+  private void expand(Reduction reduction, RunSettings run, List<Variable> columns) {
+    Variable column = columnOf(reduction, columns);
+    if (!reduction.fits(run.tStart(), run.tEnd())) {
+      throw new IllegalArgumentException(
+          reduction
+              + " is outside the run, which is from "
+              + run.tStart()
+              + " s to "
+              + run.tEnd()
+              + " s");
+    }
+    if (reduction.kind() != Reduction.Kind.SERIES) {
+      add(reduction, reduction, reduction.toString(), column.unit());
+      return;
+    }
+    double distance = Double.isNaN(reduction.argument()) ? run.tStep() : reduction.argument();
+    double count = Math.floor((run.tEnd() - run.tStart()) / distance * (1 + 1e-12));
+    for (int i = 0; i <= Math.min(count, MOST_VALUES); i++) {
+      double time = Math.min(run.tEnd(), run.tStart() + i * distance);
+      Reduction one = new Reduction(reduction.column(), Reduction.Kind.AT, time);
+      add(reduction, one, reduction.column() + "@" + ShortestDecimal.format(time), column.unit());
+    }
+  }
+
+  private void add(Reduction origin, Reduction one, String name, String unit) {
+    origins.add(origin);
+    single.add(one);
+    names.add(name);
+    units.add(
+        switch (one.kind()) {
+          case CROSSING -> "s";
+          case INTEGRAL -> unit.equals("1") ? "s" : unit + "·s";
+          case LAST, AT, MIN, MAX, MEAN, RMS, SERIES -> unit;
+        });
+  }
+
+  private static Variable columnOf(Reduction reduction, List<Variable> columns) {
+    return columns.stream()
+        .filter(c -> c.name().equals(reduction.column()))
+        .findFirst()
+        .orElseThrow(() -> new IllegalArgumentException(unknown(reduction.column(), columns)));
+  }
+
+  private static String unknown(String name, List<Variable> columns) {
+    List<String> known = columns.stream().map(Variable::name).toList();
+    return "the model has no column \""
+        + name
+        + '"'
+        + NearestName.suggestion(name, known)
+        + "; it has "
+        + known.stream().limit(MOST_NAMES).collect(Collectors.joining(", "))
+        + (known.size() > MOST_NAMES ? " and " + (known.size() - MOST_NAMES) + " more" : "");
+  }
+
+  /**
+   * Opens a model file.
+   *
+   * @param file MechML file
+   * @param simulation name or number of its simulation; empty for the first
+   * @param factors parameters that points set
+   * @param reductions what is kept of each run; columns of groups that the simulation does not put
+   *     out are added
+   * @throws IOException if the file cannot be read
+   * @throws MechmlException if the model cannot be used
+   * @throws IllegalArgumentException if it has no such parameter or column
+   */
+  public static PointModel open(
+      Path file, Optional<String> simulation, List<String> factors, List<Reduction> reductions)
+      throws IOException, MechmlException {
+    MechModel read = MechModel.read(file);
+    return of(
+        simulation.isPresent() ? read.simulation(simulation.get()) : read, factors, reductions);
+  }
+
+  /**
+   * Takes a model that has been read.
+   *
+   * @throws MechmlException if it cannot be used
+   * @throws IllegalArgumentException if it has no such parameter or column
+   */
+  public static PointModel of(MechModel read, List<String> factors, List<Reduction> reductions)
+      throws MechmlException {
+    List<String> known = read.parameters().stream().map(ModelParameter::name).toList();
+    for (String factor : factors) {
+      if (!known.contains(factor)) {
+        throw new IllegalArgumentException(
+            "the model has no parameter \""
+                + factor
+                + '"'
+                + NearestName.suggestion(factor, known)
+                + (known.isEmpty() ? "" : "; it has " + String.join(", ", known)));
+      }
+    }
+    MechModel model = withColumns(read, reductions);
+    Set<String> tunable = new LinkedHashSet<>();
+    for (String factor : factors) {
+      try {
+        model = model.tunable(Set.of(factor));
+        tunable.add(factor);
+      } catch (MechmlException e) {
+        if (e.diagnostics().stream()
+            .noneMatch(d -> d.code() == MessageCode.TUNABLE_PARAMETER_MISPLACED)) {
+          throw e;
+        }
+      }
+    }
+    return new PointModel(
+        model, new LinkedHashSet<>(factors), tunable, reductions, columnsOf(model));
+  }
+
+  private static MechModel withColumns(MechModel model, List<Reduction> reductions) {
+    List<String> shown = columnsOf(model).stream().map(Variable::name).toList();
+    if (reductions.stream().allMatch(r -> shown.contains(r.column()))) {
+      return model;
+    }
+    Set<ColumnGroup> groups = new LinkedHashSet<>(model.columns());
+    MechModel more = model;
+    for (ColumnGroup group : ColumnGroup.values()) {
+      groups.add(group);
+      more = model.columns(groups.toArray(ColumnGroup[]::new));
+      List<String> now = columnsOf(more).stream().map(Variable::name).toList();
+      if (reductions.stream().allMatch(r -> now.contains(r.column()))) {
+        return more;
+      }
+    }
+    return more;
+  }
+
+  private static List<Variable> columnsOf(MechModel model) {
+    return Simulation.columns(model.instances().model(), model.request().columns());
+  }
+
+  /** Returns the names of the values of an outcome: {@code max(x)}; {@code x@0.5} of a series. */
+  public List<String> names() {
+    return List.copyOf(names);
+  }
+
+  /** Returns the reductions that the values of an outcome belong to: a series has several. */
+  public List<Reduction> origins() {
+    return List.copyOf(origins);
+  }
+
+  /** Returns the SI units of the values of an outcome, {@code 1} for a pure number. */
+  public List<String> units() {
+    return List.copyOf(units);
+  }
+
+  /** Returns the factors that are inputs of the code; the others cost a build for each value. */
+  public Set<String> tunable() {
+    return Set.copyOf(tunable);
+  }
+
+  /** Returns the model with its file's values of the factors. */
+  public MechModel model() {
+    return model;
+  }
+
+  @Override
+  public PointOutcome run(Map<String, Double> parameters) throws IOException {
+    for (Map.Entry<String, Double> parameter : parameters.entrySet()) {
+      if (!factors.contains(parameter.getKey())) {
+        throw new IllegalArgumentException(
+            "\"" + parameter.getKey() + "\" is none of the factors " + String.join(", ", factors));
+      } else if (!Double.isFinite(parameter.getValue())) {
+        return new PointOutcome.Failed(
+            MessageCode.PARAMETER_NOT_A_NUMBER.code(),
+            "parameter \"" + parameter.getKey() + "\" is " + parameter.getValue(),
+            Double.NaN);
+      }
+    }
+    Workplace place = workplaces.get();
+    try {
+      prepare(place, parameters);
+      return simulated(place, parameters);
+    } catch (MechmlException e) {
+      Diagnostic first =
+          e.diagnostics().stream()
+              .filter(d -> d.severity() == Severity.ERROR)
+              .findFirst()
+              .orElse(e.diagnostics().get(0));
+      return new PointOutcome.Failed(first.code().code(), oneLine(first.message()), Double.NaN);
+    } catch (IllegalArgumentException e) {
+      String text = oneLine(String.valueOf(e.getMessage()));
+      Matcher code = CODE.matcher(text);
+      if (!code.find()) {
+        throw e;
+      }
+      return new PointOutcome.Failed(code.group(), text, Double.NaN);
+    }
+  }
+
+  private void prepare(Workplace place, Map<String, Double> parameters) throws MechmlException {
+    Map<String, Double> settled = new TreeMap<>(parameters);
+    settled.keySet().removeAll(tunable);
+    if (place.source == null || !settled.equals(place.settled)) {
+      place.source = null;
+      MechModel here = settled.isEmpty() ? model : built(settled);
+      place.request = here.request();
+      place.settled = settled;
+      place.source = here.instances();
+    }
+  }
+
+  /** Returns the model with settled values; reading and generating it takes longer than a run. */
+  private MechModel built(Map<String, Double> settled) throws MechmlException {
+    synchronized (models) {
+      MechModel known = models.get(settled);
+      if (known != null) {
+        return known;
+      }
+    }
+    MechModel made = model.set(settled);
+    synchronized (models) {
+      models.put(settled, made);
+    }
+    return made;
+  }
+
+  private PointOutcome simulated(Workplace place, Map<String, Double> parameters)
+      throws IOException {
+    ModelSource source = place.source;
+    RunRequest request = place.request;
+    if (source == null || request == null) {
+      throw new IllegalStateException("prepare comes first");
+    }
+    List<TunableParameter> inputs = source.parameters();
+    double[] values = new double[inputs.size()];
+    Arrays.setAll(
+        values, i -> parameters.getOrDefault(inputs.get(i).name(), inputs.get(i).value()));
+    RunReport report =
+        new RuntimeSolver()
+            .run(
+                values.length == 0 ? source.model() : source.model(values),
+                request,
+                place.reducer,
+                new RunControl());
+    if (report.outcome() instanceof Outcome.Failed failed) {
+      return new PointOutcome.Failed(
+          failed.failure().code().code(),
+          oneLine(failed.failure().message()),
+          failed.failure().time());
+    }
+    return new PointOutcome.Values(place.reducer.values());
+  }
+
+  private static String oneLine(String text) {
+    return Stream.of(text.split("\\R", -1)).map(String::strip).collect(Collectors.joining(" "));
+  }
+}

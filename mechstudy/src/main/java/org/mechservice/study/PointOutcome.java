@@ -1,0 +1,22 @@
+package org.mechservice.study;
+
+/** How the run of one point ended. */
+public sealed interface PointOutcome {
+  /**
+   * The run reached its end.
+   *
+   * @param values one number for each value of {@link PointModel#names}; NaN where there is none,
+   *     such as a level that is never crossed
+   */
+  @SuppressWarnings("ArrayRecordComponent") // never compared
+  record Values(double[] values) implements PointOutcome {}
+
+  /**
+   * The model cannot be used with these values, or its run could not go on.
+   *
+   * @param code entry of the error catalogue
+   * @param message one line that says why
+   * @param time simulated time of the failure, s; NaN if the run did not begin
+   */
+  record Failed(String code, String message, double time) implements PointOutcome {}
+}

@@ -1,0 +1,58 @@
+package org.mechservice.study.optimise;
+
+import java.util.List;
+
+/**
+ * What is to be optimised: variables with bounds, an objective or residuals, constraints.
+ *
+ * @param variables what may be changed; at least one
+ * @param aims what is wanted: one objective or any number of residuals, and constraints
+ * @param response values of the aims as functions of the variables
+ */
+public record DesignProblem(List<DesignVariable> variables, List<Aim> aims, Response response) {
+  /**
+   * @throws IllegalArgumentException if there is nothing to change, or nothing or more than one
+   *     thing to minimise
+   */
+  public DesignProblem {
+    variables = List.copyOf(variables);
+    aims = List.copyOf(aims);
+    if (variables.isEmpty()) {
+      throw new IllegalArgumentException("there is no variable to change");
+    }
+    if (variables.stream().map(DesignVariable::name).distinct().count() < variables.size()) {
+      throw new IllegalArgumentException("a variable is given twice");
+    }
+    long objectives = aims.stream().filter(aim -> aim.kind() == Aim.Kind.MINIMISE).count();
+    boolean residuals = aims.stream().anyMatch(aim -> aim.kind() == Aim.Kind.RESIDUAL);
+    if (objectives > 1 || (objectives == 1) == residuals) {
+      throw new IllegalArgumentException(
+          "a problem has one objective or residuals, not both and not neither; it has "
+              + objectives
+              + " objectives and "
+              + (residuals ? "residuals" : "no residuals"));
+    }
+  }
+
+  /** Returns the values of the variables at a point of the unit cube. */
+  double[] point(double[] parts) {
+    double[] values = new double[parts.length];
+    for (int j = 0; j < values.length; j++) {
+      values[j] = variables.get(j).value(parts[j]);
+    }
+    return values;
+  }
+
+  /** Returns the start as a point of the unit cube. */
+  double[] start() {
+    return variables.stream().mapToDouble(variable -> variable.part(variable.start())).toArray();
+  }
+
+  boolean hasConstraints() {
+    return aims.stream().anyMatch(Aim::isConstraint);
+  }
+
+  boolean hasResiduals() {
+    return aims.stream().anyMatch(aim -> aim.kind() == Aim.Kind.RESIDUAL);
+  }
+}

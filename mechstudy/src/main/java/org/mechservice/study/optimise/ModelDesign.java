@@ -1,0 +1,173 @@
+package org.mechservice.study.optimise;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import org.mechservice.library.MechModel;
+import org.mechservice.mechml.ModelParameter;
+import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.study.PointModel;
+import org.mechservice.study.PointOutcome;
+import org.mechservice.study.Reduction;
+
+/**
+ * A design problem about a model, put together from texts: what to minimise, what to hold. A
+ * formula may name reductions of outputs and parameters of the model.
+ */
+public final class ModelDesign {
+  private static final Pattern RELATION = Pattern.compile("<=|>=|==|<|>|=");
+
+  /** A formula less another, and its aim. */
+  private record Wanted(Aim aim, ReductionExpression left, ReductionExpression right, double sign) {
+    double value(double[] reduced, Map<String, Double> parameters) {
+      return sign * (left.value(reduced, parameters) - right.value(reduced, parameters));
+    }
+  }
+
+  private final MechModel model;
+  private final List<DesignVariable> variables;
+  private final Map<String, Double> fixed;
+  private final List<Reduction> reductions = new ArrayList<>();
+  private final List<Wanted> wanted = new ArrayList<>();
+
+  /**
+   * @param model the model, with the values of the parameters that are not changed
+   * @param variables parameters that may be changed
+   */
+  public ModelDesign(MechModel model, List<DesignVariable> variables) {
+    this.model = model;
+    this.variables = List.copyOf(variables);
+    fixed =
+        model.parameters().stream()
+            .collect(Collectors.toMap(ModelParameter::name, ModelParameter::value));
+  }
+
+  /**
+   * Adds a formula that is to be small.
+   *
+   * @throws IllegalArgumentException if it cannot be read
+   */
+  public ModelDesign minimise(String formula) {
+    return add(Aim.Kind.MINIMISE, formula, formula, "0", 1);
+  }
+
+  /**
+   * Adds a formula that is to be large: its negative value is minimised.
+   *
+   * @throws IllegalArgumentException if it cannot be read
+   */
+  public ModelDesign maximise(String formula) {
+    return add(Aim.Kind.MINIMISE, "-(" + formula + ")", formula, "0", -1);
+  }
+
+  /**
+   * Adds a formula whose square is one term of the sum to be minimised; {@code a = b} means a - b.
+   *
+   * @throws IllegalArgumentException if it cannot be read
+   */
+  public ModelDesign residual(String formula) {
+    Matcher relation = RELATION.matcher(formula);
+    if (!relation.find()) {
+      return add(Aim.Kind.RESIDUAL, formula, formula, "0", 1);
+    } else if (!relation.group().contains("=") || relation.group().matches("[<>]=")) {
+      throw new IllegalArgumentException(
+          "\"" + formula + "\" is no residual; write A = B or one formula");
+    }
+    return add(
+        Aim.Kind.RESIDUAL,
+        formula,
+        formula.substring(0, relation.start()),
+        formula.substring(relation.end()),
+        1);
+  }
+
+  /**
+   * Adds a constraint: two formulas with {@code <=}, {@code >=} or {@code =} between them.
+   *
+   * @throws IllegalArgumentException if it cannot be read
+   */
+  public ModelDesign subjectTo(String constraint) {
+    Matcher relation = RELATION.matcher(constraint);
+    if (!relation.find()) {
+      throw new IllegalArgumentException(
+          "\"" + constraint + "\" is no constraint; write such as max(x) <= 0.1");
+    }
+    String left = constraint.substring(0, relation.start());
+    String right = constraint.substring(relation.end());
+    if (RELATION.matcher(right).find()) {
+      throw new IllegalArgumentException(
+          "\"" + constraint + "\" has more than one relation; write two constraints");
+    }
+    return switch (relation.group().charAt(0)) {
+      case '<' -> add(Aim.Kind.AT_MOST_ZERO, constraint, left, right, 1);
+      case '>' -> add(Aim.Kind.AT_MOST_ZERO, constraint, left, right, -1);
+      default -> add(Aim.Kind.ZERO, constraint, left, right, 1);
+    };
+  }
+
+  private ModelDesign add(Aim.Kind kind, String text, String left, String right, double sign) {
+    Set<String> names = fixed.keySet();
+    ReductionExpression a = ReductionExpression.parse(left, reductions, names);
+    ReductionExpression b = ReductionExpression.parse(right, reductions, names);
+    double scale = b.isConstant() ? Math.abs(b.value(new double[0], Map.of())) : 0;
+    wanted.add(new Wanted(new Aim(kind, text.strip(), scale), a, b, sign));
+    return this;
+  }
+
+  /**
+   * Returns the problem.
+   *
+   * @throws MechmlException if the model cannot be used
+   * @throws IllegalArgumentException if it has no such parameter or output, or there is nothing to
+   *     minimise
+   */
+  public DesignProblem problem() throws MechmlException {
+    List<String> names = variables.stream().map(DesignVariable::name).toList();
+    if (reductions.isEmpty()) {
+      throw new IllegalArgumentException("no formula names an output of the model");
+    }
+    PointModel points = PointModel.of(model, names, reductions);
+    return new DesignProblem(
+        variables, wanted.stream().map(Wanted::aim).toList(), point -> values(points, point));
+  }
+
+  private double[] values(PointModel points, double[] point) throws PointFailedException {
+    Map<String, Double> set = new HashMap<>();
+    for (int j = 0; j < point.length; j++) {
+      set.put(variables.get(j).name(), point[j]);
+    }
+    double[] reduced = reduced(points, set);
+    Map<String, Double> all = new HashMap<>(fixed);
+    all.putAll(set);
+    return wanted.stream().mapToDouble(each -> each.value(reduced, all)).toArray();
+  }
+
+  /**
+   * Runs a model at a point.
+   *
+   * @param set values of parameters
+   * @return the values of its reductions
+   * @throws PointFailedException if it cannot be run there; says why
+   */
+  public static double[] reduced(PointModel points, Map<String, Double> set)
+      throws PointFailedException {
+    try {
+      PointOutcome outcome = points.run(set);
+      if (outcome instanceof PointOutcome.Failed failed) {
+        String message = failed.message();
+        throw new PointFailedException(
+            message.startsWith(failed.code()) ? message : failed.code() + " " + message);
+      }
+      return ((PointOutcome.Values) outcome).values();
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+}
