@@ -348,7 +348,12 @@ public final class PlayerPage {
       JsonArray anchors = new JsonArray();
       force.anchors().forEach(anchor -> anchors.add(array(anchor)));
       one.add("anchors", anchors);
-      one.add("direction", array(force.direction()));
+      // A contact's surface turns with its body: the normal is in the axes of this body.
+      Point3 direction =
+          force.kind() == SceneForce.Kind.CONTACT
+              ? scene.pose(force.anchors().get(1).body()).turnBack(force.direction())
+              : force.direction();
+      one.add("direction", array(direction));
       one.addProperty("inBodyAxes", force.inBodyAxes());
       one.addProperty("radius", force.radius());
       one.addProperty("force", place(force.name() + ".fx"));

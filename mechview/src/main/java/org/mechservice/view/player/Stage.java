@@ -343,10 +343,7 @@ public final class Stage {
       case DAMPER -> addLink(Strut.Kind.DAMPER, force);
       case CONTACT -> {
         Anchor surface = force.anchors().get(1);
-        BodyPose pose = scene.pose(surface.body());
-        Point3 normal =
-            new BodyPose(Point3.ZERO, pose.e0(), -pose.e1(), -pose.e2(), -pose.e3())
-                .turn(force.direction());
+        Point3 normal = scene.pose(surface.body()).turnBack(force.direction());
         addSurface(force.name(), surface, normal);
       }
       default -> {

@@ -55,4 +55,9 @@ public record BodyPose(Point3 position, double e0, double e1, double e2, double 
     Point3 e = new Point3(e1, e2, e3);
     return inBody.plus(e.cross(e.cross(inBody).plus(inBody.times(e0))).times(2));
   }
+
+  /** Returns a vector, given in world axes, in the body's axes. */
+  public Point3 turnBack(Point3 inWorld) {
+    return new BodyPose(Point3.ZERO, e0, -e1, -e2, -e3).turn(inWorld);
+  }
 }

@@ -2,6 +2,7 @@ package org.mechservice.view.web;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.mechservice.view.scene.SceneDescription;
 
 /** Reads a model for its drawing. Called by several threads. */
@@ -10,20 +11,34 @@ public interface ModelReader {
    * Reads a model that the server has accepted.
    *
    * @param text the model in MechML
-   * @param parameters values by the names of parameters
+   * @param choice what of the model is wanted
    * @throws RuntimeException if it cannot be read here; its message says why
    */
-  ReadModel read(String text, Map<String, String> parameters);
+  ReadModel read(String text, Choice choice);
+
+  /**
+   * What of a model is wanted.
+   *
+   * @param simulation name or number, from 1, of a simulation; empty: the first
+   * @param parameters values by the names of parameters
+   */
+  record Choice(Optional<String> simulation, Map<String, String> parameters) {
+    public Choice {
+      parameters = Map.copyOf(parameters);
+    }
+  }
 
   /**
    * A model that was read.
    *
    * @param scene its position at the start
    * @param parameters its parameters, in the order of the file
+   * @param simulations its simulations in words, in the order of the file
    */
-  record ReadModel(SceneDescription scene, List<Parameter> parameters) {
+  record ReadModel(SceneDescription scene, List<Parameter> parameters, List<String> simulations) {
     public ReadModel {
       parameters = List.copyOf(parameters);
+      simulations = List.copyOf(simulations);
     }
   }
 

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.concurrent.CountDownLatch;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.client.MechConnection;
 import org.mechservice.client.MechSession;
@@ -64,6 +65,11 @@ final class UserRun {
   private @Nullable PreparedRun active;
   private boolean cancelled;
 
+  /** Open until the result files are complete, which takes a while after a long run. */
+  private final CountDownLatch stored = new CountDownLatch(1);
+
+  private volatile String unstored = "";
+
   /**
    * @param model MechML text's bytes
    * @param folder of this run alone; receives its result files
@@ -92,14 +98,18 @@ final class UserRun {
       end.addProperty("outcome", wasCancelled() ? "cancelled" : "failed");
       end.addProperty("message", wasCancelled() ? "" : String.valueOf(e.getMessage()));
     } catch (IOException e) {
+      unstored = MessageCode.FILE_UNUSABLE + " " + e.getMessage();
       end.addProperty("outcome", "failed");
-      end.addProperty("message", MessageCode.FILE_UNUSABLE + " " + e.getMessage());
+      end.addProperty("message", unstored);
     } finally {
       if (end.size() == 0) {
         end.addProperty("outcome", "failed");
         end.addProperty("message", MessageCode.INTERNAL_SERVER_ERROR + " the page's server failed");
       }
-      ending = Optional.of(end);
+      if (ending.isEmpty()) {
+        ending = Optional.of(end);
+      }
+      stored.countDown();
     }
   }
 
@@ -128,8 +138,6 @@ final class UserRun {
             }
           };
       RunResult result = run.toEnd(all);
-      csv.keep();
-      mat.keep();
       end.addProperty("outcome", outcome(result.outcome()));
       if (result.outcome() instanceof Outcome.Failed failed) {
         end.addProperty("message", failed.failure().message());
@@ -137,6 +145,10 @@ final class UserRun {
       JsonObject report = new JsonObject();
       result.report().forEach((key, value) -> report.addProperty(key, String.valueOf(value)));
       end.add("report", report);
+      // Pages hear of the end at once; their downloads wait for the files.
+      ending = Optional.of(end);
+      csv.keep();
+      mat.keep();
     }
   }
 
@@ -161,11 +173,19 @@ final class UserRun {
     active = null;
   }
 
-  /** Stops the run, if it has not ended. */
+  /**
+   * Stops the run, if it has not ended. Pages hear of it at once; the rows that the server had
+   * computed ahead of the page still come into the files.
+   */
   synchronized void cancel() {
     cancelled = true;
     if (active != null) {
       active.cancel();
+    }
+    if (ending.isEmpty()) {
+      JsonObject end = new JsonObject();
+      end.addProperty("outcome", "cancelled");
+      ending = Optional.of(end);
     }
   }
 
@@ -173,8 +193,9 @@ final class UserRun {
     return cancelled;
   }
 
+  /** Returns whether the run has ended and its files are complete. */
   boolean hasEnded() {
-    return ending.isPresent();
+    return stored.getCount() == 0;
   }
 
   /** Sends a page the mechanism, the frames as they come, and how the run ended. */
@@ -197,10 +218,12 @@ final class UserRun {
         page.send("rows", rows(more));
         sent += more.size();
         last = System.nanoTime();
-      } else if (end.isPresent()) {
+      }
+      if (end.isPresent() && (more.size() < FRAMES_AT_ONCE || wasCancelled())) {
         page.send("end", end.get());
         return;
-      } else if (System.nanoTime() - last > PING_NANOS) {
+      }
+      if (more.isEmpty() && System.nanoTime() - last > PING_NANOS) {
         page.ping();
         last = System.nanoTime();
       }
@@ -231,15 +254,23 @@ final class UserRun {
   }
 
   /** Returns a result in a format. */
-  Download download(MechConnection service, String format) throws IOException {
+  Download download(MechConnection service, String format)
+      throws IOException, InterruptedException {
     if (format.equals("jar")) {
       try (MechSession session = service.openSession()) {
         session.loadModel("model.xml", model);
         return Download.of("application/java-archive", session.build(options, true).bytes());
       }
     }
-    if (!hasEnded() || recording.frameCount() == 0) {
+    if (ending.isEmpty()) {
       throw Refused.notUnderstood("this run has no results yet");
+    }
+    stored.await();
+    if (!unstored.isEmpty()) {
+      throw new Refused(500, unstored);
+    }
+    if (recording.frameCount() == 0) {
+      throw Refused.notUnderstood("this run has no rows");
     }
     return switch (format) {
       case "csv" -> Download.of("text/csv", file(ResultFormat.CSV));

@@ -21,8 +21,8 @@ import org.mechservice.client.failure.InvalidModelException;
 import org.mechservice.client.failure.ModelMessage;
 import org.mechservice.client.failure.ServiceException;
 import org.mechservice.idl.MAX_MECHML_BYTES;
+import org.mechservice.orb.BoundedHttp;
 import org.mechservice.orb.GuardedServant;
-import org.mechservice.orb.LoopbackHttp;
 import org.mechservice.orb.http.AccessToken;
 import org.mechservice.orb.http.EventStream;
 import org.mechservice.orb.http.PageFiles;
@@ -46,10 +46,11 @@ public final class UserWeb implements AutoCloseable {
   /** JSON writes a character of a model as up to two bytes, rarely more. */
   private static final int LONGEST_BODY = 2 * MAX_MECHML_BYTES.value;
 
-  private final LoopbackHttp http;
+  private final BoundedHttp http;
   private final MechConnection service;
   private final ModelReader reader;
   private final Map<String, String> examples;
+  private final String grammar;
   private final UserRuns runs;
   private final String token = AccessToken.random();
   private final PageFiles files = new PageFiles(UserWeb.class, "");
@@ -62,16 +63,22 @@ public final class UserWeb implements AutoCloseable {
    *
    * @param service checks and runs the models; stays open
    * @param examples models to begin with, by their names
+   * @param grammar the DTD of MechML, from which the editor completes
    * @param port TCP port; 0: any free one
    * @throws org.mechservice.orb.PortInUseException if the port is taken
    */
   public UserWeb(
-      MechConnection service, ModelReader reader, Map<String, String> examples, int port) {
+      MechConnection service,
+      ModelReader reader,
+      Map<String, String> examples,
+      String grammar,
+      int port) {
     this.service = service;
     this.reader = reader;
     this.examples = new LinkedHashMap<>(examples);
+    this.grammar = grammar;
     runs = new UserRuns(service);
-    http = LoopbackHttp.open(port, "web");
+    http = BoundedHttp.open(port, "web");
     http.serve("/", this::handle);
     http.start();
   }
@@ -187,6 +194,7 @@ public final class UserWeb implements AutoCloseable {
           all.add(example);
         });
     json.add("examples", all);
+    json.addProperty("grammar", grammar);
     return json;
   }
 
@@ -245,7 +253,7 @@ public final class UserWeb implements AutoCloseable {
         answer.addProperty("report", session.checkReport(false));
       }
       answer.addProperty("ok", true);
-      draw(answer, reader.read(model, values(body)));
+      draw(answer, reader.read(model, choice(body)));
     } catch (InvalidModelException e) {
       answer.addProperty("ok", false);
       answer.add("messages", messages(e.messages()));
@@ -271,7 +279,7 @@ public final class UserWeb implements AutoCloseable {
     for (ModelMessage message : said) {
       JsonObject one = new JsonObject();
       one.addProperty("severity", message.severity().name());
-      one.addProperty("text", message.inFile("").toString());
+      one.addProperty("text", message.codeAndText());
       one.addProperty("line", message.line());
       one.addProperty("column", message.column());
       all.add(one);
@@ -292,34 +300,38 @@ public final class UserWeb implements AutoCloseable {
       parameters.add(one);
     }
     answer.add("parameters", parameters);
+    JsonArray simulations = new JsonArray();
+    model.simulations().forEach(simulations::add);
+    answer.add("simulations", simulations);
   }
 
-  private static Map<String, String> values(JsonObject body) {
+  private static ModelReader.Choice choice(JsonObject body) {
     Map<String, String> values = new LinkedHashMap<>();
     if (body.get("parameters") instanceof JsonObject chosen) {
       chosen.keySet().forEach(name -> values.put(name, text(chosen, name)));
     }
-    return values;
+    return new ModelReader.Choice(chosen(body, "simulation"), values);
   }
 
   private JsonObject run(JsonObject body) throws IOException {
     String model = text(body, "text");
-    Map<String, String> parameters = values(body);
     byte[] content = model.getBytes(StandardCharsets.UTF_8);
     try (MechSession session = service.openSession()) {
       session.loadModel("model.xml", content);
     }
     SimulationOptions options = SimulationOptions.asInFile();
-    for (Map.Entry<String, String> value : parameters.entrySet()) {
+    ModelReader.Choice choice = choice(body);
+    for (Map.Entry<String, String> value : choice.parameters().entrySet()) {
       options = options.parameter(value.getKey(), value.getValue());
     }
+    options = choice.simulation().map(options::simulation).orElse(options);
     options = chosen(body, "formulation").map(options::formulation).orElse(options);
     options = chosen(body, "integrator").map(options::integrator).orElse(options);
     options = number(body, "relTol").map(options::relativeTolerance).orElse(options);
     options = chosen(body, "absTol").map(options::absoluteTolerances).orElse(options);
     options = number(body, "tEnd").map(options::endTime).orElse(options);
     JsonObject answer = new JsonObject();
-    answer.addProperty("run", runs.start(content, options, reader.read(model, parameters).scene()));
+    answer.addProperty("run", runs.start(content, options, reader.read(model, choice).scene()));
     return answer;
   }
 

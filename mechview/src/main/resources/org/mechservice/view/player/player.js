@@ -278,8 +278,9 @@ class Player {
           put(placed(poses, force.anchors[0]), acting, FORCE);
         } else if (force.kind === 'CONTACT' && force.normal >= 0) {
           const centre = placed(poses, force.anchors[0]);
-          const push = scale(force.direction, this.motion.value(force.normal, frame));
-          put(subtract(centre, scale(force.direction, force.radius)), push, FORCE);
+          const normal = turned(poses(force.anchors[1][0]).q, force.direction);
+          const push = scale(normal, this.motion.value(force.normal, frame));
+          put(subtract(centre, scale(normal, force.radius)), push, FORCE);
         }
       }
     }

@@ -3,7 +3,7 @@
 import { Camera } from './player/camera.js';
 import { Canvas3D } from './player/canvas3d.js';
 import { bytesOf, placed } from './player/recording.js';
-import { add, norm, poseMatrix, scale, spanMatrix, subtract, unit } from './player/space.js';
+import { add, norm, poseMatrix, scale, spanMatrix, subtract, turned, unit } from './player/space.js';
 
 const colour = (number, opacity = 1) =>
   [(number >> 16 & 255) / 255, (number >> 8 & 255) / 255, (number & 255) / 255, opacity];
@@ -31,7 +31,6 @@ export class MechanismStage {
     const up = norm(data.gravity) > 0 ? unit(scale(data.gravity, -1)) : [0, 0, 1];
     this.up = up;
     this.camera = new Camera(up);
-    this.reach = [];
     if (this.works) {
       this.rod = this.picture.mesh(...ROD);
       this.parts = data.parts.map(part => {
@@ -39,6 +38,7 @@ export class MechanismStage {
         return { ...part, points: corners,
           mesh: this.picture.mesh(corners, new Uint32Array(bytesOf(part.triangles))) };
       });
+      this.around = this.boxes();
     }
     this.look(this.view);
   }
@@ -59,23 +59,45 @@ export class MechanismStage {
     };
   }
 
+  // Boxes around the surfaces of each body; planes without ends are left out.
+  boxes() {
+    const boxes = new Map();
+    for (const { body, role, points } of this.parts) {
+      if (role === 'SURFACE') {
+        continue;
+      }
+      const box = boxes.get(body) || { least: [1e300, 1e300, 1e300], most: [-1e300, -1e300, -1e300] };
+      boxes.set(body, box);
+      points.forEach((x, i) => {
+        box.least[i % 3] = Math.min(box.least[i % 3], x);
+        box.most[i % 3] = Math.max(box.most[i % 3], x);
+      });
+    }
+    return boxes;
+  }
+
   // Keeps all places in sight that the bodies have come to.
   fit(rows) {
     const step = Math.max(1, Math.floor(rows.length / 40));
     const points = [];
-    const half = 0.6 * this.data.extent;
     for (let i = 0; i < rows.length; i += step) {
       const poses = this.poses(rows[i]);
-      [-1, ...this.data.bodies.keys()].forEach(body => {
+      for (const [body, box] of this.around) {
         const pose = poses(body);
-        if (pose.p.every(Number.isFinite)) {
-          for (const d of [-half, half]) {
-            points.push(...[0, 1, 2].map(axis => pose.p.map((x, k) => (k === axis ? x + d : x))));
+        for (let k = 0; k < 8; k++) {
+          const corner = [0, 1, 2].map(axis => (k >> axis & 1 ? box.most[axis] : box.least[axis]));
+          const place = add(pose.p, turned(pose.q, corner));
+          if (place.every(Number.isFinite)) {
+            points.push(place);
           }
         }
-      });
+      }
+      for (const link of this.data.links) {
+        const ends = [placed(poses, link.from), placed(poses, link.to)];
+        points.push(...ends.filter(end => end.every(Number.isFinite)));
+      }
     }
-    this.camera.fit(points);
+    this.camera.fit(points.length ? points : [[0, 0, 0]]);
   }
 
   draw(row, rows) {

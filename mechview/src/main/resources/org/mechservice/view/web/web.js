@@ -1,5 +1,6 @@
 import { get, post, stream, takeToken, address } from './api.js';
 import { Curves, short } from './player/curves.js';
+import { Completion } from './completion.js';
 import { MechanismStage } from './stage.js';
 
 const SERIES = ['#3b82d0', '#d97b1f', '#2f9e77', '#c2504d', '#8464c4', '#1c97a3', '#9c7a3c'];
@@ -13,7 +14,7 @@ const make = (tag, text = '', properties = {}) =>
 takeToken();
 const text = element('text');
 const stage = new MechanismStage(element('scene'));
-const curves = new Curves(element('curves'), time => { playing = false; now = time; });
+const curves = new Curves(element('curves'), time => { play(false); now = time; });
 const runs = [];
 let name = 'model.xml';
 let shown;
@@ -56,6 +57,7 @@ function open(model, called) {
   text.value = model;
   name = called;
   element('messages').replaceChildren();
+  element('simulation').replaceChildren();
   number();
   return check();
 }
@@ -91,7 +93,8 @@ async function check() {
   say();
   element('check').disabled = true;
   try {
-    const answer = await post('check', { name: name.toLowerCase(), text: text.value });
+    const answer = await post('check',
+      { name: name.toLowerCase(), text: text.value, simulation: element('simulation').value });
     if (answer.translated) {
       text.value = answer.translated;
       name = 'model.xml';
@@ -126,6 +129,15 @@ function tell(answer) {
     picture.alt = `Drawing of ${answer.name} in its initial position`;
   }
   parameters(answer.parameters || []);
+  simulations(answer.simulations || []);
+}
+
+function simulations(all) {
+  const chosen = element('simulation').value;
+  element('simulation').replaceChildren(...all.map((one, i) =>
+    make('option', `${i + 1} ${one}`, { value: String(i + 1) })));
+  element('simulation').value = chosen && Number(chosen) <= all.length ? chosen : all.length ? '1' : '';
+  element('simulations').hidden = all.length < 2;
 }
 
 function parameters(all) {
@@ -162,7 +174,7 @@ function changed() {
 async function start() {
   if (!clean && !await check()) return;
   const order = { text: text.value, parameters: changed() };
-  for (const id of ['formulation', 'integrator', 'relTol', 'absTol', 'tEnd']) order[id] = element(id).value;
+  for (const id of ['simulation', 'formulation', 'integrator', 'relTol', 'absTol', 'tEnd']) order[id] = element(id).value;
   element('run').disabled = true;
   try {
     const { run } = await post('run', order);
@@ -171,7 +183,7 @@ async function start() {
       colour: SERIES[runs.length % SERIES.length] };
     runs.push(one);
     shown = one;
-    playing = true;
+    play(true);
     watch(one);
     list();
   } finally {
@@ -208,6 +220,11 @@ function watch(run) {
       list();
     },
   });
+}
+
+function play(on) {
+  playing = on;
+  element('play').textContent = on ? 'Pause' : 'Play';
 }
 
 function display(run) {
@@ -329,16 +346,13 @@ function frame(at) {
 acts('check', check);
 acts('run', start);
 acts('cancel', () => shown && post('cancel', { run: shown.id }));
-element('play').addEventListener('click', event => {
-  playing = !playing;
-  event.target.textContent = playing ? 'Pause' : 'Play';
-});
+element('play').addEventListener('click', () => play(!playing));
 element('time').addEventListener('input', event => {
-  playing = false;
-  element('play').textContent = 'Play';
+  play(false);
   now = Number(event.target.value);
 });
 element('column').addEventListener('change', curve);
+element('simulation').addEventListener('change', () => asked(check()));
 element('views').addEventListener('click', event => {
   const view = event.target.dataset.view;
   if (!view) return;
@@ -351,6 +365,7 @@ if (!stage.works) say('This browser shows no WebGL 2, so the moving picture is m
 try {
   const session = await get('start');
   element('server').textContent = `server ${session.server}`;
+  new Completion(text, element('choices'), session.grammar);
   for (const example of session.examples) element('example').append(make('option', example.name));
   element('example').addEventListener('change', event => {
     const chosen = session.examples.find(example => example.name === event.target.value);

@@ -1,7 +1,9 @@
 package org.mechservice.view.player;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
+import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import java.nio.ByteBuffer;
@@ -16,7 +18,12 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.mechservice.view.mesh.MeshFolder;
+import org.mechservice.view.scene.Anchor;
+import org.mechservice.view.scene.BodyPose;
+import org.mechservice.view.scene.Point3;
+import org.mechservice.view.scene.SceneBody;
 import org.mechservice.view.scene.SceneDescription;
+import org.mechservice.view.scene.SceneForce;
 
 /** The player's page holds a run as data, and nothing that can be fetched or run besides. */
 class PlayerPageTest {
@@ -91,6 +98,55 @@ class PlayerPageTest {
     assertThat(values.capacity()).isEqualTo(4 * 5 * 8);
     assertThat(values.getFloat(4 * 1)).isEqualTo(0.1f);
     assertThat(values.getFloat(4 * (4 * 5 + 2))).isEqualTo((float) Math.cos(Math.PI / 10));
+  }
+
+  @Test
+  void normalOfAContactIsInAxesOfTheBodyOfItsSurface() {
+    SceneDescription still = Pendulums.scene("bar", "");
+    double half = Math.sqrt(0.5);
+    SceneBody turned =
+        new SceneBody(
+            "bar",
+            new BodyPose(Point3.ZERO, half, 0, half, 0),
+            1,
+            Point3.ZERO,
+            List.of(0.0, 0.1, 0.1, 0.0, 0.0, 0.0),
+            "");
+    SceneForce contact =
+        new SceneForce(
+            "touch",
+            SceneForce.Kind.CONTACT,
+            List.of(new Anchor(Anchor.ROOT, Point3.ZERO), new Anchor(0, Point3.ZERO)),
+            new Point3(1, 0, 0),
+            false,
+            0.1,
+            "");
+    SceneDescription scene =
+        new SceneDescription(
+            still.name(),
+            still.rootName(),
+            BodyPose.WORLD,
+            "",
+            still.gravity(),
+            List.of(turned),
+            still.joints(),
+            List.of(),
+            List.of(contact),
+            still.verdict());
+    String page =
+        new String(
+            PlayerPage.write(
+                scene,
+                new Stage(scene, new MeshFolder(Path.of("."))),
+                Pendulums.recording("bar", 5, 0.1),
+                Map.of(),
+                List.of()),
+            StandardCharsets.UTF_8);
+
+    JsonArray direction =
+        data(page).getAsJsonArray("forces").get(0).getAsJsonObject().getAsJsonArray("direction");
+    assertThat(direction.get(0).getAsDouble()).isCloseTo(0, within(1e-12));
+    assertThat(direction.get(2).getAsDouble()).isCloseTo(1, within(1e-12));
   }
 
   @Test
