@@ -32,6 +32,8 @@ class DocumentedCommandsIT {
         "README.md",
         "docs/curves.md",
         "docs/fmu.md",
+        "docs/study.md",
+        "docs/optimise.md",
         "docs/view.md",
         "examples/embedding/README.md",
         "examples/pendulum/README.md",

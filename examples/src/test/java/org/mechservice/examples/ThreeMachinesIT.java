@@ -48,7 +48,7 @@ class ThreeMachinesIT {
   private String commandOf(String unit, String address) {
     String disk = directory.resolve(address).toString();
     return here(unit)
-        .replace("ExecStart=/opt/mechservice/mech", "exec ./mech")
+        .replace("ExecStart=/opt/mechservice/bin/mech", "exec ./mech")
         .replace("/etc/mech/keys", disk + "/keys")
         .replace("/var/log/mech", disk)
         .replace("/var/lib/mech", disk)

@@ -9,6 +9,8 @@ import org.mechservice.cli.model.CheckCommand;
 import org.mechservice.cli.model.ImportCommand;
 import org.mechservice.cli.model.NewCommand;
 import org.mechservice.cli.model.VerifyCommand;
+import org.mechservice.cli.optimise.IdentifyCommand;
+import org.mechservice.cli.optimise.OptimiseCommand;
 import org.mechservice.cli.picture.PlotCommand;
 import org.mechservice.cli.picture.ShowCommand;
 import org.mechservice.cli.picture.ViewCommand;
@@ -26,6 +28,7 @@ import org.mechservice.cli.shell.UsageReport;
 import org.mechservice.cli.simulate.CompareCommand;
 import org.mechservice.cli.simulate.FetchCommand;
 import org.mechservice.cli.simulate.SimulateCommand;
+import org.mechservice.cli.sweep.StudyCommand;
 import org.mechservice.cli.sweep.SweepCommand;
 import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine;
@@ -59,6 +62,9 @@ public final class Mech {
           NewCommand.class,
           SimulateCommand.class,
           SweepCommand.class,
+          StudyCommand.class,
+          OptimiseCommand.class,
+          IdentifyCommand.class,
           FetchCommand.class,
           CompareCommand.class,
           PlotCommand.class,

@@ -52,7 +52,9 @@ class LauncherTest {
         -version) echo 'openjdk version "17.0.15" 2025-04-15' >&2 ;;
         --list-modules) echo 'java.base@17'; echo 'jdk.compiler@17' ;;
         *DumpLoadedClassList=*--mode*) list=${*#*List=}; echo "${*##*--mode}" >"${list%% *}" ;;
-        *Xshare:dump*) cp mechcli/target/mech.classes mechcli/target/mech.jsa ;;
+        *Xshare:dump*)
+          list=${*#*SharedClassListFile=} archive=${*#*SharedArchiveFile=}
+          cp "${list%% *}" "${archive%% *}" ;;
         *) echo "started: $*" ;;
       esac
       """;
@@ -136,8 +138,7 @@ class LauncherTest {
 
   @Test
   void startsWithoutAnArchiveWhereNoneCanBeMade() throws Exception {
-    program(
-        "java", JDK.replace("cp mechcli/target/mech.classes mechcli/target/mech.jsa", "exit 1"));
+    program("java", JDK.replace("cp \"${list%% *}\" \"${archive%% *}\"", "exit 1"));
     Ended mech = start(house.resolve("mech"), "check", "m.xml");
     assertThat(mech.out).startsWith("started").doesNotContain("SharedArchiveFile");
     assertThat(mech.err).hasLineCount(1);
@@ -206,6 +207,47 @@ class LauncherTest {
     // Process ids end far below this on every system the script runs on.
     Files.writeString(lock.resolve("pid"), "999999999");
     assertThat(start(house.resolve("mech")).out).startsWith("started");
+  }
+
+  /** Lays out the launcher as a release archive has it; returns its folder. */
+  private Path release() throws IOException {
+    Path release = house.resolve("release");
+    Files.createDirectories(release.resolve("bin"));
+    Files.createDirectories(release.resolve("lib"));
+    Files.copy(house.resolve("mech"), release.resolve("bin/mech"));
+    Files.writeString(release.resolve("lib/mechcli.jar"), "");
+    Files.writeString(release.resolve("lib/asm.jar"), "");
+    program("java", JDK.replace("; echo 'jdk.compiler@17'", ""));
+    Files.delete(bin.resolve("mvn"));
+    return release.toRealPath();
+  }
+
+  @Test
+  void releaseStartsItsLibrariesWithoutCompilerAndMaven() throws Exception {
+    Path release = release();
+    Ended mech = start(release.resolve("bin/mech"), "check", "a b.xml");
+    assertThat(mech.err).isEmpty();
+    assertThat(mech.out)
+        .contains(release + "/lib/mechcli.jar:" + release + "/lib/asm.jar")
+        .endsWith("org.mechservice.cli.Mech check a b.xml\n");
+  }
+
+  @Test
+  void releaseArchivesItsClassesInItsOwnFolder() throws Exception {
+    Path release = release();
+    assertThat(start(release.resolve("bin/mech"), "check", "m.xml").out)
+        .contains("-XX:SharedArchiveFile=" + release + "/cache/mech.jsa");
+    assertThat(release.resolve("cache/mech.jsa")).content().contains("remote", "local");
+  }
+
+  @Test
+  void releaseInAFolderOfAnotherUserStartsWithoutAnArchive() throws Exception {
+    Path release = release();
+    // Where the folder would be, nobody can make one.
+    Files.writeString(release.resolve("cache"), "");
+    Ended mech = start(release.resolve("bin/mech"), "check", "m.xml");
+    assertThat(mech.status).isZero();
+    assertThat(mech.out).startsWith("started").doesNotContain("SharedArchiveFile");
   }
 
   private void assertRefuses(String message) throws Exception {

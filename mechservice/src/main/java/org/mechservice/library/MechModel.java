@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -32,6 +33,7 @@ import org.mechservice.sim.packaging.JarImage;
 import org.mechservice.sim.packaging.ModelJars;
 import org.mechservice.sim.scene.IntegratorSelection;
 import org.mechservice.sim.user.UserClasses;
+import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.run.Checkpoints;
@@ -181,6 +183,31 @@ public final class MechModel {
     Map<String, String> values = new LinkedHashMap<>(reading.values());
     values.put(parameter, value);
     return reread(new ReadOptions(reading.simulation(), values, reading.tunable()));
+  }
+
+  /**
+   * Returns the model with other values of some parameters.
+   *
+   * @param given values in the units that the file gives the parameters, by name
+   * @throws MechmlException if there is no such parameter, or the model cannot be used so
+   */
+  public MechModel set(Map<String, Double> given) throws MechmlException {
+    Map<String, String> values = new LinkedHashMap<>(reading.values());
+    given.forEach((name, value) -> values.put(name, Double.toString(value)));
+    return reread(new ReadOptions(reading.simulation(), values, reading.tunable()));
+  }
+
+  /**
+   * Returns the model with parameters that stay inputs of its code: {@link #instances} sets them
+   * without generating code again.
+   *
+   * @throws MechmlException if there is no such parameter, or what depends on it is settled when
+   *     the file is read (M-017)
+   */
+  public MechModel tunable(Set<String> parameters) throws MechmlException {
+    Set<String> all = new LinkedHashSet<>(reading.tunable());
+    all.addAll(parameters);
+    return reread(new ReadOptions(reading.simulation(), reading.values(), all));
   }
 
   /**
@@ -354,14 +381,27 @@ public final class MechModel {
 
   private RunReport run(ResultSink sink, RunControl control, Checkpoints checkpoints)
       throws IOException {
+    return new RuntimeSolver().run(compiled().newInstance(), request(), sink, control, checkpoints);
+  }
+
+  /** Returns what {@link #simulate} asks of the solver. */
+  public RunRequest request() {
     SimulationSettings asked = changes.apply(model.settings());
-    RunRequest request =
-        new RunRequest(
-            asked.run().withIntegrator(selection(asked).integrator()),
-            ModelColumns.shown(asked),
-            strict,
-            maxDrift);
-    return new RuntimeSolver().run(compiled().newInstance(), request, sink, control, checkpoints);
+    return new RunRequest(
+        asked.run().withIntegrator(selection(asked).integrator()),
+        ModelColumns.shown(asked),
+        strict,
+        maxDrift);
+  }
+
+  /**
+   * Returns a source of instances of the generated model, one for each run, with values of its
+   * tunable parameters.
+   *
+   * @throws IllegalArgumentException if the model cannot be built so; says why
+   */
+  public ModelSource instances() {
+    return compiled().instances();
   }
 
   private IntegratorSelection selection(SimulationSettings asked) {

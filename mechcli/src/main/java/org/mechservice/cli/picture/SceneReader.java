@@ -7,7 +7,6 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 import org.mechservice.cli.shell.UsageException;
 import org.mechservice.mechml.MechmlModel;
@@ -67,19 +66,23 @@ public final class SceneReader {
    * Reads a model that is no file, for the page of {@code mech web}.
    *
    * @param text the model in MechML
-   * @param parameters values by the names of parameters
+   * @param choice the simulation whose start is shown, and values of parameters
    * @throws UsageException with the messages of the reader if it is no valid model
    */
-  static ModelReader.ReadModel read(String text, Map<String, String> parameters) {
+  static ModelReader.ReadModel read(String text, ModelReader.Choice choice) {
     byte[] content = text.getBytes(StandardCharsets.UTF_8);
     String name = "model.xml";
     try {
       MechmlModel model =
-          MechmlReader.read(name, content, new ReadOptions(Optional.empty(), parameters, Set.of()));
+          MechmlReader.read(
+              name, content, new ReadOptions(choice.simulation(), choice.parameters(), Set.of()));
       return new ModelReader.ReadModel(
           scene(model, geometries(MechmlReader.document(name, content))),
           model.parameters().stream()
               .map(one -> new ModelReader.Parameter(one.name(), one.unit(), one.value()))
+              .toList(),
+          model.simulations().stream()
+              .map(one -> (one.name() + " <" + one.task().element() + ">").strip())
               .toList());
     } catch (MechmlException e) {
       throw new UsageException(String.valueOf(e.getMessage()));

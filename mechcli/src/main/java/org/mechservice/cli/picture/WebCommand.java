@@ -10,6 +10,7 @@ import org.mechservice.cli.shell.ExitStatus;
 import org.mechservice.cli.shell.MechVersion;
 import org.mechservice.cli.shell.ServerOption;
 import org.mechservice.cli.shell.ServiceConnection;
+import org.mechservice.mechml.document.Document;
 import org.mechservice.view.web.UserWeb;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -45,7 +46,8 @@ public final class WebCommand implements Callable<Integer> {
     Map<String, String> examples =
         Map.of("double pendulum", NewCommand.template().replace("@NAME@", "DoublePendulum"));
     try (ServiceConnection service = ServiceConnection.open(server, atOnce);
-        UserWeb web = new UserWeb(service.connection(), SceneReader::read, examples, port)) {
+        UserWeb web =
+            new UserWeb(service.connection(), SceneReader::read, examples, Document.dtd(), port)) {
       spec.commandLine().getOut().println("open in a browser: " + web.url());
       spec.commandLine().getOut().flush();
       ServingProcess.untilEnded(web, new CountDownLatch(1)::await);

@@ -1,5 +1,6 @@
 package org.mechservice.cli.service;
 
+import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -65,8 +66,17 @@ public final class ServerCommand implements Callable<Integer> {
       names = "--metrics-port",
       paramLabel = "P",
       description =
-          "Serve /metrics (Prometheus) and /health on this port of the loopback interface.")
+          "Serve /metrics (Prometheus) and /health on this port, unencrypted; see"
+              + " --metrics-listen.")
   private Optional<Integer> metricsPort = Optional.empty();
+
+  @Option(
+      names = "--metrics-listen",
+      paramLabel = "ADDR",
+      description =
+          "Address of the metrics port; other than loopback only where nobody else reaches it"
+              + " (default: 127.0.0.1).")
+  private String metricsListen = "127.0.0.1";
 
   @Option(
       names = "--audit",
@@ -94,7 +104,7 @@ public final class ServerCommand implements Callable<Integer> {
             iorFile,
             naming,
             tls.identity(),
-            metricsPort.map(ListenOptions::usable),
+            metricsPort.map(ListenOptions::usable).map(this::metricsAddress),
             audit);
     try (MechServerProcess server = MechServerProcess.start(settings)) {
       spec.commandLine().getOut().println(server.url());
@@ -102,6 +112,15 @@ public final class ServerCommand implements Callable<Integer> {
       ServingProcess.untilEnded(() -> server.stop(grace), grace, server::awaitShutdown);
     }
     return ExitStatus.DONE;
+  }
+
+  private InetSocketAddress metricsAddress(int port) {
+    InetSocketAddress address = new InetSocketAddress(metricsListen, port);
+    if (address.isUnresolved()) {
+      throw new UsageException(
+          MessageCode.OPTION_UNUSABLE + " --metrics-listen " + metricsListen + ": no such host");
+    }
+    return address;
   }
 
   private PlacementPolicy policy() {

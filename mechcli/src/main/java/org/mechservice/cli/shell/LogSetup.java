@@ -5,6 +5,7 @@ import ch.qos.logback.classic.Logger;
 import ch.qos.logback.classic.LoggerContext;
 import ch.qos.logback.classic.encoder.JsonEncoder;
 import ch.qos.logback.classic.encoder.PatternLayoutEncoder;
+import ch.qos.logback.classic.joran.JoranConfigurator;
 import ch.qos.logback.classic.spi.Configurator;
 import ch.qos.logback.classic.spi.ILoggingEvent;
 import ch.qos.logback.core.Appender;
@@ -12,16 +13,18 @@ import ch.qos.logback.core.ConsoleAppender;
 import ch.qos.logback.core.FileAppender;
 import ch.qos.logback.core.OutputStreamAppender;
 import ch.qos.logback.core.encoder.Encoder;
+import ch.qos.logback.core.joran.spi.JoranException;
 import ch.qos.logback.core.spi.ContextAwareBase;
 import org.mechservice.sim.service.contract.Journal;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.slf4j.LoggerFactory;
 
 /**
  * Logging of the command line: the product's warnings on standard error, one line each; everything,
  * with details, in the file that MECH_LOG names, as one JSON object per line if its name ends in
- * {@code .jsonl}. What the service within a command tells its only client is left to the command,
- * which tells its user once. A process that serves tells causes, too. Found by logback as a
- * service.
+ * {@code .jsonl}; as MECH_LOG says if it names a configuration of logback ({@code .xml}). What the
+ * service within a command tells its only client is left to the command, which tells its user once.
+ * A process that serves tells causes, too. Found by logback as a service.
  */
 public final class LogSetup extends ContextAwareBase implements Configurator {
   private static final String PRODUCT = "org.mechservice";
@@ -39,6 +42,10 @@ public final class LogSetup extends ContextAwareBase implements Configurator {
   }
 
   ExecutionStatus configure(LoggerContext context, String file) {
+    if (file.endsWith(".xml")) {
+      configureAsWritten(context, file);
+      return ExecutionStatus.DO_NOT_INVOKE_NEXT_IF_ANY;
+    }
     Logger root = context.getLogger(Logger.ROOT_LOGGER_NAME);
     root.setLevel(Level.OFF);
     if (!file.isEmpty()) {
@@ -62,6 +69,24 @@ public final class LogSetup extends ContextAwareBase implements Configurator {
     product.setLevel(Level.WARN);
     context.getLogger(EMBEDDED).setLevel(Level.OFF);
     return ExecutionStatus.DO_NOT_INVOKE_NEXT_IF_ANY;
+  }
+
+  /** Logs as a file of logback's own configuration says, on the console if it cannot be read. */
+  private void configureAsWritten(LoggerContext context, String file) {
+    JoranConfigurator configurator = new JoranConfigurator();
+    configurator.setContext(context);
+    try {
+      configurator.doConfigure(file);
+    } catch (JoranException e) {
+      context.reset();
+      configure(context, "");
+      context
+          .getLogger(PRODUCT)
+          .warn(
+              MessageCode.OPTION_UNUSABLE + " MECH_LOG={} is no configuration of logback: {}",
+              file,
+              e.getMessage());
+    }
   }
 
   /**

@@ -1,5 +1,9 @@
 /**
- * {@code mech sweep}: a model with every combination of parameter values.
+ * Many runs of a model: {@code mech study} and {@code mech sweep}.
+ *
+ * <p>{@link org.mechservice.cli.sweep.StudyCommand} runs what a study file describes, in this
+ * process; {@link org.mechservice.cli.sweep.StudyJoinCommand} puts parts of it together. {@code
+ * mech sweep} runs every combination of parameter values over the hosts of a server.
  *
  * <p>{@link org.mechservice.cli.sweep.SweepCommand} reads the values ({@link
  * org.mechservice.cli.sweep.SweepRange}), lets {@link org.mechservice.client.sweep.Sweep} run the

@@ -3,17 +3,22 @@ package org.mechservice.cli.picture;
 import com.google.gson.Gson;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
+import com.google.gson.JsonNull;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import java.io.File;
 import java.io.IOException;
+import java.io.InputStream;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.WebSocket;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Base64;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
@@ -113,18 +118,66 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
     return answer.get(PATIENCE_SECONDS, TimeUnit.SECONDS);
   }
 
-  /** Opens a file and forgets what was heard before. */
+  /** Opens a file with a player and forgets what was heard before. */
   void open(Path file) throws Exception {
+    open(file.toUri().toString(), "Boolean(globalThis.mechPlayer)");
+  }
+
+  /**
+   * Opens a page and forgets what was heard before.
+   *
+   * @param ready expression that is true when the page can be used
+   */
+  void open(String address, String ready) throws Exception {
+    call("Page.navigate", Map.of("url", "about:blank"));
     events.clear();
-    call("Page.navigate", Map.of("url", file.toUri().toString()));
-    waitFor("document.readyState === 'complete' && Boolean(globalThis.mechPlayer)");
+    call("Page.navigate", Map.of("url", address));
+    waitFor("document.readyState === 'complete' && " + ready);
+  }
+
+  /** Sets the window's size, px, and the colours of day or night. */
+  void look(int width, int height, boolean dark) throws Exception {
+    call(
+        "Emulation.setDeviceMetricsOverride",
+        Map.of("width", width, "height", height, "deviceScaleFactor", 1, "mobile", width < 700));
+    Map<String, String> scheme =
+        Map.of("name", "prefers-color-scheme", "value", dark ? "dark" : "light");
+    call("Emulation.setEmulatedMedia", Map.of("features", List.of(scheme)));
+  }
+
+  /** Returns what is seen, as a PNG file's bytes. */
+  byte[] screenshot() throws Exception {
+    JsonObject shot = call("Page.captureScreenshot", Map.of("format", "png"));
+    return Base64.getDecoder().decode(shot.get("data").getAsString());
+  }
+
+  /** Returns the serious and critical findings of axe-core on the page that is open. */
+  List<String> accessibilityFindings() throws Exception {
+    String axe = "META-INF/resources/webjars/axe-core/4.6.3/axe.min.js";
+    try (InputStream script =
+        Objects.requireNonNull(Chromium.class.getClassLoader().getResourceAsStream(axe))) {
+      evaluate(new String(script.readAllBytes(), StandardCharsets.UTF_8) + "; 0");
+    }
+    JsonArray found =
+        evaluate(
+                "axe.run().then(r => r.violations"
+                    + ".filter(v => ['serious', 'critical'].includes(v.impact))"
+                    + ".flatMap(v => v.nodes.slice(0, 5).map(n => v.id + ': ' + v.help + ': '"
+                    + " + n.html.slice(0, 160) + ' ' + (n.any[0]?.message || ''))))")
+            .getAsJsonArray();
+    return found.asList().stream().map(JsonElement::getAsString).toList();
   }
 
   void waitFor(String condition) throws Exception {
     long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
     while (!evaluate(condition).getAsBoolean()) {
       if (System.nanoTime() > end) {
-        throw new AssertionError("does not come true: " + condition + " " + problems());
+        throw new AssertionError(
+            "does not come true: "
+                + condition
+                + " "
+                + evaluate("document.body.innerText")
+                + problems());
       }
       Thread.sleep(20);
     }
@@ -133,11 +186,14 @@ final class Chromium implements AutoCloseable, WebSocket.Listener {
   /** Returns the value of an expression in the page. */
   JsonElement evaluate(String expression) throws Exception {
     JsonObject answer =
-        call("Runtime.evaluate", Map.of("expression", expression, "returnByValue", true));
+        call(
+            "Runtime.evaluate",
+            Map.of("expression", expression, "returnByValue", true, "awaitPromise", true));
     if (answer.has("exceptionDetails")) {
       throw new AssertionError(answer.get("exceptionDetails").toString());
     }
-    return answer.getAsJsonObject("result").get("value");
+    JsonElement value = answer.getAsJsonObject("result").get("value");
+    return value == null ? JsonNull.INSTANCE : value;
   }
 
   String text(String id) throws Exception {

@@ -22,6 +22,7 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.mechservice.cli.shell.ServerOption;
 import org.mechservice.cli.shell.ServiceConnection;
+import org.mechservice.mechml.document.Document;
 import org.mechservice.view.web.UserWeb;
 
 /** The requests of the page for users, against an embedded server. */
@@ -34,7 +35,7 @@ class UserWebTest {
   @BeforeAll
   static void start() throws IOException {
     service = ServiceConnection.open(new ServerOption(), 4);
-    web = new UserWeb(service.connection(), SceneReader::read, Map.of(), 0);
+    web = new UserWeb(service.connection(), SceneReader::read, Map.of(), Document.dtd(), 0);
     token = web.url().replaceFirst(".*#token=", "");
     pendulum = Files.readString(Path.of("..", "examples", "pendulum", "pendulum.xml"));
   }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import ch.qos.logback.classic.LoggerContext;
 import ch.qos.logback.classic.util.LogbackMDCAdapter;
+import ch.qos.logback.core.status.Status;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
 import java.io.ByteArrayOutputStream;
@@ -47,6 +48,26 @@ class LogSetupTest {
   }
 
   @Test
+  void configurationOfTheReleaseWritesFilesThatTurn() throws IOException {
+    LoggerContext context = new LoggerContext();
+    context.setMDCAdapter(new LogbackMDCAdapter());
+    context.putProperty("MECH_LOG_FOLDER", folder.toString());
+    new LogSetup().configure(context, "../dist/conf/logback.xml");
+    context.getLogger("org.mechservice.test").info("S-016 host \"a\" registered");
+    context.stop();
+    assertThat(folder.resolve("mech.log")).content().contains("S-016 host \"a\" registered");
+    assertThat(context.getStatusManager().getCopyOfStatusList())
+        .allMatch(status -> status.getLevel() == Status.INFO);
+  }
+
+  @Test
+  void configurationThatCannotBeReadIsNamedOnTheConsole() {
+    assertThat(console(false, folder.resolve("missing.xml").toString()))
+        .anyMatch(line -> line.contains("MECH_LOG=") && line.contains("missing.xml"))
+        .contains("S-001 incident 1");
+  }
+
+  @Test
   void requestsOfStrangersFillNoFile() throws IOException {
     Path file = folder.resolve("strangers.log");
     LoggerContext context = new LoggerContext();
@@ -60,14 +81,14 @@ class LogSetupTest {
     assertThat(file).isEmptyFile();
   }
 
-  private static List<String> console(boolean serving) {
+  private static List<String> console(boolean serving, String file) {
     PrintStream before = System.err;
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     System.setErr(new PrintStream(bytes, true, StandardCharsets.UTF_8));
     try {
       LoggerContext context = new LoggerContext();
       context.setMDCAdapter(new LogbackMDCAdapter());
-      new LogSetup().configure(context, "");
+      new LogSetup().configure(context, file);
       if (serving) {
         LogSetup.showCauses(context);
       }
@@ -84,12 +105,12 @@ class LogSetupTest {
 
   @Test
   void consoleOfACommandHasOneLineForEachFailureAndLeavesThoseOfRunsToTheCommand() {
-    assertThat(console(false)).containsExactly("S-001 incident 1");
+    assertThat(console(false, "")).containsExactly("S-001 incident 1");
   }
 
   @Test
   void consoleOfAServerTellsCausesOfFailures() {
-    assertThat(console(true))
+    assertThat(console(true, ""))
         .startsWith("S-001 incident 1", "java.lang.IllegalStateException: cause");
   }
 }

@@ -1,0 +1,192 @@
+package org.mechservice.cli.sweep;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
+import org.mechservice.cli.shell.ExitStatus;
+import org.mechservice.cli.shell.MechVersion;
+import org.mechservice.cli.shell.OutputFile;
+import org.mechservice.cli.shell.UsageException;
+import org.mechservice.cli.simulate.CancelOnInterrupt;
+import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.study.run.Study;
+import org.mechservice.study.run.StudyPart;
+import org.mechservice.study.run.StudyPlan;
+import org.mechservice.study.run.StudyReader;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code mech study}: many runs of a model, as a file describes them. */
+@Command(
+    name = "study",
+    description = {
+      "Runs a model at the points of a design, on all cores, and writes what is kept of each run"
+          + " as a row, in the order of the points.",
+      "What was interrupted is taken up again by the same command. The same file gives the same"
+          + " bytes with any number of threads, after interruptions and in parts."
+    },
+    subcommands = StudyJoinCommand.class,
+    mixinStandardHelpOptions = true,
+    versionProvider = MechVersion.class)
+public final class StudyCommand implements Callable<Integer> {
+  private static final double FIRST_WORD_SECONDS = 60;
+  private static final double NEXT_WORD_SECONDS = 300;
+
+  @Parameters(
+      arity = "0..1",
+      paramLabel = "STUDY.xml",
+      description = "The study: model, factors, design, outputs.")
+  private @Nullable Path file;
+
+  @Option(
+      names = {"-o", "--output"},
+      paramLabel = "FILE.csv",
+      description =
+          "The table to write (default: the study's name with .csv, in this folder); beside it"
+              + " FILE.study.json says where it comes from.")
+  private @Nullable Path out;
+
+  @Option(
+      names = "--threads",
+      paramLabel = "N",
+      description = "Runs at once (default: as many as there are processors).")
+  private int threads = Runtime.getRuntime().availableProcessors();
+
+  @Option(
+      names = "--part",
+      paramLabel = "I/N",
+      description =
+          "Run only part I of N, for array jobs; mech study join puts the parts together. A stop"
+              + " rule acts when they are joined.")
+  private String part = StudyPart.WHOLE.toString();
+
+  @Option(names = "--quiet", description = "Print nothing but errors.")
+  private boolean quiet;
+
+  @Spec private CommandSpec spec = CommandSpec.create();
+
+  @Override
+  public Integer call() throws IOException, InterruptedException {
+    if (file == null) {
+      throw new UsageException(
+          MessageCode.OPTION_UNUSABLE
+              + " no study is named; write mech study STUDY.xml, or mech study join PART.csv... -o"
+              + " ALL.csv");
+    }
+    if (threads < 1) {
+      throw new UsageException(
+          MessageCode.OPTION_UNUSABLE + " --threads is " + threads + "; it must be 1 or more");
+    }
+    StudyPart asked = part();
+    Path table = out == null ? Path.of(nameOf(file, asked)) : out;
+    requireCsv(table);
+    OutputFile.requireUsable(table);
+    StudyPlan plan;
+    try {
+      plan = StudyReader.read(file);
+    } catch (MechmlException e) {
+      throw new UsageException(String.valueOf(e.getMessage()));
+    }
+    Study study = new Study(plan, asked, plan.model());
+    Study.Result result;
+    try (CancelOnInterrupt interrupt = new CancelOnInterrupt()) {
+      interrupt.cancels(study::stop);
+      result = study.run(table, threads, new Forecast());
+    }
+    return tell(result, table);
+  }
+
+  private StudyPart part() {
+    try {
+      return StudyPart.parse(part);
+    } catch (IllegalArgumentException e) {
+      throw new UsageException(MessageCode.OPTION_UNUSABLE + " --part: " + e.getMessage());
+    }
+  }
+
+  private static String nameOf(Path file, StudyPart part) {
+    String name = String.valueOf(file.getFileName()).replaceFirst("\\.[^.]*$", "");
+    return name
+        + (part.equals(StudyPart.WHOLE) ? "" : "-" + part.number() + "of" + part.count())
+        + ".csv";
+  }
+
+  /** Refuses names of tables in other formats. */
+  static void requireCsv(Path table) {
+    if (!table.toString().toLowerCase(Locale.ROOT).endsWith(".csv")) {
+      throw new UsageException(
+          MessageCode.RESULT_FILE_NAME
+              + " -o "
+              + table
+              + ": the table of a study is written to a .csv file");
+    }
+  }
+
+  /** Says after a minute, and then now and again, how long it will take. */
+  private final class Forecast implements Study.Progress {
+    private final long begun = System.nanoTime();
+    private double next = FIRST_WORD_SECONDS;
+
+    @Override
+    public void at(int done, int before, int all) {
+      double seconds = (System.nanoTime() - begun) * 1e-9;
+      if (!quiet && seconds >= next && done < all) {
+        next = seconds + NEXT_WORD_SECONDS;
+        double left = seconds / (done - before) * (all - done);
+        err().println(done + " of " + all + " points; about " + duration(left) + " left");
+        err().flush();
+      }
+    }
+  }
+
+  private static String duration(double seconds) {
+    if (seconds < 120) {
+      return Math.round(seconds) + " s";
+    }
+    double minutes = seconds / 60;
+    return minutes < 120
+        ? Math.round(minutes) + " min"
+        : String.format(Locale.ROOT, "%.1f h", minutes / 60);
+  }
+
+  private int tell(Study.Result result, Path table) {
+    int done = result.statistics().rows();
+    if (!result.complete()) {
+      err()
+          .println(
+              MessageCode.RUN_STOPPED
+                  + " stopped on request: "
+                  + done
+                  + " of "
+                  + result.points()
+                  + " points are finished; the same command goes on");
+      return ExitStatus.INTERRUPTED;
+    }
+    if (!quiet) {
+      PrintWriter terminal = spec.commandLine().getOut();
+      int failed = result.statistics().failed();
+      terminal.println(
+          table
+              + ": "
+              + done
+              + " points"
+              + (result.before() > 0 ? ", " + result.before() + " of them finished before" : "")
+              + (result.endedByRule() ? "; the stop rule ended the study" : "")
+              + (failed > 0 ? "; " + failed + " failed: their rows say why" : ""));
+      result.statistics().lines().forEach(line -> terminal.println("  " + line));
+      terminal.flush();
+    }
+    return ExitStatus.DONE;
+  }
+
+  private PrintWriter err() {
+    return spec.commandLine().getErr();
+  }
+}
