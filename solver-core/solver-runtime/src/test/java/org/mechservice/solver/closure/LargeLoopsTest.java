@@ -3,11 +3,8 @@ package org.mechservice.solver.closure;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
-import java.util.Set;
 import org.apache.commons.math3.ode.FirstOrderDifferentialEquations;
 import org.apache.commons.math3.ode.nonstiff.DormandPrince853Integrator;
 import org.junit.jupiter.api.Test;
@@ -15,12 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.solver.api.JointType;
-import org.mechservice.solver.api.result.ResultSink;
-import org.mechservice.solver.api.result.Variable;
-import org.mechservice.solver.api.run.Checkpoints;
 import org.mechservice.solver.api.run.Outcome;
-import org.mechservice.solver.api.run.RunControl;
-import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.closure.assembly.Assembly;
 import org.mechservice.solver.closure.assembly.LoopFinding;
@@ -30,7 +22,6 @@ import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
-import org.mechservice.solver.simulation.RuntimeSolver;
 
 /** Mechanisms large enough for their matrices to be kept in their sparsity. */
 class LargeLoopsTest {
@@ -75,6 +66,7 @@ class LargeLoopsTest {
     "DSR, ode113, 1e-9",
     "DSR penalty, ode113, 1e-9",
     "DSR, ode15s, 1e-6",
+    "RR penalty, ode15sR, 1e-6",
     "RR-JF, ode15sR, 1e-6",
     "RR-JF penalty, ode15sR, 1e-6"
   })
@@ -176,65 +168,5 @@ class LargeLoopsTest {
       assertThat(y[i]).isCloseTo(y[0], within(1e-12));
       assertThat(y[row.positionCount() + i]).isCloseTo(y[row.positionCount()], within(1e-11));
     }
-  }
-
-  private static final class Rows implements ResultSink {
-    final List<double[]> rows = new ArrayList<>();
-
-    @Override
-    public void begin(List<Variable> columns) {}
-
-    @Override
-    public void row(double[] values) {
-      rows.add(values.clone());
-    }
-  }
-
-  private record Kept(List<byte[]> all, Optional<byte[]> saved) implements Checkpoints {
-    @Override
-    public double secondsBetween() {
-      return 0;
-    }
-
-    @Override
-    public String modelHash() {
-      return "cafe";
-    }
-
-    @Override
-    public void keep(byte[] checkpoint) {
-      all.add(checkpoint);
-    }
-  }
-
-  /** Pivots are taken up in their order, on which the last bits depend. */
-  @ParameterizedTest
-  @ValueSource(strings = {"DSR", "DSR penalty"})
-  void runTakenUpAnywhereHasTheSameRows(String formulation) throws IOException {
-    RunSettings settings = SceneRun.settings(0.2, 0.02, "ode113", 1e-6);
-    Rows whole = new Rows();
-    Kept everyStep = new Kept(new ArrayList<>(), Optional.empty());
-    run(formulation, settings, whole, everyStep);
-    for (int i = 0; i < everyStep.all.size(); i += 5) {
-      Rows rest = new Rows();
-      Optional<byte[]> saved = Optional.of(everyStep.all.get(i));
-      run(formulation, settings, rest, new Kept(new ArrayList<>(), saved));
-      int missing = whole.rows.size() - rest.rows.size();
-      for (int row = 0; row < rest.rows.size(); row++) {
-        assertThat(rest.rows.get(row)).containsExactly(whole.rows.get(missing + row));
-      }
-    }
-  }
-
-  private static void run(String formulation, RunSettings settings, Rows rows, Kept kept)
-      throws IOException {
-    Mechanism ring = Linkages.ring(110);
-    new RuntimeSolver()
-        .run(
-            LoopModels.of(ring, formulation, settings),
-            new RunRequest(settings, Set.of()),
-            rows,
-            new RunControl(),
-            kept);
   }
 }
