@@ -229,6 +229,35 @@ final class Linkages {
   }
 
   /**
+   * Windows of a left and a right upright and a coupler each, which share nothing but the ground.
+   */
+  static Mechanism separateWindows(int count, double speed) {
+    List<Body> bodies = new ArrayList<>();
+    List<Joint> joints = new ArrayList<>();
+    List<LoopClosure> closures = new ArrayList<>();
+    for (int i = 0; i < count; i++) {
+      Vector3 foot = X.times(2 * i);
+      Vector3 left = foot.plus(Z);
+      Vector3 right = left.plus(X);
+      int first = bodies.size();
+      bodies.add(bar("left" + i, foot, left, 1));
+      bodies.add(bar("right" + i, foot.plus(X), right, 1));
+      bodies.add(bar("coupler" + i, left, right, 1));
+      joints.add(turning("leftFoot" + i, BodyPoint.ROOT, first, foot, speed));
+      joints.add(turning("rightFoot" + i, BodyPoint.ROOT, first + 1, foot.plus(X), speed));
+      joints.add(turning("top" + i, first, first + 2, left, -speed));
+      closures.add(
+          new PointOnLineClosure(
+              "window" + i,
+              new BodyPoint(first + 2, right),
+              new BodyPoint(first + 1, right),
+              Y,
+              Origin.NONE));
+    }
+    return mechanism("separate windows", bodies, joints, closures);
+  }
+
+  /**
    * Bars of 1 m around a regular polygon, the last side being the ground, hinged at its corners.
    */
   static Mechanism ring(int sides) {

@@ -87,6 +87,31 @@ class LargeLoopsTest {
     }
   }
 
+  /** Many degrees of freedom: neither R nor the matrix along the loops may be formed. */
+  @ParameterizedTest
+  @CsvSource({
+    "DSR, ode113, 1e-9",
+    "DSR, ode15s, 1e-6",
+    "RR, ode15sR, 1e-6",
+    "RR-JF, ode15sR, 1e-6",
+    "RR-JF penalty, ode15sR, 1e-6"
+  })
+  void separateWindowsSwingAsPendulums(String formulation, String integrator, double tolerance) {
+    int count = 110;
+    RunSettings settings = SceneRun.settings(0.5, 0.1, integrator, tolerance);
+    Mechanism windows = Linkages.separateWindows(count, SPEED);
+    SceneRun run = LoopModels.run(windows, formulation, settings);
+    assertThat(run.report.outcome()).isInstanceOf(Outcome.Completed.class);
+    double[] angles = pendulum(1);
+    for (int row = 0; row < angles.length; row++) {
+      for (int i = 0; i < count; i++) {
+        // error ≤ 10 rtol, the run's promise
+        assertThat(run.rows.get(row)[1 + 3 * i]).isCloseTo(angles[row], within(10 * tolerance));
+        assertThat(run.rows.get(row)[3 + 3 * i]).isCloseTo(-angles[row], within(10 * tolerance));
+      }
+    }
+  }
+
   /** Hinges in place of points on lines: three of the five equations of each repeat the others. */
   @Test
   void everyRedundantEquationIsCountedAndNoneMatters() {

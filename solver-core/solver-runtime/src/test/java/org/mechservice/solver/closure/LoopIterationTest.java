@@ -100,7 +100,7 @@ class LoopIterationTest {
                   hGamma);
       RealMatrix schur = WholeStep.schurComplement(whole, nq);
       RealMatrix expected = along.transpose().multiply(schur).multiply(along);
-      RealMatrix reduced = WholeStep.square(model.reduced, model.closed.freedom());
+      RealMatrix reduced = WholeStep.square(model.reduced(), model.closed.freedom());
       double error = reduced.subtract(expected).getFrobeniusNorm();
       double size = along.getFrobeniusNorm() * schur.getFrobeniusNorm() * along.getFrobeniusNorm();
       assertThat(error).isLessThanOrEqualTo(1e-12 * size);

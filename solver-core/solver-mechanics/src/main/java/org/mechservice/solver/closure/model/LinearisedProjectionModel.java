@@ -9,8 +9,6 @@ import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.dynamics.derivative.TreeIteration;
 import org.mechservice.solver.dynamics.tree.TreePattern;
 import org.mechservice.solver.force.user.UserForceSource;
-import org.mechservice.solver.linear.DenseLu;
-import org.mechservice.solver.linear.LinearSolver;
 import org.mechservice.solver.linear.SparseMatrix;
 
 /**
@@ -25,6 +23,9 @@ import org.mechservice.solver.linear.SparseMatrix;
  */
 public final class LinearisedProjectionModel extends ResidualProjectionModel
     implements LinearisedModel {
+  /** Elements of Rᵀ A R to one of A above which the former is not formed. */
+  private static final int ELEMENTS = 8;
+
   public final ResidualJacobian jacobian;
   private final TreeIteration iteration;
   private final FurtherDerivatives further;
@@ -34,22 +35,15 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
   private final Partition velocities;
 
   private final Partition positions;
-  private final ProjectedMotion directions;
   private final SparseMatrix loopJacobian;
   private final SparseMatrix positionMatrix;
 
   /** λ at the state of the last linearisation. */
   public final double[] lambda;
 
-  private final double[] full;
-
-  /** The matrix of an implicit step, f × f. */
-  public final double[] reduced;
-
+  private final StepAlongLoops step;
   private final double[] right;
-  private final double[] carried;
   private final double[] dependent;
-  private final DenseLu lu;
   private int singular;
 
   /** Whether the last factorisation found pivots for all velocities. */
@@ -80,18 +74,17 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
     positions =
         Partition.of(
             completion.positionMatrix(), work.nq, rank + work.coordinates.ballCount(), large);
-    directions = new ProjectedMotion(work.nv, velocities);
     linearised = Partition.of(work.loops.jacobian, work.nv, rank, large);
     linearised.copyChoice(completion.ofVelocities());
     loopJacobian = work.loops.jacobian.sameShape();
     positionMatrix = completion.positionMatrix().sameShape();
     lambda = new double[work.loops.count()];
-    full = new double[work.isLarge() ? 0 : work.nv * work.nv];
-    reduced = new double[f * f];
+    step =
+        work.isLarge() && pattern.elementCount() < f * (double) f / ELEMENTS
+            ? new SparseStepAlongLoops(velocities, work.loops, work.units.velocities, pattern)
+            : new DenseStepAlongLoops(velocities, loopJacobian, work.isLarge());
     right = new double[f];
-    carried = new double[f];
     dependent = new double[positions.rank()];
-    lu = new DenseLu(f);
   }
 
   @Override
@@ -135,7 +128,7 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
     if (evaluate(t, y, yDot) != REGULAR) {
       return false;
     }
-    projected().multipliers(force, lambda);
+    completion.ofVelocities().multipliers(force, lambda);
     if (!work.linearise(t, acceleration, 0, lambda, jacobian)) {
       fail(work.forces.defect());
       return false;
@@ -143,6 +136,9 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
     iteration.setState(y);
     completion.formPositionMatrix(y);
     loopJacobian.copy(work.loops.jacobian);
+    if (step instanceof SparseStepAlongLoops sparse) {
+      sparse.linearise();
+    }
     positionMatrix.copy(completion.positionMatrix());
     bordered.setState(y);
     work.lineariseFurther(t, y, further);
@@ -158,18 +154,23 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
       isRegular = false;
       return false;
     }
-    directions.formTransformation(loopJacobian);
     iteration.form(hGamma);
-    if (work.isLarge()) {
-      directions.reduceSparse(iteration.matrix(), reduced);
-    } else {
-      iteration.matrix().toDense(full);
-      directions.reduceSquare(full, reduced);
-    }
-    int column = lu.factor(reduced);
-    singular = column == LinearSolver.NONSINGULAR ? 0 : velocities.independent[column];
-    isRegular = column == LinearSolver.NONSINGULAR;
+    int velocity = step.factor(iteration.matrix());
+    isRegular = velocity == StepAlongLoops.REGULAR;
+    singular = isRegular ? 0 : velocity;
     return isRegular && bordered.factor(hGamma);
+  }
+
+  /**
+   * Returns the matrix of an implicit step after {@link #factor}, f × f.
+   *
+   * @throws IllegalStateException if it is not formed, for many degrees of freedom
+   */
+  public double[] reduced() {
+    if (step instanceof DenseStepAlongLoops dense) {
+      return dense.reduced.clone();
+    }
+    throw new IllegalStateException("the equations of the step are kept with multipliers");
   }
 
   @Override
@@ -185,15 +186,7 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
     }
     Arrays.fill(r, work.nq, work.nq + work.nv, 0);
     double[] change = iteration.reduce(r);
-    directions.project(change, carried);
-    for (int j = 0; j < right.length; j++) {
-      right[j] += carried[j];
-    }
-    lu.solve(right);
-    for (int j = 0; j < right.length; j++) {
-      change[velocities.independent[j]] = right[j];
-    }
-    directions.expand(change, 0);
+    step.solve(right, change);
     iteration.expand(r);
   }
 

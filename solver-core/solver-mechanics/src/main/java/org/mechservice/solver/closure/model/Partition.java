@@ -22,6 +22,8 @@ public abstract class Partition {
   public final int[] independent;
   private final boolean[] isIndependent;
 
+  private final double[] ofDependent;
+
   /** Factors of rows and columns for the comparison of pivots. */
   final double[] rowScale;
 
@@ -35,6 +37,7 @@ public abstract class Partition {
     dependent = new int[rank];
     independent = new int[n - rank];
     isIndependent = new boolean[n];
+    ofDependent = new double[rank];
     rowScale = new double[m];
     columnScale = new double[n];
   }
@@ -196,4 +199,22 @@ public abstract class Partition {
 
   /** Solves A_kept,dependentᵀ x = b in place. */
   abstract void solveTransposed(double[] b);
+
+  /**
+   * Writes the multipliers of the kept equations, f + Aᵀ λ = 0, from the dependent unknowns; those
+   * of other equations are zero. The dependent block has been factored.
+   *
+   * @param f n numbers, such as M a + b − τ; not modified
+   * @param lambda one number per equation; overwritten
+   */
+  final void multipliers(double[] f, double[] lambda) {
+    for (int k = 0; k < rank; k++) {
+      ofDependent[k] = -f[dependent[k]];
+    }
+    solveTransposed(ofDependent);
+    Arrays.fill(lambda, 0);
+    for (int k = 0; k < rank; k++) {
+      lambda[kept[k]] = ofDependent[k];
+    }
+  }
 }

@@ -212,22 +212,4 @@ final class ProjectedMotion {
       }
     }
   }
-
-  /**
-   * Writes the multipliers of the kept equations, M a + b − τ + Jᵀ λ = 0, from the dependent
-   * velocities' equations; those of dropped equations are zero.
-   *
-   * @param residual M a + b − τ, n numbers; not modified
-   * @param lambda one number per equation; overwritten
-   */
-  void multipliers(double[] residual, double[] lambda) {
-    for (int i = 0; i < r; i++) {
-      column[i] = -residual[partition.dependent[i]];
-    }
-    partition.solveTransposed(column);
-    Arrays.fill(lambda, 0);
-    for (int i = 0; i < r; i++) {
-      lambda[partition.kept[i]] = column[i];
-    }
-  }
 }
