@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.concurrent.Callable;
 import org.mechservice.solver.catalogue.MessageCode;
 import picocli.AutoComplete;
+import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
@@ -14,14 +15,14 @@ import picocli.CommandLine.Spec;
     name = "completion",
     description = {
       "Prints a script that completes commands, options and their values.",
-      "bash: source <(mech completion bash)%nzsh:  source <(mech completion zsh)"
+      "bash: source <(mech completion bash)%nzsh:  source <(mech completion zsh)%nfish: mech completion fish | source"
     },
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class CompletionCommand implements Callable<Integer> {
-  private static final List<String> SHELLS = List.of("bash", "zsh");
+  private static final List<String> SHELLS = List.of("bash", "zsh", "fish");
 
-  @Parameters(paramLabel = "bash|zsh", description = "The shell.")
+  @Parameters(paramLabel = "bash|zsh|fish", description = "The shell.")
   private String shell = "";
 
   @Spec private CommandSpec spec = CommandSpec.create();
@@ -34,10 +35,13 @@ public final class CompletionCommand implements Callable<Integer> {
               + " completion: there is no script for \""
               + shell
               + "\"; there are "
-              + String.join(" and ", SHELLS));
+              + String.join(", ", SHELLS));
     }
-    // One script for both: it makes zsh read bash's completions.
-    spec.commandLine().getOut().print(AutoComplete.bash("mech", spec.root().commandLine()));
+    CommandLine root = spec.root().commandLine();
+    // One script for bash and zsh: it makes zsh read bash's completions.
+    String script =
+        shell.equals("fish") ? FishCompletion.of(root) : AutoComplete.bash("mech", root);
+    spec.commandLine().getOut().print(script);
     return ExitStatus.DONE;
   }
 }

@@ -43,6 +43,24 @@ class CompletionCommandTest {
   @Test
   void unknownShellIsNamedWithThoseThatAreKnown() {
     assertThat(mech("completion", "csh")).isEqualTo(ExitStatus.BAD_INPUT);
-    assertThat(err.toString()).contains("\"csh\"; there are bash and zsh");
+    assertThat(err.toString()).contains("\"csh\"; there are bash, zsh, fish");
+  }
+
+  @Test
+  void fishScriptHasCommandsAtTheirPlaceAndOptionsWithValues() {
+    assertThat(mech("completion", "fish")).isEqualTo(ExitStatus.DONE);
+    assertThat(out.toString().lines())
+        .allMatch(line -> line.startsWith("complete -c mech -n '"))
+        .anyMatch(line -> line.contains("'not __fish_seen_subcommand_from new simulate"))
+        .anyMatch(line -> line.contains(" -f -a simulate -d '"))
+        .anyMatch(
+            line ->
+                line.startsWith(
+                    "complete -c mech -n '__fish_seen_subcommand_from admin; and"
+                        + " __fish_seen_subcommand_from drain'"))
+        .anyMatch(
+            line ->
+                line.contains("'__fish_seen_subcommand_from simulate'")
+                    && line.contains(" -l integrator "));
   }
 }
