@@ -1,6 +1,7 @@
 package org.mechservice.cli.shell;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import picocli.CommandLine;
@@ -25,28 +26,27 @@ final class FishCompletion {
   }
 
   private void add(String program, List<String> path, CommandLine command) {
-    List<String> names =
-        command.getSubcommands().entrySet().stream()
-            .filter(entry -> !entry.getValue().getCommandSpec().usageMessage().hidden())
-            .map(Map.Entry::getKey)
-            .toList();
+    Map<String, CommandLine> shown = new LinkedHashMap<>(command.getSubcommands());
+    shown.values().removeIf(each -> each.getCommandSpec().usageMessage().hidden());
+    List<String> names = List.copyOf(shown.keySet());
     String start = "complete -c " + program + " -n " + quoted(condition(path, names));
-    for (String name : names) {
-      CommandLine subcommand = command.getSubcommands().get(name);
-      String what = summary(subcommand.getCommandSpec().usageMessage().description());
-      script.append(start).append(" -f -a ").append(name).append(what).append('\n');
-    }
+    shown.forEach(
+        (name, subcommand) -> {
+          String what = summary(subcommand.getCommandSpec().usageMessage().description());
+          script.append(start).append(" -f -a ").append(name).append(what).append('\n');
+        });
     for (OptionSpec option : command.getCommandSpec().options()) {
       if (!option.hidden()) {
         script.append(start).append(words(option)).append(summary(option.description()));
         script.append('\n');
       }
     }
-    for (String name : names) {
-      List<String> deeper = new ArrayList<>(path);
-      deeper.add(name);
-      add(program, deeper, command.getSubcommands().get(name));
-    }
+    shown.forEach(
+        (name, subcommand) -> {
+          List<String> deeper = new ArrayList<>(path);
+          deeper.add(name);
+          add(program, deeper, subcommand);
+        });
   }
 
   private static String condition(List<String> path, List<String> names) {
