@@ -133,4 +133,31 @@ public final class Reactions {
   public double drivingForce(int velocity) {
     return joints.drivingForce(velocity);
   }
+
+  /**
+   * Adds the power of what is prescribed in time, at the last {@link #evaluate}: the driving forces
+   * of the tree's joints, and λ Φ_t of the loops' equations, which is zero where time does not
+   * appear. It is unique even if multipliers are not, since Φ_t = −J v lies in the range of J.
+   *
+   * @param power sum and sum of the sizes, W, positive into the mechanism; added to
+   */
+  public void addPower(double[] power) {
+    double[] v = work.motion.v;
+    for (int i = work.nv; i < work.tree.velocityCount; i++) {
+      add(drivingForce(i) * v[i], power);
+    }
+    LoopEquations loops = work.loops;
+    for (int row = 0; row < multipliers.length; row++) {
+      double byTime = loops.rate[row];
+      for (int e = loops.jacobian.start[row]; e < loops.jacobian.start[row + 1]; e++) {
+        byTime -= loops.jacobian.value[e] * v[loops.jacobian.column[e]];
+      }
+      add(multipliers[row] * byTime, power);
+    }
+  }
+
+  private static void add(double term, double[] power) {
+    power[0] += term;
+    power[1] += Math.abs(term);
+  }
 }

@@ -137,7 +137,7 @@ public final class AnalysisSolver implements Solver {
         if (model.find(t, y) != ExplicitModel.REGULAR) {
           return failed(model, t);
         }
-        int column = rows.write(t, t, y, 0, 0);
+        int column = rows.write(t, y);
         if (column != RowWriter.ALL_FINITE) {
           return new Outcome.Failed(
               FailureText.notFiniteColumn(t, rows.columnName(column), rows.largestState()));

@@ -3,7 +3,6 @@ package org.mechservice.solver.simulation;
 import java.util.OptionalDouble;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.Energies;
-import org.mechservice.solver.api.capability.PowerInput;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.SavedState;
 
@@ -39,9 +38,6 @@ final class EnergyMonitor {
   static void requireBalance(Model model) {
     if (!(model instanceof Energies)) {
       throw unbalanced(model, "does not tell its energy");
-    }
-    if (model instanceof PowerInput input && !input.holdsAllPower()) {
-      throw unbalanced(model, "has loops with motions prescribed in time, whose work is not known");
     }
   }
 
@@ -79,6 +75,11 @@ final class EnergyMonitor {
     drift = Math.max(drift, latest);
     scale = Math.max(scale, Math.max(energy[0], Math.abs(energy[1] - initialPotential)));
     scale = Math.max(scale, turnover / 2);
+  }
+
+  /** Returns whether some work was done that is not in the balance. */
+  boolean isWorkUnknown() {
+    return workUnknown;
   }
 
   /** Returns the kinetic energy last observed, J. */

@@ -30,6 +30,8 @@ final class RowWriter {
   private final double[] poses;
   private final int positionCount;
   private final int velocityCount;
+  private final double[] energy = new double[2];
+  private double initialEnergy;
   private long rows;
 
   /**
@@ -105,6 +107,26 @@ final class RowWriter {
   }
 
   /**
+   * Writes the row of a state found without integration. All motion is prescribed or at rest, so
+   * the work since the first row is the change of the energy since then: what drives put in less
+   * what dampers and friction take out.
+   *
+   * @return as {@link #write(double, double, double[], double, double)}
+   */
+  int write(double t, double[] y) throws IOException {
+    double work = 0;
+    if (layout.energy() != RowLayout.ABSENT && model instanceof Energies energies) {
+      energies.energy(t, y, energy);
+      double total = energy[0] + energy[1];
+      if (rows == 0) {
+        initialEnergy = total;
+      }
+      work = total - initialEnergy;
+    }
+    return write(t, t, y, work, Math.abs(work));
+  }
+
+  /**
    * Copies a state as its row would have it.
    *
    * @param y state, which multipliers may follow; not modified
@@ -124,7 +146,9 @@ final class RowWriter {
 
   private boolean doesWorkUnmeasured(double t, double[] y) {
     return model instanceof PowerInput input
-        && (!input.holdsAllPower() || (!measuresWork() && input.power(t, y) != 0));
+        && !measuresWork()
+        && !energyMonitor.isWorkUnknown()
+        && input.power(t, y) != 0;
   }
 
   /** Returns the name of a column. */

@@ -140,6 +140,24 @@ class PrescribedModelTest {
     }
   }
 
+  /** Simpson's rule errs by h⁴/180 of the fourth derivative of the power: some 4e-9 · 1e4. */
+  @Test
+  void workIsThePowerOfTheDrivesOverTime() throws IOException {
+    Rows found = new Rows(driven(0, times(4, T)), 1, "joints,energy,drives");
+    double work = 0;
+    for (int i = 2; i < found.rows.size(); i += 2) {
+      work +=
+          0.01
+              / 3
+              * (found.value(i - 2, "j_crank.power")
+                  + 4 * found.value(i - 1, "j_crank.power")
+                  + found.value(i, "j_crank.power"));
+      assertThat(found.value(i, "energy.work")).isCloseTo(work, within(1e-4));
+    }
+    assertThat(found.value(0, "energy.work")).isZero();
+    assertThat(Math.abs(found.value(30, "energy.work"))).isGreaterThan(0.1);
+  }
+
   /** The spatial loop with its first joint driven, be it of the tree or cut; columns tell it. */
   @Test
   void driveIsTheSameWhetherItsJointIsCutOrNot() throws IOException {

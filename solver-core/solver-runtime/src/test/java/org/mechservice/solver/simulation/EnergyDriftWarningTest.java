@@ -93,11 +93,6 @@ class EnergyDriftWarningTest {
     public double power(double t, double[] y) {
       return brake(t) * y[1] * y[1];
     }
-
-    @Override
-    public boolean holdsAllPower() {
-      return true;
-    }
   }
 
   @Test

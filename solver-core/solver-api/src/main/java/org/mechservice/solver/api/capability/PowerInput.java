@@ -21,12 +21,4 @@ public interface PowerInput {
   default double turnover(double t, double[] y) {
     return Math.abs(power(t, y));
   }
-
-  /**
-   * Returns whether {@link #power} is complete. It is not if loops contain prescribed motions:
-   * their forces are multipliers, which do not follow from the state.
-   */
-  default boolean holdsAllPower() {
-    return true;
-  }
 }

@@ -39,8 +39,13 @@ public abstract class LoopModel
   private final Map<Kind, Integer> noted = new EnumMap<>(Kind.class);
   private final double[] derivative;
 
-  /** Power and turnover. */
+  private final boolean movedByTime;
+
+  /** Power and turnover at {@link #powerTime} and {@link #powerState}, W. */
   private final double[] power = new double[2];
+
+  private double powerTime = Double.NaN;
+  private final double[] powerState;
 
   private Optional<Reactions> reactions = Optional.empty();
   private Optional<LoopProjection> afterJumps = Optional.empty();
@@ -54,6 +59,8 @@ public abstract class LoopModel
     this.closed = closed;
     work = closed.newEquations(userForces);
     derivative = new double[work.stateCount];
+    movedByTime = closed.isMovedByTime();
+    powerState = new double[work.stateCount];
     closed.start().findings().forEach(this::note);
   }
 
@@ -168,21 +175,34 @@ public abstract class LoopModel
     work.energy(t, y, energy);
   }
 
+  /** {@inheritDoc} NaN where the accelerations or a force have no value. */
   @Override
   public final double power(double t, double[] y) {
-    work.power(t, y, power);
+    evaluatePower(t, y);
     return power[0];
   }
 
   @Override
   public final double turnover(double t, double[] y) {
-    work.power(t, y, power);
+    evaluatePower(t, y);
     return power[1];
   }
 
-  @Override
-  public final boolean holdsAllPower() {
-    return !closed.isMovedByTime();
+  /** Both are asked for at the same state; motions prescribed in time need the reactions there. */
+  private void evaluatePower(double t, double[] y) {
+    if (t == powerTime && Arrays.equals(y, 0, work.stateCount, powerState, 0, work.stateCount)) {
+      return;
+    }
+    powerTime = t;
+    System.arraycopy(y, 0, powerState, 0, work.stateCount);
+    work.power(t, y, power);
+    if (movedByTime) {
+      if (react(t, y) == REGULAR) {
+        reactions().addPower(power);
+      } else {
+        Arrays.fill(power, Double.NaN);
+      }
+    }
   }
 
   @Override
