@@ -15,14 +15,14 @@ public class ChainGrowth extends Measured {
   @Param({"10", "30", "100", "300", "1000"})
   public int links;
 
-  private ExplicitModel model = new DataDrivenModel(LinkChain.of(1), Scenes.SETTINGS);
+  private ExplicitModel model = new DataDrivenModel(LinkChain.of(1), MeasuredScenes.SETTINGS);
   private double[] y = {};
   private double[] yDot = {};
 
   /** Builds the chain. */
   @Setup
   public void prepare() {
-    model = new DataDrivenModel(LinkChain.of(links), Scenes.SETTINGS);
+    model = new DataDrivenModel(LinkChain.of(links), MeasuredScenes.SETTINGS);
     y = new double[model.description().stateCount()];
     yDot = new double[y.length];
     model.initialState(y);

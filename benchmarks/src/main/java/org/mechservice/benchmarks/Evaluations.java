@@ -33,10 +33,11 @@ public class Evaluations extends Measured {
   /** Prepares the models. */
   @Setup
   public void prepare() {
-    Mechanism mechanism = Scenes.named(scene).mechanism();
+    Mechanism mechanism = MeasuredScenes.named(scene).mechanism();
     articulated = articulated(mechanism);
-    semiRecursive = new SemiRecursiveModel(mechanism, Scenes.SETTINGS, UserForceSource.NONE);
-    residual = new RecursiveResidualModel(mechanism, Scenes.SETTINGS, UserForceSource.NONE);
+    semiRecursive =
+        new SemiRecursiveModel(mechanism, MeasuredScenes.SETTINGS, UserForceSource.NONE);
+    residual = new RecursiveResidualModel(mechanism, MeasuredScenes.SETTINGS, UserForceSource.NONE);
     linearised = linearised(mechanism);
     y = new double[articulated.description().stateCount()];
     yDot = new double[y.length];
@@ -48,12 +49,15 @@ public class Evaluations extends Measured {
   }
 
   private static ExplicitModel articulated(Mechanism mechanism) {
-    return new DataDrivenModel(mechanism, Scenes.SETTINGS);
+    return new DataDrivenModel(mechanism, MeasuredScenes.SETTINGS);
   }
 
   private static LinearisedResidualModel linearised(Mechanism mechanism) {
     return new LinearisedResidualModel(
-        mechanism, Scenes.SETTINGS, UserForceSource.NONE, LinearisedResidualModel.Mode.FULL);
+        mechanism,
+        MeasuredScenes.SETTINGS,
+        UserForceSource.NONE,
+        LinearisedResidualModel.Mode.FULL);
   }
 
   /** y' by articulated bodies. */

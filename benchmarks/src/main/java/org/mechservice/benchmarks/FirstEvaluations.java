@@ -52,7 +52,7 @@ public final class FirstEvaluations {
   public static void main(String[] args) throws IOException, ReflectiveOperationException {
     switch (args[0]) {
       case "evaluate" -> evaluate(args[1]);
-      case "generate" -> System.out.println(bytes(Scenes.named(args[1])));
+      case "generate" -> System.out.println(bytes(MeasuredScenes.named(args[1])));
       case "generateWarm" -> generateWarm(args[1]);
       default -> {
         Path folder = Files.createTempDirectory("first-evaluations");
@@ -86,7 +86,7 @@ public final class FirstEvaluations {
 
   /** In a new process: generates and compiles again and again, by class bytes and by source. */
   private static void generateWarm(String scene) {
-    MechmlModel model = Scenes.named(scene);
+    MechmlModel model = MeasuredScenes.named(scene);
     double bytes = least(() -> bytes(model));
     double source = least(() -> source(model));
     System.out.println(bytes + " " + source);
@@ -104,7 +104,7 @@ public final class FirstEvaluations {
   }
 
   private static BuildOptions options(boolean compact) {
-    return new BuildOptions("DTR", "auto", compact, Set.of(), Scenes.SETTINGS);
+    return new BuildOptions("DTR", "auto", compact, Set.of(), MeasuredScenes.SETTINGS);
   }
 
   private static double bytes(MechmlModel model) {
@@ -157,7 +157,7 @@ public final class FirstEvaluations {
 
   private double[] row(String scene, String form, boolean compact) throws IOException {
     BuildOptions options = options(compact);
-    MechmlModel model = Scenes.named(scene);
+    MechmlModel model = MeasuredScenes.named(scene);
     CompiledModel compiled =
         ModelFactory.compile(model, options, ModelFactory.generate(model, options));
     Path classes = Files.createTempDirectory(folder, scene);

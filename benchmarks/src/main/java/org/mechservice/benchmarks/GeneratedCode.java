@@ -30,7 +30,8 @@ public class GeneratedCode extends Measured {
   /** Generates, writes and loads the class. */
   @Setup
   public void prepare() {
-    ExplicitModel made = (ExplicitModel) Scenes.generated(Scenes.named(scene), formulation);
+    ExplicitModel made =
+        (ExplicitModel) MeasuredScenes.generated(MeasuredScenes.named(scene), formulation);
     y = new double[made.description().stateCount()];
     yDot = new double[y.length];
     values = new double[y.length];

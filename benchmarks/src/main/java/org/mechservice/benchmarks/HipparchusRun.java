@@ -5,8 +5,8 @@ import org.hipparchus.ode.ODEState;
 import org.hipparchus.ode.OrdinaryDifferentialEquation;
 import org.hipparchus.ode.sampling.ODEStateInterpolator;
 import org.hipparchus.ode.sampling.ODEStepHandler;
-import org.mechservice.solver.ode.suite.Reference;
 import org.mechservice.solver.ode.suite.SuiteProblem;
+import org.mechservice.solver.ode.suite.VerifiedValues;
 
 /** Runs of an integrator of Hipparchus. */
 final class HipparchusRun implements ComparedIntegrator.ProblemRun {
@@ -20,7 +20,7 @@ final class HipparchusRun implements ComparedIntegrator.ProblemRun {
 
   @Override
   public ComparedIntegrator.Cost toEnd(SuiteProblem problem) {
-    Reference reference = problem.reference();
+    VerifiedValues reference = problem.reference();
     count.steps = 0;
     integrator.integrate(
         new Equations(problem), new ODEState(0, reference.initialState()), reference.end());

@@ -38,8 +38,10 @@ public class ImplicitSteps extends Measured {
   /** Generates, writes and loads the classes, and forms what the factorisations start from. */
   @Setup
   public void prepare() {
-    LinearisedModel linearised = (LinearisedModel) Scenes.generated(Scenes.named(scene), "RR-JF");
-    ExplicitModel explicit = (ExplicitModel) Scenes.generated(Scenes.named(scene), "DTR");
+    LinearisedModel linearised =
+        (LinearisedModel) MeasuredScenes.generated(MeasuredScenes.named(scene), "RR-JF");
+    ExplicitModel explicit =
+        (ExplicitModel) MeasuredScenes.generated(MeasuredScenes.named(scene), "DTR");
     int n = explicit.description().stateCount();
     y = new double[n];
     yDot = new double[n];

@@ -8,7 +8,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.mechservice.benchmarks.paper.PaperReport;
-import org.mechservice.benchmarks.study.Study;
+import org.mechservice.benchmarks.study.MethodStudy;
 import org.mechservice.benchmarks.study.StudyContext;
 import org.mechservice.benchmarks.suite.SuiteReport;
 import org.mechservice.client.MechConnection;
@@ -107,7 +107,7 @@ public final class MethodReports {
     try (EmbeddedService service = new EmbeddedService()) {
       StudyContext context =
           new StudyContext(service.connection()::openSession, quick, suite, line);
-      for (Study study : Study.all(context)) {
+      for (MethodStudy study : MethodStudy.all(context)) {
         if (wanted.equals(ALL) || wanted.equals(study.name())) {
           System.out.println(study.write(folder, context));
         }
@@ -125,7 +125,7 @@ public final class MethodReports {
             true,
             List.of(),
             (what, done, left) -> {});
-    return Study.all(none).stream().map(Study::name).toList();
+    return MethodStudy.all(none).stream().map(MethodStudy::name).toList();
   }
 
   /** A server within this process, on a free port of the loopback address, and its client. */

@@ -34,8 +34,8 @@ public class ModelBuilding extends Measured {
   /** Reads the scene and generates its code once. */
   @Setup
   public void prepare() {
-    model = Scenes.named(scene);
-    options = Scenes.options(formulation);
+    model = MeasuredScenes.named(scene);
+    options = MeasuredScenes.options(formulation);
     generated = generation();
   }
 

@@ -19,6 +19,6 @@ public class ModelReading extends Measured {
   /** From bytes to a checked mechanism. */
   @Benchmark
   public MechmlModel reading() {
-    return Scenes.named(scene);
+    return MeasuredScenes.named(scene);
   }
 }

@@ -16,7 +16,7 @@ public class PeerEvaluations extends Measured {
   @Param({"pend5", "pend5s", "driver41", "spatial200", "driver", "fourbar"})
   public String scene = "";
 
-  private ExplicitModel model = new DataDrivenModel(LinkChain.of(1), Scenes.SETTINGS);
+  private ExplicitModel model = new DataDrivenModel(LinkChain.of(1), MeasuredScenes.SETTINGS);
   private double[] y = {};
   private double[] yDot = {};
   private double move = 1e-9;
@@ -24,8 +24,8 @@ public class PeerEvaluations extends Measured {
   /** Generates and loads. */
   @Setup
   public void prepare() {
-    MechmlModel named = Scenes.named(scene);
-    model = (ExplicitModel) Scenes.generated(named, Scenes.forwardDynamics(named));
+    MechmlModel named = MeasuredScenes.named(scene);
+    model = (ExplicitModel) MeasuredScenes.generated(named, MeasuredScenes.forwardDynamics(named));
     y = new double[model.description().stateCount()];
     yDot = new double[y.length];
     model.initialState(y);

@@ -25,7 +25,8 @@ public class PeerJacobians extends Measured {
   /** Generates and loads. */
   @Setup
   public void prepare() {
-    TreeStepModel made = (TreeStepModel) Scenes.generated(Scenes.named(scene), "RR-JF");
+    TreeStepModel made =
+        (TreeStepModel) MeasuredScenes.generated(MeasuredScenes.named(scene), "RR-JF");
     int states = made.description().stateCount();
     y = new double[states];
     yDot = new double[states];

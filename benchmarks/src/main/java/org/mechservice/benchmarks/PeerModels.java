@@ -33,11 +33,11 @@ public final class PeerModels {
   }
 
   private static void write(Path folder, String name) throws IOException {
-    MechmlModel model = Scenes.named(name);
+    MechmlModel model = MeasuredScenes.named(name);
     Mechanism mechanism = model.mechanism();
     // C gets the code that is written out; Java the form that the generator chooses.
     BuildOptions options =
-        new BuildOptions(Scenes.forwardDynamics(model), Set.of(), Scenes.SETTINGS)
+        new BuildOptions(MeasuredScenes.forwardDynamics(model), Set.of(), MeasuredScenes.SETTINGS)
             .in(CodeForm.STRAIGHT);
     GeneratedModel generated = ModelFactory.generate(model, options);
     double[] y = new double[mechanism.positionCount() + mechanism.velocityCount()];

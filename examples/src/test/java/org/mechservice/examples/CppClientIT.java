@@ -64,9 +64,9 @@ class CppClientIT {
             "java.csv")
         .orFail();
 
-    ResultTable java = ResultTable.read(directory.resolve("java.csv"));
+    ResultRows java = ResultRows.read(directory.resolve("java.csv"));
     // 17 digits read back to the same double: the tables are equal, not close.
-    assertThat(ResultTable.read(directory.resolve("r.csv"))).isEqualTo(java);
+    assertThat(ResultRows.read(directory.resolve("r.csv"))).isEqualTo(java);
   }
 
   @Test
@@ -93,7 +93,7 @@ class CppClientIT {
   void optionsReachTheServer() {
     terminal.shell(runCommand.replace("r.csv", "tight.csv rtol=1e-10 atol=1e-12")).orFail();
 
-    assertThat(PendulumReference.errorOf(ResultTable.read(directory.resolve("tight.csv"))))
+    assertThat(PendulumReference.errorOf(ResultRows.read(directory.resolve("tight.csv"))))
         .isLessThan(1e-8);
   }
 

@@ -42,7 +42,7 @@ class ElementExamplesIT {
     Mechanic.simulate(model, rows, "--quiet").orFail();
 
     String said = END.matcher(Files.readString(model)).results().findFirst().orElseThrow().group(1);
-    ResultTable table = ResultTable.read(rows);
+    ResultRows table = ResultRows.read(rows);
     assertThat(VALUE.matcher(said).results()).isNotEmpty();
     for (MatchResult value : VALUE.matcher(said).results().toList()) {
       double[] column = table.column(value.group(1));

@@ -63,7 +63,7 @@ class ExtremesIT {
       assertThat(run.status()).as(run.toString()).isZero();
       Optional<ReferenceSolution> reference = ReferenceSolution.of(model);
       if (reference.isPresent()) {
-        ResultTable results = ResultTable.read(rows);
+        ResultRows results = ResultRows.read(rows);
         double end = results.rows().get(results.rows().size() - 1).get(0);
         assertThat(reference.get().errorOf(results, end)).isLessThan(one.bound());
       }

@@ -51,7 +51,7 @@ record ReferenceSolution(List<Double> times, List<List<Double>> states) {
    *
    * @param results must have a row at every time of the reference up to then
    */
-  double errorOf(ResultTable results, double tLast) {
+  double errorOf(ResultRows results, double tLast) {
     int positions =
         (int) results.columns().stream().filter(c -> c.matches(".*\\.q(\\[\\d+])?")).count();
     double largest = 0;

@@ -72,10 +72,10 @@ class SceneIT {
     return SCENES.lines().map(line -> Arguments.of((Object[]) line.split(", ")));
   }
 
-  private ResultTable simulate(String model, String... options) {
+  private ResultRows simulate(String model, String... options) {
     Path rows = directory.resolve("r.csv");
     Mechanic.simulate(EXAMPLES.resolve(model), rows, options).orFail();
-    return ResultTable.read(rows);
+    return ResultRows.read(rows);
   }
 
   /**
@@ -90,7 +90,7 @@ class SceneIT {
       throws IOException {
     String atol = Double.toString(Double.parseDouble(rtol) / 100);
     String tEnd = Double.toString(tLast);
-    ResultTable results =
+    ResultRows results =
         simulate(
             model,
             "--integrator",
@@ -115,7 +115,7 @@ class SceneIT {
    */
   @Test
   void suspensionOfElementsMovesAsThatOfClassesToTheLeanOfItsContact() throws IOException {
-    ResultTable results =
+    ResultRows results =
         simulate(
             "five-point-suspension/variants/elements.xml",
             "--integrator",
@@ -187,7 +187,7 @@ class SceneIT {
   @Test
   void bodyTurningAboutItsMiddleAxisKeepsEnergyAndAngularMomentum() {
     String model = "benchmarks/dzhanibekov.xml";
-    ResultTable results =
+    ResultRows results =
         simulate(
             model,
             "--rtol",
@@ -207,7 +207,7 @@ class SceneIT {
   }
 
   /** Returns |L| at each time: inertia 1, 2, 3 kg m^2 about the body's axes. */
-  private static double[] angularMomentum(ResultTable results) {
+  private static double[] angularMomentum(ResultRows results) {
     String body =
         results.columns().stream().filter(c -> c.endsWith(".wx")).findFirst().orElseThrow();
     String name = body.substring(0, body.length() - 3);
@@ -242,7 +242,7 @@ class SceneIT {
 
   @Test
   void fastRotorKeepsItsEulerParametersNormal() {
-    ResultTable results =
+    ResultRows results =
         simulate(
             "extremes/high_spin_1e5_sym.xml",
             "--rtol",
@@ -274,7 +274,7 @@ class SceneIT {
     Path model = EXAMPLES.resolve("extremes/slider_crank_singular.xml");
     Path rows = directory.resolve("r.csv");
     Mechanic.Done run = Mechanic.simulate(model, rows, "--rtol", "1e-8", "--atol", "1e-10");
-    ResultTable results = ResultTable.read(rows);
+    ResultRows results = ResultRows.read(rows);
     double reached = results.rows().get(results.rows().size() - 1).get(0);
     assertThat(ReferenceSolution.of(model).orElseThrow().errorOf(results, reached))
         .isLessThan(1e-5);

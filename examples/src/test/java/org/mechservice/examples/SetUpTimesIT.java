@@ -168,7 +168,7 @@ class SetUpTimesIT {
                 tolerance[1],
                 "--out",
                 "r.csv");
-        double error = PendulumReference.errorOf(ResultTable.read(directory.resolve("r.csv")));
+        double error = PendulumReference.errorOf(ResultRows.read(directory.resolve("r.csv")));
         line(
             "| %s | %s | %s | %.0f | %.0f | %.0f | %.1e | %.1e J |",
             integrator,

@@ -24,7 +24,7 @@ class SimulatePendulumIT {
     terminal = new Terminal(directory);
   }
 
-  private ResultTable results(String... options) {
+  private ResultRows results(String... options) {
     String[] command = new String[options.length + 4];
     command[0] = "simulate";
     command[1] = MODEL;
@@ -32,13 +32,13 @@ class SimulatePendulumIT {
     command[3] = "r.csv";
     System.arraycopy(options, 0, command, 4, options.length);
     terminal.mech(command).orFail();
-    return ResultTable.read(directory.resolve("r.csv"));
+    return ResultRows.read(directory.resolve("r.csv"));
   }
 
   @ParameterizedTest
   @ValueSource(strings = {"DE", "ode113"})
   void tightTolerancesReproduceTheReference(String integrator) {
-    ResultTable results = results("--integrator", integrator, "--rtol", "1e-10", "--atol", "1e-12");
+    ResultRows results = results("--integrator", integrator, "--rtol", "1e-10", "--atol", "1e-12");
 
     // The project's own bound: a hundred times the tolerance, for what the motion amplifies in 3 s.
     assertThat(PendulumReference.errorOf(results)).isLessThan(1e-8);
@@ -53,7 +53,7 @@ class SimulatePendulumIT {
 
   @Test
   void csvHasTimeThenPositionsThenVelocitiesAtEveryOutputTime() throws IOException {
-    ResultTable results = results();
+    ResultRows results = results();
 
     assertThat(results.columns())
         .containsExactly(
@@ -104,7 +104,7 @@ class SimulatePendulumIT {
 
   @Test
   void commandLineOverridesTheFile() {
-    ResultTable results = results("--t-end", "0.5", "--t-step", "0.25");
+    ResultRows results = results("--t-end", "0.5", "--t-step", "0.25");
 
     assertThat(results.column("t")).containsExactly(0, 0.25, 0.5);
   }

@@ -52,8 +52,8 @@ class UserForcesIT {
         "1e-10");
 
     assertThat(
-            ResultTable.read(directory.resolve("r.csv"))
-                .distanceTo(ResultTable.read(EXAMPLES.resolve(reference)), Double.MAX_VALUE))
+            ResultRows.read(directory.resolve("r.csv"))
+                .distanceTo(ResultRows.read(EXAMPLES.resolve(reference)), Double.MAX_VALUE))
         .isLessThan(TOLERANCES * 1e-8);
   }
 

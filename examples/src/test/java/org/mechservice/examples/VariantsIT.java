@@ -25,8 +25,8 @@ class VariantsIT {
     return Report.printedBy(new Terminal(directory).mech(command));
   }
 
-  private ResultTable results() {
-    return ResultTable.read(directory.resolve("r.csv"));
+  private ResultRows results() {
+    return ResultRows.read(directory.resolve("r.csv"));
   }
 
   /** The rail bears no horizontal force. */
@@ -34,7 +34,7 @@ class VariantsIT {
   void horizontalMomentumOfCartAndBarIsKept() {
     simulate("cart.xml");
 
-    ResultTable results = results();
+    ResultRows results = results();
     double[] cartSpeed = results.column("slide.v");
     double[] angle = results.column("swing.q");
     double[] rate = results.column("swing.v");

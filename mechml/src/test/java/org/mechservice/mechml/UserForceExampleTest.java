@@ -56,7 +56,7 @@ class UserForceExampleTest {
   @ParameterizedTest
   void classesDoWhatElementsDo(String folder, String file, String variant, double derivatives)
       throws Exception {
-    UserForceSource source = UserClasses.compile(EXAMPLES.resolve(folder), classes);
+    UserForceSource source = CompiledSources.compile(EXAMPLES.resolve(folder), classes);
     Mechanism withClasses = read(folder, file);
     Mechanism withElements = read(folder, variant);
     long seed = 20030214;

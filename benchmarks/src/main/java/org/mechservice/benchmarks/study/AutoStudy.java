@@ -23,7 +23,7 @@ import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.capability.ExplicitModel;
 
 /** Cost of the automatic choice beside that of the best fixed one, on stiff scenes and others. */
-final class AutoStudy implements Study {
+final class AutoStudy implements MethodStudy {
   /**
    * With gaps of two decades, an error just missed cost a method two decades more. To 1e-10, for an
    * implicit method may err by some hundred times its tolerance and be the cheapest all the same.

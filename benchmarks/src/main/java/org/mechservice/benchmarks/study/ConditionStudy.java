@@ -12,7 +12,7 @@ import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.linear.SingularValues;
 
 /** Digits lost in accelerations against the condition of the mass matrix. */
-final class ConditionStudy implements Study {
+final class ConditionStudy implements MethodStudy {
   private static final double[] RATIOS = {1e-8, 1e-6, 1e-4, 1e-2, 1, 1e2, 1e4, 1e6, 1e8};
   private static final int[] LENGTHS = {2, 5, 10, 20, 50, 100, 200};
   private static final double EPSILON = Math.ulp(1.0) / 2;

@@ -11,7 +11,7 @@ import org.mechservice.report.method.ModelProblem;
 import org.mechservice.report.page.SolverChart;
 
 /** Steps and cost of explicit and implicit methods as damping and stiffness grow. */
-final class DampingStudy implements Study {
+final class DampingStudy implements MethodStudy {
   private static final double[] STIFFNESS = {1e2, 1e4, 1e6, 1e8};
   private static final double[] RATIO = {0, 1e-4, 1e-3, 1e-2, 1e-1, 1, 10};
   private static final int BARS = 5;

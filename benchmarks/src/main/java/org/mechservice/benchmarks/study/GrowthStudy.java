@@ -15,7 +15,7 @@ import org.mechservice.solver.ode.stiff.Ode15s;
  * themselves, their step held by its bound and their order by its own, with tolerances that accept
  * everything.
  */
-final class GrowthStudy implements Study {
+final class GrowthStudy implements MethodStudy {
   private static final double ACCEPTS_ALL = 1e30;
   private static final int WARM_UP_STEPS = 200;
   private static final double[] SIZES = {0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10};

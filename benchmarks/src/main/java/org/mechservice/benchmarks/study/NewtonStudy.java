@@ -19,7 +19,7 @@ import org.mechservice.solver.linear.LinearSolver;
  * Jacobian: with the whole Jacobian, with that of the forces alone, and with differences; and what
  * the integrator makes of them.
  */
-final class NewtonStudy implements Study {
+final class NewtonStudy implements MethodStudy {
   private static final int BARS = 8;
   private static final double STIFFNESS = 1e4;
   private static final double DAMPING = 1e2;

@@ -22,7 +22,7 @@ import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.catalogue.MethodNames;
 
 /** Energy, momentum and open loops over very many periods: bounded, linear or quadratic. */
-final class PeriodsStudy implements Study {
+final class PeriodsStudy implements MethodStudy {
   private static final double TOLERANCE = 1e-8;
   private static final int ROWS = 2000;
 

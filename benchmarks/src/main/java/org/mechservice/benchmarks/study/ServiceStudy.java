@@ -18,7 +18,7 @@ import org.mechservice.report.stability.ExtremeCase;
 import org.mechservice.solver.api.run.Outcome;
 
 /** The extreme scenes run on the server and here: the same bits, and the same words. */
-final class ServiceStudy implements Study {
+final class ServiceStudy implements MethodStudy {
   private static final String OUT_OF_TIME = "stopped when its time was over";
 
   private final StudyContext context;
@@ -55,7 +55,7 @@ final class ServiceStudy implements Study {
             + " its first rows are compared.",
         limit);
     StudyPage.Table table =
-        page.table("Scenes", "scene", "rows", "same bits", "same words", "how it ended");
+        page.table("MeasuredScenes", "scene", "rows", "same bits", "same words", "how it ended");
     int cases = 0;
     int same = 0;
     List<String> different = new ArrayList<>();

@@ -16,7 +16,7 @@ import org.mechservice.report.page.SolverChart;
 import org.mechservice.solver.api.capability.ExplicitModel;
 
 /** Error against the distance at which a singular position is passed, for each closure. */
-final class SingularStudy implements Study {
+final class SingularStudy implements MethodStudy {
   private static final double[] DISTANCES = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8};
   private static final double TOLERANCE = 1e-8;
 

@@ -22,7 +22,7 @@ import org.mechservice.solver.catalogue.MessageCode;
  * Starts off the constraint manifold: how far the assembly moves them, and the remaining difference
  * at the end.
  */
-final class StartStudy implements Study {
+final class StartStudy implements MethodStudy {
   private static final double[] OFFSETS = {
     1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2
   };

@@ -47,22 +47,22 @@ final class HipparchusRunner {
   }
 
   /** Returns the names of the integrators that take a problem: all are for nonstiff ones. */
-  static List<String> integrators(SuiteProblem problem) {
+  static List<String> integrators(ProblemFile problem) {
     return problem.isExplicit() && !problem.isStiff()
         ? INTEGRATORS.keySet().stream().sorted().toList()
         : List.of();
   }
 
   /** Runs a problem once. */
-  static SuiteRun run(SuiteProblem problem, String name, double tolerance, double limit) {
+  static SuiteRun run(ProblemFile problem, String name, double tolerance, double limit) {
     SuiteEquations equations = new SuiteEquations(problem);
-    double[] scales = SuiteProblem.numbers(problem.scale);
+    double[] scales = ProblemFile.numbers(problem.scale);
     double[] tolerances = new double[scales.length + 1];
     tolerances[0] = tolerance;
     for (int i = 0; i < scales.length; i++) {
       tolerances[i + 1] = tolerance * scales[i];
     }
-    double t0 = SuiteProblem.numbers(List.of(problem.t0))[0];
+    double t0 = ProblemFile.numbers(List.of(problem.t0))[0];
     double t1 = equations.number(problem.t1);
     double[] span = {0, t1 - t0};
     AdaptiveStepsizeIntegrator integrator = maker(name).apply(span, tolerances);
@@ -74,7 +74,7 @@ final class HipparchusRunner {
     double error = Double.NaN;
     try {
       ODEStateAndDerivative end =
-          integrator.integrate(watched, new ODEState(t0, SuiteProblem.numbers(problem.y0)), t1);
+          integrator.integrate(watched, new ODEState(t0, ProblemFile.numbers(problem.y0)), t1);
       error = problem.error(end.getPrimaryState());
     } catch (TooLong e) {
       cause = deadline.cause();

@@ -45,7 +45,7 @@ final class PythonIntegrators {
    * @param limit of the processor time of one run, s
    */
   static PythonIntegrators of(
-      List<SuiteProblem> problems, double[] tolerances, double limit, ReportProgress progress)
+      List<ProblemFile> problems, double[] tolerances, double limit, ReportProgress progress)
       throws IOException {
     PythonIntegrators peers = new PythonIntegrators();
     Path script = Files.createTempFile("mech-peers", ".py");
@@ -63,7 +63,7 @@ final class PythonIntegrators {
 
   private void run(
       Path script,
-      List<SuiteProblem> problems,
+      List<ProblemFile> problems,
       double[] tolerances,
       double limit,
       ReportProgress progress)
@@ -105,7 +105,7 @@ final class PythonIntegrators {
     }
   }
 
-  private static int order(List<SuiteProblem> problems, String line) {
+  private static int order(List<ProblemFile> problems, String line) {
     int order = 0;
     while (order < problems.size() - 1 && !line.startsWith(problems.get(order).id + ",")) {
       order++;
@@ -127,10 +127,10 @@ final class PythonIntegrators {
             fields[FIELDS - 1]));
   }
 
-  private static String input(List<SuiteProblem> problems) {
+  private static String input(List<ProblemFile> problems) {
     Gson gson = new Gson();
     JsonArray all = new JsonArray();
-    for (SuiteProblem problem : problems) {
+    for (ProblemFile problem : problems) {
       if (problem.isExplicit()) {
         JsonObject one = gson.toJsonTree(problem).getAsJsonObject();
         one.addProperty("end", new SuiteEquations(problem).number(problem.t1));

@@ -11,7 +11,7 @@ import org.mechservice.solver.ode.ResidualSystem;
 
 /** A problem of the suite as equations, in explicit form where it has one, and in residual form. */
 final class SuiteEquations implements OdeSystem, ResidualSystem {
-  private final SuiteProblem problem;
+  private final ProblemFile problem;
   private final int n;
   private final Map<String, Integer> slots = new HashMap<>();
   private final double[] values;
@@ -25,7 +25,7 @@ final class SuiteEquations implements OdeSystem, ResidualSystem {
 
   private record Entry(int row, int column, Formula.Node value) {}
 
-  SuiteEquations(SuiteProblem problem) {
+  SuiteEquations(ProblemFile problem) {
     this.problem = problem;
     n = problem.n;
     slots.put("t", 0);
@@ -38,7 +38,7 @@ final class SuiteEquations implements OdeSystem, ResidualSystem {
       slots.put(name, next++);
     }
     firstAux = next;
-    for (SuiteProblem.Named one : problem.aux) {
+    for (ProblemFile.Named one : problem.aux) {
       slots.put(one.name(), next++);
     }
     values = new double[next];
@@ -46,7 +46,7 @@ final class SuiteEquations implements OdeSystem, ResidualSystem {
     problem.aux.forEach(one -> aux.add(formula(one.expr())));
     problem.rhs.forEach(text -> right.add(formula(text)));
     problem.residual.forEach(text -> residuals.add(formula(text)));
-    for (SuiteProblem.MassElement element : problem.mass) {
+    for (ProblemFile.MassElement element : problem.mass) {
       mass.add(new Entry(element.i(), element.j(), formula(element.expr())));
     }
     lu = new DenseLu(n);

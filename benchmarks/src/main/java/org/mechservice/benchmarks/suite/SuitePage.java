@@ -19,16 +19,16 @@ final class SuitePage {
 
   private static final double[] LEVELS = {1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8};
 
-  private final List<SuiteProblem> problems;
+  private final List<ProblemFile> problems;
   private final List<SuiteRun> runs;
   private final StringBuilder html = new StringBuilder();
 
-  private SuitePage(List<SuiteProblem> problems, List<SuiteRun> runs) {
+  private SuitePage(List<ProblemFile> problems, List<SuiteRun> runs) {
     this.problems = problems;
     this.runs = runs;
   }
 
-  static String of(List<SuiteProblem> problems, List<SuiteRun> runs, String peers) {
+  static String of(List<ProblemFile> problems, List<SuiteRun> runs, String peers) {
     SuitePage page = new SuitePage(problems, runs);
     page.write(peers);
     return PageFrame.of("Integrators on verified problems", page.html.toString());
@@ -78,7 +78,7 @@ final class SuitePage {
 
   private Set<String> solvers(boolean stiff) {
     Set<String> names = new LinkedHashSet<>();
-    for (SuiteProblem problem : ofKind(stiff)) {
+    for (ProblemFile problem : ofKind(stiff)) {
       runs.stream()
           .filter(run -> run.problem().equals(problem.id))
           .forEach(r -> names.add(r.solver()));
@@ -86,7 +86,7 @@ final class SuitePage {
     return names;
   }
 
-  private List<SuiteProblem> ofKind(boolean stiff) {
+  private List<ProblemFile> ofKind(boolean stiff) {
     return problems.stream().filter(p -> p.isExplicit() && p.isStiff() == stiff).toList();
   }
 
@@ -94,7 +94,7 @@ final class SuitePage {
     double logs = 0;
     int count = 0;
     int wins = 0;
-    for (SuiteProblem problem : ofKind(stiff)) {
+    for (ProblemFile problem : ofKind(stiff)) {
       OptionalDouble ratio = ratio(problem, solver, own, cost);
       if (ratio.isPresent()) {
         logs += Math.log(ratio.getAsDouble());
@@ -109,7 +109,7 @@ final class SuitePage {
 
   /** Mean over the errors both reach. */
   private OptionalDouble ratio(
-      SuiteProblem problem, String solver, String own, ToDoubleFunction<SuiteRun> cost) {
+      ProblemFile problem, String solver, String own, ToDoubleFunction<SuiteRun> cost) {
     double logs = 0;
     int count = 0;
     for (double level : LEVELS) {
@@ -125,7 +125,7 @@ final class SuitePage {
 
   /** Between two tolerances whose errors enclose the one wanted, in logarithms. */
   private OptionalDouble cost(
-      SuiteProblem problem, String solver, double level, ToDoubleFunction<SuiteRun> cost) {
+      ProblemFile problem, String solver, double level, ToDoubleFunction<SuiteRun> cost) {
     List<SuiteRun> mine = ofSolver(problem, solver);
     double least = Double.POSITIVE_INFINITY;
     for (int i = 1; i < mine.size(); i++) {
@@ -147,14 +147,14 @@ final class SuitePage {
     return Double.isInfinite(least) ? OptionalDouble.empty() : OptionalDouble.of(least);
   }
 
-  private List<SuiteRun> ofSolver(SuiteProblem problem, String solver) {
+  private List<SuiteRun> ofSolver(ProblemFile problem, String solver) {
     return runs.stream()
         .filter(run -> run.problem().equals(problem.id) && run.solver().equals(solver))
         .filter(run -> run.cause().isEmpty())
         .toList();
   }
 
-  private void problem(SuiteProblem problem) {
+  private void problem(ProblemFile problem) {
     Set<String> names = new LinkedHashSet<>();
     runs.stream().filter(r -> r.problem().equals(problem.id)).forEach(r -> names.add(r.solver()));
     html.append("<details><summary>").append(problem.id).append(" – ");
@@ -179,7 +179,7 @@ final class SuitePage {
     html.append("</details>\n");
   }
 
-  private void failures(SuiteProblem problem) {
+  private void failures(ProblemFile problem) {
     List<SuiteRun> failed =
         runs.stream()
             .filter(run -> run.problem().equals(problem.id) && !run.cause().isEmpty())

@@ -33,11 +33,11 @@ public final class SuiteReport {
    */
   public Path write(Path folder) throws IOException {
     Files.createDirectories(folder);
-    List<SuiteProblem> problems = SuiteProblem.all();
+    List<ProblemFile> problems = ProblemFile.all();
     List<SuiteRun> runs = new ArrayList<>();
     long started = System.nanoTime();
     for (int i = 0; i < problems.size(); i++) {
-      SuiteProblem problem = problems.get(i);
+      ProblemFile problem = problems.get(i);
       double elapsed = (System.nanoTime() - started) * 1e-9;
       double left = i == 0 ? Double.NaN : 2 * elapsed / i * (problems.size() - 0.5 * i);
       progress.at(problem.id, 0.5 * i / problems.size(), left);

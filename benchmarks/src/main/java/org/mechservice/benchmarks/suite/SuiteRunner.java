@@ -33,7 +33,7 @@ final class SuiteRunner {
   private static final double WARM = 0.3;
 
   /** Returns the names of the integrators that take a problem, our own first. */
-  static List<String> integrators(SuiteProblem problem) {
+  static List<String> integrators(ProblemFile problem) {
     List<String> names = new ArrayList<>();
     if (problem.isExplicit()) {
       names.addAll(List.of("ode113", "DE", "ode15s"));
@@ -47,7 +47,7 @@ final class SuiteRunner {
    * Runs a problem with all integrators at all tolerances: each once, for its error, then warm in
    * rounds, every run once per round.
    */
-  static List<SuiteRun> all(SuiteProblem problem, double[] tolerances, double limit) {
+  static List<SuiteRun> all(ProblemFile problem, double[] tolerances, double limit) {
     List<SuiteRun> runs = new ArrayList<>();
     for (String name : integrators(problem)) {
       runs.addAll(runs(problem, name, tolerances, limit));
@@ -72,12 +72,12 @@ final class SuiteRunner {
     return runs;
   }
 
-  private static double again(SuiteProblem problem, SuiteRun first, double limit) {
+  private static double again(ProblemFile problem, SuiteRun first, double limit) {
     return run(problem, first.solver(), first.tolerance(), 5 * limit).seconds();
   }
 
   /** Runs a problem with an integrator at all tolerances, each once. */
-  static List<SuiteRun> runs(SuiteProblem problem, String name, double[] tolerances, double limit) {
+  static List<SuiteRun> runs(ProblemFile problem, String name, double[] tolerances, double limit) {
     List<SuiteRun> runs = new ArrayList<>();
     for (double tolerance : tolerances) {
       runs.add(run(problem, name, tolerance, limit));
@@ -85,16 +85,16 @@ final class SuiteRunner {
     return runs;
   }
 
-  private static SuiteRun run(SuiteProblem problem, String name, double tolerance, double limit) {
+  private static SuiteRun run(ProblemFile problem, String name, double tolerance, double limit) {
     if (HipparchusRunner.integrators(problem).contains(name)) {
       return HipparchusRunner.run(problem, name, tolerance, limit);
     }
     SuiteEquations equations = new SuiteEquations(problem);
     Deadline deadline = new Deadline(limit);
     Integrator integrator = create(name, settings(problem, tolerance, deadline::isOver));
-    double t0 = SuiteProblem.numbers(List.of(problem.t0))[0];
+    double t0 = ProblemFile.numbers(List.of(problem.t0))[0];
     double t1 = equations.number(problem.t1);
-    double[] y = SuiteProblem.numbers(problem.y0);
+    double[] y = ProblemFile.numbers(problem.y0);
     StepResult result = start(integrator, equations, problem, t0, y, t1);
     while (result == StepResult.ADVANCED) {
       result = integrator.step();
@@ -119,14 +119,14 @@ final class SuiteRunner {
   private static StepResult start(
       Integrator integrator,
       SuiteEquations equations,
-      SuiteProblem problem,
+      ProblemFile problem,
       double t0,
       double[] y0,
       double t1) {
     if (!(integrator instanceof ResidualIntegrator residual)) {
       return integrator.start(equations, t0, y0, t1);
     }
-    double[] slope = SuiteProblem.numbers(problem.yp0);
+    double[] slope = ProblemFile.numbers(problem.yp0);
     if (slope.length == 0) {
       slope = new double[y0.length];
       equations.derivative(t0, y0, slope);
@@ -135,9 +135,9 @@ final class SuiteRunner {
   }
 
   private static IntegratorSettings settings(
-      SuiteProblem problem, double tolerance, BooleanSupplier stop) {
+      ProblemFile problem, double tolerance, BooleanSupplier stop) {
     List<Double> absolute = new ArrayList<>();
-    for (double scale : SuiteProblem.numbers(problem.scale)) {
+    for (double scale : ProblemFile.numbers(problem.scale)) {
       absolute.add(tolerance * scale);
     }
     return new IntegratorSettings(

@@ -1,7 +1,7 @@
 /**
  * The integrators alone, on problems with verified solutions, beside those of other libraries.
  *
- * <p>{@link org.mechservice.benchmarks.suite.SuiteProblem} is a problem of {@code problems.json}:
+ * <p>{@link org.mechservice.benchmarks.suite.ProblemFile} is a problem of {@code problems.json}:
  * expressions ({@link org.mechservice.benchmarks.suite.Formula}), start, and the end to 25 digits.
  * {@link org.mechservice.benchmarks.suite.SuiteRunner} runs our integrators, {@link
  * org.mechservice.benchmarks.suite.HipparchusRunner} those of Hipparchus on the same {@link

@@ -24,7 +24,7 @@ class IntegratorStudiesTest {
 
   @TempDir Path folder;
 
-  private List<String[]> figures(Study study) throws IOException {
+  private List<String[]> figures(MethodStudy study) throws IOException {
     study.write(folder, CONTEXT);
     List<String[]> rows = new ArrayList<>();
     for (String line : Files.readAllLines(folder.resolve("stability-" + study.name() + ".csv"))) {
@@ -64,6 +64,9 @@ class IntegratorStudiesTest {
 
   @Test
   void everyStudyHasANameOfItsOwn() {
-    assertThat(Study.all(CONTEXT)).extracting(Study::name).doesNotHaveDuplicates().hasSize(10);
+    assertThat(MethodStudy.all(CONTEXT))
+        .extracting(MethodStudy::name)
+        .doesNotHaveDuplicates()
+        .hasSize(10);
   }
 }

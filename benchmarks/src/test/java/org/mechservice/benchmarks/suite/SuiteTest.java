@@ -10,11 +10,11 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 class SuiteTest {
   private static Stream<String> problems() {
-    return SuiteProblem.all().stream().map(problem -> problem.id);
+    return ProblemFile.all().stream().map(problem -> problem.id);
   }
 
-  private static SuiteProblem named(String id) {
-    return SuiteProblem.all().stream().filter(p -> p.id.equals(id)).findFirst().orElseThrow();
+  private static ProblemFile named(String id) {
+    return ProblemFile.all().stream().filter(p -> p.id.equals(id)).findFirst().orElseThrow();
   }
 
   @ParameterizedTest
@@ -34,10 +34,10 @@ class SuiteTest {
   @ParameterizedTest
   @MethodSource("problems")
   void explicitFormHasNoResidual(String id) {
-    SuiteProblem problem = named(id);
+    ProblemFile problem = named(id);
     SuiteEquations equations = new SuiteEquations(problem);
-    double[] y = SuiteProblem.numbers(problem.y0);
-    double[] slope = SuiteProblem.numbers(problem.yp0);
+    double[] y = ProblemFile.numbers(problem.y0);
+    double[] slope = ProblemFile.numbers(problem.yp0);
     if (problem.isExplicit()) {
       slope = new double[y.length];
       equations.derivative(equations.number(problem.t0), y, slope);

@@ -1,23 +1,26 @@
 package org.mechservice.admin.web;
 
+import com.google.gson.Gson;
 import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
 import com.google.gson.JsonNull;
 import com.google.gson.JsonObject;
 import com.google.gson.JsonParser;
+import java.io.File;
 import java.io.IOException;
+import java.io.InputStream;
 import java.net.URI;
 import java.net.http.HttpClient;
-import java.net.http.HttpRequest;
-import java.net.http.HttpResponse.BodyHandlers;
 import java.net.http.WebSocket;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Base64;
-import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.ConcurrentHashMap;
@@ -25,171 +28,191 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 
-/** A real browser without a window, steered by its own debugging protocol. Needs Chromium. */
-final class Chromium implements AutoCloseable {
-  private static final int PATIENCE_SECONDS = 120;
-  private static final long CHECK_MILLIS = 50;
+/**
+ * The system's Chromium without a window, driven by its DevTools protocol; one page. The tests of
+ * all pages share it.
+ */
+public final class Chromium implements AutoCloseable, WebSocket.Listener {
+  private static final long PATIENCE_SECONDS = 60;
 
-  private final Path profile;
+  /** The numbers by which browsers know keys that type nothing. */
+  private static final Map<String, Integer> NAMED_KEYS =
+      Map.of("Tab", 9, "Enter", 13, "Escape", 27);
+
   private final Process process;
+  private final HttpClient client = HttpClient.newHttpClient();
+  private final AtomicInteger ids = new AtomicInteger();
+  private final Map<Integer, CompletableFuture<JsonObject>> answers = new ConcurrentHashMap<>();
+  private final List<JsonObject> events = new CopyOnWriteArrayList<>();
+  private final StringBuilder message = new StringBuilder();
   private final WebSocket socket;
-  private final Map<Integer, CompletableFuture<JsonObject>> calls = new ConcurrentHashMap<>();
-  private final AtomicInteger lastCall = new AtomicInteger();
-  private final List<String> complaints = new CopyOnWriteArrayList<>();
+  private String session = "";
 
-  private Chromium(Path profile, Process process) throws Exception {
-    this.profile = profile;
-    this.process = process;
-    HttpClient http = HttpClient.newHttpClient();
-    socket =
-        http.newWebSocketBuilder()
-            .buildAsync(URI.create(pageOf(http)), new Listener())
-            .get(PATIENCE_SECONDS, TimeUnit.SECONDS);
-    call("Page.enable", "{}");
-    call("Runtime.enable", "{}");
-    call("Log.enable", "{}");
-  }
-
-  static Chromium start() throws Exception {
-    Path profile = Files.createTempDirectory("chromium");
-    Process process =
+  private Chromium(String program, Path profile) throws Exception {
+    process =
         new ProcessBuilder(
-                System.getProperty("chromium", "chromium"),
-                "--headless=new",
+                program,
+                "--headless",
                 "--no-sandbox",
-                "--disable-gpu",
-                "--hide-scrollbars",
-                "--force-color-profile=srgb",
+                "--disable-quic",
+                "--no-first-run",
+                "--disable-background-networking",
+                "--disable-component-update",
+                "--disable-sync",
+                "--use-gl=angle",
+                "--use-angle=swiftshader",
+                "--enable-unsafe-swiftshader",
+                "--window-size=1000,700",
                 "--remote-debugging-port=0",
                 "--user-data-dir=" + profile,
                 "about:blank")
             .redirectErrorStream(true)
-            .redirectOutput(profile.resolve("log").toFile())
+            .redirectOutput(ProcessBuilder.Redirect.DISCARD)
             .start();
-    return new Chromium(profile, process);
+    List<String> port = port(profile.resolve("DevToolsActivePort"));
+    socket =
+        client
+            .newWebSocketBuilder()
+            .buildAsync(URI.create("ws://127.0.0.1:" + port.get(0) + port.get(1)), this)
+            .get(PATIENCE_SECONDS, TimeUnit.SECONDS);
+    String target =
+        call("Target.createTarget", Map.of("url", "about:blank")).get("targetId").getAsString();
+    session =
+        call("Target.attachToTarget", Map.of("targetId", target, "flatten", true))
+            .get("sessionId")
+            .getAsString();
+    for (String domain : List.of("Page", "Runtime", "Network", "Log")) {
+      call(domain + ".enable", Map.of());
+    }
   }
 
-  private String pageOf(HttpClient http) throws Exception {
-    Path port = profile.resolve("DevToolsActivePort");
-    for (int i = 0; i < PATIENCE_SECONDS * 1000 / CHECK_MILLIS; i++) {
-      if (Files.exists(port) && !Files.readAllLines(port).isEmpty()) {
-        URI list = URI.create("http://127.0.0.1:" + Files.readAllLines(port).get(0) + "/json/list");
-        String answer =
-            http.send(HttpRequest.newBuilder(list).build(), BodyHandlers.ofString()).body();
-        for (JsonElement target : JsonParser.parseString(answer).getAsJsonArray()) {
-          if (target.getAsJsonObject().get("type").getAsString().equals("page")) {
-            return target.getAsJsonObject().get("webSocketDebuggerUrl").getAsString();
-          }
+  /** Starts the browser; empty if the system has none. */
+  public static Optional<Chromium> start(Path profile) throws Exception {
+    for (String folder : System.getenv("PATH").split(File.pathSeparator, -1)) {
+      for (String name : List.of("chromium", "chromium-browser", "google-chrome")) {
+        Path program = Path.of(folder, name);
+        if (Files.isExecutable(program)) {
+          return Optional.of(new Chromium(program.toString(), profile));
         }
       }
-      Thread.sleep(CHECK_MILLIS);
     }
-    throw new IOException("Chromium does not start: " + Files.readString(profile.resolve("log")));
+    return Optional.empty();
   }
 
-  private final class Listener implements WebSocket.Listener {
-    private final StringBuilder text = new StringBuilder();
-
-    @Override
-    public CompletionStage<?> onText(WebSocket from, CharSequence data, boolean last) {
-      text.append(data);
-      if (last) {
-        JsonObject message = JsonParser.parseString(text.toString()).getAsJsonObject();
-        text.setLength(0);
-        received(message);
+  private static List<String> port(Path file) throws IOException, InterruptedException {
+    long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+    while (System.nanoTime() < end) {
+      List<String> lines = Files.exists(file) ? Files.readAllLines(file) : List.of();
+      if (lines.size() >= 2) {
+        return lines;
       }
-      from.request(1);
-      return CompletableFuture.completedStage(null);
+      Thread.sleep(20);
     }
+    throw new IOException("Chromium does not open its DevTools");
   }
 
-  private void received(JsonObject message) {
-    if (message.has("id")) {
-      CompletableFuture<JsonObject> call = calls.remove(message.get("id").getAsInt());
-      if (call != null) {
-        call.complete(message);
-      }
-      return;
+  public JsonObject call(String method, Map<String, Object> parameters) throws Exception {
+    JsonObject order = new JsonObject();
+    int id = ids.incrementAndGet();
+    order.addProperty("id", id);
+    order.addProperty("method", method);
+    order.add("params", new Gson().toJsonTree(parameters));
+    if (!session.isEmpty()) {
+      order.addProperty("sessionId", session);
     }
-    String method = message.get("method").getAsString();
-    boolean complaint =
-        method.equals("Runtime.exceptionThrown")
-            || (method.equals("Log.entryAdded")
-                && message.toString().contains("\"level\":\"error\""));
-    if (complaint) {
-      complaints.add(message.toString());
-    }
-  }
-
-  JsonObject call(String method, String parameters) throws Exception {
-    int id = lastCall.incrementAndGet();
     CompletableFuture<JsonObject> answer = new CompletableFuture<>();
-    calls.put(id, answer);
-    JsonObject message = new JsonObject();
-    message.addProperty("id", id);
-    message.addProperty("method", method);
-    message.add("params", JsonParser.parseString(parameters));
-    var unused = socket.sendText(message.toString(), true).get(PATIENCE_SECONDS, TimeUnit.SECONDS);
-    JsonObject result = answer.get(PATIENCE_SECONDS, TimeUnit.SECONDS);
-    if (result.has("error")) {
-      throw new IOException(method + ": " + result);
+    answers.put(id, answer);
+    socket.sendText(order.toString(), true).get(PATIENCE_SECONDS, TimeUnit.SECONDS);
+    return answer.get(PATIENCE_SECONDS, TimeUnit.SECONDS);
+  }
+
+  /** Opens a file with a player and forgets what was heard before. */
+  public void open(Path file) throws Exception {
+    open(file.toUri().toString(), "Boolean(globalThis.mechPlayer)");
+  }
+
+  /**
+   * Opens a page and forgets what was heard before.
+   *
+   * @param ready expression that is true when the page can be used
+   */
+  public void open(String address, String ready) throws Exception {
+    call("Page.navigate", Map.of("url", "about:blank"));
+    events.clear();
+    call("Page.navigate", Map.of("url", address));
+    waitFor("document.readyState === 'complete' && " + ready);
+  }
+
+  /** Sets the window's size, px, and the colours of day or night. */
+  public void look(int width, int height, boolean dark) throws Exception {
+    call(
+        "Emulation.setDeviceMetricsOverride",
+        Map.of("width", width, "height", height, "deviceScaleFactor", 1, "mobile", width < 700));
+    Map<String, String> scheme =
+        Map.of("name", "prefers-color-scheme", "value", dark ? "dark" : "light");
+    call("Emulation.setEmulatedMedia", Map.of("features", List.of(scheme)));
+  }
+
+  /** Returns what is seen, as a PNG file's bytes. */
+  public byte[] screenshot() throws Exception {
+    JsonObject shot = call("Page.captureScreenshot", Map.of("format", "png"));
+    return Base64.getDecoder().decode(shot.get("data").getAsString());
+  }
+
+  /** Writes what is seen to a PNG file. */
+  void screenshot(Path file) throws Exception {
+    Files.createDirectories(file.toAbsolutePath().getParent());
+    Files.write(file, screenshot());
+  }
+
+  /** Returns the serious and critical findings of axe-core on the page that is open. */
+  public List<String> accessibilityFindings() throws Exception {
+    String axe = "META-INF/resources/webjars/axe-core/4.6.3/axe.min.js";
+    try (InputStream script =
+        Objects.requireNonNull(Chromium.class.getClassLoader().getResourceAsStream(axe))) {
+      evaluate(new String(script.readAllBytes(), StandardCharsets.UTF_8) + "; 0");
     }
-    return result.getAsJsonObject("result");
-  }
-
-  /** Opens a page; one of the same address but another fragment is loaded anew. */
-  void open(String url) throws Exception {
-    call("Page.navigate", object("url", "about:blank"));
-    call("Page.navigate", object("url", url));
-  }
-
-  private static String object(String name, String value) {
-    JsonObject json = new JsonObject();
-    json.addProperty(name, value);
-    return json.toString();
-  }
-
-  /** Returns the value of a JavaScript expression. */
-  JsonElement evaluate(String expression) throws Exception {
-    JsonObject parameters = new JsonObject();
-    parameters.addProperty("expression", expression);
-    parameters.addProperty("returnByValue", true);
-    parameters.addProperty("awaitPromise", true);
-    JsonObject result = call("Runtime.evaluate", parameters.toString());
-    if (result.has("exceptionDetails")) {
-      throw new IOException(expression + ": " + result);
-    }
-    JsonElement value = result.getAsJsonObject("result").get("value");
-    return value == null ? JsonNull.INSTANCE : value;
+    JsonArray found =
+        evaluate(
+                "axe.run().then(r => r.violations"
+                    + ".filter(v => ['serious', 'critical'].includes(v.impact))"
+                    + ".flatMap(v => v.nodes.slice(0, 5).map(n => v.id + ': ' + v.help + ': '"
+                    + " + n.html.slice(0, 160) + ' ' + (n.any[0]?.message || ''))))")
+            .getAsJsonArray();
+    return found.asList().stream().map(JsonElement::getAsString).toList();
   }
 
   /** Waits until a JavaScript expression is true. */
-  void await(String expression) throws Exception {
-    for (int i = 0; i < PATIENCE_SECONDS * 1000 / CHECK_MILLIS; i++) {
-      try {
-        JsonElement value = evaluate(expression);
-        if (value.isJsonPrimitive() && value.getAsBoolean()) {
-          return;
-        }
-      } catch (IOException e) {
-        // The page is about to become another one.
+  public void waitFor(String condition) throws Exception {
+    long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(PATIENCE_SECONDS);
+    while (!isTrue(condition)) {
+      if (System.nanoTime() > end) {
+        throw new AssertionError(
+            "does not come true: "
+                + condition
+                + " "
+                + evaluate("document.body.innerText")
+                + problems());
       }
-      Thread.sleep(CHECK_MILLIS);
+      Thread.sleep(20);
     }
-    throw new AssertionError(
-        expression + " did not become true on: " + evaluate("document.body.innerText"));
+  }
+
+  /** A page that is about to become another one has no values. */
+  private boolean isTrue(String condition) throws Exception {
+    JsonObject answer = ask(condition);
+    JsonElement value = answer.getAsJsonObject("result").get("value");
+    return !answer.has("exceptionDetails") && value != null && value.getAsBoolean();
   }
 
   /** Waits until the page shows a text. */
   void awaitText(String text) throws Exception {
-    await("document.body.innerText.includes(" + quoted(text) + ")");
+    waitFor("document.body.innerText.includes(" + quoted(text) + ")");
   }
 
+  /** Returns a text as JavaScript has it. */
   static String quoted(String text) {
-    JsonArray array = new JsonArray();
-    array.add(text);
-    String json = array.toString();
-    return json.substring(1, json.length() - 1);
+    return new Gson().toJson(text);
   }
 
   /** Clicks the first element that a selector finds and whose text begins with a text. */
@@ -197,56 +220,96 @@ final class Chromium implements AutoCloseable {
     String found =
         "[...document.querySelectorAll(%s)].find(e => e.textContent.startsWith(%s))"
             .formatted(quoted(selector), quoted(text));
-    await(found + " !== undefined");
+    waitFor(found + " !== undefined");
     evaluate(found + ".click()");
   }
 
-  /** Presses a key, such as {@code Tab} or {@code Enter}. */
-  void press(String key) throws Exception {
-    String text = key.equals("Enter") ? ",\"text\":\"\\r\"" : "";
-    int code = key.equals("Enter") ? 13 : key.equals("Escape") ? 27 : 9;
+  /** Returns the value of an expression in the page. */
+  public JsonElement evaluate(String expression) throws Exception {
+    JsonObject answer = ask(expression);
+    if (answer.has("exceptionDetails")) {
+      throw new AssertionError(answer.get("exceptionDetails").toString());
+    }
+    JsonElement value = answer.getAsJsonObject("result").get("value");
+    return value == null ? JsonNull.INSTANCE : value;
+  }
+
+  private JsonObject ask(String expression) throws Exception {
+    return call(
+        "Runtime.evaluate",
+        Map.of("expression", expression, "returnByValue", true, "awaitPromise", true));
+  }
+
+  /** Returns the text of an element. */
+  public String text(String id) throws Exception {
+    return evaluate("document.getElementById('" + id + "').textContent").getAsString();
+  }
+
+  /** Presses a key in the page. */
+  public void press(String key) throws Exception {
+    String typed = key.equals("Enter") ? "\r" : key.length() == 1 ? key : "";
+    int code = NAMED_KEYS.getOrDefault(key, 0);
     for (String type : List.of("keyDown", "keyUp")) {
-      call(
-          "Input.dispatchKeyEvent",
-          "{\"type\":\"%s\",\"key\":\"%s\",\"code\":\"%s\",\"windowsVirtualKeyCode\":%d%s}"
-              .formatted(type, key, key, code, type.equals("keyDown") ? text : ""));
+      Map<String, Object> event = new HashMap<>();
+      event.putAll(Map.of("type", type, "key", key, "text", type.equals("keyDown") ? typed : ""));
+      if (code != 0) {
+        event.putAll(Map.of("code", key, "windowsVirtualKeyCode", code));
+      }
+      call("Input.dispatchKeyEvent", event);
     }
   }
 
-  /** Makes the window so large, px, with the colours of the night or of the day. */
-  void look(int width, int height, boolean dark) throws Exception {
-    call(
-        "Emulation.setDeviceMetricsOverride",
-        "{\"width\":%d,\"height\":%d,\"deviceScaleFactor\":1,\"mobile\":%b}"
-            .formatted(width, height, width < 700));
-    call(
-        "Emulation.setEmulatedMedia",
-        "{\"features\":[{\"name\":\"prefers-color-scheme\",\"value\":\"%s\"}]}"
-            .formatted(dark ? "dark" : "light"));
+  /** Returns errors of the page, and what it put on the console. */
+  public List<String> problems() {
+    return events.stream()
+        .filter(
+            event ->
+                List.of("Runtime.exceptionThrown", "Runtime.consoleAPICalled", "Log.entryAdded")
+                    .contains(event.get("method").getAsString()))
+        .map(JsonObject::toString)
+        .toList();
   }
 
-  /** Writes what is seen to a PNG file. */
-  void screenshot(Path file) throws Exception {
-    JsonObject shot = call("Page.captureScreenshot", "{\"format\":\"png\"}");
-    Files.createDirectories(file.toAbsolutePath().getParent());
-    Files.write(file, Base64.getDecoder().decode(shot.get("data").getAsString()));
+  /** Returns the addresses that were asked for. */
+  public List<String> requests() {
+    return events.stream()
+        .filter(event -> event.get("method").getAsString().equals("Network.requestWillBeSent"))
+        .map(event -> event.getAsJsonObject("params").getAsJsonObject("request"))
+        .map(request -> request.get("url").getAsString())
+        .toList();
   }
 
-  /** Returns what the browser has complained about: errors of scripts, blocked loads. */
-  List<String> complaints() {
-    return new ArrayList<>(complaints);
+  /** Returns the numbers of an array in the page. */
+  public double[] numbers(String expression) throws Exception {
+    JsonArray array = evaluate(expression).getAsJsonArray();
+    double[] numbers = new double[array.size()];
+    for (int i = 0; i < numbers.length; i++) {
+      numbers[i] = array.get(i).getAsDouble();
+    }
+    return numbers;
   }
 
   @Override
-  public void close() throws IOException {
-    socket.abort();
-    process.descendants().forEach(ProcessHandle::destroyForcibly);
-    process.destroyForcibly();
-    var unused = process.onExit().join();
-    for (int i = 0; i < 20 && Files.exists(profile); i++) {
-      try (var files = Files.walk(profile)) {
-        files.sorted(Comparator.reverseOrder()).forEach(file -> file.toFile().delete());
+  public CompletionStage<?> onText(WebSocket from, CharSequence data, boolean last) {
+    message.append(data);
+    if (last) {
+      JsonObject heard = JsonParser.parseString(message.toString()).getAsJsonObject();
+      message.setLength(0);
+      if (heard.has("id")) {
+        JsonObject result = heard.has("result") ? heard.getAsJsonObject("result") : heard;
+        answers.remove(heard.get("id").getAsInt()).complete(result);
+      } else {
+        events.add(heard);
       }
     }
+    from.request(1);
+    return CompletableFuture.completedStage(null);
+  }
+
+  @Override
+  public void close() {
+    process.descendants().forEach(ProcessHandle::destroy);
+    process.destroy();
+    process.onExit().orTimeout(PATIENCE_SECONDS, TimeUnit.SECONDS).join();
   }
 }

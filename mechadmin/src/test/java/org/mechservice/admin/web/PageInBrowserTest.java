@@ -15,6 +15,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.admin.AdminConsole;
 import org.mechservice.admin.ScriptedAdmin;
 import org.mechservice.idl.Severity;
@@ -30,7 +31,12 @@ class PageInBrowserTest {
   private ScriptedAdmin west;
   private AdminConsole console;
   private AdminWeb web;
+  private final Path profile;
   private Chromium browser;
+
+  PageInBrowserTest(@TempDir Path folder) {
+    profile = folder.resolve("profile");
+  }
 
   @BeforeEach
   void start() throws Exception {
@@ -64,7 +70,7 @@ class PageInBrowserTest {
     lab.happened("sim-failed", Severity.SEV_ERROR, "N-003", "the step became too small");
     console = new AdminConsole(List.of(lab.address(), west.address()), AdminConsole.PATIENCE);
     web = new AdminWeb(console, 0, tokens, Optional.empty());
-    browser = Chromium.start();
+    browser = Chromium.start(profile).orElseThrow();
   }
 
   private static final String FAILED = "5f0c9a1e-0000-4000-8000-000000000000";
@@ -81,7 +87,7 @@ class PageInBrowserTest {
   @Test
   void everyViewIsPicturedOnDeskAndPhoneByDayAndNight() throws Exception {
     browser.look(1280, 900, false);
-    browser.open(web.url(tokens.admin()));
+    browser.open(web.url(tokens.admin()), "true");
     browser.awaitText("FiveBarPendulum");
     browser.awaitText("host attic dropped");
     browser.screenshot(PICTURES.resolve("admin-overview.png"));
@@ -94,7 +100,7 @@ class PageInBrowserTest {
     browser.look(1280, 900, false);
     String id = "10000019-0000-4000-8000-000000000000";
     browser.evaluate("location.hash = '#/sim/" + lab.address() + "/" + id + "'");
-    browser.await("document.querySelectorAll('svg .curve').length === 4");
+    browser.waitFor("document.querySelectorAll('svg .curve').length === 4");
     browser.screenshot(PICTURES.resolve("admin-simulation.png"));
     browser.look(390, 844, true);
     browser.screenshot(PICTURES.resolve("admin-simulation-phone-dark.png"));
@@ -104,11 +110,11 @@ class PageInBrowserTest {
     browser.screenshot(PICTURES.resolve("admin-failed-dark.png"));
     browser.look(1280, 900, false);
     browser.evaluate("location.hash = '#/host/" + lab.address() + "/workshop'");
-    browser.await("document.querySelectorAll('svg .curve').length === 3");
+    browser.waitFor("document.querySelectorAll('svg .curve').length === 3");
     browser.click("button", "Drain");
     browser.awaitText("mech admin --server " + lab.address() + " drain host:workshop");
     browser.screenshot(PICTURES.resolve("admin-host.png"));
-    assertThat(browser.complaints()).isEmpty();
+    assertThat(browser.problems()).isEmpty();
   }
 
   @Test
@@ -120,7 +126,7 @@ class PageInBrowserTest {
         "eeee-" + image, "\"><b onmouseover=alert(1)>/%2e%00#?&", script, SimState.SIM_RUNNING);
     lab.failed("ffff-1", "javascript:alert(1)", image, script + "\u202e gnirts");
     lab.happened("sim-failed", Severity.SEV_ERROR, "N-003", image);
-    browser.open(web.url(tokens.admin()));
+    browser.open(web.url(tokens.admin()), "true");
     browser.awaitText(script);
     for (String view : List.of("", "simulations", "failures", "events")) {
       browser.evaluate("location.hash = '#/" + view + "'");
@@ -139,7 +145,7 @@ class PageInBrowserTest {
     browser.click("summary", "Model");
     browser.awaitText("<!-- " + script + " -->");
     browser.click("dl a", "\"><b onmouseover");
-    browser.await("document.querySelector('h1').textContent.startsWith('\"><b')");
+    browser.waitFor("document.querySelector('h1').textContent.startsWith('\"><b')");
     browser.click("button", "Drain");
     browser.awaitText("drain 'host:\"><b");
     assertThat(browser.evaluate("window.hacked === undefined").getAsBoolean()).isTrue();
@@ -148,12 +154,12 @@ class PageInBrowserTest {
                 .evaluate("document.querySelectorAll('main img, main b[onmouseover]').length")
                 .getAsInt())
         .isZero();
-    assertThat(browser.complaints()).isEmpty();
+    assertThat(browser.problems()).isEmpty();
   }
 
   @Test
   void keyboardAloneReachesAnActionAndConfirmsIt() throws Exception {
-    browser.open(web.url(tokens.admin()));
+    browser.open(web.url(tokens.admin()), "true");
     browser.awaitText("FiveBarPendulum");
     for (int i = 0; i < 60 && !focused().equals("Drain"); i++) {
       browser.press("Tab");
@@ -167,14 +173,15 @@ class PageInBrowserTest {
                 .getAsBoolean())
         .isTrue();
     browser.press("Escape");
-    browser.await("document.querySelector('dialog') === null");
+    browser.waitFor("document.querySelector('dialog') === null");
     assertThat(lab.calls()).isEmpty();
     browser.press("Enter");
     browser.awaitText("mech admin --server " + lab.address() + " drain");
     browser.press("Enter");
     browser.awaitText("Done: drain the server");
     assertThat(lab.calls()).containsExactly("drain ");
-    browser.await("[...document.querySelectorAll('.server .chip')][0].textContent === 'draining'");
+    browser.waitFor(
+        "[...document.querySelectorAll('.server .chip')][0].textContent === 'draining'");
   }
 
   @Test
@@ -185,14 +192,14 @@ class PageInBrowserTest {
     try (AdminConsole asking =
             new AdminConsole(List.of(lab.address(), west.address()), AdminConsole.PATIENCE);
         AdminWeb page = new AdminWeb(asking, 0, own, Optional.empty())) {
-      browser.open(page.url(own.admin()));
-      browser.await("document.querySelectorAll('.tile b').length === 6");
-      browser.await("document.querySelectorAll('.server .chip').length === 2");
+      browser.open(page.url(own.admin()), "true");
+      browser.waitFor("document.querySelectorAll('.tile b').length === 6");
+      browser.waitFor("document.querySelectorAll('.server .chip').length === 2");
       browser.awaitText("Loading …");
       assertThat(tiles()).containsOnly("…");
       lab.goOn();
       west.goOn();
-      browser.await("document.querySelector('.tile b').textContent === '2 of 2'");
+      browser.waitFor("document.querySelector('.tile b').textContent === '2 of 2'");
     }
   }
 
@@ -211,9 +218,9 @@ class PageInBrowserTest {
     for (int i = 0; i < 35; i++) {
       lab.failed("model-" + i, "workshop", "SliderCrank", "t=1.5 s: the step became too small.");
     }
-    browser.open(web.url(tokens.admin()));
+    browser.open(web.url(tokens.admin()), "true");
     browser.awaitText("FiveBarPendulum");
-    browser.await("document.querySelectorAll('.tile b')[5].textContent === '36'");
+    browser.waitFor("document.querySelectorAll('.tile b')[5].textContent === '36'");
     assertThat(
             browser
                 .evaluate("document.querySelectorAll('.tile')[5].classList.contains('alarm')")
@@ -227,16 +234,16 @@ class PageInBrowserTest {
     browser.click("button", "Acknowledge all");
     browser.awaitText("No new failures.");
     browser.evaluate("location.hash = '#/'");
-    browser.await("document.querySelectorAll('.tile b')[5].textContent === '0'");
+    browser.waitFor("document.querySelectorAll('.tile b')[5].textContent === '0'");
     browser.evaluate("location.hash = '#/failures'");
     browser.click("button", "Show older and acknowledged");
     browser.awaitText("Failures of models: 36");
-    assertThat(browser.complaints()).isEmpty();
+    assertThat(browser.problems()).isEmpty();
   }
 
   @Test
   void limitsAndPlacementAreSetFromThePage() throws Exception {
-    browser.open(web.url(tokens.admin()));
+    browser.open(web.url(tokens.admin()), "true");
     browser.awaitText("FiveBarPendulum");
     browser.evaluate("location.hash = '#/server/" + lab.address() + "'");
     browser.click("summary", "Limits");
@@ -245,13 +252,13 @@ class PageInBrowserTest {
     browser.evaluate("document.querySelector('dialog input').value = '50'");
     browser.click("dialog button.primary", "Change");
     browser.awaitText("Done: set queue=50");
-    browser.await("document.querySelector('details td.number').textContent === '50'");
+    browser.waitFor("document.querySelector('details td.number').textContent === '50'");
     browser.click("details .actions button", "Change");
     browser.evaluate("document.querySelector('dialog select').value = 'pinned'");
     browser.click("dialog button.primary", "Change");
     browser.awaitText("Choice of hosts: pinned");
     assertThat(lab.calls()).containsExactly("limit  queue=50", "placement pinned");
-    assertThat(browser.complaints()).isEmpty();
+    assertThat(browser.problems()).isEmpty();
   }
 
   @Test
@@ -259,10 +266,10 @@ class PageInBrowserTest {
     String id = "10000019-0000-4000-8000-000000000000";
     lab.noise(id, 601);
     browser.look(1280, 900, false);
-    browser.open(web.url(tokens.admin()));
+    browser.open(web.url(tokens.admin()), "true");
     browser.awaitText("FiveBarPendulum");
     browser.evaluate("location.hash = '#/sim/" + lab.address() + "/" + id + "'");
-    browser.await("document.querySelectorAll('svg .band').length > 0");
+    browser.waitFor("document.querySelectorAll('svg .band').length > 0");
     browser.screenshot(Path.of("target/noisy-curve.png"));
     assertThat(
             browser
@@ -272,7 +279,7 @@ class PageInBrowserTest {
                 .getAsBoolean())
         .as("the band reaches from the least to the largest value")
         .isTrue();
-    assertThat(browser.complaints()).isEmpty();
+    assertThat(browser.problems()).isEmpty();
   }
 
   private String focused() throws Exception {
@@ -281,7 +288,7 @@ class PageInBrowserTest {
 
   @Test
   void monitorSeesEverythingAndCanDoNothing() throws Exception {
-    browser.open(web.url(tokens.monitor()));
+    browser.open(web.url(tokens.monitor()), "true");
     browser.awaitText("FiveBarPendulum");
     assertThat(
             browser
@@ -301,13 +308,13 @@ class PageInBrowserTest {
     browser.awaitText("S-133 ");
     assertThat(lab.calls()).isEmpty();
     browser.evaluate("sessionStorage.clear()");
-    browser.open("http://127.0.0.1:" + web.port() + "/");
+    browser.open("http://127.0.0.1:" + web.port() + "/", "true");
     browser.awaitText("This page needs a token");
   }
 
   @Test
   void serverThatHangsIsShownAndTheOthersGoOn() throws Exception {
-    browser.open(web.url(tokens.admin()));
+    browser.open(web.url(tokens.admin()), "true");
     browser.awaitText("west");
     west.hang();
     browser.awaitText("S-032 the server at " + west.address() + " did not answer in time");
@@ -328,7 +335,7 @@ class PageInBrowserTest {
     }
     browser.look(1280, 900, false);
     long opened = System.nanoTime();
-    browser.open(web.url(tokens.admin()));
+    browser.open(web.url(tokens.admin()), "true");
     browser.awaitText("Running199");
     double shown = (System.nanoTime() - opened) * 1e-9;
     browser.evaluate("location.hash = '#/simulations'");
@@ -350,7 +357,7 @@ class PageInBrowserTest {
         "document.querySelector('input[type=search]').dispatchEvent(new Event('input'))");
     browser.awaitText("11 in all");
     double filtered = (System.nanoTime() - typed) * 1e-9;
-    assertThat(browser.complaints()).isEmpty();
+    assertThat(browser.problems()).isEmpty();
     report(shown, filtered, frames);
   }
 

@@ -18,6 +18,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.admin.AdminConsole;
 import org.mechservice.admin.web.AccessTokens;
 import org.mechservice.admin.web.AdminWeb;
+import org.mechservice.admin.web.Chromium;
 import org.mechservice.cli.Mech;
 import org.mechservice.cli.shell.ExitStatus;
 

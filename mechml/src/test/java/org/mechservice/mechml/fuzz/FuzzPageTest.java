@@ -55,7 +55,7 @@ class FuzzPageTest {
     Witness witness = new Witness(before);
     thread.setContextClassLoader(witness);
     try {
-      Campaign campaign = new Campaign(SEED);
+      FuzzCampaign campaign = new FuzzCampaign(SEED);
       campaign.damagedExamples(FIRST);
       campaign.drawnFiles(FIRST);
       campaign.damagedRobots(FIRST);
@@ -75,7 +75,7 @@ class FuzzPageTest {
     assertThat(PAGE).content().contains("Seed " + SEED);
   }
 
-  private void write(Campaign files, ExpressionCampaign texts, ExpressionCampaign expressions)
+  private void write(FuzzCampaign files, ExpressionCampaign texts, ExpressionCampaign expressions)
       throws IOException {
     line("# Files and expressions at random");
     line("");

@@ -18,7 +18,7 @@ class FuzzTest {
   @ParameterizedTest
   @ValueSource(longs = {1, 2})
   void damagedExamplesAreReadOrRefusedWithAMessage(long seed) throws IOException {
-    Campaign campaign = new Campaign(seed);
+    FuzzCampaign campaign = new FuzzCampaign(seed);
     assertTimeoutPreemptively(PATIENCE, () -> campaign.damagedExamples(FILES));
     assertThat(campaign.examples().read()).isPositive();
     assertThat(campaign.examples().refused()).isPositive();
@@ -27,7 +27,7 @@ class FuzzTest {
   @ParameterizedTest
   @ValueSource(longs = {1, 2})
   void filesDrawnFromTheGrammarAreReadOrRefusedWithAMessage(long seed) throws IOException {
-    Campaign campaign = new Campaign(seed);
+    FuzzCampaign campaign = new FuzzCampaign(seed);
     assertTimeoutPreemptively(PATIENCE, () -> campaign.drawnFiles(FILES));
     assertThat(campaign.drawn().read()).isPositive();
     assertThat(campaign.drawn().refused()).isPositive();
@@ -36,7 +36,7 @@ class FuzzTest {
   @ParameterizedTest
   @ValueSource(longs = {1, 2})
   void damagedRobotsAreReadOrRefusedWithAMessage(long seed) throws IOException {
-    Campaign campaign = new Campaign(seed);
+    FuzzCampaign campaign = new FuzzCampaign(seed);
     assertTimeoutPreemptively(PATIENCE, () -> campaign.damagedRobots(FILES));
     assertThat(campaign.robots().read()).isPositive();
     assertThat(campaign.robots().refused()).isPositive();

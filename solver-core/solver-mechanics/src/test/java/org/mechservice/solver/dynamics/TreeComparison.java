@@ -14,8 +14,8 @@ import org.apache.commons.math3.linear.RealMatrix;
 import org.apache.commons.math3.linear.SingularValueDecomposition;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.oracle.AppliedForce;
 import org.mechservice.solver.oracle.GlobalFormulation;
+import org.mechservice.solver.oracle.OracleForce;
 import org.mechservice.solver.oracle.TaylorPose;
 import org.mechservice.solver.spatial.Vector3;
 
@@ -84,13 +84,13 @@ public record TreeComparison(
   }
 
   private static double[] byOracle(Evaluation at) {
-    AppliedForce wrenches = (t, pose, loads) -> apply(at, pose, loads);
+    OracleForce wrenches = (t, pose, loads) -> apply(at, pose, loads);
     double[] q = Arrays.copyOf(at.y, at.nq);
     return new GlobalFormulation(at.mechanism, List.of(wrenches))
         .accelerations(0, q, at.velocities());
   }
 
-  private static void apply(Evaluation at, IntFunction<TaylorPose> pose, AppliedForce.Loads loads) {
+  private static void apply(Evaluation at, IntFunction<TaylorPose> pose, OracleForce.Loads loads) {
     for (int body = 0; body < at.tree.linkOfBody.length; body++) {
       int link = at.tree.linkOfBody[body];
       TaylorPose ofBody = pose.apply(body);

@@ -6,7 +6,7 @@ import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.spatial.Vector3;
 
 /** Sums forces about the centres of mass, six numbers per body: force, moment. */
-final class BodyLoads implements AppliedForce.Loads {
+final class BodyLoads implements OracleForce.Loads {
   final double[] sum;
   private final Mechanism mechanism;
   private final IntFunction<TaylorPose> pose;

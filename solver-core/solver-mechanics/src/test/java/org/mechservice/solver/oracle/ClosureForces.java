@@ -22,7 +22,7 @@ public final class ClosureForces {
       double[] multipliers,
       int at,
       IntFunction<TaylorPose> pose,
-      AppliedForce.Loads loads) {
+      OracleForce.Loads loads) {
     if (closure instanceof DistanceClosure rod) {
       Vector3 way = place(pose, rod.point2()).minus(place(pose, rod.point1()));
       pull(rod.point1(), rod.point2(), way.normalized().times(multipliers[at]), pose, loads);
@@ -51,7 +51,7 @@ public final class ClosureForces {
       BodyPoint second,
       Vector3 onFirst,
       IntFunction<TaylorPose> pose,
-      AppliedForce.Loads loads) {
+      OracleForce.Loads loads) {
     loads.force(second, onFirst.negated());
     TaylorPose body = pose.apply(first.body());
     Vector3 there = place(pose, second).minus(body.position().value());

@@ -36,12 +36,12 @@ public final class GlobalFormulation {
   private static final double REDUNDANT = 1e-9;
 
   private final Mechanism mechanism;
-  private final List<AppliedForce> forces;
+  private final List<OracleForce> forces;
 
   /**
    * @param forces everything besides gravity
    */
-  public GlobalFormulation(Mechanism mechanism, List<AppliedForce> forces) {
+  public GlobalFormulation(Mechanism mechanism, List<OracleForce> forces) {
     this.mechanism = mechanism;
     this.forces = forces;
   }
@@ -209,7 +209,7 @@ public final class GlobalFormulation {
     BodyLoads loads = new BodyLoads(mechanism, lookup(motion));
     addBodies(motion, mass, loads);
     addRods(motion, mass, loads);
-    for (AppliedForce force : forces) {
+    for (OracleForce force : forces) {
       force.apply(t, lookup(motion), loads);
     }
     return loads.sum;

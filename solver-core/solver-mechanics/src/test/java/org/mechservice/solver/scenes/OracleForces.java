@@ -2,20 +2,20 @@ package org.mechservice.solver.scenes;
 
 import com.google.gson.JsonObject;
 import org.mechservice.solver.expression.BodyPoint;
-import org.mechservice.solver.oracle.AppliedForce;
+import org.mechservice.solver.oracle.OracleForce;
 import org.mechservice.solver.oracle.TaylorPose;
 import org.mechservice.solver.oracle.TaylorVector;
 import org.mechservice.solver.spatial.Vector3;
 
 /** The forces of the scenes once more, written from SCENES §2 and §4 for the oracle. */
 final class OracleForces {
-  private final SceneReader scene;
+  private final JsonSceneReader scene;
 
-  OracleForces(SceneReader scene) {
+  OracleForces(JsonSceneReader scene) {
     this.scene = scene;
   }
 
-  AppliedForce force(JsonObject force) {
+  OracleForce force(JsonObject force) {
     return switch (force.get("type").getAsString()) {
       case "jointSpringDamper" -> jointSpring(force);
       case "springDamper" -> spring(force);
@@ -32,7 +32,7 @@ final class OracleForces {
   }
 
   /** A couple about the axis of a turning joint. */
-  private AppliedForce jointSpring(JsonObject force) {
+  private OracleForce jointSpring(JsonObject force) {
     JsonObject joint = scene.jointNamed(force.get("joint").getAsString());
     if (number(force, "k") != 0 || number(force, "c") != 0) {
       return (t, pose, loads) -> {
@@ -41,7 +41,7 @@ final class OracleForces {
     }
     int inner = scene.bodyIndex(joint.get("body1").getAsString());
     int outer = scene.bodyIndex(joint.get("body2").getAsString());
-    Vector3 axis = SceneReader.vector(joint, "axis").normalized();
+    Vector3 axis = JsonSceneReader.vector(joint, "axis").normalized();
     return (t, pose, loads) -> {
       Vector3 torque = pose.apply(inner).rotation().apply(axis).value().times(number(force, "tau"));
       loads.moment(outer, torque);
@@ -49,7 +49,7 @@ final class OracleForces {
     };
   }
 
-  private AppliedForce spring(JsonObject force) {
+  private OracleForce spring(JsonObject force) {
     BodyPoint p1 = scene.point(force, "1");
     BodyPoint p2 = scene.point(force, "2");
     return (t, pose, loads) -> {
@@ -67,13 +67,13 @@ final class OracleForces {
     };
   }
 
-  private AppliedForce road(JsonObject force) {
+  private OracleForce road(JsonObject force) {
     int wheel = scene.bodyIndex(force.get("wheel").getAsString());
     int carrier = scene.bodyIndex(force.get("carrier").getAsString());
     int frame = scene.bodyIndex(force.get("frame").getAsString());
     JsonObject spinJoint = scene.jointNamed(scene.jointOf(force.get("wheel").getAsString()));
-    Vector3 axis = SceneReader.vector(spinJoint, "axis").normalized();
-    Vector3 hub = SceneReader.vector(force, "pointWheel");
+    Vector3 axis = JsonSceneReader.vector(spinJoint, "axis").normalized();
+    Vector3 hub = JsonSceneReader.vector(force, "pointWheel");
     return (t, pose, loads) -> {
       TaylorPose onWheel = pose.apply(wheel);
       TaylorVector center = onWheel.at(hub);
@@ -92,7 +92,7 @@ final class OracleForces {
       // the frame's guide is along x from its place at the start
       TaylorVector origin = pose.apply(frame).at(Vector3.ZERO);
       Vector3 start =
-          SceneReader.vector(
+          JsonSceneReader.vector(
               scene.jointNamed(scene.jointOf(force.get("frame").getAsString())), "point1");
       double v0 = number(force, "v0");
       double pull =
@@ -105,7 +105,7 @@ final class OracleForces {
   private static double push(JsonObject force, TaylorVector center) {
     double h = 0;
     double slope = 0;
-    for (double at : SceneReader.numbers(force, "xs")) {
+    for (double at : JsonSceneReader.numbers(force, "xs")) {
       double tanh = StrictMath.tanh((center.value().x() - at) / number(force, "w"));
       h += number(force, "H") / 2 * (1 + tanh);
       slope += number(force, "H") / 2 * (1 - tanh * tanh) / number(force, "w");

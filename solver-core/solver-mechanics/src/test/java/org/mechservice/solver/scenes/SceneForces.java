@@ -22,9 +22,9 @@ import org.mechservice.solver.spatial.Vector3;
 
 /** The forces of the scenes in the product's own descriptions. */
 final class SceneForces {
-  private final SceneReader scene;
+  private final JsonSceneReader scene;
 
-  SceneForces(SceneReader scene) {
+  SceneForces(JsonSceneReader scene) {
     this.scene = scene;
   }
 
@@ -77,14 +77,14 @@ final class SceneForces {
 
   private BodyPoint point(JsonObject force) {
     return new BodyPoint(
-        scene.bodyIndex(force.get("body").getAsString()), SceneReader.vector(force, "point"));
+        scene.bodyIndex(force.get("body").getAsString()), JsonSceneReader.vector(force, "point"));
   }
 
   private ForceElement belt(JsonObject force) {
     return new SpringDamper(
         name(force),
         point(force),
-        new BodyPoint(BodyPoint.ROOT, SceneReader.vector(force, "anchor")),
+        new BodyPoint(BodyPoint.ROOT, JsonSceneReader.vector(force, "anchor")),
         number(force, "k"),
         number(force, "c"),
         number(force, "L0"),
@@ -98,10 +98,10 @@ final class SceneForces {
     BodyPoint held = point(force);
     return new Bushing(
         name(force),
-        new BodyFrame(BodyPoint.ROOT, SceneReader.vector(force, "target"), Rotation.IDENTITY),
+        new BodyFrame(BodyPoint.ROOT, JsonSceneReader.vector(force, "target"), Rotation.IDENTITY),
         new BodyFrame(held.body(), held.position(), Rotation.IDENTITY),
-        diagonal(SceneReader.numbers(force, "K")),
-        diagonal(SceneReader.numbers(force, "C")),
+        diagonal(JsonSceneReader.numbers(force, "K")),
+        diagonal(JsonSceneReader.numbers(force, "C")),
         Collections.nCopies(6, Expression.ZERO),
         Bushing.Law.LINEAR,
         Origin.NONE);
@@ -116,7 +116,7 @@ final class SceneForces {
   }
 
   private ForceElement plane(JsonObject force) {
-    Vector3 z = SceneReader.vector(force, "normal").normalized();
+    Vector3 z = JsonSceneReader.vector(force, "normal").normalized();
     BodyFrame surface =
         new BodyFrame(
             BodyPoint.ROOT,
@@ -141,7 +141,7 @@ final class SceneForces {
   private List<ForceElement> road(JsonObject force) {
     String wheel = force.get("wheel").getAsString();
     BodyPoint center =
-        new BodyPoint(scene.bodyIndex(wheel), SceneReader.vector(force, "pointWheel"));
+        new BodyPoint(scene.bodyIndex(wheel), JsonSceneReader.vector(force, "pointWheel"));
     BodyPoint frame =
         new BodyPoint(scene.bodyIndex(force.get("frame").getAsString()), Vector3.ZERO);
     Expression spin =
@@ -177,7 +177,7 @@ final class SceneForces {
     Expression slope = Expression.ZERO;
     double half = force.get("H").getAsDouble() / 2;
     Expression width = number(force, "w");
-    for (double at : SceneReader.numbers(force, "xs")) {
+    for (double at : JsonSceneReader.numbers(force, "xs")) {
       Expression tanh =
           new Expression.Call(
               Function.TANH, List.of(new Expression.Quotient(minus(x, Expression.of(at)), width)));

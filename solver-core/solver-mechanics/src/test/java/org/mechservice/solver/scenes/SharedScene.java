@@ -10,7 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.oracle.AppliedForce;
+import org.mechservice.solver.oracle.OracleForce;
 
 /**
  * A scene with its reference solution.
@@ -21,7 +21,7 @@ import org.mechservice.solver.oracle.AppliedForce;
  * @param reference states at the output times, the start among them; empty if there are none
  */
 public record SharedScene(
-    Mechanism mechanism, List<AppliedForce> forces, double end, List<ReferenceState> reference) {
+    Mechanism mechanism, List<OracleForce> forces, double end, List<ReferenceState> reference) {
 
   /**
    * A state of the reference solution.
@@ -37,7 +37,7 @@ public record SharedScene(
   /** Reads a scene by the name of its file. */
   public static SharedScene named(String name) {
     JsonObject scene = json(name + ".json");
-    SceneReader reader = new SceneReader(scene);
+    JsonSceneReader reader = new JsonSceneReader(scene);
     List<ReferenceState> states = new ArrayList<>();
     if (SharedScene.class.getResource(name + ".ref.json") != null) {
       for (var row : json(name + ".ref.json").getAsJsonArray("out")) {
@@ -45,9 +45,9 @@ public record SharedScene(
         states.add(
             new ReferenceState(
                 out.get("t").getAsDouble(),
-                SceneReader.numbers(out, "q"),
-                SceneReader.numbers(out, "v"),
-                out.has("a") ? SceneReader.numbers(out, "a") : new double[0]));
+                JsonSceneReader.numbers(out, "q"),
+                JsonSceneReader.numbers(out, "v"),
+                out.has("a") ? JsonSceneReader.numbers(out, "a") : new double[0]));
       }
     }
     return new SharedScene(

@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.mechservice.solver.ode.IntegratorSettings.Mode;
-import org.mechservice.solver.ode.suite.Ode;
+import org.mechservice.solver.ode.suite.FunctionOde;
 import org.mechservice.solver.ode.suite.Run;
 
 /** What the Adams methods do beyond every integrator. */
@@ -27,8 +27,8 @@ public abstract class AdamsContract extends IntegratorContract {
   /** A block on a spring with friction as a jump: once at rest, it would have to stay there. */
   @Test
   void slidingAlongAJumpEndsTheRunInsteadOfCrossingItForEver() {
-    Ode dry =
-        new Ode(
+    FunctionOde dry =
+        new FunctionOde(
             2,
             (t, y, yDot) -> {
               yDot[0] = y[1];
@@ -47,7 +47,7 @@ public abstract class AdamsContract extends IntegratorContract {
   @ParameterizedTest
   @EnumSource
   void chatterAroundAJumpEndsTheRunEarly(Mode mode) {
-    Ode relay = new Ode(1, (t, y, yDot) -> yDot[0] = 0.5 - Math.signum(y[0]));
+    FunctionOde relay = new FunctionOde(1, (t, y, yDot) -> yDot[0] = 0.5 - Math.signum(y[0]));
     for (double tolerance : new double[] {1e-6, 1e-9}) {
       IntegratorSettings settings = new IntegratorSettings(tolerance, tolerance).withMode(mode);
       Run run = Run.of(create(settings), relay, 0, new double[] {1}, 10);
@@ -68,7 +68,7 @@ public abstract class AdamsContract extends IntegratorContract {
     // 100 000 steps of 1e-3, each adding 1e-4 to a million: added plainly, every sum is wrong by up
     // to half an ulp in the same direction, some 1e-6 in the end. Carried along, it stays at an
     // ulp.
-    Ode steady = new Ode(1, (t, y, yDot) -> yDot[0] = 0.1);
+    FunctionOde steady = new FunctionOde(1, (t, y, yDot) -> yDot[0] = 0.1);
     IntegratorSettings settings =
         new IntegratorSettings(5e-14, List.of(5e-14), 1e-3, 0, 0, Long.MAX_VALUE, () -> false);
     Run run = Run.of(create(settings), steady, 0, new double[] {1e6}, 100);
@@ -79,7 +79,12 @@ public abstract class AdamsContract extends IntegratorContract {
   @Test
   void noEquationsAreSolved() {
     IntegrationStatistics statistics =
-        Run.of(create(1e-6), new Ode(1, (t, y, yDot) -> yDot[0] = -y[0]), 0, new double[] {1}, 1)
+        Run.of(
+                create(1e-6),
+                new FunctionOde(1, (t, y, yDot) -> yDot[0] = -y[0]),
+                0,
+                new double[] {1},
+                1)
             .statistics();
     assertThat(statistics.jacobians()).isZero();
     assertThat(statistics.factorisations()).isZero();

@@ -15,9 +15,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.solver.ode.IntegratorSettings.Mode;
 import org.mechservice.solver.ode.events.EventFunctions;
 import org.mechservice.solver.ode.events.EventIntegration;
+import org.mechservice.solver.ode.suite.FunctionOde;
 import org.mechservice.solver.ode.suite.Kepler;
 import org.mechservice.solver.ode.suite.LoopPendulum;
-import org.mechservice.solver.ode.suite.Ode;
 import org.mechservice.solver.ode.suite.Run;
 import org.mechservice.solver.ode.suite.SuiteProblem;
 import org.mechservice.solver.ode.suite.VanDerPol;
@@ -200,8 +200,8 @@ public abstract class CheckpointContract {
 
   @Test
   void eventsAreFoundAsIfNothingHadBeenSaved() {
-    Ode fall =
-        new Ode(
+    FunctionOde fall =
+        new FunctionOde(
             2,
             (t, y, yDot) -> {
               yDot[0] = y[1];

@@ -15,8 +15,8 @@ import org.mechservice.solver.ode.IntegratorSettings.Mode;
 import org.mechservice.solver.ode.events.EventFunctions.Direction;
 import org.mechservice.solver.ode.events.EventFunctions.Reaction;
 import org.mechservice.solver.ode.events.EventIntegration;
+import org.mechservice.solver.ode.suite.FunctionOde;
 import org.mechservice.solver.ode.suite.LoopPendulum;
-import org.mechservice.solver.ode.suite.Ode;
 import org.mechservice.solver.ode.suite.Run;
 
 /**
@@ -70,8 +70,8 @@ public abstract class EventContract extends EventLocationContract {
     // downwards at its very beginning.
     double omega = 10;
     Bounces bounces = new Bounces(1);
-    Ode pressed =
-        new Ode(
+    FunctionOde pressed =
+        new FunctionOde(
             2,
             (t, y, yDot) -> {
               yDot[0] = y[1];
@@ -156,8 +156,9 @@ public abstract class EventContract extends EventLocationContract {
   void functionThatRestsAtZeroAfterItsEventMayLeaveItOnEitherSideLater() {
     // A block stops by friction at t = 1, rests, and slides on from t = 2.
     boolean[] slides = {true};
-    Ode block =
-        new Ode(1, (t, y, yDot) -> yDot[0] = slides[0] ? -1 : -Math.pow(Math.max(0, t - 2), 2));
+    FunctionOde block =
+        new FunctionOde(
+            1, (t, y, yDot) -> yDot[0] = slides[0] ? -1 : -Math.pow(Math.max(0, t - 2), 2));
     Watch halt =
         new Watch(1, Direction.FALLING, Reaction.RESTART, (t, y, g) -> g[0] = y[0]) {
           @Override
@@ -176,7 +177,7 @@ public abstract class EventContract extends EventLocationContract {
   void switchWithoutPlayThatActsBackOnItselfEndsTheRun() {
     // y' = −mode, and crossing 0 in either direction makes mode the sign of y.
     double[] mode = {1};
-    Ode relay = new Ode(1, (t, y, yDot) -> yDot[0] = -mode[0]);
+    FunctionOde relay = new FunctionOde(1, (t, y, yDot) -> yDot[0] = -mode[0]);
     Watch thrown =
         new Watch(1, Direction.EITHER, Reaction.RESTART, (t, y, g) -> g[0] = y[0]) {
           @Override
@@ -196,7 +197,7 @@ public abstract class EventContract extends EventLocationContract {
   @Test
   void switchWithPlayGoesOn() {
     double[] mode = {1};
-    Ode relay = new Ode(1, (t, y, yDot) -> yDot[0] = -mode[0]);
+    FunctionOde relay = new FunctionOde(1, (t, y, yDot) -> yDot[0] = -mode[0]);
     Watch thrown =
         new Watch(
             2,

@@ -13,7 +13,7 @@ import org.mechservice.solver.ode.events.EventFunctions.Direction;
 import org.mechservice.solver.ode.events.EventFunctions.Reaction;
 import org.mechservice.solver.ode.events.EventIntegration;
 import org.mechservice.solver.ode.events.EventSearch;
-import org.mechservice.solver.ode.suite.Ode;
+import org.mechservice.solver.ode.suite.FunctionOde;
 import org.mechservice.solver.ode.suite.Run;
 
 /** Where events are found, and which, whatever the integrator. */
@@ -21,8 +21,8 @@ public abstract class EventLocationContract {
   static final double GRAVITY = 9.81;
 
   /** y'' = −y from (0, 1): sin t, cos t. */
-  static final Ode CIRCLE =
-      new Ode(
+  static final FunctionOde CIRCLE =
+      new FunctionOde(
           2,
           (t, y, yDot) -> {
             yDot[0] = y[1];
@@ -33,8 +33,8 @@ public abstract class EventLocationContract {
   static final IntegratorSettings TENTH =
       new IntegratorSettings(1e-6, List.of(1e-6), 0.1, 0, 0, Long.MAX_VALUE, () -> false);
 
-  static final Ode FALL =
-      new Ode(
+  static final FunctionOde FALL =
+      new FunctionOde(
           2,
           (t, y, yDot) -> {
             yDot[0] = y[1];
@@ -187,7 +187,7 @@ public abstract class EventLocationContract {
   @Test
   void eventsInsideOneStepComeInTheirOrder() {
     // A constant solution takes steps of a tenth of the interval: three zeros in the second one.
-    Ode still = new Ode(1, (t, y, yDot) -> yDot[0] = 0);
+    FunctionOde still = new FunctionOde(1, (t, y, yDot) -> yDot[0] = 0);
     Watch zeros =
         new Watch(
             3,
@@ -207,7 +207,7 @@ public abstract class EventLocationContract {
 
   @Test
   void twoZerosOfAFunctionInsideOneLongStepAreBothFound() {
-    Ode still = new Ode(1, (t, y, yDot) -> yDot[0] = 0);
+    FunctionOde still = new FunctionOde(1, (t, y, yDot) -> yDot[0] = 0);
     Watch zeros =
         new Watch(
             1, Direction.EITHER, Reaction.CONTINUE, (t, y, g) -> g[0] = (t - 0.52) * (t - 0.57));
@@ -234,7 +234,7 @@ public abstract class EventLocationContract {
   void wiggleInsideTheHysteresisIsOneEvent() {
     // Crosses 0 many times near t = 1, never farther than 0.02 on the way.
     Watch.Values wiggle = (t, y, g) -> g[0] = t - 1 + 0.02 * StrictMath.sin(200 * t);
-    Ode still = new Ode(1, (t, y, yDot) -> yDot[0] = 0);
+    FunctionOde still = new FunctionOde(1, (t, y, yDot) -> yDot[0] = 0);
     IntegratorSettings fine =
         new IntegratorSettings(1e-6, List.of(1e-6), 1e-3, 0, 0, Long.MAX_VALUE, () -> false);
     Watch all = new Watch(1, Direction.EITHER, Reaction.CONTINUE, wiggle);

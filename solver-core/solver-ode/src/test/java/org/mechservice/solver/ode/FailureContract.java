@@ -8,7 +8,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.mechservice.solver.ode.suite.Ode;
+import org.mechservice.solver.ode.suite.FunctionOde;
 import org.mechservice.solver.ode.suite.Run;
 
 /** What an integrator does with values that are not finite, and where no solution is left. */
@@ -17,8 +17,8 @@ public abstract class FailureContract extends UsageContract {
 
   @Test
   void rightHandSideNotFiniteAtTheStartFailsNamingTheComponent() {
-    Ode broken =
-        new Ode(
+    FunctionOde broken =
+        new FunctionOde(
             2,
             (t, y, yDot) -> {
               yDot[0] = 1;
@@ -36,8 +36,8 @@ public abstract class FailureContract extends UsageContract {
   @ParameterizedTest
   @ValueSource(doubles = {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY})
   void rightHandSideNotFiniteFromSomewhereOnFailsThereNamingTheComponent(double value) {
-    Ode broken =
-        new Ode(
+    FunctionOde broken =
+        new FunctionOde(
             2,
             (t, y, yDot) -> {
               yDot[0] = 1;
@@ -56,8 +56,8 @@ public abstract class FailureContract extends UsageContract {
   /** A wheel on a spring that is not defined near half a turn: t can go on there, y cannot. */
   @Test
   void stateThatCannotBePassedEndsTheRunInsteadOfLettingTimeCreep() {
-    Ode guarded =
-        new Ode(
+    FunctionOde guarded =
+        new FunctionOde(
             2,
             (t, y, yDot) -> {
               yDot[0] = y[1];
@@ -72,8 +72,8 @@ public abstract class FailureContract extends UsageContract {
 
   @Test
   void tenTriesInARowThatAreNotFiniteEndTheRun() {
-    Ode broken =
-        new Ode(
+    FunctionOde broken =
+        new FunctionOde(
             1,
             (t, y, yDot) -> {
               yDot[0] = t > 0 ? Double.NaN : 1;
@@ -95,8 +95,8 @@ public abstract class FailureContract extends UsageContract {
   void onePointThatIsNotFiniteIsSteppedAround(int evaluation) {
     // Odd and even: the evaluation at a prediction and at a corrected state.
     AtomicInteger count = new AtomicInteger();
-    Ode blinking =
-        new Ode(
+    FunctionOde blinking =
+        new FunctionOde(
             1,
             (t, y, yDot) ->
                 yDot[0] =
@@ -111,7 +111,7 @@ public abstract class FailureContract extends UsageContract {
   @ValueSource(doubles = {1e-3, 1e-6, 1e-9})
   void leavingTheDomainOfTheRightHandSideIsReported(double tolerance) {
     // y' = −√y reaches 0 at t = 2 and is not defined beyond (suite: nan_domain).
-    Ode root = new Ode(1, (t, y, yDot) -> yDot[0] = -Math.sqrt(y[0]));
+    FunctionOde root = new FunctionOde(1, (t, y, yDot) -> yDot[0] = -Math.sqrt(y[0]));
     Run run = Run.of(create(tolerance), root, 0, new double[] {1}, 3);
     if (run.result() == StepResult.REACHED_END) {
       // The suite lets the solution rest at 0, which the equation does not exclude.
@@ -127,7 +127,7 @@ public abstract class FailureContract extends UsageContract {
   void blowUpInFiniteTimeIsReportedWhereItHappens() {
     // y' = y², pole at t = 1 (suite: blowup). The pole of the numerical solution lies off by some
     // tolerances; what is reported lies before both.
-    Ode blowUp = new Ode(1, (t, y, yDot) -> yDot[0] = y[0] * y[0]);
+    FunctionOde blowUp = new FunctionOde(1, (t, y, yDot) -> yDot[0] = y[0] * y[0]);
     Run run = Run.of(create(1e-6), blowUp, 0, new double[] {1}, 2);
     assertThat(run.result()).isEqualTo(StepResult.FAILED);
     IntegrationFailure failure = run.integrator().failure();

@@ -14,7 +14,7 @@ import org.mechservice.solver.ode.adams.De;
 import org.mechservice.solver.ode.adams.Ode113;
 import org.mechservice.solver.ode.stiff.Ode15s;
 import org.mechservice.solver.ode.stiff.Ode15sR;
-import org.mechservice.solver.ode.suite.Ode;
+import org.mechservice.solver.ode.suite.FunctionOde;
 import org.mechservice.solver.ode.suite.Run;
 import org.mechservice.solver.ode.switching.Switching;
 
@@ -25,7 +25,12 @@ import org.mechservice.solver.ode.switching.Switching;
 class FurtherProblemsTest {
   /** A problem, the size below which its components are negligible, and whether it is stiff. */
   private record Problem(
-      String name, boolean stiff, List<Double> start, double end, double scale, Ode equations) {
+      String name,
+      boolean stiff,
+      List<Double> start,
+      double end,
+      double scale,
+      FunctionOde equations) {
     double[] initialState() {
       return start.stream().mapToDouble(Double::doubleValue).toArray();
     }
@@ -47,8 +52,8 @@ class FurtherProblemsTest {
       List<Double> start,
       double end,
       double scale,
-      Ode.Equation equation) {
-    return new Problem(name, stiff, start, end, scale, new Ode(start.size(), equation));
+      FunctionOde.Equation equation) {
+    return new Problem(name, stiff, start, end, scale, new FunctionOde(start.size(), equation));
   }
 
   static Stream<Problem> problems() {
@@ -258,8 +263,8 @@ class FurtherProblemsTest {
   }
 
   /** Van der Pol with mu = 1e6 in its own time scale: two jumps that last 1e-12 of the time. */
-  private static final Ode SHARP =
-      new Ode(
+  private static final FunctionOde SHARP =
+      new FunctionOde(
           2,
           (t, y, d) -> {
             d[0] = y[1];

@@ -15,8 +15,8 @@ import org.mechservice.solver.ode.suite.DetestA3;
 import org.mechservice.solver.ode.suite.EulerRigidBody;
 import org.mechservice.solver.ode.suite.ExactProblem;
 import org.mechservice.solver.ode.suite.FastOscillator;
+import org.mechservice.solver.ode.suite.FunctionOde;
 import org.mechservice.solver.ode.suite.Kepler;
-import org.mechservice.solver.ode.suite.Ode;
 import org.mechservice.solver.ode.suite.Run;
 import org.mechservice.solver.ode.suite.SuiteProblem;
 
@@ -70,8 +70,8 @@ public abstract class IntegratorContract extends FailureContract {
   @ValueSource(doubles = {1e-200, 1, 1e200})
   void unitsOfStateAndTimeDoNotMatter(double unit) {
     // A rotation by 10 rad; squares of such numbers are beyond the range of floating point.
-    Ode slow =
-        new Ode(
+    FunctionOde slow =
+        new FunctionOde(
             2,
             (t, y, yDot) -> {
               yDot[0] = y[1] / unit;
@@ -89,8 +89,8 @@ public abstract class IntegratorContract extends FailureContract {
   @Test
   void eachComponentIsHeldToItsOwnAbsoluteTolerance() {
     // Two equal decaying oscillators, of which the second may err by 1: the first decides.
-    Ode two =
-        new Ode(
+    FunctionOde two =
+        new FunctionOde(
             2,
             (t, y, yDot) -> {
               yDot[0] = -y[0] + StrictMath.sin(3 * t);
@@ -297,7 +297,7 @@ public abstract class IntegratorContract extends FailureContract {
 
   @Test
   void mirroredTimeTakesTheSameSteps() {
-    Ode mirrored = new Ode(1, (t, y, yDot) -> yDot[0] = -y[0] * StrictMath.cos(-t));
+    FunctionOde mirrored = new FunctionOde(1, (t, y, yDot) -> yDot[0] = -y[0] * StrictMath.cos(-t));
     Run forth = Run.of(create(1e-8), SMOOTH, 0, new double[] {1}, 20);
     Run mirror = Run.of(create(1e-8), mirrored, 0, new double[] {1}, -20);
     assertThat(mirror.atEnd()).isEqualTo(forth.atEnd());
@@ -329,7 +329,8 @@ public abstract class IntegratorContract extends FailureContract {
 
   @Test
   void firstStepTooSmallForTheArithmeticIsRaised() {
-    Ode shifted = new Ode(1, (t, y, yDot) -> yDot[0] = y[0] * StrictMath.cos(t - 1e6));
+    FunctionOde shifted =
+        new FunctionOde(1, (t, y, yDot) -> yDot[0] = y[0] * StrictMath.cos(t - 1e6));
     Run run = Run.of(create(withFirstStep(1e-30)), shifted, 1e6, new double[] {1}, 1e6 + 20);
     assertThat(run.result()).isEqualTo(StepResult.REACHED_END);
     // 1e6 holds its fraction to 1e-10, which shifts cos t by as much: invisible at 1e-4.
@@ -369,7 +370,7 @@ public abstract class IntegratorContract extends FailureContract {
 
   @Test
   void linearSolutionIsExactToRoundOff() {
-    Ode linear = new Ode(1, (t, y, yDot) -> yDot[0] = 3);
+    FunctionOde linear = new FunctionOde(1, (t, y, yDot) -> yDot[0] = 3);
     Run run = Run.of(create(1e-6), linear, 0, new double[] {1}, 1e6);
     assertThat(run.atEnd()[0]).isCloseTo(3e6 + 1, within(1e-8));
     assertThat(run.statistics().rejectedSteps()).isZero();

@@ -6,8 +6,8 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.solver.ode.suite.FunctionOde;
 import org.mechservice.solver.ode.suite.LoopPendulum;
-import org.mechservice.solver.ode.suite.Ode;
 import org.mechservice.solver.ode.suite.Run;
 
 /** What an integrator does with components that follow from others, manifolds and unit groups. */
@@ -75,7 +75,7 @@ public abstract class ManifoldContract {
     // The second component follows from the first and wiggles a thousand times as fast.
     Wiggle wiggle = new Wiggle();
     long steps = Run.of(create(1e-6), wiggle, 0, new double[] {0, 0}, 10).statistics().steps();
-    Ode alone = new Ode(1, (t, y, yDot) -> yDot[0] = StrictMath.cos(t));
+    FunctionOde alone = new FunctionOde(1, (t, y, yDot) -> yDot[0] = StrictMath.cos(t));
     long alone1 = Run.of(create(1e-6), alone, 0, new double[] {0}, 10).statistics().steps();
     assertThat(steps).isEqualTo(alone1);
   }
@@ -184,7 +184,7 @@ public abstract class ManifoldContract {
       assertThat(defect(y)).isLessThan(1e-14);
     }
     LoopPendulum equations = new LoopPendulum();
-    Ode free = new Ode(4, equations::derivative);
+    FunctionOde free = new FunctionOde(4, equations::derivative);
     double[] drifted = Run.of(create(tolerance), free, 0, LoopPendulum.start(), 10).atEnd();
     assertThat(defect(drifted)).isGreaterThan(0.01 * tolerance);
   }
@@ -192,7 +192,7 @@ public abstract class ManifoldContract {
   @Test
   void projectionCostsNoAccuracy() {
     LoopPendulum equations = new LoopPendulum();
-    Ode free = new Ode(4, equations::derivative);
+    FunctionOde free = new FunctionOde(4, equations::derivative);
     double digitsLost = 0;
     for (int k = 4; k <= 10; k++) {
       double tolerance = StrictMath.pow(10, -k);

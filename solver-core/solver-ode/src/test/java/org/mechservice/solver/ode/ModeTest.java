@@ -15,7 +15,7 @@ import org.mechservice.solver.ode.adams.De;
 import org.mechservice.solver.ode.adams.Ode113;
 import org.mechservice.solver.ode.stiff.Ode15s;
 import org.mechservice.solver.ode.stiff.Ode15sR;
-import org.mechservice.solver.ode.suite.Ode;
+import org.mechservice.solver.ode.suite.FunctionOde;
 import org.mechservice.solver.ode.suite.Run;
 import org.mechservice.solver.ode.suite.SuiteProblem;
 import org.mechservice.solver.ode.switching.Switching;
@@ -118,8 +118,8 @@ class ModeTest {
   @ValueSource(ints = {3, 4, 5, 6, 7, 8, 9})
   void undeclaredJumpsCostAtMost25RejectedStepsEach(int k) {
     // Suite: step_force, not declared.
-    Ode pushed =
-        new Ode(
+    FunctionOde pushed =
+        new FunctionOde(
             2,
             (t, y, yDot) -> {
               yDot[0] = y[1];

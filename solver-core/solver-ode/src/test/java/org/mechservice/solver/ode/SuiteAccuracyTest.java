@@ -9,12 +9,12 @@ import org.junit.jupiter.api.Test;
 import org.mechservice.solver.ode.adams.De;
 import org.mechservice.solver.ode.adams.Ode113;
 import org.mechservice.solver.ode.stiff.Ode15s;
-import org.mechservice.solver.ode.suite.Reference;
 import org.mechservice.solver.ode.suite.ResidualProblem;
 import org.mechservice.solver.ode.suite.ResidualRun;
 import org.mechservice.solver.ode.suite.Run;
 import org.mechservice.solver.ode.suite.SixLinkChain;
 import org.mechservice.solver.ode.suite.SuiteProblem;
+import org.mechservice.solver.ode.suite.VerifiedValues;
 
 /** How many of the digits asked for arrive at the end. */
 class SuiteAccuracyTest {
@@ -88,7 +88,7 @@ class SuiteAccuracyTest {
   @Test
   void bothAgreeWithAnIndependentIntegratorOnTheSixLinkChain() {
     SixLinkChain chain = new SixLinkChain();
-    Reference reference = chain.reference();
+    VerifiedValues reference = chain.reference();
     double[] independent = new double[chain.dimension()];
     new DormandPrince853Integrator(1e-12, 0.1, 1e-13, 1e-13)
         .integrate(equations(chain), 0, reference.initialState(), reference.end(), independent);

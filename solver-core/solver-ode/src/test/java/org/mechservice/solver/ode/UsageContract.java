@@ -17,8 +17,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.solver.ode.suite.DetestA3;
 import org.mechservice.solver.ode.suite.EulerRigidBody;
 import org.mechservice.solver.ode.suite.ExactProblem;
+import org.mechservice.solver.ode.suite.FunctionOde;
 import org.mechservice.solver.ode.suite.Kepler;
-import org.mechservice.solver.ode.suite.Ode;
 import org.mechservice.solver.ode.suite.Run;
 import org.mechservice.solver.ode.suite.SuiteProblem;
 import org.mechservice.solver.ode.suite.VanDerPol;
@@ -30,11 +30,11 @@ public abstract class UsageContract {
   /** y' = y cos t, solution exp(sin t) from 1 at t = 0. */
   static final ExactProblem SMOOTH = new DetestA3();
 
-  static final Ode CONSTANT = new Ode(3, (t, y, yDot) -> Arrays.fill(yDot, 0));
+  static final FunctionOde CONSTANT = new FunctionOde(3, (t, y, yDot) -> Arrays.fill(yDot, 0));
 
   /** An oscillator at rest on which a force acts from t = 1 to t = 2 (suite: step_force). */
-  static final Ode PUSHED =
-      new Ode(
+  static final FunctionOde PUSHED =
+      new FunctionOde(
           2,
           (t, y, yDot) -> {
             yDot[0] = y[1];
@@ -100,8 +100,8 @@ public abstract class UsageContract {
   @ValueSource(ints = {2, 3, 50, 51, 52, 53, 200})
   void stopSignalEndsTheStepBeforeTheNextEvaluationAndLeavesTheState(int evaluation) {
     AtomicInteger evaluations = new AtomicInteger();
-    Ode counted =
-        new Ode(
+    FunctionOde counted =
+        new FunctionOde(
             1,
             (t, y, yDot) -> {
               evaluations.incrementAndGet();
@@ -166,8 +166,8 @@ public abstract class UsageContract {
   @Test
   void statisticsCountEveryEvaluation() {
     AtomicInteger evaluations = new AtomicInteger();
-    Ode counted =
-        new Ode(
+    FunctionOde counted =
+        new FunctionOde(
             1,
             (t, y, yDot) -> {
               evaluations.incrementAndGet();
@@ -189,8 +189,8 @@ public abstract class UsageContract {
 
   @Test
   void stateGivenToTheRightHandSideKeepsItsValuesWhileTheDerivativeIsWritten() {
-    Ode watching =
-        new Ode(
+    FunctionOde watching =
+        new FunctionOde(
             2,
             (t, y, yDot) -> {
               double y0 = y[0];

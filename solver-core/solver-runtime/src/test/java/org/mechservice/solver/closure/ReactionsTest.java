@@ -27,9 +27,9 @@ import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
-import org.mechservice.solver.oracle.AppliedForce;
 import org.mechservice.solver.oracle.ClosureForces;
 import org.mechservice.solver.oracle.GlobalFormulation;
+import org.mechservice.solver.oracle.OracleForce;
 import org.mechservice.solver.oracle.TaylorPose;
 import org.mechservice.solver.scenes.SharedScene;
 import org.mechservice.solver.scenes.SharedScene.ReferenceState;
@@ -134,7 +134,7 @@ class ReactionsTest {
     Mechanism mechanism = scene.mechanism();
     LoopModel model = model(mechanism);
     Reactions reactions = model.reactions();
-    List<AppliedForce> all = new ArrayList<>(scene.forces());
+    List<OracleForce> all = new ArrayList<>(scene.forces());
     all.add((t, pose, loads) -> apply(mechanism, reactions, pose, loads));
     GlobalFormulation global = new GlobalFormulation(mechanism, all);
     for (ReferenceState state : scene.reference().subList(0, 3)) {
@@ -159,7 +159,7 @@ class ReactionsTest {
       Mechanism mechanism,
       Reactions reactions,
       IntFunction<TaylorPose> pose,
-      AppliedForce.Loads loads) {
+      OracleForce.Loads loads) {
     for (int j = 0; j < mechanism.joints().size(); j++) {
       apply(mechanism.joints().get(j), reactions.onJoints, 6 * j, pose, loads);
     }
@@ -178,7 +178,7 @@ class ReactionsTest {
   }
 
   private static void apply(
-      Joint joint, double[] all, int at, IntFunction<TaylorPose> pose, AppliedForce.Loads loads) {
+      Joint joint, double[] all, int at, IntFunction<TaylorPose> pose, OracleForce.Loads loads) {
     Attachment bodies = joint.attachment();
     BodyPoint onChild = new BodyPoint(bodies.child(), bodies.childPoint());
     BodyPoint onParent = new BodyPoint(bodies.parent(), bodies.parentPoint());

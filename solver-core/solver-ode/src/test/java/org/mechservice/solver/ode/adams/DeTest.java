@@ -15,7 +15,7 @@ import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.IntegratorSettings;
 import org.mechservice.solver.ode.StepResult;
 import org.mechservice.solver.ode.suite.DetestA3;
-import org.mechservice.solver.ode.suite.Ode;
+import org.mechservice.solver.ode.suite.FunctionOde;
 import org.mechservice.solver.ode.suite.Run;
 import org.mechservice.solver.ode.suite.SuiteProblem;
 
@@ -89,8 +89,8 @@ class DeTest extends AdamsContract {
   @Test
   void neverGoesBeyondTenIntervals() {
     double[] latest = {0};
-    Ode watched =
-        new Ode(
+    FunctionOde watched =
+        new FunctionOde(
             1,
             (t, y, yDot) -> {
               latest[0] = Math.max(latest[0], t);
@@ -106,7 +106,7 @@ class DeTest extends AdamsContract {
   @Test
   void toleranceBelowTheRoundOffOfManyComponentsIsReported() {
     // 2u √n / rtol > ½: 1000 components of size 1 at the smallest tolerance.
-    Ode many = new Ode(1000, (t, y, yDot) -> Arrays.fill(yDot, 0));
+    FunctionOde many = new FunctionOde(1000, (t, y, yDot) -> Arrays.fill(yDot, 0));
     double[] y0 = new double[1000];
     Arrays.fill(y0, 1);
     Run run = Run.of(create(new IntegratorSettings(2.3e-14, 1e-300)), many, 0, y0, 1);

@@ -11,7 +11,7 @@ import org.mechservice.solver.ode.IntegrationStatistics;
 import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.IntegratorSettings;
 import org.mechservice.solver.ode.suite.DetestA3;
-import org.mechservice.solver.ode.suite.Ode;
+import org.mechservice.solver.ode.suite.FunctionOde;
 import org.mechservice.solver.ode.suite.Run;
 import org.mechservice.solver.ode.suite.SuiteProblem;
 
@@ -70,7 +70,7 @@ class Ode113Test extends AdamsContract {
 
   @Test
   void takesAtLeastTenStepsUnlessALongerOneIsAllowed() {
-    Ode constant = new Ode(1, (t, y, yDot) -> yDot[0] = 0);
+    FunctionOde constant = new FunctionOde(1, (t, y, yDot) -> yDot[0] = 0);
     Run run = Run.of(create(new IntegratorSettings(1e-6, 1e-6)), constant, 0, new double[] {1}, 5);
     assertThat(run.statistics().steps()).isEqualTo(10);
   }
@@ -78,8 +78,8 @@ class Ode113Test extends AdamsContract {
   @Test
   void nothingIsEvaluatedBeyondTheEnd() {
     double[] latest = {0};
-    Ode watched =
-        new Ode(
+    FunctionOde watched =
+        new FunctionOde(
             1,
             (t, y, yDot) -> {
               latest[0] = Math.max(latest[0], t);

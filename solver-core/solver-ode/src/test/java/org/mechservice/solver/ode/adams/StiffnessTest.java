@@ -9,14 +9,14 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.IntegratorSettings;
 import org.mechservice.solver.ode.StepResult;
-import org.mechservice.solver.ode.suite.Ode;
+import org.mechservice.solver.ode.suite.FunctionOde;
 import org.mechservice.solver.ode.suite.Run;
 import org.mechservice.solver.ode.suite.SuiteProblem;
 
 /** Stiffness is suspected where it limits the steps, soon, and nowhere else. */
 class StiffnessTest {
-  private static final Ode DAMPED_OSCILLATOR =
-      new Ode(
+  private static final FunctionOde DAMPED_OSCILLATOR =
+      new FunctionOde(
           3,
           (t, y, yDot) -> {
             yDot[0] = -10 * y[0] + 100 * y[1];
@@ -24,16 +24,16 @@ class StiffnessTest {
             yDot[2] = -0.1 * y[2];
           });
 
-  private static final Ode STIFF_VAN_DER_POL =
-      new Ode(
+  private static final FunctionOde STIFF_VAN_DER_POL =
+      new FunctionOde(
           2,
           (t, y, yDot) -> {
             yDot[0] = y[1];
             yDot[1] = 1000 * (1 - y[0] * y[0]) * y[1] - y[0];
           });
 
-  private static final Ode ROBERTSON =
-      new Ode(
+  private static final FunctionOde ROBERTSON =
+      new FunctionOde(
           3,
           (t, y, yDot) -> {
             yDot[0] = -0.04 * y[0] + 1e4 * y[1] * y[2];
@@ -81,7 +81,8 @@ class StiffnessTest {
     return integrator.statistics().stiffnessSuspected();
   }
 
-  private static boolean suspects(Integrator integrator, Ode ode, double[] y0, double tEnd) {
+  private static boolean suspects(
+      Integrator integrator, FunctionOde ode, double[] y0, double tEnd) {
     return Run.of(integrator, ode, 0, y0, tEnd).statistics().stiffnessSuspected();
   }
 
@@ -100,8 +101,8 @@ class StiffnessTest {
   void smallStepsByOrderOfTheUserAreNot() {
     IntegratorSettings bounded =
         new IntegratorSettings(1e-3, List.of(1e-3), 1e-3, 0, 0, Long.MAX_VALUE, () -> false);
-    Ode slow = new Ode(1, (t, y, yDot) -> yDot[0] = y[0] * StrictMath.cos(t));
-    Ode atRest = new Ode(1, (t, y, yDot) -> yDot[0] = 0);
+    FunctionOde slow = new FunctionOde(1, (t, y, yDot) -> yDot[0] = y[0] * StrictMath.cos(t));
+    FunctionOde atRest = new FunctionOde(1, (t, y, yDot) -> yDot[0] = 0);
     for (Integrator integrator : integrators(bounded)) {
       assertThat(suspects(integrator, slow, new double[] {1}, 2)).isFalse();
       assertThat(suspects(integrator, atRest, new double[] {1}, 2)).isFalse();

@@ -20,7 +20,7 @@ import org.mechservice.solver.ode.adams.Ode113;
 import org.mechservice.solver.ode.stiff.Ode15s;
 import org.mechservice.solver.ode.stiff.Ode15sR;
 import org.mechservice.solver.ode.suite.DryFriction;
-import org.mechservice.solver.ode.suite.Ode;
+import org.mechservice.solver.ode.suite.FunctionOde;
 import org.mechservice.solver.ode.suite.Run;
 import org.mechservice.solver.ode.switching.Switching;
 
@@ -332,8 +332,8 @@ class UndeclaredJumpTest {
     return wrong;
   }
 
-  private static Ode pushed(double[] places, double sign) {
-    return new Ode(
+  private static FunctionOde pushed(double[] places, double sign) {
+    return new FunctionOde(
         2,
         (t, y, yDot) -> {
           int behind = Arrays.binarySearch(places, t);

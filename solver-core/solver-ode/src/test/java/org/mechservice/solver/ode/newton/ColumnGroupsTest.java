@@ -17,7 +17,7 @@ import org.mechservice.solver.linear.MatrixLayout;
 import org.mechservice.solver.ode.OdeSystem;
 import org.mechservice.solver.ode.SparseSystem;
 import org.mechservice.solver.ode.SystemParts;
-import org.mechservice.solver.ode.suite.Ode;
+import org.mechservice.solver.ode.suite.FunctionOde;
 
 class ColumnGroupsTest {
   private static List<List<Integer>> groups(SystemParts system, MatrixLayout layout) {
@@ -116,13 +116,13 @@ class ColumnGroupsTest {
   @CsvSource({"1, 0, 0", "9, 0, 0", "9, 1, 1", "20, 2, 3", "12, 4, 0"})
   void patternOfABandIsGroupedAsTheBand(int n, int lower, int upper) {
     SparseSystem pattern = (i, j) -> j - i >= -lower && j - i <= upper;
-    OdeSystem band = new Ode(n, (t, y, yDot) -> {});
+    OdeSystem band = new FunctionOde(n, (t, y, yDot) -> {});
     assertThat(groups(n, pattern)).isEqualTo(groups(band, new BandLayout(n, lower, upper)));
   }
 
   @Test
   void columnsOfAFullMatrixStandAlone() {
-    assertThat(groups(new Ode(3, (t, y, yDot) -> {}), new DenseLayout(3)))
+    assertThat(groups(new FunctionOde(3, (t, y, yDot) -> {}), new DenseLayout(3)))
         .containsExactly(List.of(0), List.of(1), List.of(2));
   }
 

@@ -12,10 +12,10 @@ import org.mechservice.solver.ode.OdeSystem;
 import org.mechservice.solver.ode.TrialOutcome;
 import org.mechservice.solver.ode.step.Manifold;
 import org.mechservice.solver.ode.suite.Brusselator;
-import org.mechservice.solver.ode.suite.Ode;
+import org.mechservice.solver.ode.suite.FunctionOde;
 
 class JacobianDifferencesTest {
-  private static double[] evaluate(Ode ode, double[] threshold, double[] y) {
+  private static double[] evaluate(FunctionOde ode, double[] threshold, double[] y) {
     MatrixLayout layout = new DenseLayout(y.length);
     double[] fy = new double[layout.length()];
     TrialOutcome attempt = form(differences(layout, threshold), at0(ode), y, fy);
@@ -24,7 +24,7 @@ class JacobianDifferencesTest {
   }
 
   private static JacobianDifferences differences(MatrixLayout layout, double[] threshold) {
-    OdeSystem any = new Ode(threshold.length, (t, y, yDot) -> {});
+    OdeSystem any = new FunctionOde(threshold.length, (t, y, yDot) -> {});
     ColumnGroups groups = ColumnGroups.of(any, layout);
     return new JacobianDifferences(layout, groups, threshold, new Manifold(any));
   }
@@ -43,8 +43,8 @@ class JacobianDifferencesTest {
 
   @Test
   void isTheMatrixOfALinearSystem() {
-    Ode linear =
-        new Ode(
+    FunctionOde linear =
+        new FunctionOde(
             2,
             (t, y, yDot) -> {
               yDot[0] = 3 * y[0] - 1e6 * y[1];
@@ -60,7 +60,7 @@ class JacobianDifferencesTest {
 
   @Test
   void isGoodToHalfTheDigitsOfANonlinearOne() {
-    Ode product = new Ode(1, (t, y, yDot) -> yDot[0] = y[0] * y[0] * y[0]);
+    FunctionOde product = new FunctionOde(1, (t, y, yDot) -> yDot[0] = y[0] * y[0] * y[0]);
     double[] fy = evaluate(product, new double[] {1e-3}, new double[] {2});
     assertThat(fy[0]).isCloseTo(12, within(1e-6));
   }
@@ -68,7 +68,7 @@ class JacobianDifferencesTest {
   @Test
   void changeLostInRoundOffIsDifferencedAgainOverMore() {
     // √u of the threshold changes f by 1.5e-20 of its value; u^(1/4) of it by 1.2e-16, so twice.
-    Ode offset = new Ode(1, (t, y, yDot) -> yDot[0] = 1e9 + y[0]);
+    FunctionOde offset = new FunctionOde(1, (t, y, yDot) -> yDot[0] = 1e9 + y[0]);
     double[] fy = new double[1];
     JacobianDifferences differences = differences(new DenseLayout(1), new double[] {1e-3});
     AtomicInteger evaluations = new AtomicInteger();
@@ -96,7 +96,7 @@ class JacobianDifferencesTest {
           value[0] = 1e8 * x[0] - 1e8;
           return true;
         };
-    OdeSystem any = new Ode(1, (t, y, yDot) -> {});
+    OdeSystem any = new FunctionOde(1, (t, y, yDot) -> {});
     MatrixLayout layout = new DenseLayout(1);
     JacobianDifferences differences =
         new JacobianDifferences(
@@ -112,15 +112,16 @@ class JacobianDifferencesTest {
 
   @Test
   void pointMovedOutOfTheDomainIsMovedTheOtherWay() {
-    Ode root = new Ode(1, (t, y, yDot) -> yDot[0] = 2 + Math.sqrt(1 - y[0]) * (1 - y[0]));
+    FunctionOde root =
+        new FunctionOde(1, (t, y, yDot) -> yDot[0] = 2 + Math.sqrt(1 - y[0]) * (1 - y[0]));
     double[] fy = evaluate(root, new double[] {1}, new double[] {1});
     assertThat(fy[0]).isCloseTo(0, within(1e-3));
   }
 
   @Test
   void componentNotFiniteOnBothSidesIsNamed() {
-    Ode needle =
-        new Ode(
+    FunctionOde needle =
+        new FunctionOde(
             2,
             (t, y, yDot) -> {
               yDot[0] = 0;

@@ -7,8 +7,8 @@ import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.ode.TrialOutcome;
 import org.mechservice.solver.ode.step.Manifold;
 import org.mechservice.solver.ode.step.MaximumNorm;
+import org.mechservice.solver.ode.suite.FunctionOde;
 import org.mechservice.solver.ode.suite.ImplicitOde;
-import org.mechservice.solver.ode.suite.Ode;
 
 /** Two equations y' + 1e6 y = 0, of which a step of hγ = 1 leaves something. */
 class NegligibleResidualTest {
@@ -74,7 +74,8 @@ class NegligibleResidualTest {
   @Test
   void nothingIsKnownOfSmallerTolerances() {
     assertThat(isSlight(0.01, 0.01, 1)).isTrue();
-    norm.begin(0.01, new double[] {0.01, 0.01}, new Manifold(new Ode(2, (t, y, yDot) -> {})));
+    norm.begin(
+        0.01, new double[] {0.01, 0.01}, new Manifold(new FunctionOde(2, (t, y, yDot) -> {})));
     norm.weigh(new double[] {1, 1});
     assertThat(isSlight(0.04, 0.04, 1)).isFalse();
   }

@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.mechservice.solver.ode.suite.Ode;
+import org.mechservice.solver.ode.suite.FunctionOde;
 
 /** The largest component counts, whatever the sign of it, and what is not finite is never lost. */
 class MaximumNormTest {
@@ -17,7 +17,7 @@ class MaximumNormTest {
    */
   private static MaximumNorm norm(double size) {
     MaximumNorm norm = new MaximumNorm();
-    norm.begin(1, new double[] {1, 1}, new Manifold(new Ode(2, (t, y, yDot) -> {})));
+    norm.begin(1, new double[] {1, 1}, new Manifold(new FunctionOde(2, (t, y, yDot) -> {})));
     norm.weigh(new double[] {1, size});
     return norm;
   }

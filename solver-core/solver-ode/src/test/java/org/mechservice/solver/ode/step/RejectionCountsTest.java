@@ -12,7 +12,7 @@ import org.mechservice.solver.ode.OdeSystem;
 import org.mechservice.solver.ode.StepResult;
 import org.mechservice.solver.ode.adams.Ode113;
 import org.mechservice.solver.ode.stiff.Ode15s;
-import org.mechservice.solver.ode.suite.Ode;
+import org.mechservice.solver.ode.suite.FunctionOde;
 import org.mechservice.solver.ode.suite.Run;
 import org.mechservice.solver.ode.suite.StiffVanDerPol;
 import org.mechservice.solver.ode.suite.SuiteProblem;
@@ -73,7 +73,7 @@ class RejectionCountsTest {
   @Test
   void valueThatIsNotFiniteIsCountedApart() {
     OdeSystem rooted =
-        new Ode(1, (t, y, yDot) -> yDot[0] = y[0] < 0 ? Double.NaN : -Math.sqrt(y[0]));
+        new FunctionOde(1, (t, y, yDot) -> yDot[0] = y[0] < 0 ? Double.NaN : -Math.sqrt(y[0]));
     Run run =
         Run.of(new Ode113(new IntegratorSettings(1e-6, 1e-6)), rooted, 0, new double[] {1}, 3);
 

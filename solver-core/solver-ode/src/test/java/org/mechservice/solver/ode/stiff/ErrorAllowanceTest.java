@@ -13,7 +13,7 @@ import org.mechservice.solver.ode.IntegratorSettings;
 import org.mechservice.solver.ode.IntegratorSettings.Mode;
 import org.mechservice.solver.ode.OdeSystem;
 import org.mechservice.solver.ode.newton.JacobianMatrix;
-import org.mechservice.solver.ode.suite.Ode;
+import org.mechservice.solver.ode.suite.FunctionOde;
 import org.mechservice.solver.ode.suite.Run;
 import org.mechservice.solver.ode.suite.SuiteProblem;
 
@@ -56,7 +56,7 @@ class ErrorAllowanceTest {
   void transientThatDiesOutCostsNoMoreThanAsPublished() {
     // Two decays and nothing else, followed from the first to the last: no error of theirs stays.
     OdeSystem decays =
-        new Ode(
+        new FunctionOde(
             2,
             (t, y, slope) -> {
               slope[0] = -9e4 * y[0];

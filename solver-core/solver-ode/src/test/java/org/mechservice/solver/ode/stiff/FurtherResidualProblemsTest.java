@@ -10,8 +10,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.mechservice.solver.ode.IntegratorSettings;
 import org.mechservice.solver.ode.StepResult;
 import org.mechservice.solver.ode.adams.Ode113;
+import org.mechservice.solver.ode.suite.FunctionOde;
 import org.mechservice.solver.ode.suite.ImplicitOde;
-import org.mechservice.solver.ode.suite.Ode;
 import org.mechservice.solver.ode.suite.Run;
 
 /**
@@ -31,7 +31,7 @@ class FurtherResidualProblemsTest {
   private record Problem(
       String name,
       double end,
-      Ode explicit,
+      FunctionOde explicit,
       List<Double> start,
       int algebraic,
       Unknowns unknowns,
@@ -81,7 +81,7 @@ class FurtherResidualProblemsTest {
         new Problem(
             "pendulum",
             3,
-            new Ode(
+            new FunctionOde(
                 2,
                 (t, y, d) -> {
                   d[0] = y[1];
@@ -107,7 +107,7 @@ class FurtherResidualProblemsTest {
         new Problem(
             "equilibrium",
             5,
-            new Ode(
+            new FunctionOde(
                 2,
                 (t, y, d) -> {
                   d[0] = StrictMath.cos(3 * t) - y[1];
@@ -124,7 +124,7 @@ class FurtherResidualProblemsTest {
         new Problem(
             "rectifier",
             2,
-            new Ode(
+            new FunctionOde(
                 1,
                 (t, y, d) ->
                     d[0] =
@@ -142,7 +142,7 @@ class FurtherResidualProblemsTest {
         new Problem(
             "bead",
             10,
-            new Ode(
+            new FunctionOde(
                 2,
                 (t, y, d) -> {
                   d[0] = y[1];

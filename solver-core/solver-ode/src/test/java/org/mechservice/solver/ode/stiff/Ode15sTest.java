@@ -26,18 +26,19 @@ import org.mechservice.solver.ode.backward.BackwardFormulas;
 import org.mechservice.solver.ode.suite.Banded;
 import org.mechservice.solver.ode.suite.Brusselator;
 import org.mechservice.solver.ode.suite.DetestA3;
-import org.mechservice.solver.ode.suite.Ode;
-import org.mechservice.solver.ode.suite.Reference;
+import org.mechservice.solver.ode.suite.FunctionOde;
 import org.mechservice.solver.ode.suite.Run;
 import org.mechservice.solver.ode.suite.StiffVanDerPol;
 import org.mechservice.solver.ode.suite.SuiteProblem;
+import org.mechservice.solver.ode.suite.VerifiedValues;
 
 class Ode15sTest extends IntegratorContract {
   /** y' = y, whose iteration matrix 1 − hγ is singular at h = 1 for BDF of order 1. */
-  private static final Ode GROWTH = new Ode(1, (t, y, yDot) -> yDot[0] = y[0]);
+  private static final FunctionOde GROWTH = new FunctionOde(1, (t, y, yDot) -> yDot[0] = y[0]);
 
   /** Slides into y = 0 at t = 1, where no step has a solution and f no derivative. */
-  private static final Ode SLIDING = new Ode(1, (t, y, yDot) -> yDot[0] = y[0] > 0 ? -1 : 1);
+  private static final FunctionOde SLIDING =
+      new FunctionOde(1, (t, y, yDot) -> yDot[0] = y[0] > 0 ? -1 : 1);
 
   @Override
   protected Integrator create(IntegratorSettings settings) {
@@ -183,7 +184,8 @@ class Ode15sTest extends IntegratorContract {
   }
 
   private Run relaxation(double rate) {
-    Ode ode = new Ode(1, (t, y, yDot) -> yDot[0] = rate * (y[0] - StrictMath.cos(t)));
+    FunctionOde ode =
+        new FunctionOde(1, (t, y, yDot) -> yDot[0] = rate * (y[0] - StrictMath.cos(t)));
     return Run.of(create(1e-6), ode, 0, new double[] {2}, 10);
   }
 
@@ -222,7 +224,7 @@ class Ode15sTest extends IntegratorContract {
   /** The Brusselator: each species diffuses, and reacts with the other at its own point. */
   private record Patterned(SuiteProblem problem) implements SuiteProblem, SparseSystem {
     @Override
-    public Reference reference() {
+    public VerifiedValues reference() {
       return problem.reference();
     }
 
@@ -277,7 +279,7 @@ class Ode15sTest extends IntegratorContract {
     }
 
     @Override
-    public Reference reference() {
+    public VerifiedValues reference() {
       return problem.reference();
     }
 
@@ -324,7 +326,7 @@ class Ode15sTest extends IntegratorContract {
   @Test
   void startAtTheEdgeOfTheDomainIsDifferencedInwards() {
     // f is not defined above y = 1, where it starts, and grows with y: differenced upwards first.
-    Ode edge = new Ode(1, (t, y, yDot) -> yDot[0] = 1 - Math.sqrt(1 - y[0]));
+    FunctionOde edge = new FunctionOde(1, (t, y, yDot) -> yDot[0] = 1 - Math.sqrt(1 - y[0]));
     Run run = Run.of(create(1e-6), edge, 0, new double[] {1}, -0.5);
     assertThat(run.result()).isEqualTo(StepResult.REACHED_END);
     assertThat(run.atEnd()[0]).isLessThan(1);
@@ -403,8 +405,8 @@ class Ode15sTest extends IntegratorContract {
   @Test
   void nothingIsEvaluatedBeyondTheEnd() {
     double[] latest = {0};
-    Ode watched =
-        new Ode(
+    FunctionOde watched =
+        new FunctionOde(
             1,
             (t, y, yDot) -> {
               latest[0] = Math.max(latest[0], t);

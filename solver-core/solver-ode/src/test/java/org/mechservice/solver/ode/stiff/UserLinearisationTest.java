@@ -14,11 +14,11 @@ import org.mechservice.solver.ode.LinearisedSystem;
 import org.mechservice.solver.ode.StepResult;
 import org.mechservice.solver.ode.suite.Brusselator;
 import org.mechservice.solver.ode.suite.Hires;
-import org.mechservice.solver.ode.suite.Reference;
 import org.mechservice.solver.ode.suite.Run;
 import org.mechservice.solver.ode.suite.StiffChain;
 import org.mechservice.solver.ode.suite.StiffVanDerPol;
 import org.mechservice.solver.ode.suite.SuiteProblem;
+import org.mechservice.solver.ode.suite.VerifiedValues;
 
 /**
  * Systems that bring their own linear algebra, as mechanisms do, none of whose states is algebraic.
@@ -123,7 +123,7 @@ class UserLinearisationTest {
   }
 
   private static Ode15sR run(Multiplied system, double tolerance) {
-    Reference reference = system.problem.reference();
+    VerifiedValues reference = system.problem.reference();
     double[] yDot = new double[system.n];
     system.problem.derivative(0, reference.initialState(), yDot);
     Ode15sR integrator = new Ode15sR(Run.settings(system.problem, tolerance));
@@ -137,7 +137,7 @@ class UserLinearisationTest {
   }
 
   private static double digits(Multiplied system, Integrator integrator) {
-    Reference reference = system.problem.reference();
+    VerifiedValues reference = system.problem.reference();
     double[] end = Run.state(integrator, reference.end(), system.n);
     return reference.mixedDigits(end, reference.atEnd());
   }
@@ -170,7 +170,7 @@ class UserLinearisationTest {
     Multiplied system = new Multiplied(problem, true);
     Ode15sR residual = run(system, tolerance);
     Ode15s explicit = new Ode15s(Run.settings(system.problem, tolerance));
-    Reference reference = problem.reference();
+    VerifiedValues reference = problem.reference();
     StepResult result = explicit.start(problem, 0, reference.initialState(), reference.end());
     while (result == StepResult.ADVANCED) {
       result = explicit.step();

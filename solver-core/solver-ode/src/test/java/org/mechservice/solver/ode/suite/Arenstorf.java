@@ -9,8 +9,8 @@ public final class Arenstorf implements SuiteProblem {
   private static final double MOON_MASS = 0.012277471;
   private static final double EARTH_MASS = 1 - MOON_MASS;
 
-  private static final Reference REFERENCE =
-      new Reference(
+  private static final VerifiedValues REFERENCE =
+      new VerifiedValues(
           17.065216560157964,
           new double[] {0.994, 0.0, 0.0, -2.0015851063790824},
           new double[] {1.0, 1.0, 1.0, 1.0},
@@ -21,7 +21,7 @@ public final class Arenstorf implements SuiteProblem {
           });
 
   @Override
-  public Reference reference() {
+  public VerifiedValues reference() {
     return REFERENCE;
   }
 

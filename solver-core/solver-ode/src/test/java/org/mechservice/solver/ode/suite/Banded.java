@@ -11,7 +11,7 @@ public record Banded(SuiteProblem problem, int lowerBandwidth, int upperBandwidt
   }
 
   @Override
-  public Reference reference() {
+  public VerifiedValues reference() {
     return problem.reference();
   }
 

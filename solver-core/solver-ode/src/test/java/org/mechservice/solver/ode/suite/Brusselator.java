@@ -11,8 +11,8 @@ public final class Brusselator implements SuiteProblem {
   private static final double U_AT_ENDS = 1;
   private static final double V_AT_ENDS = 3;
 
-  private static final Reference REFERENCE =
-      new Reference(
+  private static final VerifiedValues REFERENCE =
+      new VerifiedValues(
           10.0,
           initialState(),
           new double[] {
@@ -107,7 +107,7 @@ public final class Brusselator implements SuiteProblem {
           });
 
   @Override
-  public Reference reference() {
+  public VerifiedValues reference() {
     return REFERENCE;
   }
 

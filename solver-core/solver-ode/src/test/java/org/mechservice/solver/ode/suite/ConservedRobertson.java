@@ -7,8 +7,8 @@ package org.mechservice.solver.ode.suite;
  * <p>End value confirmed to 23 digits by collocation of order 13 and 17 in quadruple precision.
  */
 public final class ConservedRobertson implements ResidualProblem {
-  private static final Reference REFERENCE =
-      new Reference(
+  private static final VerifiedValues REFERENCE =
+      new VerifiedValues(
           4e10,
           new double[] {1, 0, 0},
           new double[] {1e-06, 1e-06, 1e-06},
@@ -17,7 +17,7 @@ public final class ConservedRobertson implements ResidualProblem {
           new double[] {0.004938274520979815, 1.9849940879543756e-08, 0.9950617056290793});
 
   @Override
-  public Reference reference() {
+  public VerifiedValues reference() {
     return REFERENCE;
   }
 

@@ -5,8 +5,8 @@ package org.mechservice.solver.ode.suite;
  * stiff B5, Enright, Hull and Lindberg 1975.
  */
 public final class DampedOscillator implements ExactProblem {
-  private static final Reference REFERENCE =
-      new Reference(
+  private static final VerifiedValues REFERENCE =
+      new VerifiedValues(
           20.0,
           new double[] {1.0, 1.0, 1.0, 1.0, 1.0, 1.0},
           new double[] {1.0, 1.0, 1.0, 1.0, 1.0, 1.0},
@@ -29,7 +29,7 @@ public final class DampedOscillator implements ExactProblem {
           });
 
   @Override
-  public Reference reference() {
+  public VerifiedValues reference() {
     return REFERENCE;
   }
 

@@ -3,8 +3,8 @@ package org.mechservice.solver.ode.suite;
 /** y' = y cos t, DETEST A3, Hull et al. 1972. Exact: exp(sin t). */
 public final class DetestA3 implements ExactProblem {
 
-  private static final Reference REFERENCE =
-      new Reference(
+  private static final VerifiedValues REFERENCE =
+      new VerifiedValues(
           20.0,
           new double[] {1.0},
           new double[] {1.0},
@@ -13,7 +13,7 @@ public final class DetestA3 implements ExactProblem {
           new double[] {2.689507917609784});
 
   @Override
-  public Reference reference() {
+  public VerifiedValues reference() {
     return REFERENCE;
   }
 

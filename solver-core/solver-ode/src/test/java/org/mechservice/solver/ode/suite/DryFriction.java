@@ -45,7 +45,7 @@ public record DryFriction(double width, double belt) implements JacobianSystem {
 
   /** The same without its Jacobian. */
   public OdeSystem differenced() {
-    return new Ode(2, this::derivative);
+    return new FunctionOde(2, this::derivative);
   }
 
   /** The same as y' − f(t, y) = 0. */

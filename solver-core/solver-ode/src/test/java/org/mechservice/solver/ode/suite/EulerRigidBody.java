@@ -6,8 +6,8 @@ package org.mechservice.solver.ode.suite;
  */
 public final class EulerRigidBody implements SuiteProblem {
 
-  private static final Reference REFERENCE =
-      new Reference(
+  private static final VerifiedValues REFERENCE =
+      new VerifiedValues(
           20.0,
           new double[] {0.0, 1.0, 1.0},
           new double[] {1.0, 1.0, 1.0},
@@ -16,7 +16,7 @@ public final class EulerRigidBody implements SuiteProblem {
           new double[] {0.5109096692261356, 0.859634404785686, 0.9310614201246514});
 
   @Override
-  public Reference reference() {
+  public VerifiedValues reference() {
     return REFERENCE;
   }
 

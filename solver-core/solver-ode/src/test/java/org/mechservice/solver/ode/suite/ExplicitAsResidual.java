@@ -7,7 +7,7 @@ package org.mechservice.solver.ode.suite;
  */
 public record ExplicitAsResidual(SuiteProblem problem) implements ResidualProblem {
   @Override
-  public Reference reference() {
+  public VerifiedValues reference() {
     return problem.reference();
   }
 

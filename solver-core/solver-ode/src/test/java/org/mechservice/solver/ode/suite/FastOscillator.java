@@ -7,8 +7,8 @@ package org.mechservice.solver.ode.suite;
 public final class FastOscillator implements ExactProblem {
   private static final double FREQUENCY = 1000;
 
-  private static final Reference REFERENCE =
-      new Reference(
+  private static final VerifiedValues REFERENCE =
+      new VerifiedValues(
           1.0,
           new double[] {1.0, 1.0},
           new double[] {1.0, 1000.0},
@@ -17,7 +17,7 @@ public final class FastOscillator implements ExactProblem {
           new double[] {-0.40442373482727495, 468.6493878843665});
 
   @Override
-  public Reference reference() {
+  public VerifiedValues reference() {
     return REFERENCE;
   }
 

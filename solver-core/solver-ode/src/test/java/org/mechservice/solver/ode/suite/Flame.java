@@ -5,8 +5,8 @@ package org.mechservice.solver.ode.suite;
  * 2003. The end value is 1 to all digits; the checkpoint lies in the flare-up.
  */
 public final class Flame implements SuiteProblem {
-  private static final Reference REFERENCE =
-      new Reference(
+  private static final VerifiedValues REFERENCE =
+      new VerifiedValues(
           20000.0,
           new double[] {0.0001},
           new double[] {1.0},
@@ -15,7 +15,7 @@ public final class Flame implements SuiteProblem {
           new double[] {0.13586618357002986});
 
   @Override
-  public Reference reference() {
+  public VerifiedValues reference() {
     return REFERENCE;
   }
 

@@ -33,7 +33,7 @@ public record HeatRod(int dimension) implements OdeSystem, BandedSystem {
 
   /** Returns the same rod without its band. */
   public OdeSystem undeclared() {
-    return new Ode(dimension, this::derivative);
+    return new FunctionOde(dimension, this::derivative);
   }
 
   /** Returns the first two waves that fit the rod; they decay at rates near π² and 4π². */

@@ -6,8 +6,8 @@ package org.mechservice.solver.ode.suite;
  * precision, and by the published one to 15.6.
  */
 public final class Hires implements SuiteProblem {
-  private static final Reference REFERENCE =
-      new Reference(
+  private static final VerifiedValues REFERENCE =
+      new VerifiedValues(
           321.8122,
           new double[] {1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0057},
           new double[] {0.001, 0.001, 0.001, 0.001, 0.001, 0.001, 0.001, 0.001},
@@ -34,7 +34,7 @@ public final class Hires implements SuiteProblem {
           });
 
   @Override
-  public Reference reference() {
+  public VerifiedValues reference() {
     return REFERENCE;
   }
 

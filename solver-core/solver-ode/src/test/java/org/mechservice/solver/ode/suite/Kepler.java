@@ -7,8 +7,8 @@ package org.mechservice.solver.ode.suite;
 public final class Kepler implements ExactProblem {
   private static final double ECCENTRICITY = 0.9;
 
-  private static final Reference REFERENCE =
-      new Reference(
+  private static final VerifiedValues REFERENCE =
+      new VerifiedValues(
           20.0,
           new double[] {0.1, 0.0, 0.0, 4.358898943540674},
           new double[] {1.0, 1.0, 1.0, 1.0},
@@ -21,7 +21,7 @@ public final class Kepler implements ExactProblem {
           });
 
   @Override
-  public Reference reference() {
+  public VerifiedValues reference() {
     return REFERENCE;
   }
 

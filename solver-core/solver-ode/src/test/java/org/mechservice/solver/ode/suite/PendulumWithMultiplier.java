@@ -12,8 +12,8 @@ import java.util.function.ToDoubleFunction;
 public final class PendulumWithMultiplier implements ResidualProblem {
   private static final double GRAVITY = 9.81;
 
-  private static final Reference REFERENCE =
-      new Reference(
+  private static final VerifiedValues REFERENCE =
+      new VerifiedValues(
           10,
           new double[] {1, 0, 0, 0, 0},
           new double[] {1, 1, 1, 1, 1},
@@ -34,7 +34,7 @@ public final class PendulumWithMultiplier implements ResidualProblem {
           });
 
   @Override
-  public Reference reference() {
+  public VerifiedValues reference() {
     return REFERENCE;
   }
 

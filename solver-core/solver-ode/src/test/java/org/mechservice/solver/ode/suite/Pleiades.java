@@ -10,8 +10,8 @@ package org.mechservice.solver.ode.suite;
 public final class Pleiades implements SuiteProblem {
   private static final int STARS = 7;
 
-  private static final Reference REFERENCE =
-      new Reference(
+  private static final VerifiedValues REFERENCE =
+      new VerifiedValues(
           3.0,
           new double[] {
             3.0, 3.0, -1.0, -3.0, 2.0, -2.0, 2.0, 3.0, -3.0, 2.0, 0.0, 0.0, -4.0, 4.0, 0.0, 0.0,
@@ -84,7 +84,7 @@ public final class Pleiades implements SuiteProblem {
           });
 
   @Override
-  public Reference reference() {
+  public VerifiedValues reference() {
     return REFERENCE;
   }
 

@@ -4,8 +4,8 @@ package org.mechservice.solver.ode.suite;
 public final class ProtheroRobinson implements ExactProblem {
   private static final double LAMBDA = -1e6;
 
-  private static final Reference REFERENCE =
-      new Reference(
+  private static final VerifiedValues REFERENCE =
+      new VerifiedValues(
           10.0,
           new double[] {1.0},
           new double[] {1.0},
@@ -14,7 +14,7 @@ public final class ProtheroRobinson implements ExactProblem {
           new double[] {-0.6536436208636119});
 
   @Override
-  public Reference reference() {
+  public VerifiedValues reference() {
     return REFERENCE;
   }
 

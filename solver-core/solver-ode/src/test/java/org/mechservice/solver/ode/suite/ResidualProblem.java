@@ -8,7 +8,7 @@ import org.mechservice.solver.ode.ResidualSystem;
 /** A problem of the integrator suite in residual form. */
 public interface ResidualProblem extends ResidualSystem {
   /** Returns where it ends and what is known about its solution. */
-  Reference reference();
+  VerifiedValues reference();
 
   /** Returns a derivative that fits the initial state. */
   double[] initialDerivative();

@@ -18,7 +18,7 @@ public record ResidualRun(
 
   /** Integrates a problem of the suite. */
   public static ResidualRun of(Ode15sR integrator, ResidualProblem problem) {
-    Reference reference = problem.reference();
+    VerifiedValues reference = problem.reference();
     StepResult result =
         integrator.start(
             problem,

@@ -7,8 +7,8 @@ package org.mechservice.solver.ode.suite;
  * by the published one to 13.7.
  */
 public final class Robertson implements SuiteProblem {
-  private static final Reference REFERENCE =
-      new Reference(
+  private static final VerifiedValues REFERENCE =
+      new VerifiedValues(
           100000000000.0,
           new double[] {1.0, 0.0, 0.0},
           new double[] {1e-06, 1e-06, 1e-06},
@@ -17,7 +17,7 @@ public final class Robertson implements SuiteProblem {
           new double[] {0.004938274520979815, 1.9849940879543756e-08, 0.9950617056290793});
 
   @Override
-  public Reference reference() {
+  public VerifiedValues reference() {
     return REFERENCE;
   }
 

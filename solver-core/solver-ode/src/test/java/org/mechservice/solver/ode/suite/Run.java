@@ -24,7 +24,7 @@ public record Run(StepResult result, double[] atEnd, Integrator integrator) {
 
   /** Integrates a problem of the suite. */
   public static Run of(Integrator integrator, SuiteProblem problem) {
-    Reference reference = problem.reference();
+    VerifiedValues reference = problem.reference();
     return of(integrator, problem, 0, reference.initialState(), reference.end());
   }
 

@@ -14,8 +14,8 @@ public final class SixLinkChain implements SuiteProblem {
   private static final double GRAVITY = 9.81;
   private static final double DAMPING = 0.05;
 
-  private static final Reference REFERENCE =
-      new Reference(
+  private static final VerifiedValues REFERENCE =
+      new VerifiedValues(
           2.0,
           new double[] {
             1.5707963267948966,
@@ -66,7 +66,7 @@ public final class SixLinkChain implements SuiteProblem {
   private final double[][] mass = new double[LINKS][LINKS];
 
   @Override
-  public Reference reference() {
+  public VerifiedValues reference() {
     return REFERENCE;
   }
 

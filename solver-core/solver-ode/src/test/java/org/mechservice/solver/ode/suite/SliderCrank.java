@@ -22,8 +22,8 @@ public final class SliderCrank implements ResidualProblem {
   private static final double DRIVE_SPEED = 150;
   private static final double SLIDER_DAMPING = 0.5;
 
-  private static final Reference REFERENCE =
-      new Reference(
+  private static final VerifiedValues REFERENCE =
+      new VerifiedValues(
           1,
           new double[] {
             0.7853981633974483,
@@ -59,7 +59,7 @@ public final class SliderCrank implements ResidualProblem {
           });
 
   @Override
-  public Reference reference() {
+  public VerifiedValues reference() {
     return REFERENCE;
   }
 

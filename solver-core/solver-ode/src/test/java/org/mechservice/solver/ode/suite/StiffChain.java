@@ -13,8 +13,8 @@ public final class StiffChain implements SuiteProblem {
 
   private static final double[] DAMPING = {1e4, 1};
 
-  private static final Reference REFERENCE =
-      new Reference(
+  private static final VerifiedValues REFERENCE =
+      new VerifiedValues(
           5.0,
           new double[] {
             0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
@@ -71,7 +71,7 @@ public final class StiffChain implements SuiteProblem {
           });
 
   @Override
-  public Reference reference() {
+  public VerifiedValues reference() {
     return REFERENCE;
   }
 

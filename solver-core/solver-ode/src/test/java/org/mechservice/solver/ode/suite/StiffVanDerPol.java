@@ -8,8 +8,8 @@ package org.mechservice.solver.ode.suite;
 public final class StiffVanDerPol implements SuiteProblem {
   private static final double MU = 1000;
 
-  private static final Reference REFERENCE =
-      new Reference(
+  private static final VerifiedValues REFERENCE =
+      new VerifiedValues(
           2000.0,
           new double[] {2.0, 0.0},
           new double[] {0.001, 0.001},
@@ -18,7 +18,7 @@ public final class StiffVanDerPol implements SuiteProblem {
           new double[] {-1.6997140034604628, 0.0008997819505960835});
 
   @Override
-  public Reference reference() {
+  public VerifiedValues reference() {
     return REFERENCE;
   }
 

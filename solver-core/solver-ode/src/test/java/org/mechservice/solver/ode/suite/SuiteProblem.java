@@ -7,7 +7,7 @@ import org.mechservice.solver.ode.OdeSystem;
 /** A problem of the integrator suite: autonomous data that a test can integrate and judge. */
 public interface SuiteProblem extends OdeSystem {
   /** Returns where it starts and ends and what is known about its solution. */
-  Reference reference();
+  VerifiedValues reference();
 
   @Override
   default int dimension() {

@@ -15,8 +15,8 @@ public final class TransistorAmplifier implements ResidualProblem {
   private static final double R0 = 1000;
   private static final double R = 9000;
 
-  private static final Reference REFERENCE =
-      new Reference(
+  private static final VerifiedValues REFERENCE =
+      new VerifiedValues(
           0.2,
           new double[] {0, 3, 3, 6, 3, 3, 6, 0},
           new double[] {1, 1, 1, 1, 1, 1, 1, 1},
@@ -43,7 +43,7 @@ public final class TransistorAmplifier implements ResidualProblem {
           });
 
   @Override
-  public Reference reference() {
+  public VerifiedValues reference() {
     return REFERENCE;
   }
 

@@ -6,8 +6,8 @@ package org.mechservice.solver.ode.suite;
  */
 public final class VanDerPol implements SuiteProblem {
 
-  private static final Reference REFERENCE =
-      new Reference(
+  private static final VerifiedValues REFERENCE =
+      new VerifiedValues(
           20.0,
           new double[] {2.0, 0.0},
           new double[] {1.0, 1.0},
@@ -16,7 +16,7 @@ public final class VanDerPol implements SuiteProblem {
           new double[] {1.213232442638908, -0.9878139211589111});
 
   @Override
-  public Reference reference() {
+  public VerifiedValues reference() {
     return REFERENCE;
   }
 

@@ -2,8 +2,8 @@ package org.mechservice.solver.ode.suite;
 
 /** Weissinger's equation, implicit and cubic in y', with the solution √(t² + ½); MATLAB ode15i. */
 public final class Weissinger implements ResidualProblem {
-  private static final Reference REFERENCE =
-      new Reference(
+  private static final VerifiedValues REFERENCE =
+      new VerifiedValues(
           10,
           new double[] {1.224744871391589},
           new double[] {1},
@@ -12,7 +12,7 @@ public final class Weissinger implements ResidualProblem {
           new double[] {5.049752469181039});
 
   @Override
-  public Reference reference() {
+  public VerifiedValues reference() {
     return REFERENCE;
   }
 

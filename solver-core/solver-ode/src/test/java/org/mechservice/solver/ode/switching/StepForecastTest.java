@@ -7,7 +7,7 @@ import org.mechservice.solver.ode.backward.BackwardFormulas;
 import org.mechservice.solver.ode.step.ErrorNorm;
 import org.mechservice.solver.ode.step.Manifold;
 import org.mechservice.solver.ode.step.MaximumNorm;
-import org.mechservice.solver.ode.suite.Ode;
+import org.mechservice.solver.ode.suite.FunctionOde;
 
 /** The forecast knows from places on a smooth course with which steps a backward formula passes. */
 class StepForecastTest {
@@ -28,7 +28,8 @@ class StepForecastTest {
 
   private static ErrorNorm norm() {
     MaximumNorm norm = new MaximumNorm();
-    norm.begin(TOLERANCE, new double[] {TOLERANCE}, new Manifold(new Ode(1, (t, y, yDot) -> {})));
+    norm.begin(
+        TOLERANCE, new double[] {TOLERANCE}, new Manifold(new FunctionOde(1, (t, y, yDot) -> {})));
     norm.weigh(new double[] {1});
     return norm;
   }

@@ -21,7 +21,7 @@ import org.mechservice.solver.ode.StepResult;
 import org.mechservice.solver.ode.adams.Ode113;
 import org.mechservice.solver.ode.stiff.Ode15s;
 import org.mechservice.solver.ode.suite.Flame;
-import org.mechservice.solver.ode.suite.Ode;
+import org.mechservice.solver.ode.suite.FunctionOde;
 import org.mechservice.solver.ode.suite.Run;
 import org.mechservice.solver.ode.suite.StiffVanDerPol;
 import org.mechservice.solver.ode.suite.SuiteProblem;
@@ -29,8 +29,8 @@ import org.mechservice.solver.ode.suite.SuiteProblem;
 /** The method changes where stiffness comes and goes, and nowhere else. */
 class SwitchingTest {
   /** Periods of 1615: slow, stiff stretches with two jumps each, which are not stiff. */
-  private static final Ode RELAXATION =
-      new Ode(
+  private static final FunctionOde RELAXATION =
+      new FunctionOde(
           2,
           (t, y, yDot) -> {
             yDot[0] = y[1];
@@ -38,8 +38,8 @@ class SwitchingTest {
           });
 
   /** Decays to a slow cosine, fast, from t = 10 on slowly: stiff on [0, 10] alone. */
-  private static final Ode STIFF_AT_FIRST =
-      new Ode(
+  private static final FunctionOde STIFF_AT_FIRST =
+      new FunctionOde(
           1,
           (t, y, yDot) ->
               yDot[0] = -(t < 10 ? 1e4 : 1) * (y[0] - StrictMath.cos(t)) - StrictMath.sin(t));
@@ -71,8 +71,8 @@ class SwitchingTest {
   /** A block on a spring with friction as a jump: once at rest, it would have to stay there. */
   @Test
   void slidingAlongAJumpEndsTheRunInsteadOfCrossingItForEver() {
-    Ode dry =
-        new Ode(
+    FunctionOde dry =
+        new FunctionOde(
             2,
             (t, y, yDot) -> {
               yDot[0] = y[1];
@@ -100,8 +100,8 @@ class SwitchingTest {
     for (double rounding : new double[] {1e-15, 1e-13, 1e-11}) {
       for (int i = 0; i < 60; i++) {
         double stiffness = 1 + 0.01 * i;
-        Ode pendulum =
-            new Ode(
+        FunctionOde pendulum =
+            new FunctionOde(
                 2,
                 (t, y, yDot) -> {
                   yDot[0] = y[1];
@@ -127,8 +127,8 @@ class SwitchingTest {
 
   @Test
   void slidingAlongWhatIsOnlySteepIsLeftToTheStiffMethod() {
-    Ode steep =
-        new Ode(
+    FunctionOde steep =
+        new FunctionOde(
             2,
             (t, y, yDot) -> {
               yDot[0] = y[1];
@@ -169,8 +169,8 @@ class SwitchingTest {
   @ValueSource(doubles = {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9})
   void steepLawThatIsCrossedAgainAndAgainIsLeftToTheStiffMethod(double tolerance) {
     // 5 N of friction hold a block that 3 N push: it creeps at 0.75e-6 m/s.
-    Ode held =
-        new Ode(
+    FunctionOde held =
+        new FunctionOde(
             2,
             (t, y, yDot) -> {
               yDot[0] = y[1];
@@ -242,8 +242,8 @@ class SwitchingTest {
    */
   @Test
   void stabilityThatLimitsStepsWhichImplicitOnesWouldNotExceedIsNoReasonToChange() {
-    Ode vibrating =
-        new Ode(
+    FunctionOde vibrating =
+        new FunctionOde(
             2,
             (t, y, yDot) -> {
               yDot[0] = -1000 * (y[0] - y[1]);
@@ -262,8 +262,8 @@ class SwitchingTest {
 
   @Test
   void stiffnessThatBeginsShortlyBeforeTheEndIsNotWorthAChange() {
-    Ode gripped =
-        new Ode(
+    FunctionOde gripped =
+        new FunctionOde(
             1,
             (t, y, yDot) ->
                 yDot[0] = -(t < 10 ? 1 : 1e4) * (y[0] - StrictMath.cos(t)) - StrictMath.sin(t));
@@ -280,8 +280,8 @@ class SwitchingTest {
   @Test
   void methodsAboutEquallyGoodDoNotTakeTurns() {
     // Rates of 1 and 30: at these tolerances both methods cost the same within a factor of two.
-    Ode moderate =
-        new Ode(
+    FunctionOde moderate =
+        new FunctionOde(
             2,
             (t, y, yDot) -> {
               yDot[0] = -30 * (y[0] - y[1]);
@@ -411,7 +411,7 @@ class SwitchingTest {
       double tolerance = StrictMath.pow(10, -3 - 5 * random.nextDouble());
       double slow = StrictMath.pow(10, random.nextDouble());
       double tEnd = 0.1 + 2 * random.nextDouble();
-      Ode rotation = rotation(1e5, decay, slow);
+      FunctionOde rotation = rotation(1e5, decay, slow);
       IntegratorSettings settings = new IntegratorSettings(tolerance, tolerance);
       double[] start = {1, 0};
       long stiff =
@@ -433,8 +433,8 @@ class SwitchingTest {
   }
 
   /** A point that moves towards another on a slow circle while it rotates about that, fast. */
-  private static Ode rotation(double fast, double decay, double slow) {
-    return new Ode(
+  private static FunctionOde rotation(double fast, double decay, double slow) {
+    return new FunctionOde(
         2,
         (t, y, yDot) -> {
           double cosine = StrictMath.cos(slow * t);
@@ -462,8 +462,8 @@ class SwitchingTest {
   }
 
   private static Run decay(double unit, double tolerance) {
-    Ode stiff =
-        new Ode(
+    FunctionOde stiff =
+        new FunctionOde(
             2,
             (t, y, yDot) -> {
               yDot[0] = -1000 * (y[0] - y[1]) / unit;

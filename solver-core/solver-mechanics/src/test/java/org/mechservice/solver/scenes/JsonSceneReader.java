@@ -25,18 +25,18 @@ import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.closure.PointOnLineClosure;
 import org.mechservice.solver.mechanism.closure.PointOnPlaneClosure;
 import org.mechservice.solver.mechanism.force.ForceElement;
-import org.mechservice.solver.oracle.AppliedForce;
+import org.mechservice.solver.oracle.OracleForce;
 import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
 /** Makes a mechanism of a scene's JSON form (SCENES §2). */
-final class SceneReader {
+final class JsonSceneReader {
   private final JsonObject scene;
   private final List<String> bodyNames = new ArrayList<>();
   private final List<String> jointNames = new ArrayList<>();
 
-  SceneReader(JsonObject scene) {
+  JsonSceneReader(JsonObject scene) {
     this.scene = scene;
     scene
         .getAsJsonArray("bodies")
@@ -56,7 +56,7 @@ final class SceneReader {
         scene.get("name").getAsString(),
         new Root("Ground", Vector3.ZERO, Rotation.IDENTITY),
         vector(scene, "gravity"),
-        objects("bodies").stream().map(SceneReader::body).toList(),
+        objects("bodies").stream().map(JsonSceneReader::body).toList(),
         objects("joints").stream().map(this::joint).toList(),
         List.of(),
         Collections.nCopies(jointNames.size(), StartRole.PREFERRED),
@@ -65,7 +65,7 @@ final class SceneReader {
         List.of());
   }
 
-  List<AppliedForce> oracleForces() {
+  List<OracleForce> oracleForces() {
     OracleForces oracle = new OracleForces(this);
     return objects("forces").stream().map(oracle::force).toList();
   }

@@ -16,11 +16,11 @@ import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.run.RunSettings;
 
 /** The mechanisms whose equations are measured. */
-final class Scenes {
+final class MeasuredScenes {
   /** Settings that a model carries; no measurement here depends on them. */
   static final RunSettings SETTINGS = new RunSettings(0, 1, 0.1, "ode113", 1e-6, 1e-6);
 
-  private Scenes() {}
+  private MeasuredScenes() {}
 
   /**
    * Returns {@code pendulum}, {@code driver}, {@code fourbar}, a model that is compared with other
@@ -58,7 +58,7 @@ final class Scenes {
   }
 
   private static byte[] bytes(String resource) {
-    try (InputStream in = Scenes.class.getResourceAsStream(resource)) {
+    try (InputStream in = MeasuredScenes.class.getResourceAsStream(resource)) {
       if (in == null) {
         throw new IllegalStateException(resource + " is missing");
       }

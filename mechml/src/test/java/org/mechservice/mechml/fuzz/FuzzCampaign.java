@@ -16,7 +16,7 @@ import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.mechml.urdf.UrdfImport;
 
 /** Files of one seed, by kind, and what became of them. */
-final class Campaign {
+final class FuzzCampaign {
   private static final Path EXAMPLES = Path.of("..", "examples");
 
   private final Random random;
@@ -28,7 +28,7 @@ final class Campaign {
   private final Ordeal drawn = new Ordeal();
   private final Ordeal robots = new Ordeal();
 
-  Campaign(long seed) throws IOException {
+  FuzzCampaign(long seed) throws IOException {
     random = new Random(seed);
     damage = new Damage(random);
     drawnFile = new RandomFile(Path.of("..", "mechml.dtd"), random);
@@ -43,7 +43,7 @@ final class Campaign {
           .filter(file -> !file.toString().contains("target"))
           .filter(file -> !file.toString().contains("study"))
           .sorted()
-          .map(Campaign::bytes)
+          .map(FuzzCampaign::bytes)
           .toList();
     }
   }

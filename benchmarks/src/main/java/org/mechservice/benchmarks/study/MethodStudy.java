@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.List;
 
 /** A measurement of one property of the methods. */
-public interface Study {
+public interface MethodStudy {
   /** Returns the study's name on the command line. */
   String name();
 
@@ -13,7 +13,7 @@ public interface Study {
   void measure(StudyPage page);
 
   /** Returns all studies, in the order of their reading. */
-  static List<Study> all(StudyContext context) {
+  static List<MethodStudy> all(StudyContext context) {
     return List.of(
         new GrowthStudy(context),
         new PeriodsStudy(context),

@@ -14,7 +14,7 @@ import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /** A problem of the suite as its file has it: expressions, start, verified end. */
-final class SuiteProblem {
+final class ProblemFile {
   private static final String FILE = "/org/mechservice/benchmarks/suite/problems.json";
 
   String id = "";
@@ -55,15 +55,15 @@ final class SuiteProblem {
   record MassElement(int i, int j, String expr) {}
 
   /** Returns all problems of the suite. */
-  static List<SuiteProblem> all() {
-    try (InputStream in = SuiteProblem.class.getResourceAsStream(FILE)) {
+  static List<ProblemFile> all() {
+    try (InputStream in = ProblemFile.class.getResourceAsStream(FILE)) {
       if (in == null) {
         throw new IllegalStateException("resource " + FILE + " is missing");
       }
       return new Gson()
           .fromJson(
               new InputStreamReader(in, StandardCharsets.UTF_8),
-              new TypeToken<List<SuiteProblem>>() {});
+              new TypeToken<List<ProblemFile>>() {});
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

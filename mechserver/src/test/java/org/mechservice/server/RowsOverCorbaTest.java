@@ -22,7 +22,7 @@ import org.mechservice.sim.host.HostSettings;
 import org.mechservice.sim.host.SimHostProcess;
 import org.omg.CORBA.UserException;
 
-class WholeWayTest {
+class RowsOverCorbaTest {
   private static final String[] ALL = new String[0];
   private static final NameValue[] AS_IN_FILE = new NameValue[0];
 

@@ -12,9 +12,9 @@ import java.util.List;
  * @param columns the names of the header line
  * @param rows one row per output time, in the order of the columns
  */
-record ResultTable(List<String> columns, List<List<Double>> rows) {
+record ResultRows(List<String> columns, List<List<Double>> rows) {
 
-  static ResultTable read(Path csv) {
+  static ResultRows read(Path csv) {
     try {
       List<String> lines = Files.readAllLines(csv);
       List<List<Double>> rows =
@@ -22,7 +22,7 @@ record ResultTable(List<String> columns, List<List<Double>> rows) {
               .skip(1)
               .map(line -> Arrays.stream(line.split(",")).map(Double::valueOf).toList())
               .toList();
-      return new ResultTable(List.of(lines.get(0).split(",")), rows);
+      return new ResultRows(List.of(lines.get(0).split(",")), rows);
     } catch (IOException e) {
       throw new AssertionError("no result file " + csv, e);
     }
@@ -43,7 +43,7 @@ record ResultTable(List<String> columns, List<List<Double>> rows) {
    * @param reference its columns and times must all occur here
    * @param tLast output times up to here, s
    */
-  double distanceTo(ResultTable reference, double tLast) {
+  double distanceTo(ResultRows reference, double tLast) {
     double largest = 0;
     for (List<Double> expected : reference.rows()) {
       double t = expected.get(0);

@@ -5,7 +5,7 @@ import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.spatial.Vector3;
 
 /** A force between bodies, written down a second time for the oracle. */
-public interface AppliedForce {
+public interface OracleForce {
   /**
    * Adds its forces.
    *

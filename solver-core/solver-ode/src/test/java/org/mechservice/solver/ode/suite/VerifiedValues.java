@@ -11,7 +11,7 @@ package org.mechservice.solver.ode.suite;
  * @param atCheckpoint state there
  */
 @SuppressWarnings("ArrayRecordComponent") // compared by nobody
-public record Reference(
+public record VerifiedValues(
     double end,
     double[] initialState,
     double[] scale,

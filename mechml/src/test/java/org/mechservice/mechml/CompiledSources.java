@@ -15,8 +15,8 @@ import org.mechservice.solver.api.UserForce;
 import org.mechservice.solver.force.user.UserForceSource;
 
 /** The Java sources beside a model, compiled as the service does: nothing but the solver to see. */
-final class UserClasses {
-  private UserClasses() {}
+final class CompiledSources {
+  private CompiledSources() {}
 
   /** Compiles the sources of a folder into another one. */
   static UserForceSource compile(Path sources, Path classes) throws IOException {
