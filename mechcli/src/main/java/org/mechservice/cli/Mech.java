@@ -6,6 +6,7 @@ import java.util.Set;
 import org.mechservice.cli.admin.AdminCommand;
 import org.mechservice.cli.model.BuildCommand;
 import org.mechservice.cli.model.CheckCommand;
+import org.mechservice.cli.model.ExamplesCommand;
 import org.mechservice.cli.model.ImportCommand;
 import org.mechservice.cli.model.NewCommand;
 import org.mechservice.cli.model.VerifyCommand;
@@ -60,6 +61,7 @@ public final class Mech {
   private static final List<Class<?>> COMMANDS =
       List.of(
           NewCommand.class,
+          ExamplesCommand.class,
           SimulateCommand.class,
           SweepCommand.class,
           StudyCommand.class,

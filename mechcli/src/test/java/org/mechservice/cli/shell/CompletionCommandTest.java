@@ -51,7 +51,7 @@ class CompletionCommandTest {
     assertThat(mech("completion", "fish")).isEqualTo(ExitStatus.DONE);
     assertThat(out.toString().lines())
         .allMatch(line -> line.startsWith("complete -c mech -n '"))
-        .anyMatch(line -> line.contains("'not __fish_seen_subcommand_from new simulate"))
+        .anyMatch(line -> line.contains("'not __fish_seen_subcommand_from new examples"))
         .anyMatch(line -> line.contains(" -f -a simulate -d '"))
         .anyMatch(
             line ->
