@@ -58,7 +58,7 @@ public final class ExamplesCommand implements Callable<Integer> {
       return listOrCopy(Path.of(place));
     }
     try (FileSystem jar = FileSystems.newFileSystem(place, Map.of())) {
-      return listOrCopy(Path.of(place));
+      return listOrCopy(jar.provider().getPath(place));
     }
   }
 
