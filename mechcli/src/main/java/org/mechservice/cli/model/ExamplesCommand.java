@@ -2,22 +2,10 @@ package org.mechservice.cli.model;
 
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.io.UncheckedIOException;
-import java.net.URI;
-import java.net.URISyntaxException;
-import java.net.URL;
-import java.nio.file.FileSystem;
-import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
-import java.util.Map;
-import java.util.Objects;
 import java.util.Optional;
-import java.util.SortedMap;
-import java.util.TreeMap;
 import java.util.concurrent.Callable;
-import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.cli.shell.ExitStatus;
 import org.mechservice.cli.shell.MechVersion;
@@ -36,9 +24,6 @@ import picocli.CommandLine.Spec;
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class ExamplesCommand implements Callable<Integer> {
-  private static final String RESOURCE = "examples";
-  private static final String README = "README.md";
-
   @Parameters(arity = "0..1", paramLabel = "NAME", description = "The example to copy.")
   private @Nullable String name;
 
@@ -51,42 +36,37 @@ public final class ExamplesCommand implements Callable<Integer> {
   @Spec private CommandSpec spec = CommandSpec.create();
 
   @Override
-  public Integer call() throws IOException, URISyntaxException {
-    URL examples = Objects.requireNonNull(ExamplesCommand.class.getResource(RESOURCE), RESOURCE);
-    URI place = examples.toURI();
-    if (!place.getScheme().equals("jar")) {
-      return listOrCopy(Path.of(place));
+  public Integer call() throws IOException {
+    try (Examples examples = Examples.open()) {
+      if (name == null) {
+        list(examples);
+      } else {
+        copy(examples, name);
+      }
     }
-    try (FileSystem jar = FileSystems.newFileSystem(place, Map.of())) {
-      return listOrCopy(jar.provider().getPath(place));
-    }
+    return ExitStatus.DONE;
   }
 
-  private int listOrCopy(Path root) throws IOException {
-    SortedMap<String, Path> examples = new TreeMap<>();
-    for (Path folder : entries(root)) {
-      examples.put(folder.getFileName().toString().replace("/", ""), folder);
-    }
+  private void list(Examples examples) throws IOException {
+    requireNoTarget();
     PrintWriter out = spec.commandLine().getOut();
-    if (name == null) {
-      requireNoTarget();
-      for (Map.Entry<String, Path> example : examples.entrySet()) {
-        out.printf("%-22s%s%n", example.getKey(), title(example.getValue()));
-      }
-      out.println();
-      out.println("mech examples NAME copies one.");
-      return ExitStatus.DONE;
+    for (String example : examples.names()) {
+      out.printf("%-22s%s%n", example, examples.title(example));
     }
-    Path example = examples.get(name);
-    if (example == null) {
+    out.println();
+    out.println("mech examples NAME copies one.");
+  }
+
+  private void copy(Examples examples, String example) throws IOException {
+    if (!examples.names().contains(example)) {
       throw new UsageException(
           MessageCode.OPTION_UNUSABLE
               + " examples: there is no example \""
-              + name
+              + example
               + "\"; choose one of "
-              + String.join(", ", examples.keySet()));
+              + String.join(", ", examples.names()));
     }
-    Path copy = Optional.ofNullable(target).orElse(Path.of(name));
+    Path copy = Optional.ofNullable(target).orElse(Path.of(example));
     if (Files.exists(copy)) {
       throw new UsageException(
           MessageCode.OUTPUT_PLACE
@@ -94,9 +74,13 @@ public final class ExamplesCommand implements Callable<Integer> {
               + copy
               + " exists; name a new folder with -o DIR, or remove it");
     }
-    copy(example, copy);
-    out.println(copy + "; begin with " + copy.resolve(README));
-    return ExitStatus.DONE;
+    try {
+      examples.copy(example, copy);
+    } catch (IOException e) {
+      throw new UsageException(
+          MessageCode.FILE_UNUSABLE + " the example cannot be copied to " + copy + ": " + e);
+    }
+    spec.commandLine().getOut().println(copy + "; begin with " + copy.resolve(Examples.README));
   }
 
   private void requireNoTarget() {
@@ -106,44 +90,6 @@ public final class ExamplesCommand implements Callable<Integer> {
               + " --out "
               + target
               + ": no example is named; write mech examples NAME -o DIR");
-    }
-  }
-
-  private static List<Path> entries(Path folder) throws IOException {
-    try (Stream<Path> entries = Files.list(folder)) {
-      return entries.toList();
-    }
-  }
-
-  /** Returns the heading of an example's page. */
-  private static String title(Path example) throws IOException {
-    try (Stream<String> lines = Files.lines(example.resolve(README))) {
-      return lines.findFirst().orElse("").replaceFirst("^# *", "");
-    }
-  }
-
-  private static void copy(Path from, Path to) throws IOException {
-    try (Stream<Path> files = Files.walk(from)) {
-      files.forEach(
-          file -> {
-            Path copied = to.resolve(from.relativize(file).toString());
-            try {
-              if (Files.isDirectory(file)) {
-                Files.createDirectories(copied);
-              } else {
-                Files.copy(file, copied);
-              }
-            } catch (IOException e) {
-              throw new UncheckedIOException(e);
-            }
-          });
-    } catch (UncheckedIOException e) {
-      throw new UsageException(
-          MessageCode.FILE_UNUSABLE
-              + " the example cannot be copied to "
-              + to
-              + ": "
-              + e.getCause());
     }
   }
 }

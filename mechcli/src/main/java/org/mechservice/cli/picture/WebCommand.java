@@ -1,8 +1,11 @@
 package org.mechservice.cli.picture;
 
+import java.io.IOException;
+import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
+import org.mechservice.cli.model.Examples;
 import org.mechservice.cli.model.NewCommand;
 import org.mechservice.cli.service.ListenOptions;
 import org.mechservice.cli.service.ServingProcess;
@@ -43,15 +46,33 @@ public final class WebCommand implements Callable<Integer> {
   public Integer call() throws Exception {
     ListenOptions.usable(port);
     int atOnce = Math.max(2, Runtime.getRuntime().availableProcessors());
-    Map<String, String> examples =
-        Map.of("double pendulum", NewCommand.template().replace("@NAME@", "DoublePendulum"));
     try (ServiceConnection service = ServiceConnection.open(server, atOnce);
         UserWeb web =
-            new UserWeb(service.connection(), SceneReader::read, examples, Document.dtd(), port)) {
+            new UserWeb(
+                service.connection(), SceneReader::read, examples(), Document.dtd(), port)) {
       spec.commandLine().getOut().println("open in a browser: " + web.url());
       spec.commandLine().getOut().flush();
       ServingProcess.untilEnded(web, new CountDownLatch(1)::await);
     }
     return ExitStatus.DONE;
+  }
+
+  /** Returns the models to begin with, by their names, the smallest first. */
+  static Map<String, String> examples() throws IOException {
+    Map<String, String> models = new LinkedHashMap<>();
+    models.put("double pendulum", NewCommand.template().replace("@NAME@", "DoublePendulum"));
+    try (Examples examples = Examples.open()) {
+      models.put("bouncing ball", examples.text("benchmarks/bouncing_ball.xml"));
+      models.put("slider-crank", examples.text("benchmarks/slider_crank_planar.xml"));
+      models.put("four-bar, overconstrained", examples.text("extremes/fourbar_redundant.xml"));
+      models.put("pendulum of five bars", examples.text("pendulum/pendulum.xml"));
+      models.put("tumbling body", examples.text("benchmarks/dzhanibekov.xml"));
+      models.put("flyball governor", examples.text("benchmarks/A05_flyball.xml"));
+      models.put("squeezing mechanism", examples.text("benchmarks/A03_andrews.xml"));
+      models.put("drive with PID control", examples.text("elements/pid.xml"));
+      models.put("ball on the floor", examples.text("elements/contact.xml"));
+      models.put("seat on a road", examples.text("optimise/seat.xml"));
+    }
+    return models;
   }
 }
