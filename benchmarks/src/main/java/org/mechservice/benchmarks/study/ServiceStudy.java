@@ -55,7 +55,7 @@ final class ServiceStudy implements MethodStudy {
             + " its first rows are compared.",
         limit);
     StudyPage.Table table =
-        page.table("MeasuredScenes", "scene", "rows", "same bits", "same words", "how it ended");
+        page.table("Scenes", "scene", "rows", "same bits", "same words", "how it ended");
     int cases = 0;
     int same = 0;
     List<String> different = new ArrayList<>();

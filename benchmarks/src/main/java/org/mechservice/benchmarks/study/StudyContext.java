@@ -32,7 +32,7 @@ import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MethodNames;
 
-/** MeasuredScenes built by the service and runs of them, shared by all studies. */
+/** Scenes built by the service and runs of them, shared by all studies. */
 public final class StudyContext {
   private static final String SCENES = "/org/mechservice/report/extremes/";
 

@@ -5,8 +5,7 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * MeasuredScenes that are stiff for a while, again and again, or only just: runs of about a
- * millisecond.
+ * Scenes that are stiff for a while, again and again, or only just: runs of about a millisecond.
  */
 final class TransientStiffness {
   /** Bars of 1 m, 1 kg, that fall from 0.3 rad below the horizontal. */

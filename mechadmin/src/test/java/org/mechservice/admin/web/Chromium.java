@@ -111,6 +111,7 @@ public final class Chromium implements AutoCloseable, WebSocket.Listener {
     throw new IOException("Chromium does not open its DevTools");
   }
 
+  /** Calls a method of DevTools in the page and returns its answer. */
   public JsonObject call(String method, Map<String, Object> parameters) throws Exception {
     JsonObject order = new JsonObject();
     int id = ids.incrementAndGet();

@@ -57,7 +57,7 @@ public final class WebCommand implements Callable<Integer> {
     return ExitStatus.DONE;
   }
 
-  /** Returns the models to begin with, by their names, the smallest first. */
+  /** Returns the models to begin with, by their names, in the order in which the page has them. */
   static Map<String, String> examples() throws IOException {
     Map<String, String> models = new LinkedHashMap<>();
     models.put("double pendulum", NewCommand.template().replace("@NAME@", "DoublePendulum"));

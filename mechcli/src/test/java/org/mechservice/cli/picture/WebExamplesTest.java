@@ -19,7 +19,7 @@ class WebExamplesTest {
     return WebCommand.examples().keySet().stream();
   }
 
-  /** Whoever chooses an example in the page can run it there: it needs no file beside it. */
+  /** Each example needs no file beside it, so it runs in the page. */
   @ParameterizedTest
   @MethodSource("names")
   void exampleRunsByItself(String name, @TempDir Path folder) throws IOException {

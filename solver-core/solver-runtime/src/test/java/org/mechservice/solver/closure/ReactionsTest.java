@@ -109,6 +109,20 @@ class ReactionsTest {
     assertThat(model.reactions().multipliers[0]).isCloseTo(9.81 * 0.8 + 9, within(1e-13));
   }
 
+  /**
+   * A velocity that leaves the circle is an error of the state, which no prescribed motion does.
+   */
+  @Test
+  void aRodThatTimeDoesNotMoveDoesNoWork() {
+    LoopModel model = model(Linkages.slidingPendulum(0));
+    double[] leaving = {0.6, -0.8, 3 * 0.8 + 0.1, 3 * 0.6};
+    assertThat(model.react(0, leaving)).isEqualTo(ExplicitModel.REGULAR);
+    double[] power = new double[2];
+    model.reactions().addPower(power);
+    assertThat(power[0]).isCloseTo(0, within(1e-13));
+    assertThat(power[1]).isCloseTo(0, within(1e-13));
+  }
+
   @Test
   void multipliersOfRedundantEquationsAreOfLeastNorm() {
     LoopModel model = model(Linkages.fourBar(REDUNDANT, 3));
