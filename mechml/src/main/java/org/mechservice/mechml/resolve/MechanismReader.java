@@ -74,7 +74,9 @@ final class MechanismReader {
     this.root = root;
     this.index = index;
     this.jointsReader = new JointsReader(values, bodies, index, diagnostics);
-    this.links = jointsReader.read(joints(), jointVals());
+    List<JointLink> read = jointsReader.read(joints(), jointVals());
+    this.links =
+        root.map(pose -> jointsReader.placed(read, new JointTree(read, index), pose)).orElse(read);
     this.tree = new JointTree(links, index);
     this.names = new MechanismNames(bodies, index, diagnostics);
     this.formulas = new FormulaReader(values, names, diagnostics);
