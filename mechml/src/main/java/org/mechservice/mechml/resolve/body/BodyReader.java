@@ -14,9 +14,9 @@ import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.mechml.unit.Quantity;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.Body;
-import org.mechservice.solver.mechanism.Origin;
 import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.text.Origin;
 
 /** Reads {@code body}. */
 public final class BodyReader {

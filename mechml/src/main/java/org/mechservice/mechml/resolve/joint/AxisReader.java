@@ -6,7 +6,7 @@ import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.resolve.body.AlignmentRotation;
 import org.mechservice.mechml.resolve.body.BodyEnd;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.mechanism.Attachment;
+import org.mechservice.solver.mechanism.joint.Attachment;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 

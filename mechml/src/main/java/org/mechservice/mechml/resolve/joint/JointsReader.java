@@ -14,7 +14,7 @@ import org.mechservice.mechml.resolve.body.BodyIndex;
 import org.mechservice.mechml.resolve.value.NameTable;
 import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.mechanism.Origin;
+import org.mechservice.solver.text.Origin;
 import org.mechservice.solver.mechanism.Root;
 
 /** Reads {@code Joints} with the starts that {@code relCoorVals} gives them. */
