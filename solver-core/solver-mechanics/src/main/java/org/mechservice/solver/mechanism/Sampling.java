@@ -1,6 +1,7 @@
 package org.mechservice.solver.mechanism;
 
 import java.util.List;
+import org.mechservice.solver.text.Origin;
 
 /**
  * Further states that get new values at the times offset + k·period, k an integer: a controller in
