@@ -38,6 +38,7 @@ class DocumentedCommandsIT {
         "examples/embedding/README.md",
         "examples/pendulum/README.md",
         "examples/robot/README.md",
+        "examples/sampled-arm/README.md",
         "examples/elements/README.md",
         "examples/four-bar/README.md",
         "examples/sweep/README.md"

@@ -54,7 +54,11 @@ class ArchitectureTest {
           entry(
               "solver-runtime",
               List.of(
-                  "solver.compact", "solver.analysis", "solver.simulation", "solver.standalone")),
+                  "solver.compact",
+                  "solver.analysis",
+                  "solver.simulation",
+                  "solver.standalone",
+                  "solver.system")),
           entry("mechml", List.of("mechml")),
           entry("idl", List.of("idl", "orb")),
           entry(

@@ -52,9 +52,32 @@ public sealed interface SimulationTask {
    * Linear equations of small motions.
    *
    * @param atEquilibrium whether about the equilibrium, else about the start
-   * @param modes whether frequencies, dampings and shapes are wanted
+   * @param gives what is wanted
+   * @param from lowest frequency of a response, Hz
+   * @param to highest frequency of a response, Hz
+   * @param points number of frequencies of a response
    */
-  record Linearization(boolean atEquilibrium, boolean modes) implements SimulationTask {
+  record Linearization(boolean atEquilibrium, Result gives, double from, double to, int points)
+      implements SimulationTask {
+    /** Creates a linearisation without frequencies. */
+    public Linearization(boolean atEquilibrium, Result gives) {
+      this(atEquilibrium, gives, 0, 0, 0);
+    }
+
+    /** What a linearisation gives. */
+    public enum Result {
+      /** Frequencies, dampings and shapes. */
+      MODES,
+      /** M, C and K. */
+      EQUATIONS,
+      /** A, B, C and D from inputs to outputs. */
+      SYSTEM,
+      /** The frequency response from inputs to outputs. */
+      RESPONSE,
+      /** The transmission zeros from inputs to outputs. */
+      ZEROS
+    }
+
     @Override
     public String element() {
       return "linearize";

@@ -21,6 +21,7 @@ import org.mechservice.mechml.ModelParameter;
 import org.mechservice.mechml.ReadOptions;
 import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.SimulationTask;
+import org.mechservice.mechml.SimulationTask.Linearization;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.sim.check.CheckReport;
@@ -36,6 +37,7 @@ import org.mechservice.sim.user.UserClasses;
 import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.result.ResultSink;
+import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.Checkpoints;
 import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.api.run.RunControl;
@@ -44,6 +46,7 @@ import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.simulation.RuntimeSolver;
+import org.mechservice.solver.system.LinearSystem;
 import org.mechservice.solver.text.ResultFile;
 import org.mechservice.solver.text.Sha256;
 import org.mechservice.solver.text.TableFiles;
@@ -497,7 +500,7 @@ public final class MechModel {
    * @throws RunFailedException if a force has no derivative there
    */
   public Trajectory modes() {
-    return as(new SimulationTask.Linearization(false, true)).simulate();
+    return as(new Linearization(false, Linearization.Result.MODES)).simulate();
   }
 
   /**
@@ -507,7 +510,22 @@ public final class MechModel {
    * @throws RunFailedException if a force has no derivative there
    */
   public Trajectory linearise() {
-    return as(new SimulationTask.Linearization(false, false)).simulate();
+    return as(new Linearization(false, Linearization.Result.EQUATIONS)).simulate();
+  }
+
+  /**
+   * Computes the linear system x' = A x + B u, y = C x + D u from the inputs to the outputs of the
+   * model about the start. Inputs with a table are inputs here, too.
+   *
+   * @throws MechmlException if the model cannot be used so
+   * @throws RunFailedException if a force has no derivative there
+   */
+  public LinearSystem linearSystem() throws MechmlException {
+    MechModel open = reread(reading.withInputsFromOutside());
+    Trajectory table = open.as(new Linearization(false, Linearization.Result.SYSTEM)).simulate();
+    List<Variable> outputs = new ArrayList<>();
+    open.model.outputs().forEach(o -> outputs.add(new Variable(o.name(), o.unit())));
+    return SystemTable.of(table, outputs);
   }
 
   /** Computes the motion of driven coordinates and of all that depend on them, without forces. */

@@ -281,6 +281,20 @@ class SampledStatesTest {
     assertThat(ramp.stepped(0.1).inputs()).extracting(Variable::name).containsExactly("u");
   }
 
+  @Test
+  void analysesWithoutIntegrationHoldInputsAtTheirStart() throws Exception {
+    MechModel cart =
+        of(cart("", "<input name='u' x0='3'/>", "u", "")
+            .replace(
+                "<root name='Ground'/>",
+                "<root name='Ground'/><relCoorVals><jointVal name='j' driven='t*t'/></relCoorVals>"));
+    Trajectory forces = cart.inverseDynamics();
+    // the drive gives what the input lacks: 2 kg times 2 m/s², less 3 N
+    assertThat(forces.column("u")).containsOnly(3.0);
+    assertThat(forces.column("j.drive")[1]).isCloseTo(1, within(EXPLICIT));
+    assertThat(cart.kinematics().column("u")).containsOnly(3.0);
+  }
+
   @ParameterizedTest
   @CsvSource({
     "DTR, ode113, 1e-8",

@@ -2,11 +2,13 @@ package org.mechservice.mechml.resolve.simulation;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.mechservice.mechml.AbsoluteTolerances;
 import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.SimulationTask;
+import org.mechservice.mechml.SimulationTask.Linearization;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.mechml.diagnosis.Phrase;
@@ -24,6 +26,11 @@ import org.mechservice.solver.mechanism.Event;
 /** Reads {@code MBSsimulation}: task, time set, tolerances and method. */
 final class SimulationReader {
   private static final String ALL = "all";
+
+  /** Frequencies of a response: their number if it is left out, and the largest number. */
+  private static final int POINTS = 200;
+
+  private static final int MOST_POINTS = 100_000;
 
   /** Placeholder in the settings of a task that is not integrated. */
   private static final IntegratorReader.Choice NO_INTEGRATOR =
@@ -157,13 +164,71 @@ final class SimulationReader {
       case "kinematic" -> Optional.of(new SimulationTask.Kinematic());
       case "inverseDynamic" -> Optional.of(new SimulationTask.InverseDynamic());
       case "static" -> equilibrium(asked);
-      case "linearize" ->
-          Optional.of(
-              new SimulationTask.Linearization(
-                  asked.attribute("at").map("equilibrium"::equals).orElse(false),
-                  asked.attribute("modes").map("true"::equals).orElse(true)));
+      case "linearize" -> linearization(asked);
       default -> Optional.of(new SimulationTask.Dynamic());
     };
+  }
+
+  private Optional<SimulationTask> linearization(Element asked) {
+    boolean atEquilibrium = asked.attribute("at").map("equilibrium"::equals).orElse(false);
+    String otherwise =
+        asked.attribute("modes").map("true"::equals).orElse(true) ? "modes" : "equations";
+    Linearization.Result gives =
+        Linearization.Result.valueOf(
+            asked.attribute("gives").orElse(otherwise).toUpperCase(Locale.ROOT));
+    if (asked.attribute("gives").isPresent() && asked.attribute("modes").isPresent()) {
+      diagnostics.error(
+          MessageCode.FREQUENCIES,
+          asked.position(),
+          "linearize: gives says what is wanted; leave modes out");
+      return Optional.empty();
+    }
+    boolean grid =
+        asked.attribute("from").isPresent()
+            || asked.attribute("to").isPresent()
+            || asked.attribute("points").isPresent();
+    if (gives != Linearization.Result.RESPONSE) {
+      if (grid) {
+        diagnostics.error(
+            MessageCode.FREQUENCIES,
+            asked.position(),
+            "linearize: from, to and points are the frequencies of gives=\"response\"");
+        return Optional.empty();
+      }
+      return Optional.of(new Linearization(atEquilibrium, gives));
+    }
+    if (asked.attribute("from").isEmpty() || asked.attribute("to").isEmpty()) {
+      diagnostics.error(
+          MessageCode.FREQUENCIES,
+          asked.position(),
+          "linearize: gives=\"response\" needs from and to, the lowest and the highest frequency"
+              + " in Hz");
+      return Optional.empty();
+    }
+    OptionalDouble from = values.number(asked, "from");
+    OptionalDouble to = values.number(asked, "to");
+    OptionalDouble points =
+        asked.attribute("points").isPresent()
+            ? values.number(asked, "points")
+            : OptionalDouble.of(POINTS);
+    if (from.isEmpty() || to.isEmpty() || points.isEmpty()) {
+      return Optional.empty();
+    }
+    double count = points.getAsDouble();
+    if (!(from.getAsDouble() > 0)
+        || !(to.getAsDouble() > from.getAsDouble())
+        || !(count >= 2 && count <= MOST_POINTS && count == Math.rint(count))) {
+      diagnostics.error(
+          MessageCode.FREQUENCIES,
+          asked.position(),
+          Phrase.of(
+              "linearize: from is %s, to is %s, points is %s; 0 < from < to is needed, and a whole"
+                  + " number of points from 2 to %d",
+              from.getAsDouble(), to.getAsDouble(), count, MOST_POINTS));
+      return Optional.empty();
+    }
+    return Optional.of(
+        new Linearization(atEquilibrium, gives, from.getAsDouble(), to.getAsDouble(), (int) count));
   }
 
   private Optional<SimulationTask> equilibrium(Element asked) {

@@ -1,5 +1,6 @@
 package org.mechservice.sim.emit;
 
+import java.util.Locale;
 import java.util.Optional;
 import org.mechservice.mechml.SimulationTask;
 import org.mechservice.solver.analysis.EquilibriumSource;
@@ -21,8 +22,12 @@ public record AnalysisTask(Class<?> source, String options) {
           new AnalysisTask(EquilibriumSource.class, rest.tolerance() + " " + rest.maxIterations()));
     } else if (task instanceof SimulationTask.Linearization linear) {
       String at = linear.atEquilibrium() ? "equilibrium" : "start";
-      return Optional.of(
-          new AnalysisTask(LinearSource.class, at + (linear.modes() ? " modes" : " matrices")));
+      String gives = linear.gives().name().toLowerCase(Locale.ROOT);
+      String frequencies =
+          linear.gives() == SimulationTask.Linearization.Result.RESPONSE
+              ? " " + linear.from() + " " + linear.to() + " " + linear.points()
+              : "";
+      return Optional.of(new AnalysisTask(LinearSource.class, at + " " + gives + frequencies));
     }
     return task instanceof SimulationTask.Dynamic
         ? Optional.empty()

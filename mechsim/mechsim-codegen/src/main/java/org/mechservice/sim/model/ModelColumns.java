@@ -40,7 +40,7 @@ public final class ModelColumns {
 
   /**
    * Returns the default groups of a simulation: those that its file selects; otherwise the joints,
-   * and for inverse dynamics the forces.
+   * and for inverse dynamics the forces. A linearisation takes the outputs of its system from them.
    */
   public static Set<ColumnGroup> shown(SimulationSettings settings) {
     Set<ColumnGroup> shown = EnumSet.of(ColumnGroup.JOINTS);
@@ -48,6 +48,9 @@ public final class ModelColumns {
     if (settings.columns().isEmpty() && settings.task() instanceof SimulationTask.InverseDynamic) {
       shown.add(ColumnGroup.ACCELERATIONS);
       shown.add(ColumnGroup.FORCES);
+    }
+    if (settings.task() instanceof SimulationTask.Linearization) {
+      shown.add(ColumnGroup.OUTPUTS);
     }
     return shown;
   }

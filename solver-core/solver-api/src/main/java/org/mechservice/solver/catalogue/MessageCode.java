@@ -76,6 +76,7 @@ public enum MessageCode {
   FORCE_CLASS_NAME("M-072"),
   SURFACE_PROFILE("M-073"),
   TABLE_POINTS("M-074"),
+  FREQUENCIES("M-077"),
   NOT_URDF("M-080"),
   URDF_MISSING("M-081"),
   URDF_NUMBER("M-082"),
@@ -136,6 +137,8 @@ public enum MessageCode {
   EQUILIBRIUM_NOT_UNIQUE("N-065", WARNING),
   SMALL_MOTION_WITHOUT_INERTIA("N-066"),
   FORCES_CANNOT_DRIVE("N-067"),
+  SYSTEM_WITHOUT_INPUT("N-075"),
+  RESPONSE_AT_POLE("N-076"),
 
   // The service, its clients and the command line.
   INTERNAL_SERVER_ERROR("S-001"),

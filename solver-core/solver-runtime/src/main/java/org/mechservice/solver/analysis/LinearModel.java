@@ -21,11 +21,12 @@ import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.compact.DataDriven;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.FurtherState;
+import org.mechservice.solver.system.LinearSystem;
 
 /**
  * Small motions of a mechanism about its start or an equilibrium, as a table: one row per mode with
  * eigenvalue, frequency, damping ratio and shape; or one row per equation with the elements of M, C
- * and K.
+ * and K; or what {@link SystemTables} writes of the system from inputs to outputs.
  */
 final class LinearModel implements ResultTable, RunNotes {
   /** Defaults of a static simulation in MechML. */
@@ -36,9 +37,11 @@ final class LinearModel implements ResultTable, RunNotes {
   private final CompactModel data;
   private final UserForceSource userForces;
   private final boolean atEquilibrium;
-  private final boolean modes;
+  private final LinearResult result;
+  private final List<FurtherState> changing;
   private final ModelDescription description;
   private final CoordinateNames names;
+  private final SystemTables tables;
   private final List<Note> notes = new ArrayList<>();
   private Optional<Defect> defect = Optional.empty();
 
@@ -48,13 +51,16 @@ final class LinearModel implements ResultTable, RunNotes {
   private double[] y;
   private double[] a;
 
-  LinearModel(CompactModel data, boolean atEquilibrium, boolean modes, UserForceSource userForces) {
+  LinearModel(
+      CompactModel data, boolean atEquilibrium, LinearResult result, UserForceSource userForces) {
     this.data = data;
     this.userForces = userForces;
     this.atEquilibrium = atEquilibrium;
-    this.modes = modes;
+    this.result = result;
+    changing = data.mechanism().furtherStates().stream().filter(LinearModel::changes).toList();
     description = AnalysisModel.description(data);
     names = new CoordinateNames(data.mechanism());
+    tables = new SystemTables(data.mechanism(), data.outputs(), names, result);
     equations = new EquationsOfMotion(data.mechanism(), userForces);
     y = new double[data.mechanism().stateCount()];
     a = new double[equations.nv];
@@ -74,6 +80,11 @@ final class LinearModel implements ResultTable, RunNotes {
   public List<Variable> columns() {
     List<Variable> columns = new ArrayList<>();
     columns.add(new Variable("t", "s"));
+    if (result.isOfSystem()) {
+      columns.addAll(tables.columns());
+      return columns;
+    }
+    boolean modes = result.kind() == LinearResult.Kind.MODES;
     columns.add(new Variable(modes ? "mode" : "equation", "1"));
     if (modes) {
       columns.add(new Variable("eigenvalue.re", "1/s"));
@@ -84,7 +95,7 @@ final class LinearModel implements ResultTable, RunNotes {
         columns.add(new Variable(names.name(j) + ".re", names.unit(j)));
         columns.add(new Variable(names.name(j) + ".im", names.unit(j)));
       }
-      for (FurtherState state : data.mechanism().furtherStates()) {
+      for (FurtherState state : changing) {
         columns.add(new Variable(state.name() + ".re", state.unit()));
         columns.add(new Variable(state.name() + ".im", state.unit()));
       }
@@ -109,7 +120,11 @@ final class LinearModel implements ResultTable, RunNotes {
     }
     try {
       Linearisation linear = new Linearisation(equations, t, y, a);
-      return modes ? writeModes(t, linear, sink) : writeMatrices(t, linear, sink);
+      return switch (result.kind()) {
+        case MODES -> writeModes(t, linear, sink);
+        case EQUATIONS -> writeMatrices(t, linear, sink);
+        case SYSTEM, RESPONSE, ZEROS -> writeSystem(t, linear, sink);
+      };
     } catch (Linearisation.NotLinearised e) {
       return fail(e.defect());
     }
@@ -162,15 +177,29 @@ final class LinearModel implements ResultTable, RunNotes {
         "Give the bodies beyond this joint mass and inertia.");
   }
 
+  private static boolean changes(FurtherState state) {
+    return state.role() == FurtherState.Role.INTEGRATED;
+  }
+
+  private int writeSystem(double t, Linearisation linear, ResultSink sink) throws IOException {
+    double[] system = linear.system();
+    if (system.length == 0 && linear.freedom() > 0) {
+      return fail(noInertia(names.part(linear.independent()[0])));
+    }
+    LinearSystem found = LinearSystems.of(equations, linear, system, t, y, data.outputs());
+    Optional<Defect> refused = tables.write(found, t, sink);
+    return refused.isPresent() ? fail(refused.get()) : ExplicitModel.REGULAR;
+  }
+
   private int writeModes(double t, Linearisation linear, ResultSink sink) throws IOException {
-    if (linear.freedom() + linear.furtherCount() == 0) {
+    if (linear.freedom() + changing.size() == 0) {
       return ExplicitModel.REGULAR;
     }
     double[] system = linear.system();
     if (system.length == 0) {
       return fail(noInertia(names.part(linear.independent()[0])));
     }
-    Modes found = new Modes(linear, system);
+    Modes found = new Modes(linear, linear.changing(system));
     if (!found.converged()) {
       return fail(
           new Defect(
@@ -179,7 +208,7 @@ final class LinearModel implements ResultTable, RunNotes {
               "The eigenvalues of small motions were not found.",
               "Look for masses and stiffnesses that differ by more than 1e16."));
     }
-    double[] re = new double[names.count() + linear.furtherCount()];
+    double[] re = new double[names.count() + changing.size()];
     double[] im = new double[re.length];
     double[] row = new double[6 + 2 * re.length];
     for (int k = 0; k < found.count(); k++) {
@@ -200,8 +229,8 @@ final class LinearModel implements ResultTable, RunNotes {
   }
 
   /**
-   * Writes the row of each independent coordinate, then that of each further state; columns of
-   * dependent coordinates are zero.
+   * Writes the row of each independent coordinate, then that of each further state that changes;
+   * columns of dependent coordinates are zero.
    */
   private int writeMatrices(double t, Linearisation linear, ResultSink sink) throws IOException {
     int f = linear.freedom();
@@ -221,6 +250,9 @@ final class LinearModel implements ResultTable, RunNotes {
       sink.row(row);
     }
     for (int k = 0; k < ns; k++) {
+      if (!changes(data.mechanism().furtherStates().get(k))) {
+        continue;
+      }
       double[] row = new double[ofStates + ns];
       row[0] = t;
       row[1] = names.count() + k + 1;

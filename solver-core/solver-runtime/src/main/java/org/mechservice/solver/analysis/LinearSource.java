@@ -8,21 +8,21 @@ import org.mechservice.solver.force.user.UserForceSource;
 /** Superclass of the class of a model of small motions, which adds the data. */
 public abstract class LinearSource extends CompactSource {
   private final boolean atEquilibrium;
-  private final boolean modes;
+  private final LinearResult result;
 
   /**
-   * @param options {@code start} or {@code equilibrium}, and {@code modes} or {@code matrices},
-   *     separated by a blank
+   * @param options {@code start} or {@code equilibrium}, what is asked for, and the frequencies of
+   *     a response: {@code start response 0.1 100 200}
    * @param groups not used: a table has its own columns
    */
   protected LinearSource(String options, String groups) {
     List<String> words = List.of(options.split(" ", -1));
-    atEquilibrium = words.contains("equilibrium");
-    modes = words.contains("modes");
+    atEquilibrium = words.get(0).equals("equilibrium");
+    result = LinearResult.of(words.subList(1, words.size()));
   }
 
   @Override
   protected final Object bare(CompactModel data, UserForceSource userForces) {
-    return new LinearModel(data, atEquilibrium, modes, userForces);
+    return new LinearModel(data, atEquilibrium, result, userForces);
   }
 }

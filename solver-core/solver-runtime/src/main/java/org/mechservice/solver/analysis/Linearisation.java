@@ -11,6 +11,7 @@ import org.mechservice.solver.force.ForceSet;
 import org.mechservice.solver.force.formula.FurtherRates;
 import org.mechservice.solver.linear.DenseLu;
 import org.mechservice.solver.linear.LinearSolver;
+import org.mechservice.solver.mechanism.FurtherState;
 
 /**
  * Small motions about a state, in the free directions of the loops:
@@ -44,6 +45,9 @@ final class Linearisation {
   /** Turning of small rotations with the angular velocity of Euler parameters, f × f. */
   private final double[] turning;
 
+  /** Change of the velocities by displacements z with constant independent velocities, n × f. */
+  private final double[] velocityByPlace;
+
   /** Number of further states. */
   private final int ns;
 
@@ -73,6 +77,7 @@ final class Linearisation {
     free = new FreeDirections(equations);
     f = free.freedom();
     LoopVariations loops = new LoopVariations(equations, free, t, y, a);
+    velocityByPlace = loops.velocityByPlace;
     equations.place(t, y);
     require(equations.applyForces(t));
     equations.formResidual(a, 0);
@@ -230,9 +235,51 @@ final class Linearisation {
     free.project(x, reduced);
   }
 
+  /** Writes the change of the velocities by a displacement with constant independent velocities. */
+  void velocityByPlace(int freedom, double[] change) {
+    for (int i = 0; i < n; i++) {
+      change[i] = velocityByPlace[i * f + freedom];
+    }
+  }
+
   /** Returns the number of further states. */
   int furtherCount() {
     return ns;
+  }
+
+  /** Returns the number of further states that change, which are those that are not held. */
+  int changingCount() {
+    int count = 0;
+    for (FurtherState state : equations.tree.mechanism().furtherStates()) {
+      count += state.role() == FurtherState.Role.INTEGRATED ? 1 : 0;
+    }
+    return count;
+  }
+
+  /**
+   * Returns the part of a system that changes, without the further states that are held.
+   *
+   * @param system as {@link #system} returned it, not empty; not modified
+   */
+  double[] changing(double[] system) {
+    int all = 2 * f + ns;
+    int size = 2 * f + changingCount();
+    int[] kept = new int[size];
+    int next = 0;
+    for (int i = 0; i < all; i++) {
+      if (i < 2 * f
+          || equations.tree.mechanism().furtherStates().get(i - 2 * f).role()
+              == FurtherState.Role.INTEGRATED) {
+        kept[next++] = i;
+      }
+    }
+    double[] part = new double[size * size];
+    for (int i = 0; i < size; i++) {
+      for (int j = 0; j < size; j++) {
+        part[i * size + j] = system[kept[i] * all + kept[j]];
+      }
+    }
+    return part;
   }
 
   /** Returns A of [z; v_I; s]' = A [z; v_I; s], square and row by row; empty if M is singular. */

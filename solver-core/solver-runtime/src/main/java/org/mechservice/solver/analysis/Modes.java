@@ -19,16 +19,18 @@ final class Modes {
   private static final double STILL = 1e-12;
 
   private final Linearisation linear;
+  private final int ns;
   private final Eigenvalues eigen;
   private final int[] mode;
   private final double zero;
 
   /**
-   * @param system as {@link Linearisation#system()} returned it, not empty
+   * @param system as {@link Linearisation#changing} returned it, not empty
    */
   Modes(Linearisation linear, double[] system) {
     this.linear = linear;
-    int size = 2 * linear.freedom() + linear.furtherCount();
+    ns = linear.changingCount();
+    int size = 2 * linear.freedom() + ns;
     eigen = new Eigenvalues(size, system);
     int[] found = new int[size];
     int count = 0;
@@ -94,7 +96,6 @@ final class Modes {
    */
   void shape(int k, double[] unit, double[] re, double[] im) {
     int f = linear.freedom();
-    int ns = linear.furtherCount();
     double[] vr = new double[2 * f + ns];
     double[] vi = new double[2 * f + ns];
     eigen.vector(mode[k], vr, vi);

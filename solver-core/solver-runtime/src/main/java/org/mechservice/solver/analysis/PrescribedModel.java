@@ -56,7 +56,7 @@ final class PrescribedModel extends AnalysisModel {
   }
 
   private Optional<Defect> begin(double t) {
-    double[] start = new double[equations.nq + equations.nv];
+    double[] start = new double[mechanism.stateCount()];
     mechanism.initialState(start);
     for (LoopFinding finding : new Assembly(equations.tree).assemble(t, start)) {
       if (finding.kind() == LoopFinding.Kind.NOT_CLOSED) {
@@ -144,7 +144,7 @@ final class PrescribedModel extends AnalysisModel {
   /** Finds velocities and accelerations at the present positions. */
   private Optional<Defect> move(double t) {
     int n = equations.nv;
-    Arrays.fill(y, equations.nq, y.length, 0);
+    Arrays.fill(y, equations.nq, equations.nq + equations.nv, 0);
     equations.place(t, y);
     equations.solveLeast(equations.loops.rate);
     boolean lost = equations.rank() < n || (n > 0 && equations.jacobian.relative(n - 1) < SINGULAR);

@@ -128,9 +128,9 @@ final class StaticEquilibrium {
   boolean find(double t) {
     Mechanism held = HeldMotions.at(mechanism, t);
     equations = new EquationsOfMotion(held, userForces);
-    y = new double[equations.nq + equations.nv];
+    y = new double[mechanism.stateCount()];
     held.initialState(y);
-    Arrays.fill(y, equations.nq, y.length, 0);
+    Arrays.fill(y, equations.nq, equations.nq + equations.nv, 0);
     for (LoopFinding finding : new Assembly(equations.tree).assemble(t, y)) {
       if (!finding.kind().isWarning()) {
         defect =
@@ -139,7 +139,7 @@ final class StaticEquilibrium {
       }
       notes.add(finding.note());
     }
-    Arrays.fill(y, equations.nq, y.length, 0);
+    Arrays.fill(y, equations.nq, equations.nq + equations.nv, 0);
     equations.closePositions(t, y);
     try {
       return descend(t);
@@ -371,7 +371,7 @@ final class StaticEquilibrium {
     if (system.length == 0) {
       return;
     }
-    Modes modes = new Modes(linear, system);
+    Modes modes = new Modes(linear, linear.changing(system));
     double largest = 0;
     for (int k = 0; k < modes.count(); k++) {
       largest = Math.max(largest, Math.hypot(modes.growth(k), modes.angularFrequency(k)));
