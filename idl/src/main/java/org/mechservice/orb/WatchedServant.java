@@ -10,12 +10,16 @@ import org.mechservice.orb.connection.InboundCall;
 import org.mechservice.orb.connection.LimitedBuffers;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.IMP_LIMIT;
+import org.omg.CORBA.MARSHAL;
+import org.omg.CORBA.SystemException;
 import org.omg.CORBA.portable.InputStream;
 import org.omg.CORBA.portable.InvokeHandler;
 import org.omg.CORBA.portable.OutputStream;
 import org.omg.CORBA.portable.ResponseHandler;
 import org.omg.PortableServer.POA;
 import org.omg.PortableServer.Servant;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * A servant as its object adapter has it. It answers requests that were too large with {@link
@@ -23,6 +27,7 @@ import org.omg.PortableServer.Servant;
  * that live as long as they are called.
  */
 final class WatchedServant extends Servant implements InvokeHandler {
+  private static final Logger LOG = LoggerFactory.getLogger(WatchedServant.class);
   private static final String DESTROY = "destroy";
 
   private final Servant servant;
@@ -46,7 +51,15 @@ final class WatchedServant extends Servant implements InvokeHandler {
     if (leased) {
       InboundCall.leased(!operation.equals(DESTROY));
     }
-    return ((InvokeHandler) servant)._invoke(operation, arguments, answers);
+    try {
+      return ((InvokeHandler) servant)._invoke(operation, arguments, answers);
+    } catch (SystemException expected) {
+      throw expected;
+    } catch (RuntimeException e) {
+      // A servant is guarded: arguments end too early, or are none, where the ORB does not look.
+      LOG.debug("arguments of {} cannot be read", operation, e);
+      throw new MARSHAL("the arguments of " + operation + " cannot be read");
+    }
   }
 
   private OutputStream refused(String operation, long bytes, ResponseHandler answers) {

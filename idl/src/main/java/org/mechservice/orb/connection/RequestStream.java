@@ -40,6 +40,11 @@ final class RequestStream extends InputStream {
   /** A fragment and a message of version 1.2 begin with the id of their request. */
   private static final int ID_BYTES = 4;
 
+  /** Where the body of a request says who answers it, and what it may say (section 15.4.2.1). */
+  private static final int RESPONSE_FLAGS = ID_BYTES;
+
+  private static final Set<Byte> KNOWN_RESPONSES = Set.of((byte) 0, (byte) 1, (byte) 3);
+
   /** Fragmented messages, or refused requests that are not answered yet, of one connection. */
   private static final int MOST_FRAGMENTED = 100;
 
@@ -73,7 +78,9 @@ final class RequestStream extends InputStream {
 
   private int headPassed;
 
-  /** What the ORB is still to get of the message. */
+  /** What the ORB has got of the body, and is still to get. */
+  private long bodyPassed;
+
   private long bodyBytes;
 
   /** What is thrown away after that. */
@@ -173,10 +180,22 @@ final class RequestStream extends InputStream {
     int count = receive(bytes, start, (int) Math.min(bodyBytes, length));
     if (count > 0) {
       id.put(bytes, start, Math.min(count, id.remaining()));
+      long flags = RESPONSE_FLAGS - bodyPassed;
+      if (flags >= 0 && flags < count) {
+        requireKnownResponse(bytes[start + (int) flags]);
+      }
+      bodyPassed += count;
       bodyBytes -= count;
       endIfComplete();
     }
     return count;
+  }
+
+  /** The ORB would lose a thread to a request that asks for an answer it does not know. */
+  private void requireKnownResponse(byte flags) throws IOException {
+    if (isCurrent() && head[TYPE] == REQUEST && !KNOWN_RESPONSES.contains(flags)) {
+      throw new IOException("a request with the response flags " + flags);
+    }
   }
 
   /** Throws some of the message away; false: at the end. */
@@ -219,6 +238,7 @@ final class RequestStream extends InputStream {
       return;
     }
     announced = length;
+    bodyPassed = (long) headBytes - HEADER_BYTES;
     id.clear().order(order());
     if (headBytes == head.length) {
       beginWithId(length);
@@ -235,11 +255,7 @@ final class RequestStream extends InputStream {
 
   /** Returns whether a message belongs to a request that is, or has been found to be, too large. */
   private boolean concernsRefused(long length) {
-    if (!isMessage()
-        || head[MAJOR] != 1
-        || head[MINOR] < 2
-        || length < ID_BYTES
-        || length > MOST_DROPPED_BYTES) {
+    if (!isCurrent() || length < ID_BYTES || length > MOST_DROPPED_BYTES) {
       return false;
     }
     return switch (head[TYPE]) {
@@ -254,6 +270,11 @@ final class RequestStream extends InputStream {
 
   private long together() {
     return fragmented.values().stream().mapToLong(Long::longValue).sum();
+  }
+
+  /** Returns whether it is a message whose body begins with the id of its request. */
+  private boolean isCurrent() {
+    return isMessage() && head[MAJOR] == 1 && head[MINOR] >= 2;
   }
 
   private boolean isMessage() {

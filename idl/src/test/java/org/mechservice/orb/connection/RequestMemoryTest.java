@@ -166,6 +166,18 @@ class RequestMemoryTest {
   }
 
   @Test
+  void requestThatAsksForAnUnknownKindOfAnswerEndsTheConnection() throws Exception {
+    byte[] request = fragment(0, 7, false, 100);
+    request[16] = 2;
+    try (Socket socket = new Socket()) {
+      RequestStream stream = stream(socket, request);
+      assertThatThrownBy(stream::readAllBytes)
+          .isInstanceOf(IOException.class)
+          .hasMessageContaining("response flags 2");
+    }
+  }
+
+  @Test
   void noiseIsNoMessage() throws Exception {
     try (Socket socket = new Socket()) {
       RequestStream stream = stream(socket, new byte[100]);
