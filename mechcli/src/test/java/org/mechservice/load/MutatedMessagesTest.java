@@ -79,7 +79,8 @@ class MutatedMessagesTest {
   @Test
   void everyPortSurvives() throws Exception {
     page.line(
-        "| port | sender | messages | connections | heap, MB | objects | threads | files | incidents |");
+        "| port | sender | messages | connections | heap, MB | objects | threads | files |"
+            + " incidents |");
     page.line("|---|---|---|---|---|---|---|---|---|");
     attackPlain(20_000);
     TlsKeys keys = TlsKeys.make(folder.resolve("keys"), "ann", "eve");

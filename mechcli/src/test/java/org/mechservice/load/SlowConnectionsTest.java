@@ -94,8 +94,8 @@ class SlowConnectionsTest {
                 + SLOW
                 + " connections are kept open to each port at once: a third of them send nothing, a"
                 + " third a byte of a message every 0.3 s, and a third send one whole message and"
-                + " nothing more (over TLS, where a stranger can send none, half of the first record"
-                + " at once). Each that is closed is opened anew within 0.3 s. Meanwhile "
+                + " nothing more (over TLS, where a stranger can send none, half of the first"
+                + " record at once). Each that is closed is opened anew within 0.3 s. Meanwhile "
                 + CLIENTS
                 + " clients connect, open a session on the host, load the pendulum, ask for the"
                 + " model, and begin again; another asks for `/health` and for the console's page."

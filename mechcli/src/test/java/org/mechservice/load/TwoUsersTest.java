@@ -261,9 +261,9 @@ class TwoUsersTest {
     SoakPage page =
         new SoakPage(
             "Two users over TLS",
-            "A server and a host, each a process of its own, over TLS. Ann and Eve have a session, a"
-                + " running simulation and a cursor on both, and hold all references and ids of each"
-                + " other. Each calls every operation of the interfaces on what belongs to the"
+            "A server and a host, each a process of its own, over TLS. Ann and Eve have a session,"
+                + " a running simulation and a cursor on both, and hold all references and ids of"
+                + " each other. Each calls every operation of the interfaces on what belongs to the"
                 + " other, and every operation of the administration and of the registry of hosts."
                 + " Each call was refused, the other's simulations went on, and the server's"
                 + " `--audit` file names user and operation of each (the same question to several"

@@ -115,9 +115,9 @@ class EscapeCorpusTest {
     String head =
         String.format(
             Locale.ROOT,
-            "# The corpus of escapes%n%n%d classes of users (`EscapeCorpus`) try to reach outside of"
-                + " their run, each in another way: to make, spoil or read a file, to connect, to"
-                + " start or end a process, to see what is not theirs. The first wall, the"
+            "# The corpus of escapes%n%n%d classes of users (`EscapeCorpus`) try to reach outside"
+                + " of their run, each in another way: to make, spoil or read a file, to connect,"
+                + " to start or end a process, to see what is not theirs. The first wall, the"
                 + " allow-list of bytecode, refuses each of them; the table has the code. To try"
                 + " the second wall alone, a worker gets each class without a check: in an ordinary"
                 + " process, where %d of them reach what they try, and behind the confinement,"
