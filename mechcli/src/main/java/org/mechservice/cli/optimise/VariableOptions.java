@@ -53,8 +53,8 @@ final class VariableOptions {
       paramLabel = "HOW",
       defaultValue = "auto",
       description =
-          "exact: derivatives by integrating them along with the motion; differences: of whole runs;"
-              + " auto: exact where the model has them (default: ${DEFAULT-VALUE}).")
+          "exact: derivatives by integrating them along with the motion; differences: of whole"
+              + " runs; auto: exact where the model has them (default: ${DEFAULT-VALUE}).")
   private String gradient = "auto";
 
   @Mixin private ParameterOption settings = new ParameterOption();

@@ -111,9 +111,9 @@ final class ObservedColumns {
               + column
               + '"'
               + NearestName.suggestion(column, names)
-              + "; they know coordinates (.q, .v, .a) of the model's joints that are not driven, its"
-              + " states, energy.kinetic, energy.potential, places and velocities of bodies (.x to"
-              + " .wz), and its outputs; write an <output> for what is none of these");
+              + "; they know coordinates (.q, .v, .a) of the model's joints that are not driven,"
+              + " its states, energy.kinetic, energy.potential, places and velocities of bodies (.x"
+              + " to .wz), and its outputs; write an <output> for what is none of these");
     }
     return origin;
   }
