@@ -17,8 +17,10 @@ import org.mechservice.solver.closure.equations.UnwrappedAngles;
 import org.mechservice.solver.dynamics.event.StateEvents;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.mechanism.Event;
+import org.mechservice.solver.mechanism.FurtherChange;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Parameter;
+import org.mechservice.solver.mechanism.Sampling;
 import org.mechservice.solver.mechanism.StateChange;
 
 /**
@@ -90,6 +92,9 @@ public final class ModelFunctions {
       without.add(
           "an angle of a cut joint whose whole turns are counted (measure it at a joint of"
               + " the tree)");
+    }
+    for (Sampling sampling : mechanism.samplings()) {
+      without.add("the sampled state \"" + sampling.name() + "\", which is set at given times");
     }
     for (Event event : mechanism.events()) {
       for (StateChange change : event.changes()) {
@@ -189,6 +194,9 @@ public final class ModelFunctions {
         for (int i = 0; i < change.velocities().size(); i++) {
           own.add(v + i);
         }
+      }
+      for (FurtherChange change : event.furtherChanges()) {
+        own.add(mechanism.furtherOffset() + change.state());
       }
       components.add(own.stream().mapToInt(Integer::intValue).toArray());
     }
