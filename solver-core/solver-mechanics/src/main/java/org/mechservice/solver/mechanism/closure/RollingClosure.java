@@ -1,7 +1,7 @@
 package org.mechservice.solver.mechanism.closure;
 
 import org.mechservice.solver.expression.BodyPoint;
-import org.mechservice.solver.mechanism.Origin;
+import org.mechservice.solver.text.Origin;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
