@@ -1,8 +1,8 @@
 package org.mechservice.solver.mechanism.closure;
 
 import org.mechservice.solver.expression.BodyPoint;
-import org.mechservice.solver.text.Origin;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.text.Origin;
 
 /**
  * A point of one body has no velocity sideways, relative to another body, as the edge of a skate or

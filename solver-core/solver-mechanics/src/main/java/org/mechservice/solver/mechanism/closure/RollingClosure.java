@@ -1,8 +1,8 @@
 package org.mechservice.solver.mechanism.closure;
 
 import org.mechservice.solver.expression.BodyPoint;
-import org.mechservice.solver.text.Origin;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.text.Origin;
 
 /**
  * A wheel or a ball rolls without slip on a plane fixed in another body. It touches the plane (one
