@@ -10,6 +10,7 @@ import java.net.InetAddress;
 import java.net.Socket;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -23,6 +24,7 @@ class OversizedRequestTest {
   private static final int REQUEST = 0;
   private static final int FRAGMENT = 7;
   private static final int MORE = 2;
+  private static final int INVOCATION_POLICIES = 7;
   private static final int USER_EXCEPTION = 1;
   private static final int SYSTEM_EXCEPTION = 2;
 
@@ -45,7 +47,7 @@ class OversizedRequestTest {
     align(body, 4);
     body.putInt(0); // no service contexts
     align(body, 8);
-    return java.util.Arrays.copyOf(body.array(), body.position());
+    return Arrays.copyOf(body.array(), body.position());
   }
 
   private static void align(ByteBuffer body, int size) {
@@ -114,6 +116,34 @@ class OversizedRequestTest {
       out.write(small);
       assertThat(answer(socket).status()).isZero();
     }
+  }
+
+  /** The ORB looks for a time in the context and finds nothing; its reader dies of that. */
+  @Test
+  void requestWithAContextThatIsNoneEndsItsConnection() throws Exception {
+    byte[] asked = whatIsAsked(1, "getInfo");
+    byte[] broken = Arrays.copyOf(asked, asked.length + 8);
+    int contexts = endOfName(asked);
+    ByteBuffer.wrap(broken)
+        .putInt(contexts, 1)
+        .putInt(contexts + 4, INVOCATION_POLICIES)
+        .putInt(contexts + 8, 0);
+    try (EchoServer server = EchoServer.start();
+        Socket socket = new Socket(InetAddress.getLoopbackAddress(), server.port());
+        ServiceOrb client = ServiceOrb.client()) {
+      socket.setSoTimeout(10_000);
+      socket.getOutputStream().write(header(REQUEST, 0, broken.length));
+      socket.getOutputStream().write(broken);
+      assertThat(socket.getInputStream().read()).isEqualTo(-1);
+      assertThat(client.connect(server.address()).getInfo().serverName).isEqualTo("echo €");
+    }
+  }
+
+  /** Returns where the number of service contexts stands. */
+  private static int endOfName(byte[] asked) {
+    String text = new String(asked, StandardCharsets.ISO_8859_1);
+    int end = text.indexOf("getInfo") + "getInfo".length() + 1;
+    return end + (4 - (12 + end) % 4) % 4;
   }
 
   @Test

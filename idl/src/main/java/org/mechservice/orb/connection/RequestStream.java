@@ -11,6 +11,7 @@ import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -83,6 +84,9 @@ final class RequestStream extends InputStream {
 
   private long bodyBytes;
 
+  /** The thread that reads; it dies of messages that the ORB cannot read. */
+  private volatile @Nullable Thread reader;
+
   /** What is thrown away after that. */
   private long droppedBytes;
 
@@ -148,6 +152,7 @@ final class RequestStream extends InputStream {
   }
 
   private int receive(byte[] bytes, int start, int length) throws IOException {
+    reader = Thread.currentThread();
     int count = in.read(bytes, start, length);
     movedAt = System.nanoTime();
     return count;
@@ -426,11 +431,16 @@ final class RequestStream extends InputStream {
 
   /**
    * Returns whether the peer is late: with its first message, or with the rest of one that has
-   * begun. Bytes that have arrived and are not read yet are no fault of the peer.
+   * begun. Bytes that have arrived and are not read yet are no fault of the peer. A connection that
+   * nobody reads any more counts as late, too.
    *
    * @param now the time, ns, as {@link System#nanoTime}
    */
   boolean isOverdue(long now) {
+    Thread last = reader;
+    if (last != null && !last.isAlive()) {
+      return true;
+    }
     long begun = begunAt;
     boolean late =
         begun == 0

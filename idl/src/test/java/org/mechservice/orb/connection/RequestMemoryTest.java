@@ -177,6 +177,27 @@ class RequestMemoryTest {
     }
   }
 
+  /** The ORB reads each connection in a thread, which dies of some messages. */
+  @Test
+  void connectionThatNobodyReadsAnyMoreCountsAsLate() throws Exception {
+    byte[] message = ByteBuffer.allocate(12 + 8).put(header(8, ByteOrder.BIG_ENDIAN)).array();
+    try (Socket socket = new Socket()) {
+      RequestStream stream = stream(socket, message);
+      Thread reader =
+          new Thread(
+              () -> {
+                try {
+                  stream.readNBytes(message.length);
+                } catch (IOException e) {
+                  throw new java.io.UncheckedIOException(e);
+                }
+              });
+      reader.start();
+      reader.join();
+      assertThat(stream.isOverdue(in(0))).isTrue();
+    }
+  }
+
   @Test
   void noiseIsNoMessage() throws Exception {
     try (Socket socket = new Socket()) {
