@@ -272,7 +272,9 @@ public enum MessageCode {
   NO_POINT_FEASIBLE("S-212"),
   MEASUREMENTS_UNUSABLE("S-213"),
   NOT_IDENTIFIABLE("S-214", WARNING),
-  START_ENDED("S-215", WARNING);
+  START_ENDED("S-215", WARNING),
+  GRADIENT_UNUSABLE("S-216"),
+  GRADIENT_FAILED("S-217");
 
   private final String code;
   private final Severity severity;
