@@ -66,6 +66,7 @@ class ArchitectureTest {
               List.of(
                   "sim.scene",
                   "sim.symbolic",
+                  "sim.gradient",
                   "sim.equations",
                   "sim.emit",
                   "sim.fmu",

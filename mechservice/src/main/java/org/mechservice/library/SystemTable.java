@@ -47,7 +47,7 @@ final class SystemTable {
       int rows = k < 2 ? n : outputs.size();
       matrices[k] = new double[rows * across.size()];
       for (int j = 0; j < across.size(); j++) {
-        double[] column = table.column((across == states ? "x." : "u.") + across.get(j).name());
+        double[] column = table.column((k % 2 == 0 ? "x." : "u.") + across.get(j).name());
         for (int i = 0; i < rows; i++) {
           matrices[k][i * across.size() + j] = column[from + i];
         }

@@ -204,10 +204,11 @@ class LinearSystemTest {
           + " x0='0.3' derivative='sin(hinge.q)*u - s*w + bob.p.vx'/></States><Forces><gravity"
           + " gx='0' gy='0' gz='-9.81'/><jointForce name='m' joint='hinge' expression='u*u -"
           + " s*hinge.v'/><forceTorque name='p' body='bob' point='p' frame='body' fx='w*bob.p.z'"
-          + " fz='u*w'/></Forces><Outputs><output name='e' expression='bob.p.x*u + bob.p.vz*s'/>"
-          + "<output name='h' expression='hinge.v*hinge.q + w'/></Outputs><topology><root"
-          + " name='Ground'/><relCoorVals><jointVal name='hinge' posVals='0.4' velVals='1'/>"
-          + "<jointVal name='ball' posVals='0.8;0.6;0;0' velVals='1;2;-1'/></relCoorVals></topology>";
+          + " fz='u*w'/></Forces><Outputs><output name='e' expression='bob.p.x*u +"
+          + " bob.p.vz*s'/><output name='h' expression='hinge.v*hinge.q +"
+          + " w'/></Outputs><topology><root name='Ground'/><relCoorVals><jointVal name='hinge'"
+          + " posVals='0.4' velVals='1'/><jointVal name='ball' posVals='0.8;0.6;0;0'"
+          + " velVals='1;2;-1'/></relCoorVals></topology>";
 
   private static final String LOOP =
       body("crank", 2)
@@ -361,9 +362,10 @@ class LinearSystemTest {
                 body("one", 2)
                     + "</Bodies><Joints>"
                     + joint("a", "P", "Ground", "o", "one")
-                    + "</Joints><States><input name='u' x0='3'/></States><Forces><gravity gx='1' gy='0' gz='0'/><jointForce"
-                    + " name='f' joint='a' expression='u - 50*a.q*a.q*a.q'/></Forces><topology>"
-                    + "<root name='Ground'/><relCoorVals><jointVal name='a' posVals='1'/>"
+                    + "</Joints><States><input name='u' x0='3'/></States><Forces><gravity gx='1'"
+                    + " gy='0' gz='0'/><jointForce name='f' joint='a' expression='u -"
+                    + " 50*a.q*a.q*a.q'/></Forces><topology><root"
+                    + " name='Ground'/><relCoorVals><jointVal name='a' posVals='1'/>"
                     + "</relCoorVals></topology>")
             .simulate();
     // 50 q³ = 3 + 2; the stiffness is 150 q²

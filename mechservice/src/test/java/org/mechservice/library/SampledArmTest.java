@@ -24,16 +24,15 @@ class SampledArmTest {
   @CsvSource({"DTR, 1e-9, 1e-6", "DSR, 1e-9, 1e-6"})
   void armFollowsTheReference(String formulation, double ofAngles, double ofTorques)
       throws Exception {
-    Trajectory rows =
-        MechModel.read(FOLDER.resolve("arm.xml")).formulation(formulation).simulate();
+    Trajectory rows = MechModel.read(FOLDER.resolve("arm.xml")).formulation(formulation).simulate();
     List<String> reference = Files.readAllLines(FOLDER.resolve("reference.csv"));
-    String[] names = reference.get(0).split(",");
+    String[] names = reference.get(0).split(",", -1);
     assertThat(rows.rows()).isEqualTo(reference.size() - 1);
     for (int c = 1; c < names.length; c++) {
       double[] column = rows.column(names[c]);
       double bound = names[c].endsWith(".q") ? ofAngles : ofTorques;
       for (int i = 0; i < column.length; i++) {
-        double expected = Double.parseDouble(reference.get(i + 1).split(",")[c]);
+        double expected = Double.parseDouble(reference.get(i + 1).split(",", -1)[c]);
         assertThat(column[i]).as(names[c] + " in row " + i).isCloseTo(expected, within(bound));
       }
     }

@@ -284,10 +284,12 @@ class SampledStatesTest {
   @Test
   void analysesWithoutIntegrationHoldInputsAtTheirStart() throws Exception {
     MechModel cart =
-        of(cart("", "<input name='u' x0='3'/>", "u", "")
-            .replace(
-                "<root name='Ground'/>",
-                "<root name='Ground'/><relCoorVals><jointVal name='j' driven='t*t'/></relCoorVals>"));
+        of(
+            cart("", "<input name='u' x0='3'/>", "u", "")
+                .replace(
+                    "<root name='Ground'/>",
+                    "<root name='Ground'/><relCoorVals><jointVal name='j'"
+                        + " driven='t*t'/></relCoorVals>"));
     Trajectory forces = cart.inverseDynamics();
     // the drive gives what the input lacks: 2 kg times 2 m/s², less 3 N
     assertThat(forces.column("u")).containsOnly(3.0);

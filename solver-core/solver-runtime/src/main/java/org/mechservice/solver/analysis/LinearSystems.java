@@ -26,7 +26,8 @@ final class LinearSystems {
   private final double[] y;
   private final CoordinateNames names;
   private final List<Output> outputs;
-  private final int f;
+  private final int fq;
+  private final int ofMotion;
   private final int size;
   private final List<Integer> states = new ArrayList<>();
   private final List<Integer> inputs = new ArrayList<>();
@@ -43,16 +44,17 @@ final class LinearSystems {
     this.y = y;
     this.outputs = outputs;
     names = new CoordinateNames(equations.tree.mechanism());
-    f = linear.freedom();
-    size = 2 * f + linear.furtherCount();
-    for (int i = 0; i < 2 * f; i++) {
+    fq = linear.placeCount();
+    ofMotion = fq + linear.freedom();
+    size = linear.order();
+    for (int i = 0; i < ofMotion; i++) {
       states.add(i);
     }
     List<FurtherState> further = equations.tree.mechanism().furtherStates();
     for (int k = 0; k < further.size(); k++) {
       switch (further.get(k).role()) {
-        case INTEGRATED -> states.add(2 * f + k);
-        case INPUT -> inputs.add(2 * f + k);
+        case INTEGRATED -> states.add(ofMotion + k);
+        case INPUT -> inputs.add(ofMotion + k);
         case SAMPLED -> {} // constant between two samples
       }
     }
@@ -116,12 +118,15 @@ final class LinearSystems {
   }
 
   private Variable variable(int component) {
-    if (component >= 2 * f) {
-      FurtherState state = equations.tree.mechanism().furtherStates().get(component - 2 * f);
+    if (component >= ofMotion) {
+      FurtherState state = equations.tree.mechanism().furtherStates().get(component - ofMotion);
       return new Variable(state.name(), state.unit());
     }
-    int velocity = linear.independent()[component % f];
-    return component < f
+    int velocity =
+        component < fq
+            ? linear.independentPlaces()[component]
+            : linear.independent()[component - fq];
+    return component < fq
         ? new Variable(names.name(velocity) + ".q", names.unit(velocity))
         : new Variable(names.name(velocity) + ".v", names.unit(velocity) + "/s");
   }
@@ -129,11 +134,11 @@ final class LinearSystems {
   /** Returns the displacements of all coordinates as outputs, in columns of all components. */
   private double[] displacements() {
     double[] slopes = new double[names.count() * size];
-    double[] z = new double[f];
+    double[] z = new double[fq];
     double[] xi = new double[names.count()];
-    for (int j = 0; j < f; j++) {
+    for (int j = 0; j < fq; j++) {
       z[j] = 1;
-      linear.expand(z, xi);
+      linear.expandPlaces(z, xi);
       z[j] = 0;
       for (int i = 0; i < xi.length; i++) {
         slopes[i * size + j] = xi[i];
@@ -149,7 +154,7 @@ final class LinearSystems {
     double[] slopes = new double[outputs.size() * size];
     double[] coarse = new double[outputs.size()];
     double[] fine = new double[outputs.size()];
-    for (int j = 0; j < 2 * f; j++) {
+    for (int j = 0; j < ofMotion; j++) {
       difference(values, j, STEP, coarse);
       difference(values, j, STEP / 2, fine);
       for (int i = 0; i < fine.length; i++) {
@@ -161,7 +166,7 @@ final class LinearSystems {
     values.differentiate();
     for (int i = 0; i < fine.length; i++) {
       for (int k = 0; k < linear.furtherCount(); k++) {
-        slopes[i * size + 2 * f + k] = values.byState(i, k);
+        slopes[i * size + ofMotion + k] = values.byState(i, k);
       }
     }
     return slopes;
@@ -177,13 +182,16 @@ final class LinearSystems {
 
   private double[] moved(ExpressionInputs values, int component, double h) {
     double[] other = y.clone();
-    double[] z = new double[f];
+    double[] z = new double[ofMotion];
     double[] xi = new double[names.count()];
-    z[component % f] = 1;
-    linear.expand(z, xi);
-    if (component < f) {
+    if (component < fq) {
+      z[component] = 1;
+      linear.expandPlaces(z, xi);
       equations.coordinates.move(other, 0, xi, 0, h);
       linear.velocityByPlace(component, xi);
+    } else {
+      z[component - fq] = 1;
+      linear.expand(z, xi);
     }
     for (int i = 0; i < xi.length; i++) {
       other[equations.nq + i] += h * xi[i];
