@@ -1,6 +1,7 @@
 package org.mechservice.cli.model;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -86,6 +87,34 @@ class FmuOptionTest {
   void optionsOfUnitsAreRefusedForJars(String option, String value) {
     assertThat(build(PENDULUM, "p.jar", option, value)).isEqualTo(ExitStatus.BAD_INPUT);
     assertThat(err.toString()).startsWith("S-041").contains(option + " is for an FMU");
+    assertThat(folder).isEmptyDirectory();
+  }
+
+  private int buildModule(String model, String... more) {
+    List<String> words =
+        new ArrayList<>(List.of("build", model, "--wasm", folder.resolve("m.wasm").toString()));
+    words.addAll(List.of(more));
+    return Mech.run(new PrintWriter(out), new PrintWriter(err), words.toArray(new String[0]));
+  }
+
+  @Test
+  void modelBecomesAWebAssemblyModule() throws IOException {
+    int status = buildModule(PENDULUM);
+    assumeTrue(
+        !err.toString().contains("no compiler for WebAssembly"),
+        "no compiler for WebAssembly here");
+    assertThat(status).as(err.toString()).isEqualTo(ExitStatus.DONE);
+    assertThat(Files.readAllBytes(folder.resolve("m.wasm"))).startsWith(0, 'a', 's', 'm');
+  }
+
+  @ParameterizedTest
+  @CsvSource({"--standalone, ", "--compact, ", "--code, shared", "--source, x", "-o, x.jar"})
+  void optionsOfJarsAreRefusedForModules(String option, String value) {
+    String[] words = value == null ? new String[] {option} : new String[] {option, value};
+    assertThat(buildModule(PENDULUM, words)).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(err.toString()).startsWith("S-041").contains(option + " is for a JAR");
+    assertThat(buildModule(SUSPENSION)).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(err.toString()).contains("S-170");
     assertThat(folder).isEmptyDirectory();
   }
 
