@@ -316,6 +316,7 @@ final class MechanismInC {
     return new CLoops(
         LoopCode.loops(links, count),
         LoopCode.equations(links, count),
+        LoopCode.mass(links, count),
         mechanism.furtherStates().isEmpty()
             ? Optional.empty()
             : Optional.of(LoopCode.further(links)),

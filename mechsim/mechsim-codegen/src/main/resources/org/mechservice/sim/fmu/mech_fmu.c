@@ -494,6 +494,7 @@ mech_status mech_update(mech_instance *c, int *changed) {
 }
 
 double mech_next_jump(const mech_instance *c) {
+  (void)c;
   return MODEL_next_jump(&c->s.model, c->s.t - 4 * DBL_EPSILON * fabs(c->s.t));
 }
 

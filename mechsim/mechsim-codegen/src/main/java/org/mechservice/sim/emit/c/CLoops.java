@@ -13,6 +13,7 @@ import org.mechservice.solver.closure.PenaltySettings;
  *
  * @param loops program to Φ, Φ', J and the sizes of the equations
  * @param equations program to all terms
+ * @param mass program to M alone
  * @param further program to the derivatives of the further states, if there are any
  * @param angles program to the unwrapped angles, if there are any, each on the turn nearest to its
  *     input
@@ -27,6 +28,7 @@ import org.mechservice.solver.closure.PenaltySettings;
 public record CLoops(
     Program loops,
     Program equations,
+    Program mass,
     Optional<Program> further,
     Optional<Program> angles,
     List<Double> angleStarts,

@@ -50,6 +50,7 @@ final class CSource {
     } else if (model.motion() instanceof CLoops loops) {
       add("loop_terms", "terms", false, loops.loops());
       add("all_terms", "terms", true, loops.equations());
+      add("mass_matrix", "terms", false, loops.mass());
       loops.further().ifPresent(program -> add("further_rates", "rates", false, program));
       loops.angles().ifPresent(program -> add("cut_angles", "angles", false, program));
     }
@@ -169,6 +170,7 @@ final class CSource {
     }
     callback("void", "loop_terms", "terms");
     callback("int", "all_terms", "terms");
+    callback("void", "mass_matrix", "terms");
     loops.further().ifPresent(program -> callback("void", "further_rates", "rates"));
     loops.angles().ifPresent(program -> callback("void", "cut_angles", "angles"));
     StateCoordinates coordinates = new StateCoordinates(model.mechanism());
@@ -202,7 +204,7 @@ final class CSource {
                 numbers.of(penalty.frequency()),
                 numbers.of(penalty.damping())));
     source.line(
-        "    loop_terms_of, all_terms_of, %s, %s"
+        "    loop_terms_of, all_terms_of, mass_matrix_of, %s, %s"
             .formatted(
                 loops.further().isPresent() ? "further_rates_of" : "NULL",
                 loops.angles().isPresent() ? "cut_angles_of" : "NULL"));

@@ -129,15 +129,13 @@ static void place(const mech_loops *l, void *model, double *work, const parts *p
   take_jacobian(l, p);
 }
 
-/* Evaluates all terms at the state last placed. */
-static int form(const mech_loops *l, void *model, const parts *p, double t) {
-  int i, j, n = l->nv, result = l->equations(model, t, p->y, p->value);
+static void complete_mass(const mech_loops *l, const parts *p) {
+  int i, j, n = l->nv;
   for (i = 0; i < n; i++) {
     for (j = 0; j <= i; j++) {
       p->full[i * n + j] = p->full[j * n + i] = p->mass[i * n + j];
     }
   }
-  return result;
 }
 
 /* L of A = L L'; returns -1, or the row without a pivot. */
@@ -270,7 +268,8 @@ int mech_loops_derivatives(const mech_loops *l, void *model, double *work, doubl
   parts p = places(l, work);
   int i, j, b, singular, result;
   mech_loops_state(l, work, x);
-  result = form(l, model, &p, t);
+  result = l->equations(model, t, p.y, p.value);
+  complete_mass(l, &p);
   take_jacobian(l, &p);
   if (result != l->regular) {
     *failure = result;
@@ -380,11 +379,9 @@ static int is_closed(double residual, double before) {
 /* Forms M at the placed state and factors; returns whether that could be done. */
 static int form_and_factor(const mech_loops *l, void *model, const parts *p, double t,
                            const unsigned char *held, int *failure) {
-  int singular, result = form(l, model, p, t);
-  if (result != l->regular) {
-    *failure = result;
-    return 0;
-  }
+  int singular;
+  l->mass(model, t, p->y, p->value);
+  complete_mass(l, p);
   singular = factor(l, p, held);
   if (singular >= 0) {
     *failure = WITHOUT_INERTIA + singular;

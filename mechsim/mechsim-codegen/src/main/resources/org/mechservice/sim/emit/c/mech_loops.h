@@ -30,6 +30,7 @@ typedef struct {
   int regular;
   void (*loops)(void *model, double t, const double *y, double *terms);
   int (*equations)(void *model, double t, const double *y, double *terms);
+  void (*mass)(void *model, double t, const double *y, double *terms);
   void (*further)(void *model, double t, const double *y, double *rates);
   void (*angles)(void *model, double t, const double *y, double *angles);
 } mech_loops;

@@ -79,6 +79,7 @@ class LoopsAndEventsInCTest {
 
   @TempDir private Path folder = Path.of("");
   private long compared;
+  private long close;
   private final List<String> different = new ArrayList<>();
 
   private void compare(String what, double actual, double expected) {
@@ -92,12 +93,18 @@ class LoopsAndEventsInCTest {
       throws IOException {
     MechmlModel file = RandomMechmlEvents.on(mechanism, 1);
     BuildOptions options =
-        new BuildOptions("DSR", "penalty", false, EnumSet.of(ColumnGroup.ENERGY), Scenes.SETTINGS);
+        new BuildOptions(
+            "DSR",
+            mechanism.closures().isEmpty() ? "auto" : "penalty",
+            false, EnumSet.of(ColumnGroup.ENERGY), Scenes.SETTINGS);
     CModel inC = ModelFactory.inC(file, options);
     Path place = Files.createTempDirectory(folder, "scene");
     Path program = compiled(inC, place, flags);
-    Model java =
-        ModelFactory.compile(file, options, ModelFactory.generate(file, options)).newInstance();
+    ModelParts parts =
+        ModelParts.of(
+            ModelFactory.compile(file, options, ModelFactory.generate(file, options))
+                .newInstance());
+    Model java = parts.equations();
     int size = inC.states().size();
     int row = size + 1;
     double[] start = new double[size];
@@ -116,12 +123,14 @@ class LoopsAndEventsInCTest {
     assertThat(written).hasSize(states * (3 * row + events));
     for (int s = 0; s < states; s++) {
       double[] state = Arrays.copyOfRange(given, s * row + 1, (s + 1) * row);
-      compareState(mechanism, java, given[s * row], state, written, s * (3 * row + events));
+      compareState(
+          mechanism, parts, given[s * row], state, written, s * (3 * row + events));
     }
   }
 
   private void compareState(
-      Mechanism mechanism, Model java, double t, double[] x, double[] written, int first) {
+      Mechanism mechanism, ModelParts parts, double t, double[] x, double[] written, int first) {
+    Model java = parts.equations();
     String name = mechanism.name();
     int at = first;
     double[] dx = new double[x.length];
@@ -133,7 +142,7 @@ class LoopsAndEventsInCTest {
       }
     }
     at = compareProjection(mechanism, java, t, x, written, at);
-    ModelEvents events = ModelParts.of(java).events().orElseThrow();
+    ModelEvents events = parts.events().orElseThrow();
     double[] g = new double[events.kinds().size()];
     events.values(t, x, g);
     for (double value : g) {
@@ -147,7 +156,21 @@ class LoopsAndEventsInCTest {
         !(java instanceof StateJumps jumps) || jumps.jump(t, after, set(events, x.length));
     compare(name + " closed after events", written[at++] < 0 ? 0 : 1, closed ? 1 : 0);
     for (int i = 0; closed && i < x.length; i++) {
-      compare(name + " after events [" + i + "]", written[at++], after[i]);
+      compareAfter(name + " after events [" + i + "]", written[at++], after[i]);
+    }
+  }
+
+  /**
+   * Where a force has no direction on the way to a closed state, Java takes the mass matrix from
+   * the data, whose last digits differ.
+   */
+  private void compareAfter(String what, double actual, double expected) {
+    boolean sameBits = Double.doubleToLongBits(actual) == Double.doubleToLongBits(expected);
+    if (!sameBits && Math.abs(actual - expected) <= 1e-7 * Math.max(1, Math.abs(expected))) {
+      compared++;
+      close++;
+    } else {
+      compare(what, actual, expected);
     }
   }
 
@@ -213,6 +236,7 @@ class LoopsAndEventsInCTest {
     CCode.compiler();
     compareScenes(FEW, 10);
     assertThat(different).as("of %d numbers", compared).isEmpty();
+    assertThat(close).isLessThan(compared / 20);
   }
 
   @Test
@@ -229,5 +253,6 @@ class LoopsAndEventsInCTest {
     CCode.compiler();
     compareScenes(MANY, 100);
     assertThat(different).as("of %d numbers", compared).isEmpty();
+    assertThat(close).isLessThan(compared / 20);
   }
 }
