@@ -38,10 +38,10 @@ import org.mechservice.solver.mechanism.Output;
 import org.mechservice.solver.mechanism.Parameter;
 import org.mechservice.solver.mechanism.PrescribedMotion;
 import org.mechservice.solver.mechanism.Root;
-import org.mechservice.solver.mechanism.StartRole;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.force.ForceElement;
+import org.mechservice.solver.mechanism.joint.StartRole;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
@@ -74,7 +74,9 @@ final class MechanismReader {
     this.root = root;
     this.index = index;
     this.jointsReader = new JointsReader(values, bodies, index, diagnostics);
-    this.links = jointsReader.read(joints(), jointVals());
+    List<JointLink> read = jointsReader.read(joints(), jointVals());
+    this.links =
+        root.map(pose -> jointsReader.placed(read, new JointTree(read, index), pose)).orElse(read);
     this.tree = new JointTree(links, index);
     this.names = new MechanismNames(bodies, index, diagnostics);
     this.formulas = new FormulaReader(values, names, diagnostics);

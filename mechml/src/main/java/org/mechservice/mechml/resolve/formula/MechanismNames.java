@@ -18,9 +18,9 @@ import org.mechservice.mechml.resolve.value.NameTable;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Table;
-import org.mechservice.solver.mechanism.Origin;
 import org.mechservice.solver.mechanism.force.NamedPoint;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.text.Origin;
 
 /** Finds bodies, points and joints by name; needs the choice of the cut joints. */
 public final class MechanismNames {

@@ -15,9 +15,9 @@ import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.kinematics.LinkKind;
 import org.mechservice.solver.mechanism.Body;
-import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.closure.JointClosure;
+import org.mechservice.solver.mechanism.joint.Joint;
 import org.mechservice.solver.spatial.Vector3;
 
 /**

@@ -3,6 +3,7 @@ package org.mechservice.solver.mechanism;
 import java.util.List;
 import org.mechservice.solver.api.capability.ModelEvents;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.text.Origin;
 
 /**
  * An action at the zero crossings of an expression (MECHML §5).

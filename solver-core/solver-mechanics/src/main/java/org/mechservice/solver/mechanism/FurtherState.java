@@ -1,6 +1,7 @@
 package org.mechservice.solver.mechanism;
 
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.text.Origin;
 
 /**
  * A state besides positions and velocities, s' = f(t, q, v, s): of a controller, a filter, an

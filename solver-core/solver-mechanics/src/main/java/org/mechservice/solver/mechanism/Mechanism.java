@@ -12,6 +12,9 @@ import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.force.ForceElement;
+import org.mechservice.solver.mechanism.joint.Attachment;
+import org.mechservice.solver.mechanism.joint.Joint;
+import org.mechservice.solver.mechanism.joint.StartRole;
 import org.mechservice.solver.spatial.Vector3;
 
 /**

@@ -4,14 +4,14 @@ import java.util.List;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Event;
 import org.mechservice.solver.mechanism.FurtherState;
-import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Parameter;
 import org.mechservice.solver.mechanism.PrescribedMotion;
 import org.mechservice.solver.mechanism.Root;
-import org.mechservice.solver.mechanism.StartRole;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.force.ForceElement;
+import org.mechservice.solver.mechanism.joint.Joint;
+import org.mechservice.solver.mechanism.joint.StartRole;
 import org.mechservice.solver.spatial.Vector3;
 
 /** Conversion of a mechanism to bytes and back, without changing a bit of its numbers. */

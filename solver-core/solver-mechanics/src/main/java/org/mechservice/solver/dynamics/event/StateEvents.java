@@ -8,10 +8,10 @@ import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Event;
-import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.MotionJump;
 import org.mechservice.solver.mechanism.StateChange;
+import org.mechservice.solver.mechanism.joint.Joint;
 import org.mechservice.solver.spatial.EulerParameters;
 
 /** The events of a mechanism, evaluated in its motion, for all formulations. */
