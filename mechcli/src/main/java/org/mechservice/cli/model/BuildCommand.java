@@ -164,8 +164,7 @@ public final class BuildCommand implements Callable<Integer> {
     refuseOptionsOfJar(what);
     refuse(target.isPresent(), "-o", what);
     OutputFile.requireUsable(file);
-    byte[] bytes =
-        ModelToExport.read(model, method.reading(parameters.values()), method).module();
+    byte[] bytes = ModelToExport.read(model, method.reading(parameters.values()), method).module();
     OutputFile.write(file, bytes);
     size(file.toString(), bytes.length);
     return ExitStatus.DONE;

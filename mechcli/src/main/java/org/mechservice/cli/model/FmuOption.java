@@ -50,7 +50,9 @@ public final class FmuOption {
     if (!unit && !(version.isEmpty() && platforms.isEmpty() && asInputs.isEmpty())) {
       throw new UsageException(
           MessageCode.OPTION_UNUSABLE
-              + (!version.isEmpty() ? " --fmi" : platforms.isEmpty() ? " --class-as-input" : " --platforms")
+              + (!version.isEmpty()
+                  ? " --fmi"
+                  : platforms.isEmpty() ? " --class-as-input" : " --platforms")
               + " is for an FMU, and "
               + target
               + " is none: write -o FILE.fmu");

@@ -1,17 +1,10 @@
 package org.mechservice.cli.model;
 
-import org.mechservice.sim.fmu.FmuModel;
-import org.mechservice.sim.fmu.WebAssemblyModule;
-import org.mechservice.sim.model.ModelFactory;
-import org.mechservice.sim.scene.FormulationChoice;
-import org.mechservice.sim.scene.ModelBuildException;
-import org.mechservice.solver.api.result.ColumnGroup;
-import org.mechservice.solver.text.TableFiles;
-import java.util.Set;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.Set;
 import org.mechservice.cli.shell.UsageException;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.ReadOptions;
@@ -20,11 +13,18 @@ import org.mechservice.mechml.SimulationTask;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.sim.emit.plan.CodeForm;
+import org.mechservice.sim.fmu.FmuModel;
+import org.mechservice.sim.fmu.WebAssemblyModule;
 import org.mechservice.sim.model.BuildOptions;
 import org.mechservice.sim.model.ModelColumns;
+import org.mechservice.sim.model.ModelFactory;
+import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.scene.IntegratorSelection;
+import org.mechservice.sim.scene.ModelBuildException;
+import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.catalogue.MethodNames;
+import org.mechservice.solver.text.TableFiles;
 
 /**
  * A model that is read and generated here, without a server, for what leaves this program.

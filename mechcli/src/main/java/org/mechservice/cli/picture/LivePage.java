@@ -26,8 +26,7 @@ import org.mechservice.view.scene.SceneDescription;
 /** Writes the page of {@code mech view --live}: a model that a browser simulates. */
 final class LivePage {
   private static final Set<ColumnGroup> COLUMNS =
-      EnumSet.of(
-          ColumnGroup.JOINTS, ColumnGroup.BODIES, ColumnGroup.ENERGY, ColumnGroup.OUTPUTS);
+      EnumSet.of(ColumnGroup.JOINTS, ColumnGroup.BODIES, ColumnGroup.ENERGY, ColumnGroup.OUTPUTS);
 
   /** The name of one of several positions of a joint: without a unit, an Euler parameter. */
   private static final String ONE_OF_SEVERAL = ".*\\.q\\[\\d+]";
@@ -96,8 +95,8 @@ final class LivePage {
   }
 
   /**
-   * Parameters go from nothing to twice their value, angles through half a turn to both sides, other
-   * start values as far to both sides as they are large, or 1.
+   * Parameters go from nothing to twice their value, angles through half a turn to both sides,
+   * other start values as far to both sides as they are large, or 1.
    */
   private static LiveModel.Slider slider(FmuVariable one, int index, boolean parameter) {
     double value = one.start();
@@ -107,7 +106,6 @@ final class LivePage {
     } else if (!parameter && one.unit().equals("rad")) {
       reach = Math.PI;
     }
-    return new LiveModel.Slider(
-        one.name(), one.unit(), index, value, value - reach, value + reach);
+    return new LiveModel.Slider(one.name(), one.unit(), index, value, value - reach, value + reach);
   }
 }

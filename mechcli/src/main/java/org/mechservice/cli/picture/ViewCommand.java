@@ -142,8 +142,7 @@ public final class ViewCommand implements Callable<Integer> {
                             + " has no bodies: name the model it is of by --model MODEL.xml"))
             : input;
     if (live.isPresent()) {
-      ReadOptions reading =
-          new ReadOptions(simulation, parameters.values(), Set.copyOf(tunable));
+      ReadOptions reading = new ReadOptions(simulation, parameters.values(), Set.copyOf(tunable));
       LivePage.write(input, reading, live.get(), err());
       if (targets.isEmpty()) {
         return ExitStatus.DONE;

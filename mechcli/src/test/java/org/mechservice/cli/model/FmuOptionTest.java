@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -83,7 +84,7 @@ class FmuOptionTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"--fmi, 2", "--platforms, source"})
+  @CsvSource({"--fmi, 2", "--platforms, source", "--class-as-input, fBody"})
   void optionsOfUnitsAreRefusedForJars(String option, String value) {
     assertThat(build(PENDULUM, "p.jar", option, value)).isEqualTo(ExitStatus.BAD_INPUT);
     assertThat(err.toString()).startsWith("S-041").contains(option + " is for an FMU");
@@ -123,5 +124,29 @@ class FmuOptionTest {
     assertThat(build(SUSPENSION, "s.fmu")).isEqualTo(ExitStatus.BAD_INPUT);
     assertThat(err.toString()).startsWith("S-170");
     assertThat(folder).isEmptyDirectory();
+  }
+
+  @Test
+  void forcesWrittenAsClassesBecomeInputsIfAskedFor() throws IOException {
+    String[] both = {"--class-as-input", "fBody", "--class-as-input", "fFpsSpringDamper"};
+    assertThat(build(SUSPENSION, "s.fmu", "--class-as-input", "fBody"))
+        .isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(err.toString()).contains("S-170").contains("fFpsSpringDamper");
+    assertThat(build(SUSPENSION, "s.fmu", "--class-as-input", "fWheel"))
+        .isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(err.toString()).contains("--class-as-input fWheel");
+    assertThat(folder).isEmptyDirectory();
+    List<String> words = new ArrayList<>(List.of(both));
+    words.addAll(List.of("--platforms", "source"));
+    assertThat(build(SUSPENSION, "s.fmu", words.toArray(new String[0])))
+        .as(err.toString())
+        .isEqualTo(ExitStatus.DONE);
+    try (ZipFile file = new ZipFile(folder.resolve("s.fmu").toFile())) {
+      String description =
+          new String(
+              file.getInputStream(file.getEntry("modelDescription.xml")).readAllBytes(),
+              StandardCharsets.UTF_8);
+      assertThat(description).contains("\"fBody+fFpsSpringDamper.Wheel.fz\"");
+    }
   }
 }

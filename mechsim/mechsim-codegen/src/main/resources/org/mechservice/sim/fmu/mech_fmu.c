@@ -20,10 +20,6 @@ enum { MOST_TRIES = 1000000, MOST_EVENTS = 1000 };
  * tolerances. It costs a third more steps. Below the second number round-off outweighs it. */
 static const double SAFETY = 30, FINEST = 1e-12;
 
-/* In Model Exchange a state that has left the constraints by so many tolerances is put back. Each
- * time the importer's method begins anew at order one, so that to do it often costs accuracy. */
-static const double DRIFT = 100;
-
 /* Parts of a step at whose ends the event functions are looked at. */
 enum { LOOKS = 4 };
 
@@ -467,7 +463,7 @@ mech_status mech_step_completed(mech_instance *c, int *event_needed) {
   MODEL_accepted(&c->s.model, c->s.t, c->s.x);
   for (i = 0; result > 0 && i < MODEL_NX; i++) {
     double size = fabs(x[i]) > 1 ? fabs(x[i]) : 1;
-    *event_needed |= fabs(x[i] - c->s.x[i]) > DRIFT * c->s.rtol * size;
+    *event_needed |= fabs(x[i] - c->s.x[i]) > c->s.rtol * size;
   }
   return MECH_OK;
 }

@@ -81,7 +81,8 @@ class FmuRunTest {
     requireCompiler();
     SortedMap<String, String> files = FmuSources.of(CModels.ball(), FmiVersion.FMI_2, "{token}");
     for (String name :
-        List.of("mech_backward.c", "mech_backward.h", "mech_steps.h", "mech_math.c", "mech_math.h")) {
+        List.of(
+            "mech_backward.c", "mech_backward.h", "mech_steps.h", "mech_math.c", "mech_math.h")) {
       Files.writeString(folder.resolve(name), files.getOrDefault(name, ""));
     }
     Files.writeString(folder.resolve("mech_fmu_model.h"), CModels.resource("robertson.h"));
@@ -89,8 +90,7 @@ class FmuRunTest {
     List<String> strict = List.of("-std=c99", "-Wall", "-Wextra", "-Werror", "-O1", "-o", "run");
     List<String> sources = List.of("robertson.c", "mech_backward.c", "mech_math.c", "-lm");
     assertThat(execute(compiler(strict, sources), false)).isEqualTo("0\n");
-    List<String> lines =
-        execute(List.of(folder.resolve("run").toString()), false).lines().toList();
+    List<String> lines = execute(List.of(folder.resolve("run").toString()), false).lines().toList();
     assertThat(lines).hasSize(5);
     for (String line : lines.subList(0, 4)) {
       String[] numbers = line.split(" ", -1);
@@ -98,12 +98,6 @@ class FmuRunTest {
       // An explicit method needs some 1e5: the stiffest eigenvalue is -2.2e3 1/s, for 40 s.
       assertThat(Integer.parseInt(numbers[1])).isLessThan(2000);
     }
-  }
-
-  @Test
-  void methodForStiffModelsBearsIt() throws Exception {
-    FmuModel model = CModels.stiff(CModels.circle());
-    assertThat(fmpy(model, FmiVersion.FMI_2, "stiff")).containsEntry("ended", "well");
   }
 
   @ParameterizedTest

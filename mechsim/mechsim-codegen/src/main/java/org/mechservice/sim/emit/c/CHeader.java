@@ -72,7 +72,8 @@ final class CHeader {
     line(
         " * An instance. It holds no pointers: a copy of the structure is a copy of the instance.");
     line(
-        " * Set p before the start, and u, if there are inputs; the other members are the model's.");
+        " * Set p before the start, and u, if there are inputs; the other members are the"
+            + " model's.");
     line(" */");
     line("typedef struct {");
     int loads = model.inputs().loads();

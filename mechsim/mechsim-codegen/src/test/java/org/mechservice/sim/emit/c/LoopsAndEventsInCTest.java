@@ -96,7 +96,9 @@ class LoopsAndEventsInCTest {
         new BuildOptions(
             "DSR",
             mechanism.closures().isEmpty() ? "auto" : "penalty",
-            false, EnumSet.of(ColumnGroup.ENERGY), Scenes.SETTINGS);
+            false,
+            EnumSet.of(ColumnGroup.ENERGY),
+            Scenes.SETTINGS);
     CModel inC = ModelFactory.inC(file, options);
     Path place = Files.createTempDirectory(folder, "scene");
     Path program = compiled(inC, place, flags);
@@ -123,8 +125,7 @@ class LoopsAndEventsInCTest {
     assertThat(written).hasSize(states * (3 * row + events));
     for (int s = 0; s < states; s++) {
       double[] state = Arrays.copyOfRange(given, s * row + 1, (s + 1) * row);
-      compareState(
-          mechanism, parts, given[s * row], state, written, s * (3 * row + events));
+      compareState(mechanism, parts, given[s * row], state, written, s * (3 * row + events));
     }
   }
 
