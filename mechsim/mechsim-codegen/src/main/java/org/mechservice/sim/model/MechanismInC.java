@@ -30,7 +30,6 @@ import org.mechservice.sim.scene.GenerationLimits;
 import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.ModelDescription;
-import org.mechservice.solver.api.StateVariable;
 import org.mechservice.solver.api.capability.ModelEvents;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.result.Variable;
@@ -179,7 +178,7 @@ final class MechanismInC {
    * Returns the loads of the forces written as classes: for each body moment and force in its axes
    * at its link's reference point, for each velocity of a joint a force.
    */
-  private CInputs inputs() {
+  private CInputs inputs(List<Variable> states) {
     if (asInputs.isEmpty()) {
       return CInputs.NONE;
     }
@@ -204,9 +203,8 @@ final class MechanismInC {
         places.add(6 * link + k);
       }
     }
-    List<StateVariable> states = mechanism.stateVariables();
     for (int k = 0; k < mechanism.velocityCount(); k++) {
-      StateVariable velocity = states.get(mechanism.positionCount() + k);
+      Variable velocity = states.get(mechanism.positionCount() + k);
       boolean turns = velocity.unit().equals("rad/s");
       variables.add(
           new CVariable(
@@ -277,7 +275,7 @@ final class MechanismInC {
         energy,
         outputs(links, energy),
         events(links),
-        inputs());
+        inputs(description.states()));
   }
 
   private double[] start() {
