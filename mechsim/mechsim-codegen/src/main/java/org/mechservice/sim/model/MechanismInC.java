@@ -52,6 +52,7 @@ import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.linear.SparseMatrix;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Event;
+import org.mechservice.solver.mechanism.FurtherState;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Output;
 import org.mechservice.solver.mechanism.force.UserForceElement;
@@ -137,6 +138,14 @@ final class MechanismInC {
               + "); give them as expressions, or make them inputs of an FMU by --class-as-input "
               + left.get(0));
     }
+    if (!mechanism.samplings().isEmpty()) {
+      beyond.add("sampled states (" + mechanism.samplings().get(0).name() + " is one)");
+    }
+    mechanism.furtherStates().stream()
+        .filter(state -> state.role() == FurtherState.Role.INPUT)
+        .findFirst()
+        .ifPresent(
+            state -> beyond.add("states that are set from outside (" + state.name() + " is one)"));
     beyond.addAll(JumpsInC.notExported(mechanism, options.settings()));
     beyond.addAll(turnsOfCutJoints());
     if (!mechanism.closures().isEmpty()
