@@ -16,8 +16,8 @@ static const unsigned long INSTANCE = 0x4d454348UL, SAVED = 0x53415645UL;
 enum { MOST_TRIES = 1000000, MOST_EVENTS = 1000 };
 
 /* The tolerance of a run is meant for its results; errors of steps add up and grow, so that the
- * method works at a part of it: with this one the scenes of docs/reports/export.md are right to ten
- * tolerances. It costs a third more steps. Below the second number round-off outweighs it. */
+ * method works at a part of it: with this one all scenes of docs/reports/export.md but one are right
+ * to ten tolerances. Below the second number round-off outweighs what it gains. */
 static const double SAFETY = 30, FINEST = 1e-12;
 
 /* Parts of a step at whose ends the event functions are looked at. */
