@@ -20,7 +20,7 @@ import org.mechservice.solver.text.Origin;
 
 /** Reads {@code body}. */
 public final class BodyReader {
-  private static final Set<String> SHAPES = Set.of("box", "cylinder", "sphere");
+  private static final Set<String> SHAPES = Set.of("box", "cylinder", "cone", "sphere");
 
   private final ValueReader values;
   private final DirectionReader directions;
