@@ -32,6 +32,7 @@ class DocumentedCommandsIT {
         "README.md",
         "docs/curves.md",
         "docs/fmu.md",
+        "docs/gradients.md",
         "docs/study.md",
         "docs/optimise.md",
         "docs/view.md",
@@ -39,6 +40,7 @@ class DocumentedCommandsIT {
         "examples/pendulum/README.md",
         "examples/robot/README.md",
         "examples/elements/README.md",
+        "examples/four-bar/README.md",
         "examples/sweep/README.md"
       })
   void everyCommandOfThePageWorks(String page) throws IOException {

@@ -153,6 +153,11 @@ public final class MechModel {
     return model.mechanism().name();
   }
 
+  /** Returns what was read: the mechanism and its settings. */
+  public MechmlModel content() {
+    return model;
+  }
+
   /** Returns the parameters of the file, as it gives them, in its order. */
   public List<ModelParameter> parameters() {
     return model.parameters();
@@ -370,6 +375,42 @@ public final class MechModel {
   public RunReport simulate(ResultSink sink, RunControl control, Checkpoints checkpoints)
       throws IOException {
     return completed(run(sink, control, checkpoints));
+  }
+
+  /**
+   * Begins a run that is stepped from outside: between two steps the inputs of the model, also
+   * those with a table, are set, and within a step they are constant.
+   *
+   * @param step time between two steps, s
+   * @return the run at its start
+   * @throws MechmlException if the model cannot be used so
+   * @throws IllegalArgumentException if a setting does not fit the model, or the simulation is not
+   *     integrated in time (S-195)
+   * @throws RunFailedException if the run cannot begin
+   */
+  public SteppedModel stepped(double step) throws MechmlException {
+    MechModel open = reread(reading.withInputsFromOutside()).every(step);
+    return SteppedModel.begin(
+        open.compiled().newInstance(), open.request(), open.sha256(), open.model.mechanism());
+  }
+
+  /**
+   * Goes on with a run that was stepped from outside and saved; its further rows are then the same
+   * to the bit.
+   *
+   * @param step as of the saved run
+   * @param saved from {@link SteppedModel#save}
+   * @throws MechmlException if the model cannot be used so
+   * @throws IllegalArgumentException S-071 if the bytes do not belong to such a run of this model
+   */
+  public SteppedModel stepped(double step, byte[] saved) throws MechmlException {
+    MechModel open = reread(reading.withInputsFromOutside()).every(step);
+    return SteppedModel.restored(
+        open.compiled().newInstance(),
+        open.request(),
+        open.sha256(),
+        open.model.mechanism(),
+        saved);
   }
 
   private static RunReport completed(RunReport report) {

@@ -11,11 +11,11 @@ import java.util.stream.Stream;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.closure.CoordinateClosure;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
+import org.mechservice.solver.mechanism.joint.Joint;
 
 /** Limits beyond which a scene is simulated from data instead of generated code. */
 public final class GenerationLimits {
