@@ -102,7 +102,7 @@ final class TreeInC {
             ColumnGroup.OUTPUTS));
     columns.forEach(group -> beyond.add("the columns \"" + group.label() + "\""));
     if (beyond.isEmpty()) {
-      beyond.addAll(GenerationLimits.notGenerated(mechanism, choice));
+      beyond.addAll(GenerationLimits.notGenerated(mechanism, choice, () -> 0));
     }
     refuse(beyond);
   }
