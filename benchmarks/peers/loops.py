@@ -317,7 +317,7 @@ def evaluations(lengths):
             file.write_text(chain(n, closed))
             files.append(file)
     out, _, _ = process("java", "-XX:+UseSerialGC", "-cp", ROOT / "benchmarks/target/benchmarks.jar",
-                        "org.mechservice.benchmarks.ChainWithLoop", *files)
+                        "org.mechservice.benchmarks.study.ChainWithLoop", *files)
     rows = []
     for n, line in zip(lengths, out.splitlines()):
         open_code, open_data, code, data = (float(cost) for cost in line.split())

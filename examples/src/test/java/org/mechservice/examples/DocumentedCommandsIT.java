@@ -39,6 +39,7 @@ class DocumentedCommandsIT {
         "examples/pendulum/README.md",
         "examples/robot/README.md",
         "examples/elements/README.md",
+        "examples/four-bar/README.md",
         "examples/sweep/README.md"
       })
   void everyCommandOfThePageWorks(String page) throws IOException {

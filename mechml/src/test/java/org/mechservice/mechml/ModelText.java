@@ -3,8 +3,8 @@ package org.mechservice.mechml;
 import java.nio.charset.StandardCharsets;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.resolve.MechmlReader;
-import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.joint.Joint;
 
 /**
  * The text of a small model, to be varied:

@@ -14,13 +14,13 @@ import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.mechml.unit.Quantity;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.Body;
-import org.mechservice.solver.mechanism.Origin;
 import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.text.Origin;
 
 /** Reads {@code body}. */
 public final class BodyReader {
-  private static final Set<String> SHAPES = Set.of("box", "cylinder", "sphere");
+  private static final Set<String> SHAPES = Set.of("box", "cylinder", "cone", "sphere");
 
   private final ValueReader values;
   private final DirectionReader directions;

@@ -14,11 +14,14 @@ import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * Reads {@code box}, {@code cylinder} and {@code sphere}: homogeneous solids with a density or a
- * mass. Volumes and moments of inertia are those of every handbook, such as Beer and Johnston,
- * <i>Vector Mechanics for Engineers</i>, appendix on mass moments of inertia.
+ * Reads {@code box}, {@code cylinder}, {@code cone} and {@code sphere}: homogeneous solids with a
+ * density or a mass. Volumes and moments of inertia are those of every handbook, such as Beer and
+ * Johnston, <i>Vector Mechanics for Engineers</i>, appendix on mass moments of inertia.
  */
 final class ShapeReader {
+  private static final String SAME_PLACE =
+      "points \"from\" and \"to\" lie in one place; it has no length";
+
   private final ValueReader values;
   private final Diagnostics diagnostics;
 
@@ -36,6 +39,7 @@ final class ShapeReader {
     return switch (shape.name()) {
       case "box" -> box(shape, points);
       case "cylinder" -> cylinder(shape, points);
+      case "cone" -> cone(shape, points);
       default -> sphere(shape, points);
     };
   }
@@ -87,8 +91,8 @@ final class ShapeReader {
   private Optional<MassProperties> cylinder(Element cylinder, NameTable<Vector3> points) {
     OptionalDouble radius = positive(cylinder, "radius");
     OptionalDouble inner = values.quantityOrZero(cylinder, "inner", Quantity.LENGTH);
-    Optional<Vector3> from = points.find(cylinder, cylinder.required("from"));
-    Optional<Vector3> to = points.find(cylinder, cylinder.required("to"));
+    Optional<Vector3> from = place(cylinder, "from", points);
+    Optional<Vector3> to = place(cylinder, "to", points);
     if (radius.isEmpty() || inner.isEmpty() || from.isEmpty() || to.isEmpty()) {
       return Optional.empty();
     }
@@ -100,7 +104,7 @@ final class ShapeReader {
     Vector3 along = to.get().minus(from.get());
     double length = along.norm();
     if (length == 0) {
-      return wrong(cylinder, "points \"from\" and \"to\" lie in one place; it has no length");
+      return wrong(cylinder, SAME_PLACE);
     }
     OptionalDouble mass = mass(cylinder, Math.PI * (r - hole) * (r + hole) * length);
     if (mass.isEmpty()) {
@@ -117,10 +121,60 @@ final class ShapeReader {
   }
 
   private Optional<Vector3> point(Element shape, NameTable<Vector3> points) {
-    return shape
-        .attribute("point")
-        .map(name -> points.find(shape, name))
-        .orElse(Optional.of(Vector3.ZERO));
+    return shape.attribute("point").isPresent()
+        ? place(shape, "point", points)
+        : Optional.of(Vector3.ZERO);
+  }
+
+  /** Returns the point that an attribute names, or whose three coordinates it holds. */
+  private Optional<Vector3> place(Element shape, String attribute, NameTable<Vector3> points) {
+    String text = shape.required(attribute);
+    return text.contains(";") && points.value(text).isEmpty()
+        ? values.triple(shape, attribute, Quantity.LENGTH)
+        : points.find(shape, text);
+  }
+
+  /**
+   * A frustum, whose sections have radii that change linearly from R to r over the height h: volume
+   * π h (R² + R r + r²)/3; centre h (R² + 2 R r + 3 r²)/(4 (R² + R r + r²)) from the end of R; the
+   * moments are integrals over its discs, about the end of R and from there to the centre by
+   * Steiner.
+   */
+  private Optional<MassProperties> cone(Element cone, NameTable<Vector3> points) {
+    OptionalDouble radius = positive(cone, "radius");
+    OptionalDouble top = values.quantityOrZero(cone, "top", Quantity.LENGTH);
+    Optional<Vector3> from = place(cone, "from", points);
+    Optional<Vector3> to = place(cone, "to", points);
+    if (radius.isEmpty() || top.isEmpty() || from.isEmpty() || to.isEmpty()) {
+      return Optional.empty();
+    }
+    double a = radius.getAsDouble();
+    double b = top.getAsDouble();
+    if (b < 0) {
+      return wrong(cone, "top is the radius at its other end: 0 for a pointed cone, or more");
+    }
+    Vector3 along = to.get().minus(from.get());
+    double h = along.norm();
+    if (h == 0) {
+      return wrong(cone, SAME_PLACE);
+    }
+    double square = a * a + a * b + b * b;
+    OptionalDouble mass = mass(cone, Math.PI * h * square / 3);
+    if (mass.isEmpty()) {
+      return Optional.empty();
+    }
+    double m = mass.getAsDouble();
+    double center = h * (a * a + 2 * a * b + 3 * b * b) / (4 * square);
+    double fourth = a * a * (a * a + a * b) + b * b * (a * a + a * b + b * b);
+    double discs = 0.15 * m * fourth / square;
+    double base = m * h * h * (a * a + 3 * a * b + 6 * b * b) / (10 * square);
+    return Optional.of(
+        MassProperties.about(
+            along.normalized(),
+            m,
+            from.get().plus(along.times(center / h)),
+            2 * discs,
+            discs + base - m * center * center));
   }
 
   /** Returns the mass, kg, of a volume, m³. */

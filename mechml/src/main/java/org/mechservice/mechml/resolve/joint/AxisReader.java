@@ -6,7 +6,7 @@ import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.resolve.body.AlignmentRotation;
 import org.mechservice.mechml.resolve.body.BodyEnd;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.mechanism.Attachment;
+import org.mechservice.solver.mechanism.joint.Attachment;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
@@ -50,18 +50,20 @@ final class AxisReader {
           "body1 needs vector2, the direction of the first displacement");
       return Optional.empty();
     }
-    if (axis1.isEmpty() || axis2.isEmpty() || secondDirection(input, axis1.get()).isEmpty()) {
+    Optional<Vector3> second = axis1.flatMap(axis -> secondDirection(input, axis));
+    if (axis1.isEmpty() || axis2.isEmpty() || second.isEmpty()) {
       return Optional.empty();
     }
     Optional<Rotation> zero =
         input.end2().has("vector2")
             ? withSecondVectors(input, axis1.get(), axis2.get())
             : leastRotation(input, axis1.get(), axis2.get());
-    return placement(input, axis1, axis2, zero);
+    return placement(input, axis1, axis2, zero)
+        .map(at -> new Placement(at.attachment(), at.axis1(), at.axis2(), second.get()));
   }
 
   /** Returns b1, orthogonal to a1 and of length 1; empty after a reported error. */
-  Optional<Vector3> secondDirection(JointInput input, Vector3 axis1) {
+  private Optional<Vector3> secondDirection(JointInput input, Vector3 axis1) {
     Optional<Vector3> second = input.end1().direction("vector2");
     if (second.isPresent() && AlignmentRotation.areParallel(axis1, second.get())) {
       error(MessageCode.SECOND_VECTOR, input, "vector2 is parallel to vector");
@@ -154,7 +156,7 @@ final class AxisReader {
     }
     Attachment attachment =
         new Attachment(input.body1(), point1.get(), input.body2(), point2.get(), zero.get());
-    return Optional.of(new Placement(attachment, axis1.get(), axis2.orElseThrow()));
+    return Optional.of(new Placement(attachment, axis1.get(), axis2.orElseThrow(), Vector3.ZERO));
   }
 
   private Optional<Vector3> axis(JointInput input, BodyEnd end) {
@@ -218,6 +220,8 @@ final class AxisReader {
    * @param attachment points, and the rotation at zero
    * @param axis1 unit vector in body1's axes; zero for a joint without axes
    * @param axis2 unit vector in body2's axes; zero for a joint without axes
+   * @param second direction of a planar joint's first displacement, a unit vector in body1's axes
+   *     at right angles to axis1; without meaning in others
    */
-  record Placement(Attachment attachment, Vector3 axis1, Vector3 axis2) {}
+  record Placement(Attachment attachment, Vector3 axis1, Vector3 axis2, Vector3 second) {}
 }

@@ -12,7 +12,7 @@ import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.mechanism.StartRole;
+import org.mechservice.solver.mechanism.joint.StartRole;
 
 /** Reads the attributes {@code driven} and {@code fixed} of {@code jointVal}. */
 public final class DriveReader {

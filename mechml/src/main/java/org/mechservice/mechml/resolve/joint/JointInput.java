@@ -5,7 +5,7 @@ import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.resolve.body.BodyEnd;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.Origin;
+import org.mechservice.solver.text.Origin;
 
 /**
  * Input of the readers of joints.

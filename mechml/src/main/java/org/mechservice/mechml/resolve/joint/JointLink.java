@@ -3,7 +3,7 @@ package org.mechservice.mechml.resolve.joint;
 import java.util.Optional;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.solver.api.JointType;
-import org.mechservice.solver.mechanism.Joint;
+import org.mechservice.solver.mechanism.joint.Joint;
 
 /**
  * A joint as given in the file, with the two bodies that it connects.

@@ -16,8 +16,8 @@ import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.resolve.body.BodyIndex;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.joint.Joint;
 
 /**
  * Chooses the spanning tree: the joints of the tree, the joints that close loops and are cut, and

@@ -11,7 +11,7 @@ import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.mechml.unit.Unit;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.mechanism.JointStart;
+import org.mechservice.solver.mechanism.joint.JointStart;
 
 /**
  * Reads {@code jointVal}. Coordinates without a given value start at zero, Euler parameters at 1,

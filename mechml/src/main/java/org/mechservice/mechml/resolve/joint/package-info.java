@@ -8,6 +8,11 @@
  * org.mechservice.mechml.resolve.joint.JointTree} chooses the joints of the spanning tree, marks
  * the others as cut, and turns each joint of the tree outwards from the root.
  *
+ * <p>A joint may instead be given by a point and an axis in the world at assembly. {@link
+ * org.mechservice.mechml.resolve.joint.WorldJoints} places such joints in their bodies after the
+ * tree is chosen, from the {@link org.mechservice.mechml.resolve.joint.AssemblyPose}s of the
+ * bodies.
+ *
  * <p>{@link org.mechservice.mechml.resolve.joint.DriveReader} reads prescribed motions, and {@link
  * org.mechservice.mechml.resolve.joint.MotionCheck} refuses those that jump. {@link
  * org.mechservice.mechml.resolve.joint.ConstraintsReader} reads further loop closures: distances,

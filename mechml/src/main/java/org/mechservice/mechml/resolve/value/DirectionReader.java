@@ -20,13 +20,22 @@ public final class DirectionReader {
 
   /** Returns the unit vector; reports a vector of length zero. */
   public Optional<Vector3> read(Element element) {
-    Optional<Vector3> vector = values.vector(element, "vx", "vy", "vz", Quantity.NUMBER);
+    return direction(element, "", values.vector(element, "vx", "vy", "vz", Quantity.NUMBER));
+  }
+
+  /** Returns the unit vector of a list of three components; reports one of length zero. */
+  public Optional<Vector3> read(Element element, String attribute) {
+    return direction(element, ": " + attribute, values.triple(element, attribute, Quantity.NUMBER));
+  }
+
+  private Optional<Vector3> direction(Element element, String what, Optional<Vector3> vector) {
     if (vector.isPresent() && !hasDirection(vector.get())) {
       diagnostics.error(
           MessageCode.ZERO_VECTOR,
           element.position(),
           Phrase.of(
-              "%s has length %s and therefore no direction", element.label(), vector.get().norm()));
+              "%s%s has length %s and therefore no direction",
+              element.label(), what, vector.get().norm()));
       return Optional.empty();
     }
     return vector.map(Vector3::normalized);

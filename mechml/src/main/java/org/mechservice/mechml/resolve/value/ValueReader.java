@@ -89,6 +89,13 @@ public final class ValueReader {
         : Optional.empty();
   }
 
+  /** Returns a required list of three quantities in SI as a vector. */
+  public Optional<Vector3> triple(Element element, String attribute, Quantity quantity) {
+    return unit(element, attribute, quantity)
+        .flatMap(unit -> list(element, attribute, List.of(unit, unit, unit)))
+        .map(items -> new Vector3(items.get(0), items.get(1), items.get(2)));
+  }
+
   /**
    * Returns the items of a required list in SI.
    *

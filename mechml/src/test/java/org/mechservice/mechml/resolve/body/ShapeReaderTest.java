@@ -108,6 +108,47 @@ class ShapeReaderTest {
         whole);
   }
 
+  /** A cone is the sum of its slices; with equal radii it is a cylinder, turned about itself. */
+  @ParameterizedTest
+  @ValueSource(longs = {1, 2, 3, 4})
+  void coneIsTheSumOfItsSlices(long seed) throws Exception {
+    Random random = new Random(seed);
+    double[] end = random.doubles(3, -1, 1).toArray();
+    double part = 0.1 + 0.8 * random.nextDouble();
+    double top = seed == 1 ? 0 : 0.3 * random.nextDouble();
+    double middle = 0.2 + part * (top - 0.2);
+    String points =
+        point("end", end[0], end[1], end[2])
+            + point("cut", part * end[0], part * end[1], part * end[2]);
+    assertSame(
+        body(
+            points,
+            cone(0.2, middle, "from='p' to='cut'") + cone(middle, top, "from='cut' to='end'")),
+        body(points, cone(0.2, top, "from='p' to='end'")));
+    assertSame(
+        body(points, cone(0.2, middle, "from='cut' to='p'")),
+        body(points, cone(middle, 0.2, "from='p' to='cut'")));
+    assertSame(
+        body(points, cone(0.2, 0.2, "from='end' to='p'")),
+        body(points, "<cylinder radius='0.2' from='0;0;0' to='end' density='900'/>"));
+  }
+
+  private static String cone(double radius, double top, String ends) {
+    return String.format(
+        Locale.ROOT, "<cone radius='%.17g' top='%.17g' %s density='900'/>", radius, top, ends);
+  }
+
+  /** Centre at a quarter of the height; moments of the handbook. */
+  @Test
+  void pointedConeHasTheMomentsOfTheHandbook() throws Exception {
+    Body cone = body("", "<cone radius='0.3' from='0;0;0' to='0;0;2' mass='5'/>");
+    assertThat(cone.centerOfMass().z()).isCloseTo(0.5, within(1e-15));
+    double transverse = 3.0 / 80 * 5 * (4 * 0.09 + 4);
+    assertThat(elements(cone.inertia()))
+        .containsExactly(
+            new double[] {transverse, transverse, 0.3 * 5 * 0.09, 0, 0, 0}, within(1e-14));
+  }
+
   @Test
   void thinCylinderIsARod() throws Exception {
     Body rod = body(point("end", 2, 0, 0), "<cylinder radius='1e-9' from='p' to='end' mass='3'/>");

@@ -3,9 +3,9 @@ package org.mechservice.sim.model;
 import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.solver.api.result.Variable;
-import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.ForceElement;
+import org.mechservice.solver.mechanism.joint.Joint;
 
 /** Names and units of the output columns of forces, and of the driving forces of driven joints. */
 final class ForceColumnNames {

@@ -4,9 +4,9 @@ import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.Body;
-import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.ForceElement;
+import org.mechservice.solver.mechanism.joint.Joint;
 
 /** Checks whether a generated class can store the names of a model. */
 final class GeneratedNames {

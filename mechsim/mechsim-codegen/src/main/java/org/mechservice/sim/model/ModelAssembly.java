@@ -24,7 +24,7 @@ import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.assembly.ClosedStart;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.StartRole;
+import org.mechservice.solver.mechanism.joint.StartRole;
 
 /**
  * Assembles a model after its formulation is chosen: generated code, and data for the parts that
@@ -210,8 +210,7 @@ final class ModelAssembly {
   private static boolean needsData(Mechanism mechanism) {
     return !mechanism.parameters().isEmpty()
         || ModelClass.hasUserForces(mechanism)
-        || !mechanism.events().isEmpty()
-        || mechanism.mayJump();
+        || mechanism.somethingHappens();
   }
 
   /** The terms of the equations are code; their closure and rarely used columns come from data. */

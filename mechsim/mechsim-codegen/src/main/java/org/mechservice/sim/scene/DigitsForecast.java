@@ -8,8 +8,8 @@ import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.dynamics.SemiRecursive;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
-import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.joint.Joint;
 
 /**
  * Warns before a run of an open chain by DSR if the mass matrix leaves accelerations fewer digits

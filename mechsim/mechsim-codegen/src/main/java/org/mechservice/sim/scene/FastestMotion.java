@@ -16,9 +16,9 @@ import org.mechservice.solver.closure.ClosedMechanism;
 import org.mechservice.solver.closure.model.ProjectionModel;
 import org.mechservice.solver.dynamics.DataDrivenModel;
 import org.mechservice.solver.force.user.UserForceSource;
-import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.UserForceElement;
+import org.mechservice.solver.mechanism.joint.Joint;
 
 /**
  * The fastest motion of a mechanism's equations linearised at the start, found by powers of their

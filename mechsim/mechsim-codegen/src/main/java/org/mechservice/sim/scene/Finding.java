@@ -1,7 +1,7 @@
 package org.mechservice.sim.scene;
 
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.mechanism.Origin;
+import org.mechservice.solver.text.Origin;
 
 /**
  * A property of a scene that its author may not have intended.

@@ -21,9 +21,9 @@ import org.mechservice.solver.expression.TapeEvaluation;
 import org.mechservice.solver.force.formula.FormulaText;
 import org.mechservice.solver.mechanism.FurtherState;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.Origin;
 import org.mechservice.solver.mechanism.PrescribedMotion;
 import org.mechservice.solver.mechanism.force.ForceElement;
+import org.mechservice.solver.text.Origin;
 
 /**
  * Finds, before a run, formulas that force tiny steps: {@code sin} of a time that passes through

@@ -10,8 +10,8 @@ import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.Origin;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
+import org.mechservice.solver.text.Origin;
 
 /**
  * The loops of a mechanism: their constraints, their residuals at the start and the rank of their

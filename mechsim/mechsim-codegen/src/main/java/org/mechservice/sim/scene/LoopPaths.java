@@ -3,13 +3,13 @@ package org.mechservice.sim.scene;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import org.mechservice.solver.mechanism.Attachment;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.closure.DistanceClosure;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.closure.PointOnLineClosure;
 import org.mechservice.solver.mechanism.closure.PointOnPlaneClosure;
+import org.mechservice.solver.mechanism.joint.Attachment;
 
 /** The paths through the tree that constraints close to loops. */
 final class LoopPaths {

@@ -4,11 +4,11 @@ import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.mechanism.Attachment;
 import org.mechservice.solver.mechanism.Body;
-import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
+import org.mechservice.solver.mechanism.joint.Attachment;
+import org.mechservice.solver.mechanism.joint.Joint;
 
 /** Finds joints that move no mass. */
 final class MasslessJointCheck {

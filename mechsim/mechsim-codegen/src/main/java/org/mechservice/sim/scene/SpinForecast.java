@@ -5,8 +5,8 @@ import java.util.Optional;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.joint.Joint;
 
 /**
  * Warns before a run if a body rotates so fast in a spherical or free joint at the start that its

@@ -3,11 +3,11 @@ package org.mechservice.sim.model;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.IntUnaryOperator;
-import org.mechservice.solver.mechanism.Attachment;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.Origin;
-import org.mechservice.solver.mechanism.Revolute;
+import org.mechservice.solver.mechanism.joint.Attachment;
+import org.mechservice.solver.mechanism.joint.Revolute;
+import org.mechservice.solver.text.Origin;
 
 /** Chains of any length, of links of the timing model chain200. */
 public final class Chains {

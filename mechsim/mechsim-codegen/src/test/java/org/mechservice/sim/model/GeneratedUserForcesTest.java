@@ -36,11 +36,11 @@ import org.mechservice.solver.dynamics.RecursiveResidualModel;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.Origin;
 import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.NamedPoint;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.text.Origin;
 
 /** Forces that users have written as classes, called by generated code, against the data-driven. */
 class GeneratedUserForcesTest {

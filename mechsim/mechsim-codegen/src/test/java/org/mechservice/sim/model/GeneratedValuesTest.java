@@ -31,8 +31,8 @@ import org.mechservice.solver.dynamics.event.WrittenValues;
 import org.mechservice.solver.expression.ClosureCoordinate;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.Origin;
 import org.mechservice.solver.mechanism.Output;
+import org.mechservice.solver.text.Origin;
 
 /** Code for what events watch and assign and for outputs, against the same driven by data. */
 class GeneratedValuesTest {

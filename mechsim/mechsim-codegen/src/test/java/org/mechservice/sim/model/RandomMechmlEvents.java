@@ -14,12 +14,12 @@ import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.mechanism.Event;
-import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.Origin;
 import org.mechservice.solver.mechanism.Output;
 import org.mechservice.solver.mechanism.StateChange;
+import org.mechservice.solver.mechanism.joint.Joint;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.text.Origin;
 
 /**
  * Events and outputs of a mechanism that depend on time, every coordinate of every joint, places

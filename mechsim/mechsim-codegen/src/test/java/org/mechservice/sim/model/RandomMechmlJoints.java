@@ -6,22 +6,22 @@ import java.util.Random;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Function;
-import org.mechservice.solver.mechanism.Attachment;
-import org.mechservice.solver.mechanism.Cylindrical;
-import org.mechservice.solver.mechanism.Free;
-import org.mechservice.solver.mechanism.Joint;
-import org.mechservice.solver.mechanism.JointStart;
-import org.mechservice.solver.mechanism.Origin;
-import org.mechservice.solver.mechanism.Planar;
 import org.mechservice.solver.mechanism.PrescribedMotion;
-import org.mechservice.solver.mechanism.Prismatic;
-import org.mechservice.solver.mechanism.Revolute;
-import org.mechservice.solver.mechanism.Screw;
-import org.mechservice.solver.mechanism.Spherical;
-import org.mechservice.solver.mechanism.Universal;
-import org.mechservice.solver.mechanism.Weld;
+import org.mechservice.solver.mechanism.joint.Attachment;
+import org.mechservice.solver.mechanism.joint.Cylindrical;
+import org.mechservice.solver.mechanism.joint.Free;
+import org.mechservice.solver.mechanism.joint.Joint;
+import org.mechservice.solver.mechanism.joint.JointStart;
+import org.mechservice.solver.mechanism.joint.Planar;
+import org.mechservice.solver.mechanism.joint.Prismatic;
+import org.mechservice.solver.mechanism.joint.Revolute;
+import org.mechservice.solver.mechanism.joint.Screw;
+import org.mechservice.solver.mechanism.joint.Spherical;
+import org.mechservice.solver.mechanism.joint.Universal;
+import org.mechservice.solver.mechanism.joint.Weld;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.text.Origin;
 
 /** Random joints of every type, half of them taken against the file's sense, and motions. */
 public final class RandomMechmlJoints {

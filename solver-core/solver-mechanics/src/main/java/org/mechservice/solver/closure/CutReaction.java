@@ -5,8 +5,8 @@ import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
-import org.mechservice.solver.mechanism.Attachment;
 import org.mechservice.solver.mechanism.closure.JointClosure;
+import org.mechservice.solver.mechanism.joint.Attachment;
 import org.mechservice.solver.spatial.Blocks;
 
 /** The reaction of a cut joint on its second body. Workspace of one thread. */

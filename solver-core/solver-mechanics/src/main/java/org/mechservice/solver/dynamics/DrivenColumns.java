@@ -6,8 +6,8 @@ import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
-import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.joint.Joint;
 
 /** Output columns for the forces of driven joints. */
 final class DrivenColumns {

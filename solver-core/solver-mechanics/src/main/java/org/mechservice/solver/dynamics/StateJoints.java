@@ -8,8 +8,8 @@ import java.util.stream.IntStream;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.capability.Defects.Defect;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.joint.Joint;
 
 /** The joints that have states, and their velocities. Immutable. */
 final class StateJoints {

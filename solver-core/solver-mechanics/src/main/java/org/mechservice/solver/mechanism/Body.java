@@ -2,6 +2,7 @@ package org.mechservice.solver.mechanism;
 
 import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.text.Origin;
 
 /**
  * A moving rigid body.

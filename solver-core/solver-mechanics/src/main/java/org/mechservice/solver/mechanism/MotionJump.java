@@ -1,5 +1,7 @@
 package org.mechservice.solver.mechanism;
 
+import org.mechservice.solver.text.Origin;
+
 /**
  * A time at which a prescribed coordinate, or its velocity, jumps.
  *

@@ -19,6 +19,8 @@ import org.mechservice.solver.expression.Tape;
 import org.mechservice.solver.expression.TapeEvaluation;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
+import org.mechservice.solver.mechanism.joint.Joint;
+import org.mechservice.solver.text.Origin;
 
 /**
  * Finds jumps of prescribed coordinates and of their velocities. A function is sampled over the

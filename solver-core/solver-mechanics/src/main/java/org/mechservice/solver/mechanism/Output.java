@@ -1,6 +1,7 @@
 package org.mechservice.solver.mechanism;
 
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.text.Origin;
 
 /**
  * A column of results that the model's author defined (MECHML §5).

@@ -6,9 +6,7 @@ import java.util.Random;
 import java.util.stream.Stream;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.expression.BodyPoint;
-import org.mechservice.solver.mechanism.Attachment;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.Origin;
 import org.mechservice.solver.mechanism.RandomJoints;
 import org.mechservice.solver.mechanism.RandomTrees;
 import org.mechservice.solver.mechanism.closure.DistanceClosure;
@@ -16,10 +14,12 @@ import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.closure.PointOnLineClosure;
 import org.mechservice.solver.mechanism.closure.PointOnPlaneClosure;
+import org.mechservice.solver.mechanism.joint.Attachment;
 import org.mechservice.solver.oracle.GlobalFormulation;
 import org.mechservice.solver.oracle.TaylorPose;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.text.Origin;
 
 /**
  * Seeded trees of joints of all types whose positions at the start close loops of all kinds: cut

@@ -20,10 +20,10 @@ import org.mechservice.solver.expression.Expression.Sum;
 import org.mechservice.solver.expression.Expression.Time;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.kinematics.TreeMotion;
-import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.PrescribedMotion;
 import org.mechservice.solver.mechanism.RandomTrees;
+import org.mechservice.solver.mechanism.joint.Joint;
 
 /** Joints whose coordinates follow q0 + v0 t + ½ a0 t², so that all three are known at t = 0. */
 class DrivenJointTest {

@@ -6,7 +6,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.Revolute;
+import org.mechservice.solver.mechanism.joint.Revolute;
 import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Vector3;
 

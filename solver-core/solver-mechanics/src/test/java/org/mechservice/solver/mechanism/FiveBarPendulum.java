@@ -2,9 +2,13 @@ package org.mechservice.solver.mechanism;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.mechservice.solver.mechanism.joint.Attachment;
+import org.mechservice.solver.mechanism.joint.Joint;
+import org.mechservice.solver.mechanism.joint.Revolute;
 import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.text.Origin;
 
 /**
  * The paper's pendulum: five slender bars of 1 m and 1 kg, straight along +x, at rest, on turning

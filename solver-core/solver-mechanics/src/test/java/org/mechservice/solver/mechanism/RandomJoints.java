@@ -10,8 +10,21 @@ import java.util.Random;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.mechanism.joint.Attachment;
+import org.mechservice.solver.mechanism.joint.Cylindrical;
+import org.mechservice.solver.mechanism.joint.Free;
+import org.mechservice.solver.mechanism.joint.Joint;
+import org.mechservice.solver.mechanism.joint.JointStart;
+import org.mechservice.solver.mechanism.joint.Planar;
+import org.mechservice.solver.mechanism.joint.Prismatic;
+import org.mechservice.solver.mechanism.joint.Revolute;
+import org.mechservice.solver.mechanism.joint.Screw;
+import org.mechservice.solver.mechanism.joint.Spherical;
+import org.mechservice.solver.mechanism.joint.Universal;
+import org.mechservice.solver.mechanism.joint.Weld;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.text.Origin;
 
 /** Seeded joints of a type, with coordinates and velocities around 1. */
 public final class RandomJoints {

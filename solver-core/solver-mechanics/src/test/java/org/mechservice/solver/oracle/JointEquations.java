@@ -1,13 +1,13 @@
 package org.mechservice.solver.oracle;
 
 import java.util.List;
-import org.mechservice.solver.mechanism.Cylindrical;
-import org.mechservice.solver.mechanism.Joint;
-import org.mechservice.solver.mechanism.Planar;
-import org.mechservice.solver.mechanism.Prismatic;
-import org.mechservice.solver.mechanism.Revolute;
-import org.mechservice.solver.mechanism.Screw;
-import org.mechservice.solver.mechanism.Universal;
+import org.mechservice.solver.mechanism.joint.Cylindrical;
+import org.mechservice.solver.mechanism.joint.Joint;
+import org.mechservice.solver.mechanism.joint.Planar;
+import org.mechservice.solver.mechanism.joint.Prismatic;
+import org.mechservice.solver.mechanism.joint.Revolute;
+import org.mechservice.solver.mechanism.joint.Screw;
+import org.mechservice.solver.mechanism.joint.Universal;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 

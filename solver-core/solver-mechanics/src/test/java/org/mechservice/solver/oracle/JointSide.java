@@ -1,7 +1,7 @@
 package org.mechservice.solver.oracle;
 
-import org.mechservice.solver.mechanism.Attachment;
-import org.mechservice.solver.mechanism.Joint;
+import org.mechservice.solver.mechanism.joint.Attachment;
+import org.mechservice.solver.mechanism.joint.Joint;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 

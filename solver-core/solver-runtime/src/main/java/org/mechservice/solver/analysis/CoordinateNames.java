@@ -3,8 +3,8 @@ package org.mechservice.solver.analysis;
 import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.solver.api.JointType;
-import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.joint.Joint;
 
 /** Names of the velocities of the state and of their coordinates. */
 final class CoordinateNames {

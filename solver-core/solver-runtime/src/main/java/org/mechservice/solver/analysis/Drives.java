@@ -6,10 +6,10 @@ import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.closure.equations.PrescribedPairMotion;
-import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Parameter;
 import org.mechservice.solver.mechanism.closure.JointClosure;
+import org.mechservice.solver.mechanism.joint.Joint;
 
 /**
  * The driven coordinates of a mechanism with their motion and their forces: those of the tree

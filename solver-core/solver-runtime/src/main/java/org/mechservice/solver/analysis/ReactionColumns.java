@@ -6,9 +6,9 @@ import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.closure.CutReaction;
 import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.dynamics.recursion.JointReactions;
-import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.closure.JointClosure;
+import org.mechservice.solver.mechanism.joint.Joint;
 
 /**
  * Reaction force and moment of each joint: its constraint and driving forces, without springs,

@@ -4,14 +4,15 @@ import java.util.List;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Event;
 import org.mechservice.solver.mechanism.FurtherState;
-import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Parameter;
 import org.mechservice.solver.mechanism.PrescribedMotion;
 import org.mechservice.solver.mechanism.Root;
-import org.mechservice.solver.mechanism.StartRole;
+import org.mechservice.solver.mechanism.Sampling;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.force.ForceElement;
+import org.mechservice.solver.mechanism.joint.Joint;
+import org.mechservice.solver.mechanism.joint.StartRole;
 import org.mechservice.solver.spatial.Vector3;
 
 /** Conversion of a mechanism to bytes and back, without changing a bit of its numbers. */
@@ -34,7 +35,7 @@ public final class CompactForm {
             .write(mechanism.parameters())
             .write(mechanism.events());
     if (!mechanism.furtherStates().isEmpty()) {
-      writer.write(mechanism.furtherStates());
+      writer.write(mechanism.furtherStates()).write(mechanism.samplings());
     }
     return writer.bytes();
   }
@@ -60,7 +61,11 @@ public final class CompactForm {
             list(reader, ForceElement.class),
             list(reader, Parameter.class));
     Mechanism watched = mechanism.withEvents(list(reader, Event.class));
-    return reader.hasMore() ? watched.withFurtherStates(list(reader, FurtherState.class)) : watched;
+    return reader.hasMore()
+        ? watched
+            .withFurtherStates(list(reader, FurtherState.class))
+            .withSamplings(list(reader, Sampling.class))
+        : watched;
   }
 
   private static <T> List<T> list(RecordReader reader, Class<T> type) {

@@ -16,10 +16,10 @@ import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.Origin;
 import org.mechservice.solver.mechanism.RandomTrees;
 import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.JointForce;
+import org.mechservice.solver.text.Origin;
 
 /** Inverse dynamics undoes forward dynamics. */
 class InverseDynamicsTest {

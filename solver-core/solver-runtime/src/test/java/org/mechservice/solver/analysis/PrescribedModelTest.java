@@ -28,9 +28,9 @@ import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.PrescribedMotion;
-import org.mechservice.solver.mechanism.StartRole;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
+import org.mechservice.solver.mechanism.joint.StartRole;
 import org.mechservice.solver.scenes.SharedScene;
 import org.mechservice.solver.simulation.RuntimeSolver;
 

@@ -4,24 +4,24 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import org.mechservice.solver.api.JointType;
-import org.mechservice.solver.mechanism.Attachment;
 import org.mechservice.solver.mechanism.Body;
-import org.mechservice.solver.mechanism.Joint;
-import org.mechservice.solver.mechanism.JointStart;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.Origin;
-import org.mechservice.solver.mechanism.Prismatic;
-import org.mechservice.solver.mechanism.Revolute;
 import org.mechservice.solver.mechanism.Root;
-import org.mechservice.solver.mechanism.Spherical;
-import org.mechservice.solver.mechanism.StartRole;
-import org.mechservice.solver.mechanism.Universal;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.force.ForceElement;
+import org.mechservice.solver.mechanism.joint.Attachment;
+import org.mechservice.solver.mechanism.joint.Joint;
+import org.mechservice.solver.mechanism.joint.JointStart;
+import org.mechservice.solver.mechanism.joint.Prismatic;
+import org.mechservice.solver.mechanism.joint.Revolute;
+import org.mechservice.solver.mechanism.joint.Spherical;
+import org.mechservice.solver.mechanism.joint.StartRole;
+import org.mechservice.solver.mechanism.joint.Universal;
 import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.text.Origin;
 
 /**
  * One loop of four joints and three bodies with one degree of freedom and no redundant equation,

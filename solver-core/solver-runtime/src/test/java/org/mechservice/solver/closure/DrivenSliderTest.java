@@ -12,12 +12,12 @@ import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.closure.Linkages.Hinge;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.Body;
-import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.PrescribedMotion;
-import org.mechservice.solver.mechanism.StartRole;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
+import org.mechservice.solver.mechanism.joint.Joint;
+import org.mechservice.solver.mechanism.joint.StartRole;
 import org.mechservice.solver.spatial.Vector3;
 
 /**

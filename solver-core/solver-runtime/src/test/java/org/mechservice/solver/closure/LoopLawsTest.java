@@ -19,8 +19,8 @@ import org.mechservice.solver.closure.model.LoopModel;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.Origin;
 import org.mechservice.solver.mechanism.closure.CoordinateClosure;
+import org.mechservice.solver.text.Origin;
 
 /** What does not depend on how a loop is written down. */
 class LoopLawsTest {

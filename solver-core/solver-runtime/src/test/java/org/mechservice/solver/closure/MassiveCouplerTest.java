@@ -11,18 +11,18 @@ import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.closure.Linkages.Hinge;
 import org.mechservice.solver.expression.BodyPoint;
-import org.mechservice.solver.mechanism.Attachment;
 import org.mechservice.solver.mechanism.Body;
-import org.mechservice.solver.mechanism.Joint;
-import org.mechservice.solver.mechanism.JointStart;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.Origin;
-import org.mechservice.solver.mechanism.Universal;
 import org.mechservice.solver.mechanism.closure.DistanceClosure;
 import org.mechservice.solver.mechanism.closure.JointClosure;
+import org.mechservice.solver.mechanism.joint.Attachment;
+import org.mechservice.solver.mechanism.joint.Joint;
+import org.mechservice.solver.mechanism.joint.JointStart;
+import org.mechservice.solver.mechanism.joint.Universal;
 import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.text.Origin;
 
 /** A rod with mass that closes a loop is a slender body between two ball joints. */
 class MassiveCouplerTest {

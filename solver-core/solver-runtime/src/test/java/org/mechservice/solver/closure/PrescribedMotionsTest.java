@@ -13,9 +13,9 @@ import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.Origin;
 import org.mechservice.solver.mechanism.PrescribedMotion;
 import org.mechservice.solver.mechanism.closure.CoordinateClosure;
+import org.mechservice.solver.text.Origin;
 
 /** A motion of time, the root of 1 − t, whose velocity has no bound near t = 1 s. */
 class PrescribedMotionsTest {

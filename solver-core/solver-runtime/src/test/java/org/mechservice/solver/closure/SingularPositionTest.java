@@ -18,10 +18,10 @@ import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.Origin;
 import org.mechservice.solver.mechanism.closure.CoordinateClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.scenes.SharedScene;
+import org.mechservice.solver.text.Origin;
 
 class SingularPositionTest {
   private static List<Note> passages(SceneRun run) {

@@ -16,16 +16,16 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.solver.closure.model.LoopModel;
 import org.mechservice.solver.expression.BodyPoint;
-import org.mechservice.solver.mechanism.Attachment;
 import org.mechservice.solver.mechanism.Body;
-import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.Origin;
-import org.mechservice.solver.mechanism.Prismatic;
 import org.mechservice.solver.mechanism.closure.DistanceClosure;
+import org.mechservice.solver.mechanism.joint.Attachment;
+import org.mechservice.solver.mechanism.joint.Joint;
+import org.mechservice.solver.mechanism.joint.Prismatic;
 import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.text.Origin;
 
 /** How loops are closed again after an event has set some components of the state. */
 class StateJumpTest {

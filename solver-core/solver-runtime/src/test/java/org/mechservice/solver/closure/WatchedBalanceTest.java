@@ -15,9 +15,9 @@ import org.mechservice.solver.closure.model.LoopModel;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.Origin;
 import org.mechservice.solver.mechanism.closure.CoordinateClosure;
 import org.mechservice.solver.scenes.SharedScene;
+import org.mechservice.solver.text.Origin;
 
 /** The energy balance of mechanisms with loops, watched while they run. */
 class WatchedBalanceTest {

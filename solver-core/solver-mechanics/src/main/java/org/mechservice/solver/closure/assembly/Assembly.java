@@ -12,7 +12,7 @@ import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.linear.SparseMatrix;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.StartRole;
+import org.mechservice.solver.mechanism.joint.StartRole;
 
 /**
  * Closes the loops at the start: positions by damped Gauss-Newton iteration, weighted by how far

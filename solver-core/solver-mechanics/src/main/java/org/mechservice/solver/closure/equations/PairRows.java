@@ -13,12 +13,12 @@ import org.mechservice.solver.kinematics.pair.CutJoint;
 import org.mechservice.solver.kinematics.pair.PairFunction;
 import org.mechservice.solver.kinematics.pair.PairLinearisation;
 import org.mechservice.solver.kinematics.pair.RelativeMotion;
-import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.closure.DistanceClosure;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.closure.PointOnLineClosure;
 import org.mechservice.solver.mechanism.closure.PointOnPlaneClosure;
+import org.mechservice.solver.mechanism.joint.Joint;
 
 /**
  * Equations between two bodies: functions of their relative pose that are zero, and coordinates of

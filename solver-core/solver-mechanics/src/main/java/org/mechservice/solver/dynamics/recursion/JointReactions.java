@@ -7,7 +7,7 @@ import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.kinematics.pair.CutJoint;
 import org.mechservice.solver.kinematics.pair.PairFunction;
 import org.mechservice.solver.kinematics.pair.RelativeMotion;
-import org.mechservice.solver.mechanism.Joint;
+import org.mechservice.solver.mechanism.joint.Joint;
 
 /**
  * Reactions of the joints of a tree: the wrench that a joint transmits, minus that of the springs,

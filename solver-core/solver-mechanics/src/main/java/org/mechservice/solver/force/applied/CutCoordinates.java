@@ -6,9 +6,9 @@ import org.mechservice.solver.expression.ClosureCoordinate;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.kinematics.pair.CutJoint;
-import org.mechservice.solver.mechanism.Attachment;
-import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.closure.JointClosure;
+import org.mechservice.solver.mechanism.joint.Attachment;
+import org.mechservice.solver.mechanism.joint.Joint;
 import org.mechservice.solver.spatial.Rotation;
 
 /** Finds cut joints by their closure, and the frames of their coordinates. */

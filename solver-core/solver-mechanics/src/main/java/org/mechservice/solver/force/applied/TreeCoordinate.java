@@ -3,7 +3,7 @@ package org.mechservice.solver.force.applied;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.kinematics.LinkKind;
 import org.mechservice.solver.kinematics.TreeGeometry;
-import org.mechservice.solver.mechanism.Joint;
+import org.mechservice.solver.mechanism.joint.Joint;
 
 /**
  * Indices of a tree joint's coordinate among the extended positions and velocities.

@@ -1,7 +1,7 @@
 package org.mechservice.solver.mechanism.closure;
 
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.mechanism.Origin;
+import org.mechservice.solver.text.Origin;
 
 /**
  * A coupling of joint coordinates, such as a gear or a rack (MECHML §5, CoordConstraint): the

@@ -1,7 +1,7 @@
 package org.mechservice.solver.mechanism.closure;
 
 import org.mechservice.solver.expression.BodyPoint;
-import org.mechservice.solver.mechanism.Origin;
+import org.mechservice.solver.text.Origin;
 
 /**
  * Two points keep their distance, as the ends of a rod with ball joints do (MECHML §5,

@@ -3,9 +3,9 @@ package org.mechservice.solver.mechanism.closure;
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.mechanism.Joint;
-import org.mechservice.solver.mechanism.Origin;
-import org.mechservice.solver.mechanism.StartRole;
+import org.mechservice.solver.mechanism.joint.Joint;
+import org.mechservice.solver.mechanism.joint.StartRole;
+import org.mechservice.solver.text.Origin;
 
 /**
  * A joint of any type that was cut to open a loop: it constrains the relative motion of its two

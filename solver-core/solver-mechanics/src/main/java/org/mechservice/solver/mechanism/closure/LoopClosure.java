@@ -1,6 +1,6 @@
 package org.mechservice.solver.mechanism.closure;
 
-import org.mechservice.solver.mechanism.Origin;
+import org.mechservice.solver.text.Origin;
 
 /**
  * A constraint between bodies or between coordinates, in addition to the joints of the tree.

@@ -1,8 +1,8 @@
 package org.mechservice.solver.mechanism.closure;
 
 import org.mechservice.solver.expression.BodyPoint;
-import org.mechservice.solver.mechanism.Origin;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.text.Origin;
 
 /**
  * A point of one body stays in a plane fixed in another.

@@ -6,8 +6,8 @@ import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.mechanism.Joint;
-import org.mechservice.solver.mechanism.Origin;
+import org.mechservice.solver.mechanism.joint.Joint;
+import org.mechservice.solver.text.Origin;
 
 /**
  * An elastic joint: forces and moments from the displacement and rotation of a frame of body 2

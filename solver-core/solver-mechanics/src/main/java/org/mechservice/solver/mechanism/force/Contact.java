@@ -7,8 +7,8 @@ import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.mechanism.Joint;
-import org.mechservice.solver.mechanism.Origin;
+import org.mechservice.solver.mechanism.joint.Joint;
+import org.mechservice.solver.text.Origin;
 
 /**
  * Contact of a sphere or a point with a surface, which exerts a push but no pull.

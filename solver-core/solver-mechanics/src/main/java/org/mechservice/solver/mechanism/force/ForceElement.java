@@ -6,8 +6,8 @@ import java.util.function.Function;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.mechanism.Joint;
-import org.mechservice.solver.mechanism.Origin;
+import org.mechservice.solver.mechanism.joint.Joint;
+import org.mechservice.solver.text.Origin;
 
 /** An applied force on the bodies or joints of a mechanism. Gravity is not a force element. */
 public sealed interface ForceElement

@@ -7,8 +7,8 @@ import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.mechanism.Joint;
-import org.mechservice.solver.mechanism.Origin;
+import org.mechservice.solver.mechanism.joint.Joint;
+import org.mechservice.solver.text.Origin;
 
 /**
  * A force at a point of a body and a torque on the body, given by expressions. They are external

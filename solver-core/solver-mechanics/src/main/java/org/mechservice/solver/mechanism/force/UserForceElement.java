@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.function.Function;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.expression.Coordinate;
-import org.mechservice.solver.mechanism.Joint;
-import org.mechservice.solver.mechanism.Origin;
+import org.mechservice.solver.mechanism.joint.Joint;
+import org.mechservice.solver.text.Origin;
 
 /**
  * A user force class, see {@code org.mechservice.solver.api.UserForce}.

@@ -24,19 +24,19 @@ import org.mechservice.solver.dynamics.PublishedChain;
 import org.mechservice.solver.dynamics.WorldMotion;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
-import org.mechservice.solver.mechanism.Attachment;
 import org.mechservice.solver.mechanism.Body;
-import org.mechservice.solver.mechanism.Joint;
-import org.mechservice.solver.mechanism.JointStart;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.Origin;
 import org.mechservice.solver.mechanism.RandomTrees;
-import org.mechservice.solver.mechanism.Revolute;
 import org.mechservice.solver.mechanism.Root;
-import org.mechservice.solver.mechanism.Spherical;
+import org.mechservice.solver.mechanism.joint.Attachment;
+import org.mechservice.solver.mechanism.joint.Joint;
+import org.mechservice.solver.mechanism.joint.JointStart;
+import org.mechservice.solver.mechanism.joint.Revolute;
+import org.mechservice.solver.mechanism.joint.Spherical;
 import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.text.Origin;
 
 class ArticulatedBodyTest {
   private static final RunSettings SETTINGS = new RunSettings(0, 1, 0.1, "DE", 1e-6, 1e-6);

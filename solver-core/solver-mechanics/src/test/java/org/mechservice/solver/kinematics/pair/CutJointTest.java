@@ -13,10 +13,10 @@ import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
-import org.mechservice.solver.mechanism.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.RandomJoints;
 import org.mechservice.solver.mechanism.RandomTrees;
+import org.mechservice.solver.mechanism.joint.Joint;
 
 class CutJointTest {
   private static final String TYPES = "org.mechservice.solver.mechanism.RandomJoints#typesAndSeeds";

@@ -1,6 +1,7 @@
-package org.mechservice.solver.mechanism;
+package org.mechservice.solver.mechanism.joint;
 
 import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.text.Origin;
 
 /**
  * No constraint: q = e0, e1, e2, e3, x, y, z with e the Euler parameters of the file's body 2

@@ -1,8 +1,9 @@
-package org.mechservice.solver.mechanism;
+package org.mechservice.solver.mechanism.joint;
 
 import java.util.List;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.text.Origin;
 
 /**
  * The child turns about an axis fixed in both bodies: A = Rot(axis, q) A0, the two points coincide

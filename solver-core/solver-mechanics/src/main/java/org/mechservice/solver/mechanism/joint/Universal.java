@@ -1,8 +1,9 @@
-package org.mechservice.solver.mechanism;
+package org.mechservice.solver.mechanism.joint;
 
 import java.util.List;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.text.Origin;
 
 /**
  * A cross rotates about an axis of the file's body 1, and body 2 rotates about its own axis

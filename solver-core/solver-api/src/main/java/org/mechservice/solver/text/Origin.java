@@ -1,4 +1,4 @@
-package org.mechservice.solver.mechanism;
+package org.mechservice.solver.text;
 
 /**
  * The position of a part of a mechanism in the model file, for messages.

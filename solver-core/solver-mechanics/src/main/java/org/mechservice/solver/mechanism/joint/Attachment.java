@@ -1,4 +1,4 @@
-package org.mechservice.solver.mechanism;
+package org.mechservice.solver.mechanism.joint;
 
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.spatial.Rotation;
@@ -7,10 +7,9 @@ import org.mechservice.solver.spatial.Vector3;
 /**
  * The two bodies that a joint connects, and their relative pose at zero coordinates.
  *
- * @param parent index of the body nearer the root in {@link Mechanism#bodies()}; {@link
- *     Mechanism#ROOT} for the root
+ * @param parent index of the body nearer the root in the list of bodies; −1 for the root
  * @param parentPoint the joint's point on the parent, from the parent's origin, in parent axes, m
- * @param child index of the outer body in {@link Mechanism#bodies()}
+ * @param child index of the outer body in the list of bodies
  * @param childPoint the joint's point on the child, from the child's origin, in child axes, m
  * @param zeroRotation from child axes to parent axes at zero coordinates (A0 in MECHML §4)
  */

@@ -1,4 +1,4 @@
-package org.mechservice.benchmarks;
+package org.mechservice.benchmarks.study;
 
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
@@ -15,6 +15,7 @@ import org.mechservice.sim.model.ModelFactory;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.DependentStates;
 import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.run.RunSettings;
 
 /**
  * What an evaluation of a chain with a loop costs beside that of the same chain open, by code and
@@ -23,6 +24,8 @@ import org.mechservice.solver.api.capability.ExplicitModel;
  * 1e-6 for each coordinate. Called by benchmarks/peers/loops.py.
  */
 public final class ChainWithLoop {
+  private static final RunSettings SETTINGS = new RunSettings(0, 1, 0.1, "ode113", 1e-6, 1e-6);
+
   private static final int ROUNDS = 8;
 
   /** Calls of a round, times the number of states. */
@@ -62,8 +65,7 @@ public final class ChainWithLoop {
 
   private static Model model(MechmlModel scene, String formulation, boolean compact) {
     String closure = scene.mechanism().closures().isEmpty() ? "none" : "projection";
-    BuildOptions options =
-        new BuildOptions(formulation, closure, compact, Set.of(), MeasuredScenes.SETTINGS);
+    BuildOptions options = new BuildOptions(formulation, closure, compact, Set.of(), SETTINGS);
     return ModelFactory.compile(scene, options, ModelFactory.generate(scene, options))
         .newInstance();
   }

@@ -1,4 +1,4 @@
-package org.mechservice.solver.mechanism;
+package org.mechservice.solver.mechanism.joint;
 
 /** Freedom of assembly to change the start values of a joint's coordinates. */
 public enum StartRole {

@@ -1,8 +1,9 @@
-package org.mechservice.solver.mechanism;
+package org.mechservice.solver.mechanism.joint;
 
 import java.util.List;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.text.Origin;
 
 /**
  * Two planes that slide on each other: with x and normal fixed in the file's body 1 and y = normal

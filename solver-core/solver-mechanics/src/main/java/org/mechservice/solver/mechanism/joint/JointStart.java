@@ -1,4 +1,4 @@
-package org.mechservice.solver.mechanism;
+package org.mechservice.solver.mechanism.joint;
 
 import java.util.Arrays;
 import java.util.List;

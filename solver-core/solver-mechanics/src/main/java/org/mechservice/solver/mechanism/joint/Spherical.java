@@ -1,6 +1,7 @@
-package org.mechservice.solver.mechanism;
+package org.mechservice.solver.mechanism.joint;
 
 import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.text.Origin;
 
 /**
  * A ball and socket: the two points coincide, A = R(e) with e the Euler parameters of the file's

@@ -1,6 +1,7 @@
-package org.mechservice.solver.mechanism;
+package org.mechservice.solver.mechanism.joint;
 
 import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.text.Origin;
 
 /**
  * No motion: A = A0, the two points coincide (MECHML §4, type W).

@@ -1,0 +1,17 @@
+/**
+ * Text that goes in and out: writers of numbers, CSV, JSON and reports, result files, SHA-256, and
+ * positions in model files.
+ *
+ * <p>{@link org.mechservice.solver.text.ShortestDecimal} writes the shortest decimal number that
+ * reads back as the same double. All results pass through it, so they have the same bytes on every
+ * Java runtime; {@code Double.toString} changed in JDK 19. {@link
+ * org.mechservice.solver.text.ResultWriter} is the interface of all file formats; {@link
+ * org.mechservice.solver.text.CsvWriter} is the one that travels with models, the others are in the
+ * module {@code mechresult}. {@link org.mechservice.solver.text.ResultFile} writes to a temporary
+ * file and renames it at the end, so a file of the requested name is always complete.
+ *
+ * <p>{@link org.mechservice.solver.text.TableFiles} writes the numbers of CSV files that a model
+ * names into the text of the model before it travels. {@link org.mechservice.solver.text.Origin} is
+ * the file and line that every later message about a part of a mechanism quotes.
+ */
+package org.mechservice.solver.text;
