@@ -21,10 +21,10 @@ import org.mechservice.solver.closure.model.ProjectionModel;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.Origin;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.closure.PointOnPlaneClosure;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.text.Origin;
 
 /** Code for large mechanisms with few loops, against recursions over the data. */
 class LargeLoopCodeTest {
