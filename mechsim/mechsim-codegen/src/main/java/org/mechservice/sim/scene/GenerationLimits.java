@@ -21,6 +21,8 @@ import org.mechservice.solver.mechanism.closure.CoordinateClosure;
 import org.mechservice.solver.mechanism.closure.DistanceClosure;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
+import org.mechservice.solver.mechanism.closure.PointOnLineClosure;
+import org.mechservice.solver.mechanism.closure.PointOnPlaneClosure;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.mechanism.joint.Joint;
 
@@ -189,8 +191,8 @@ public final class GenerationLimits {
         || PenaltySettings.isPenalty(choice.closure())) {
       return Optional.of("by another method than DSR with projection");
     }
-    if (mechanism.closures().stream().anyMatch(GenerationLimits::isNotBetweenTwoBodies)) {
-      return Optional.of("with couplings or rods that have mass");
+    if (mechanism.closures().stream().anyMatch(GenerationLimits::isOfAnotherKind)) {
+      return Optional.of("with couplings, rolling, knife edges or rods that have mass");
     }
     if (!UnwrappedAngles.of(mechanism).isEmpty()) {
       return Optional.of("whose turns are counted");
@@ -212,9 +214,14 @@ public final class GenerationLimits {
         : Optional.empty();
   }
 
-  private static boolean isNotBetweenTwoBodies(LoopClosure closure) {
-    return closure instanceof CoordinateClosure
-        || (closure instanceof DistanceClosure distance && distance.hasRod());
+  /** Returns whether an equation is no function of the pose of two bodies alone. */
+  private static boolean isOfAnotherKind(LoopClosure closure) {
+    boolean ofTwoBodies =
+        closure instanceof JointClosure
+            || closure instanceof PointOnPlaneClosure
+            || closure instanceof PointOnLineClosure
+            || (closure instanceof DistanceClosure distance && !distance.hasRod());
+    return !ofTwoBodies;
   }
 
   private static List<Expression> formulas(Mechanism mechanism) {

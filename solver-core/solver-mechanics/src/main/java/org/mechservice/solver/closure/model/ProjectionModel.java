@@ -33,7 +33,7 @@ public class ProjectionModel extends LoopModel implements DependentStates, Model
   public ProjectionModel(ClosedMechanism closed, UserForceSource userForces) {
     super(closed, userForces);
     String formulation = closed.description().formulation();
-    completion = new Completion(work, closed.start().rank(), formulation, this::note);
+    completion = new Completion(work, closed.start(), formulation, this::note);
     if (work.isLarge()) {
       recursive = Optional.of(new RecursiveAccelerations(work, completion.ofVelocities()));
     }
