@@ -17,8 +17,8 @@ import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.closure.assembly.ClosedStart;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.kinematics.TreeMotion;
-import org.mechservice.solver.mechanism.joint.Joint;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.joint.Joint;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 

@@ -17,6 +17,7 @@ import org.mechservice.sim.model.ModelColumns;
 import org.mechservice.sim.scene.IntegratorSelection;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.catalogue.MethodNames;
+import org.mechservice.solver.text.ModelFiles;
 
 /**
  * A model that is read and generated here, without a server, for what leaves this program.
@@ -38,8 +39,8 @@ record ModelToExport(MechmlModel model, BuildOptions options) {
   static ModelToExport read(Path file, ReadOptions reading, ModelOptions method)
       throws IOException {
     try {
-      MechmlModel model =
-          MechmlReader.read(String.valueOf(file.getFileName()), Files.readAllBytes(file), reading);
+      byte[] content = ModelFiles.inlined(Files.readAllBytes(file), file);
+      MechmlModel model = MechmlReader.read(String.valueOf(file.getFileName()), content, reading);
       return new ModelToExport(model, options(file, model, method));
     } catch (MechmlException e) {
       throw new UsageException(String.valueOf(e.getMessage()));

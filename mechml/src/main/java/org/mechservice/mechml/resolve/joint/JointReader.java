@@ -16,7 +16,6 @@ import org.mechservice.solver.mechanism.joint.Cylindrical;
 import org.mechservice.solver.mechanism.joint.Free;
 import org.mechservice.solver.mechanism.joint.Joint;
 import org.mechservice.solver.mechanism.joint.JointStart;
-import org.mechservice.solver.text.Origin;
 import org.mechservice.solver.mechanism.joint.Planar;
 import org.mechservice.solver.mechanism.joint.Prismatic;
 import org.mechservice.solver.mechanism.joint.Revolute;
@@ -27,6 +26,7 @@ import org.mechservice.solver.mechanism.joint.Weld;
 import org.mechservice.solver.spatial.EulerParameters;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.text.Origin;
 
 /** Reads a joint of any type: its axes, its start, the pitch of a screw. */
 final class JointReader {

@@ -16,9 +16,9 @@ import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.mechml.unit.Quantity;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.mechanism.joint.Attachment;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Root;
+import org.mechservice.solver.mechanism.joint.Attachment;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
