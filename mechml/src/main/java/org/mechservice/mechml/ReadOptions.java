@@ -13,15 +13,29 @@ import java.util.Set;
  *     parameter
  * @param tunable names of parameters that stay inputs of the model, besides those marked in the
  *     file
+ * @param inputsFromOutside whether inputs are set during the run, also those with a table
  */
 public record ReadOptions(
-    Optional<String> simulation, Map<String, String> values, Set<String> tunable) {
+    Optional<String> simulation,
+    Map<String, String> values,
+    Set<String> tunable,
+    boolean inputsFromOutside) {
   /** Default options: the first simulation, all parameters as in the file. */
   public static final ReadOptions NONE = new ReadOptions(Optional.empty(), Map.of(), Set.of());
 
   public ReadOptions {
     values = Map.copyOf(values);
     tunable = Set.copyOf(tunable);
+  }
+
+  /** Creates options for a run without inputs from outside. */
+  public ReadOptions(Optional<String> simulation, Map<String, String> values, Set<String> tunable) {
+    this(simulation, values, tunable, false);
+  }
+
+  /** Returns the same options for a run whose inputs are set from outside. */
+  public ReadOptions withInputsFromOutside() {
+    return new ReadOptions(simulation, values, tunable, true);
   }
 
   /** Returns options that set parameters. */

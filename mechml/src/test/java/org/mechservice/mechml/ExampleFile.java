@@ -44,6 +44,8 @@ record ExampleFile(String text) {
           Map.entry("state", "States"),
           Map.entry("pid", "States"),
           Map.entry("transferFunction", "States"),
+          Map.entry("input", "States"),
+          Map.entry("sampled", "States"),
           Map.entry("output", "Outputs"),
           Map.entry("root", "topology"),
           Map.entry("jointVal", "relCoorVals"),

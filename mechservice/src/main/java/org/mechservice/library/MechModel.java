@@ -372,6 +372,42 @@ public final class MechModel {
     return completed(run(sink, control, checkpoints));
   }
 
+  /**
+   * Begins a run that is stepped from outside: between two steps the inputs of the model, also
+   * those with a table, are set, and within a step they are constant.
+   *
+   * @param step time between two steps, s
+   * @return the run at its start
+   * @throws MechmlException if the model cannot be used so
+   * @throws IllegalArgumentException if a setting does not fit the model, or the simulation is not
+   *     integrated in time (S-195)
+   * @throws RunFailedException if the run cannot begin
+   */
+  public SteppedModel stepped(double step) throws MechmlException {
+    MechModel open = reread(reading.withInputsFromOutside()).every(step);
+    return SteppedModel.begin(
+        open.compiled().newInstance(), open.request(), open.sha256(), open.model.mechanism());
+  }
+
+  /**
+   * Goes on with a run that was stepped from outside and saved; its further rows are then the same
+   * to the bit.
+   *
+   * @param step as of the saved run
+   * @param saved from {@link SteppedModel#save}
+   * @throws MechmlException if the model cannot be used so
+   * @throws IllegalArgumentException S-071 if the bytes do not belong to such a run of this model
+   */
+  public SteppedModel stepped(double step, byte[] saved) throws MechmlException {
+    MechModel open = reread(reading.withInputsFromOutside()).every(step);
+    return SteppedModel.restored(
+        open.compiled().newInstance(),
+        open.request(),
+        open.sha256(),
+        open.model.mechanism(),
+        saved);
+  }
+
   private static RunReport completed(RunReport report) {
     if (report.outcome() instanceof Outcome.Failed failed) {
       throw new RunFailedException(failed.failure(), report, Optional.empty());

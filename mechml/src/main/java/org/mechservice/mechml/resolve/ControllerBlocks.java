@@ -23,6 +23,11 @@ final class ControllerBlocks {
 
   static final String FILTER = ".filter";
 
+  /** Suffixes of the states that a sampled controller has besides its output. */
+  static final String DERIVATIVE = ".derivative";
+
+  static final String PREVIOUS = ".previous";
+
   private static final Expression ONE = Expression.of(1);
 
   private final FormulaReader formulas;
@@ -44,6 +49,16 @@ final class ControllerBlocks {
   /** Returns how many states a controller has. */
   static List<String> statesOfPid(Element element) {
     List<String> suffixes = new ArrayList<>();
+    if (element.attribute("period").isPresent()) {
+      suffixes.add("");
+      if (element.attribute("ki").isPresent()) {
+        suffixes.add(INTEGRAL);
+      }
+      if (element.attribute("kd").isPresent()) {
+        suffixes.addAll(List.of(DERIVATIVE, PREVIOUS));
+      }
+      return suffixes;
+    }
     if (element.attribute("ki").isPresent()) {
       suffixes.add(INTEGRAL);
     }
@@ -114,6 +129,71 @@ final class ControllerBlocks {
     }
     slope.ifPresent(derivatives::add);
     return Optional.of(new Block(limited.get(), derivatives));
+  }
+
+  /**
+   * Returns the new values of the states of a sampled controller, in order: its output u = u_free
+   * between the limits, with u_free = kp e + I + D; the integral of the next sample, I + T (ki e +
+   * (u − u_free)/Tt); the derivative term D = (Tf D₋ + kd (w − w₋))/(Tf + T), and w (Åström and
+   * Hägglund 2006, §13.4, with forward differences for I and backward differences for D).
+   *
+   * @param first index of its first state
+   * @param period T, s
+   */
+  Optional<List<Expression>> sampledPid(Element element, int first, double period) {
+    Optional<Expression> setpoint = state(element, "setpoint");
+    Optional<Expression> measured = state(element, "measured");
+    Optional<Expression> kp = coefficient(element, "kp");
+    Optional<Expression> ki = coefficient(element, "ki");
+    Optional<Expression> kd = coefficient(element, "kd");
+    Optional<Expression> filter = coefficient(element, "filter");
+    if (setpoint.isEmpty()
+        || measured.isEmpty()
+        || kp.isEmpty()
+        || ki.isEmpty()
+        || kd.isEmpty()
+        || filter.isEmpty()) {
+      return Optional.empty();
+    }
+    if (filter.get() instanceof Expression.Constant constant && constant.value() < 0) {
+      return error(element, "filter is " + constant.value() + "; it must not be negative");
+    }
+    boolean integrates = element.attribute("ki").isPresent();
+    boolean differentiates = element.attribute("kd").isPresent();
+    Expression error = difference(setpoint.get(), measured.get());
+    Expression free = product(kp.get(), error);
+    List<Expression> followed = new ArrayList<>();
+    if (integrates) {
+      free = sum(free, new Expression.StateValue(first + 1));
+    }
+    if (differentiates) {
+      int at = first + (integrates ? 2 : 1);
+      Expression watched =
+          element.attribute("derivativeOf").orElse("error").equals("measured")
+              ? new Expression.Negation(measured.get())
+              : error;
+      Expression change = difference(watched, new Expression.StateValue(at + 1));
+      Expression derivative =
+          new Expression.Quotient(
+              sum(product(filter.get(), new Expression.StateValue(at)), product(kd.get(), change)),
+              sum(filter.get(), Expression.of(period)));
+      free = sum(free, derivative);
+      followed.addAll(List.of(derivative, watched));
+    }
+    Optional<Expression> limited = limited(element, free);
+    if (limited.isEmpty()) {
+      return Optional.empty();
+    }
+    if (integrates) {
+      Optional<Expression> rate = integral(element, free, limited.get(), product(ki.get(), error));
+      if (rate.isEmpty()) {
+        return Optional.empty();
+      }
+      Expression step = product(Expression.of(period), rate.get());
+      followed.add(0, sum(new Expression.StateValue(first + 1), step));
+    }
+    followed.add(0, limited.get());
+    return Optional.of(followed);
   }
 
   private Optional<Expression> limited(Element element, Expression free) {

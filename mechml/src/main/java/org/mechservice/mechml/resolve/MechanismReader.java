@@ -67,7 +67,8 @@ final class MechanismReader {
       Diagnostics diagnostics,
       NameTable<BodyDefinition> bodies,
       Optional<Root> root,
-      BodyIndex index) {
+      BodyIndex index,
+      boolean holdsInputs) {
     this.model = model;
     this.values = values;
     this.diagnostics = diagnostics;
@@ -81,14 +82,18 @@ final class MechanismReader {
     this.names = new MechanismNames(bodies, index, diagnostics);
     this.formulas = new FormulaReader(values, names, diagnostics);
     TablesReader.read(model, values, names, diagnostics);
-    this.states = StatesReader.begin(model, values, names, diagnostics);
+    this.states = StatesReader.begin(model, values, names, holdsInputs, diagnostics);
     checkTree();
     placeJoints();
   }
 
-  /** Returns a reader that knows the names; empty if there is no root or a limit is exceeded. */
+  /**
+   * Returns a reader that knows the names; empty if there is no root or a limit is exceeded.
+   *
+   * @param holdsInputs whether inputs with a table are states nevertheless
+   */
   static Optional<MechanismReader> begin(
-      Element model, ValueReader values, Diagnostics diagnostics) {
+      Element model, ValueReader values, boolean holdsInputs, Diagnostics diagnostics) {
     NameRule.check(model, diagnostics);
     Element rootElement = model.requiredChild("topology").requiredChild("root");
     NameTable<BodyDefinition> names = new NameTable<>("body", "does not exist", diagnostics);
@@ -100,7 +105,13 @@ final class MechanismReader {
     Optional<Root> root = new RootReader(values, diagnostics).read(rootElement, rootBody.get());
     return Optional.of(
         new MechanismReader(
-            model, values, diagnostics, names, root, new BodyIndex(bodies, rootBody.get())));
+            model,
+            values,
+            diagnostics,
+            names,
+            root,
+            new BodyIndex(bodies, rootBody.get()),
+            holdsInputs));
   }
 
   private static List<BodyDefinition> bodies(
@@ -210,7 +221,8 @@ final class MechanismReader {
                 closures,
                 forces,
                 parameters())
-            .withFurtherStates(further));
+            .withFurtherStates(further)
+            .withSamplings(states.samplings()));
   }
 
   /** Reports prescribed motions that no mechanism can follow. */
@@ -227,8 +239,10 @@ final class MechanismReader {
         settings.task() instanceof SimulationTask.Dynamic
             || (settings.task() instanceof SimulationTask.Linearization linear
                 && !linear.atEquilibrium());
-    if (!integrates && !mechanism.furtherStates().isEmpty()) {
-      Element first = states.first();
+    boolean changing =
+        mechanism.furtherStates().stream().anyMatch(s -> s.role() != FurtherState.Role.INPUT);
+    if (!integrates && changing) {
+      Element first = states.firstChanging();
       diagnostics.error(
           MessageCode.STATE_NOT_INTEGRATED,
           first.position(),

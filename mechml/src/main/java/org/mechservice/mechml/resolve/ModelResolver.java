@@ -2,6 +2,7 @@ package org.mechservice.mechml.resolve;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.ReadOptions;
 import org.mechservice.mechml.SimulationSettings;
@@ -48,10 +49,11 @@ public final class ModelResolver {
     UnitSystem units = units(model);
     ParameterTable parameters = new ParametersReader(units, options, diagnostics).read(model);
     ValueReader values = new ValueReader(units, parameters, diagnostics);
-    Optional<MechanismReader> reader = MechanismReader.begin(model, values, diagnostics);
+    List<Element> blocks = document.children("MBSsimulation");
+    Optional<MechanismReader> reader =
+        MechanismReader.begin(model, values, holdsInputs(blocks), diagnostics);
     Optional<Mechanism> mechanism = reader.flatMap(MechanismReader::mechanism);
     List<Output> outputs = reader.map(MechanismReader::outputs).orElse(List.of());
-    List<Element> blocks = document.children("MBSsimulation");
     SimulationsReader simulations =
         new SimulationsReader(
             values,
@@ -71,6 +73,13 @@ public final class ModelResolver {
         outputs,
         unused(reader.get(), parameters, mechanism.get()),
         diagnostics.inFileOrder());
+  }
+
+  /** Returns whether inputs with a table are states nevertheless, set or varied from outside. */
+  private boolean holdsInputs(List<Element> blocks) {
+    OptionalInt chosen = SimulationsReader.index(blocks, options.simulation());
+    return options.inputsFromOutside()
+        || (chosen.isPresent() && blocks.get(chosen.getAsInt()).child("linearize").isPresent());
   }
 
   private static List<String> unused(

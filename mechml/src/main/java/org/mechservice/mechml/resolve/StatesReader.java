@@ -1,12 +1,15 @@
 package org.mechservice.mechml.resolve;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.mechservice.mechml.diagnosis.Diagnostics;
+import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
@@ -22,12 +25,15 @@ import org.mechservice.mechml.unit.Unit;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Function;
+import org.mechservice.solver.expression.Table;
+import org.mechservice.solver.mechanism.FurtherChange;
 import org.mechservice.solver.mechanism.FurtherState;
+import org.mechservice.solver.mechanism.Sampling;
 
 /**
- * Reads {@code States}: single states, and blocks that stand for several states and an output.
- * Their names must be known before any formula is read, since states and forces may refer to each
- * other; the formulas are read afterwards.
+ * Reads {@code States}: single states, blocks that stand for several states and an output, inputs,
+ * and states that are sampled. Their names must be known before any formula is read, since states
+ * and forces may refer to each other; the formulas are read afterwards.
  */
 final class StatesReader {
   private static final Set<String> RESERVED = Set.of("t", "PI", "Math");
@@ -37,8 +43,10 @@ final class StatesReader {
 
   private final ValueReader values;
   private final MechanismNames names;
+  private final boolean holdsInputs;
   private final Diagnostics diagnostics;
   private final List<Entry> entries = new ArrayList<>();
+  private final Map<Clock, Samples> samples = new LinkedHashMap<>();
   private Optional<ControllerBlocks> blocks = Optional.empty();
 
   /** An element with its states. */
@@ -57,12 +65,27 @@ final class StatesReader {
           switch (element.name()) {
             case "pid" -> ControllerBlocks.statesOfPid(element);
             case "transferFunction" -> ControllerBlocks.statesOfTransferFunction(element);
+            case "input" -> isHeld() ? List.of("") : List.of();
             default -> List.of("");
           };
     }
 
+    boolean isInput() {
+      return element.name().equals("input");
+    }
+
+    boolean isSampled() {
+      return element.name().equals("sampled") || element.attribute("period").isPresent();
+    }
+
+    /** Returns whether the value is that of a state, the first one of the element. */
     boolean isState() {
-      return element.name().equals("state");
+      return element.name().equals("state") || isInput() || isSampled();
+    }
+
+    /** Returns whether an input is a state; one with a table is a function of time otherwise. */
+    boolean isHeld() {
+      return holdsInputs || element.attribute("table").isEmpty();
     }
 
     Optional<ControllerBlocks.Block> block() {
@@ -81,6 +104,13 @@ final class StatesReader {
 
     @Override
     public Expression value(int offset) throws ExpressionException {
+      if (isInput() && !isHeld()) {
+        // an unknown table is reported when the states are read
+        return names
+            .table(element.required("table"))
+            .<Expression>map(table -> new Expression.TableValue(table, new Expression.Time()))
+            .orElse(new Expression.Time());
+      }
       if (isState() || blocks.isEmpty()) {
         return new Expression.StateValue(first);
       }
@@ -98,16 +128,32 @@ final class StatesReader {
     }
   }
 
-  private StatesReader(ValueReader values, MechanismNames names, Diagnostics diagnostics) {
+  /** Times of samples. */
+  private record Clock(double period, double offset) {}
+
+  /** What is sampled at the same times, with the first element of it. */
+  private record Samples(Element first, List<FurtherChange> changes) {}
+
+  private StatesReader(
+      ValueReader values, MechanismNames names, boolean holdsInputs, Diagnostics diagnostics) {
     this.values = values;
     this.names = names;
+    this.holdsInputs = holdsInputs;
     this.diagnostics = diagnostics;
   }
 
-  /** Returns a reader that has made the names of the states known to formulas. */
+  /**
+   * Returns a reader that has made the names of the states known to formulas.
+   *
+   * @param holdsInputs whether inputs with a table are states nevertheless
+   */
   static StatesReader begin(
-      Element model, ValueReader values, MechanismNames names, Diagnostics diagnostics) {
-    StatesReader reader = new StatesReader(values, names, diagnostics);
+      Element model,
+      ValueReader values,
+      MechanismNames names,
+      boolean holdsInputs,
+      Diagnostics diagnostics) {
+    StatesReader reader = new StatesReader(values, names, holdsInputs, diagnostics);
     model.child("States").ifPresent(states -> reader.register(states.children()));
     reader.checkColumns(model);
     return reader;
@@ -135,9 +181,11 @@ final class StatesReader {
         unusable(element, "is the name of a parameter, too; rename one of them");
       }
       names.add(name, entry);
-      for (int i = 0; !entry.isState() && i < entry.suffixes.size(); i++) {
-        Expression state = new Expression.StateValue(entry.first + i);
-        names.add(name + entry.suffixes.get(i), offset -> state);
+      for (int i = 0; i < entry.suffixes.size(); i++) {
+        if (!entry.suffixes.get(i).isEmpty()) {
+          Expression state = new Expression.StateValue(entry.first + i);
+          names.add(name + entry.suffixes.get(i), offset -> state);
+        }
       }
     }
   }
@@ -169,9 +217,24 @@ final class StatesReader {
     }
   }
 
-  /** Returns the first element, of which there is one if there are states. */
-  Element first() {
-    return entries.get(0).element;
+  /** Returns the first element that is no input, of which there is one if states change. */
+  Element firstChanging() {
+    return entries.stream().filter(entry -> !entry.isInput()).findFirst().orElseThrow().element;
+  }
+
+  /** Returns the samplings, after {@link #read}. */
+  List<Sampling> samplings() {
+    List<Sampling> samplings = new ArrayList<>();
+    samples.forEach(
+        (clock, together) ->
+            samplings.add(
+                new Sampling(
+                    together.first.required("name"),
+                    clock.period,
+                    clock.offset,
+                    together.changes,
+                    names.origin(together.first))));
+    return samplings;
   }
 
   /** Returns the states without errors, in file order. */
@@ -180,7 +243,11 @@ final class StatesReader {
     List<FurtherState> states = new ArrayList<>();
     for (Entry entry : entries) {
       Optional<Double> tolerance = tolerance(entry.element);
-      if (entry.isState()) {
+      if (entry.isInput()) {
+        input(entry, states);
+      } else if (entry.isSampled()) {
+        sampled(entry, formulas, states);
+      } else if (entry.isState()) {
         formulas
             .read(AttributeText.of(entry.element, "derivative"), Unit.ONE, FormulaRole.STATE)
             .ifPresent(rate -> add(entry, 0, rate, "unit", tolerance, states));
@@ -193,6 +260,94 @@ final class StatesReader {
       }
     }
     return states;
+  }
+
+  private void input(Entry entry, List<FurtherState> states) {
+    Element element = entry.element;
+    Optional<String> name = element.attribute("table");
+    OptionalDouble start = name.isEmpty() ? start(entry, 0) : OptionalDouble.of(0);
+    Optional<Table> table = name.flatMap(names::table);
+    if (name.isPresent() && table.isEmpty()) {
+      diagnostics.error(
+          MessageCode.UNKNOWN_NAME,
+          element.position(),
+          Phrase.of(
+              "%s names table %s, which does not exist%s",
+              element.label(),
+              Quoted.of(name.get()),
+              NearestName.suggestion(name.get(), names.tableNames())));
+    } else if (name.isPresent() && element.attribute("x0").isPresent()) {
+      error(element, "x0 has no meaning beside table, which gives the start, too; leave one out");
+    } else if (start.isPresent() && entry.isHeld()) {
+      states.add(
+          FurtherState.held(
+              element.required("name"),
+              table.map(t -> t.curve().at(0)).orElse(start.getAsDouble()),
+              unit(element),
+              FurtherState.Role.INPUT,
+              names.origin(element)));
+    }
+  }
+
+  /** Reads a state that is sampled, or the states of a controller that is. */
+  private void sampled(Entry entry, FormulaReader formulas, List<FurtherState> states) {
+    Element element = entry.element;
+    Optional<Clock> clock = clock(element);
+    if (clock.isEmpty()) {
+      return;
+    }
+    Optional<List<Expression>> next =
+        element.name().equals("pid")
+            ? blocks.orElseThrow().sampledPid(element, entry.first, clock.get().period)
+            : formulas
+                .read(AttributeText.of(element, "value"), Unit.ONE, FormulaRole.STATE)
+                .map(List::of);
+    if (next.isEmpty()) {
+      return;
+    }
+    List<FurtherChange> changes =
+        samples.computeIfAbsent(clock.get(), c -> new Samples(element, new ArrayList<>())).changes;
+    for (int i = 0; i < next.get().size(); i++) {
+      OptionalDouble start = start(entry, i);
+      if (start.isEmpty()) {
+        return;
+      }
+      String suffix = entry.suffixes.get(i);
+      boolean ofOutput = !suffix.equals(ControllerBlocks.PREVIOUS);
+      states.add(
+          FurtherState.held(
+              element.required("name") + suffix,
+              start.getAsDouble(),
+              ofOutput ? unit(element) : "1",
+              FurtherState.Role.SAMPLED,
+              names.origin(element)));
+      changes.add(new FurtherChange(entry.first + i, next.get().get(i)));
+    }
+  }
+
+  private Optional<Clock> clock(Element element) {
+    OptionalDouble period = values.number(element, "period");
+    OptionalDouble offset =
+        element.attribute("offset").isPresent()
+            ? values.number(element, "offset")
+            : OptionalDouble.of(0);
+    if (period.isEmpty() || offset.isEmpty()) {
+      return Optional.empty();
+    }
+    if (!(period.getAsDouble() > 0)) {
+      error(element, "period is " + period.getAsDouble() + " s; it must be positive");
+      return Optional.empty();
+    }
+    return Optional.of(new Clock(period.getAsDouble(), offset.getAsDouble()));
+  }
+
+  private void error(Element element, String message) {
+    diagnostics.error(
+        MessageCode.STATE_VALUE, element.position(), element.label() + ": " + message);
+  }
+
+  private static String unit(Element element) {
+    return element.attribute("unit").map(StatesReader::label).orElse("1");
   }
 
   private void add(
@@ -209,9 +364,7 @@ final class StatesReader {
               entry.element.required("name") + entry.suffixes.get(index),
               start.getAsDouble(),
               rate,
-              unit.isEmpty()
-                  ? "1"
-                  : entry.element.attribute(unit).map(StatesReader::label).orElse("1"),
+              unit.isEmpty() ? "1" : unit(entry.element),
               tolerance.get(),
               names.origin(entry.element)));
     }

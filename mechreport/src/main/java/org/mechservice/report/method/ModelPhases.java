@@ -96,7 +96,9 @@ public final class ModelPhases implements Phases {
 
   /** Returns whether an event may end the solution early. */
   public boolean mayEnd() {
-    return Arrays.stream(parting).anyMatch(i -> kinds.get(i).action() != Action.IMPULSE);
+    return Arrays.stream(parting)
+        .mapToObj(i -> kinds.get(i).action())
+        .anyMatch(action -> action != Action.IMPULSE && action != Action.SAMPLE);
   }
 
   /** Returns the names of the events that may change the state. */

@@ -47,6 +47,15 @@ public final class MechanismNames {
     tables.putIfAbsent(table.name(), table);
   }
 
+  /** Returns a table by name. */
+  public Optional<Table> table(String name) {
+    return Optional.ofNullable(tables.get(name));
+  }
+
+  public Set<String> tableNames() {
+    return tables.keySet();
+  }
+
   /** Returns the tables by name. */
   Map<String, Table> tables() {
     return tables;
@@ -58,11 +67,11 @@ public final class MechanismNames {
   }
 
   /** Returns a value that formulas refer to by name besides coordinates. */
-  Optional<Signal> signal(String name) {
+  public Optional<Signal> signal(String name) {
     return Optional.ofNullable(signals.get(name));
   }
 
-  Set<String> signalNames() {
+  public Set<String> signalNames() {
     return signals.keySet();
   }
 

@@ -9,6 +9,7 @@ import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
+import org.mechservice.mechml.expression.ExpressionException;
 import org.mechservice.mechml.resolve.formula.FormulaReader;
 import org.mechservice.mechml.resolve.formula.FormulaRole;
 import org.mechservice.mechml.resolve.formula.JointCoordinateUnits;
@@ -22,6 +23,7 @@ import org.mechservice.solver.api.capability.ModelEvents;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.Event;
+import org.mechservice.solver.mechanism.FurtherChange;
 import org.mechservice.solver.mechanism.StateChange;
 
 /** Reads the {@code event}s of a simulation. */
@@ -64,10 +66,17 @@ public final class EventsReader {
       return Optional.empty();
     }
     List<StateChange> changes = new ArrayList<>();
-    sets.forEach(set -> change(set).ifPresent(changes::add));
+    List<FurtherChange> furtherChanges = new ArrayList<>();
+    for (Element set : sets) {
+      if (names.joint(set.required("name")).isEmpty() && isState(set)) {
+        furtherChange(set).ifPresent(furtherChanges::add);
+      } else {
+        change(set).ifPresent(changes::add);
+      }
+    }
     Optional<Expression> trigger =
         formulas.read(AttributeText.of(element, "expression"), Unit.ONE, FormulaRole.STATE);
-    if (trigger.isEmpty() || changes.size() < sets.size()) {
+    if (trigger.isEmpty() || changes.size() + furtherChanges.size() < sets.size()) {
       return Optional.empty();
     }
     String direction = element.attribute("direction").orElse("both");
@@ -78,7 +87,40 @@ public final class EventsReader {
             ModelEvents.Direction.valueOf(direction.toUpperCase(Locale.ROOT)),
             ModelEvents.Action.valueOf(action.toUpperCase(Locale.ROOT)),
             changes,
+            furtherChanges,
             names.origin(element)));
+  }
+
+  private boolean isState(Element set) {
+    return names.signal(set.required("name")).isPresent();
+  }
+
+  private Optional<FurtherChange> furtherChange(Element set) {
+    if (set.attribute("value").isEmpty()
+        || set.attribute("posVals").isPresent()
+        || set.attribute("velVals").isPresent()
+        || set.attribute("unit").isPresent()) {
+      error(set, "it sets a state; write value, and no other attribute");
+      return Optional.empty();
+    }
+    Optional<Expression> value =
+        formulas.read(AttributeText.of(set, "value"), Unit.ONE, FormulaRole.STATE);
+    if (!(stateOf(set) instanceof Expression.StateValue state)) {
+      error(
+          set,
+          "the name is that of an output, which follows from states; set one of those, whose names"
+              + " end in .x1, .integral and the like");
+      return Optional.empty();
+    }
+    return value.map(v -> new FurtherChange(state.index(), v));
+  }
+
+  private Expression stateOf(Element set) {
+    try {
+      return names.signal(set.required("name")).orElseThrow().value(0);
+    } catch (ExpressionException e) {
+      throw new IllegalStateException("all states have been read", e);
+    }
   }
 
   private Optional<StateChange> change(Element set) {
@@ -91,6 +133,10 @@ public final class EventsReader {
           Phrase.of(
               "%s names joint %s, which does not exist%s",
               set.role(), Quoted.of(name), NearestName.suggestion(name, names.jointNames())));
+      return Optional.empty();
+    }
+    if (set.attribute("value").isPresent()) {
+      error(set, "it sets a joint; write posVals or velVals instead of value, which is for states");
       return Optional.empty();
     }
     if (joint.get().cut() || joint.get().driven()) {

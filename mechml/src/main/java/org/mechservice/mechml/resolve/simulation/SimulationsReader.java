@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import org.mechservice.mechml.SimulationSettings;
@@ -68,17 +69,11 @@ public final class SimulationsReader {
    * chosen.
    */
   public int choose(List<Element> blocks, Optional<String> wanted) {
-    if (wanted.isEmpty()) {
-      return 0;
+    OptionalInt index = index(blocks, wanted);
+    if (index.isPresent()) {
+      return index.getAsInt();
     }
-    List<String> names = blocks.stream().map(b -> b.attribute("name").orElse("")).toList();
-    int index = names.indexOf(wanted.get());
-    if (index < 0 && NUMBER.matcher(wanted.get()).matches()) {
-      index = Integer.parseInt(wanted.get()) - 1;
-    }
-    if (index >= 0 && index < blocks.size()) {
-      return index;
-    }
+    List<String> names = names(blocks);
     diagnostics.error(
         MessageCode.UNKNOWN_SIMULATION,
         SourcePosition.FILE,
@@ -88,6 +83,22 @@ public final class SimulationsReader {
             listed(names),
             NearestName.suggestion(wanted.get(), named(names))));
     return 0;
+  }
+
+  /** Returns the index, from 0, of the chosen block; empty if there is no such block. */
+  public static OptionalInt index(List<Element> blocks, Optional<String> wanted) {
+    if (wanted.isEmpty()) {
+      return OptionalInt.of(0);
+    }
+    int index = names(blocks).indexOf(wanted.get());
+    if (index < 0 && NUMBER.matcher(wanted.get()).matches()) {
+      index = Integer.parseInt(wanted.get()) - 1;
+    }
+    return index >= 0 && index < blocks.size() ? OptionalInt.of(index) : OptionalInt.empty();
+  }
+
+  private static List<String> names(List<Element> blocks) {
+    return blocks.stream().map(b -> b.attribute("name").orElse("")).toList();
   }
 
   private static List<String> named(List<String> names) {

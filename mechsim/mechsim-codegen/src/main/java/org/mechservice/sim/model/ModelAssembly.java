@@ -206,8 +206,7 @@ final class ModelAssembly {
   private static boolean needsData(Mechanism mechanism) {
     return !mechanism.parameters().isEmpty()
         || ModelClass.hasUserForces(mechanism)
-        || !mechanism.events().isEmpty()
-        || mechanism.mayJump();
+        || mechanism.somethingHappens();
   }
 
   /** The terms of the equations are code; their closure and rarely used columns come from data. */

@@ -13,6 +13,7 @@ import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.sim.user.UserClasses;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.catalogue.MethodNames;
+import org.mechservice.solver.mechanism.FurtherState;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**
@@ -56,11 +57,15 @@ public final class ModelFactory {
   private static void requireNoStates(Mechanism mechanism, SimulationTask task) {
     boolean atStart =
         task instanceof SimulationTask.Linearization linear && !linear.atEquilibrium();
-    if (!atStart && !mechanism.furtherStates().isEmpty()) {
+    Optional<FurtherState> changing =
+        mechanism.furtherStates().stream()
+            .filter(state -> state.role() != FurtherState.Role.INPUT)
+            .findFirst();
+    if (!atStart && changing.isPresent()) {
       throw new ModelBuildException(
           MessageCode.STATE_NOT_INTEGRATED,
           "the model has states, such as \""
-              + mechanism.furtherStates().get(0).name()
+              + changing.get().name()
               + "\", whose values follow from integration in time, and <"
               + task.element()
               + "> does not integrate; simulate the motion, or leave the states out");

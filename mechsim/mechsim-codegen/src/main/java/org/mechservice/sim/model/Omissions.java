@@ -78,7 +78,8 @@ final class Omissions {
       Optional<String> derivatives) {
     List<Omission> all = new ArrayList<>();
     derivatives.ifPresent(why -> all.add(new Omission("derivatives of the residual", why)));
-    if (!model.watchedMechanism().events().isEmpty()) {
+    Mechanism watched = model.watchedMechanism();
+    if (!watched.events().isEmpty() || !watched.samplings().isEmpty()) {
       values.ifPresent(why -> all.add(new Omission("events", why)));
     }
     for (ColumnGroup group : further) {
@@ -147,7 +148,8 @@ final class Omissions {
   }
 
   private void author(MechmlModel model) {
-    if (model.watchedMechanism().events().isEmpty()) {
+    Mechanism watched = model.watchedMechanism();
+    if (watched.events().isEmpty() && watched.samplings().isEmpty()) {
       add("events", "the scene has none");
     }
     if (model.outputs().isEmpty()) {

@@ -89,6 +89,9 @@ final class TreeInC {
     if (!mechanism.events().isEmpty()) {
       beyond.add("events (" + mechanism.events().get(0).name() + " is one)");
     }
+    if (!mechanism.samplings().isEmpty()) {
+      beyond.add("sampled states (" + mechanism.samplings().get(0).name() + " is one)");
+    }
     if (mechanism.mayJump()) {
       beyond.add("motions or forces that jump at given times");
     }

@@ -12,7 +12,8 @@ import org.mechservice.solver.text.Origin;
  * @param trigger of time, parameters and the state
  * @param direction direction of the crossings that count
  * @param action the action
- * @param changes assignments of {@code SET}; empty for other actions
+ * @param changes assignments of {@code SET} to coordinates; empty for other actions
+ * @param furtherChanges assignments of {@code SET} to further states; empty for other actions
  * @param origin position in the model file
  */
 public record Event(
@@ -21,9 +22,22 @@ public record Event(
     ModelEvents.Direction direction,
     ModelEvents.Action action,
     List<StateChange> changes,
+    List<FurtherChange> furtherChanges,
     Origin origin) {
 
   public Event {
     changes = List.copyOf(changes);
+    furtherChanges = List.copyOf(furtherChanges);
+  }
+
+  /** Creates an event that sets no further states. */
+  public Event(
+      String name,
+      Expression trigger,
+      ModelEvents.Direction direction,
+      ModelEvents.Action action,
+      List<StateChange> changes,
+      Origin origin) {
+    this(name, trigger, direction, action, changes, List.of(), origin);
   }
 }

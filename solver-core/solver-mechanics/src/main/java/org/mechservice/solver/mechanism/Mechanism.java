@@ -44,6 +44,7 @@ public final class Mechanism {
   private final List<Parameter> parameters;
   private final List<Event> events;
   private final List<FurtherState> furtherStates;
+  private final List<Sampling> samplings;
   private final int[] outward;
   private final int[] jointOfBody;
   private final int[] motionOfJoint;
@@ -116,6 +117,7 @@ public final class Mechanism {
     this.parameters = List.copyOf(parameters);
     this.events = List.of();
     this.furtherStates = List.of();
+    this.samplings = List.of();
     this.jointOfBody = jointOfBody(this.bodies, this.joints);
     this.outward = outward(this.bodies, this.joints, jointOfBody);
     this.motionOfJoint = motionOfJoint(this.joints, this.motions);
@@ -130,12 +132,13 @@ public final class Mechanism {
     }
   }
 
-  /** Copies a mechanism with other parameters, events and further states. */
+  /** Copies a mechanism with other parameters, events, further states and samplings. */
   private Mechanism(
       Mechanism like,
       List<Parameter> parameters,
       List<Event> events,
-      List<FurtherState> furtherStates) {
+      List<FurtherState> furtherStates,
+      List<Sampling> samplings) {
     this.name = like.name;
     this.root = like.root;
     this.gravity = like.gravity;
@@ -148,6 +151,7 @@ public final class Mechanism {
     this.parameters = List.copyOf(parameters);
     this.events = List.copyOf(events);
     this.furtherStates = List.copyOf(furtherStates);
+    this.samplings = List.copyOf(samplings);
     this.jointOfBody = like.jointOfBody;
     this.outward = like.outward;
     this.motionOfJoint = like.motionOfJoint;
@@ -345,12 +349,27 @@ public final class Mechanism {
 
   /** Returns the same mechanism with other events along its simulation. */
   public Mechanism withEvents(List<Event> other) {
-    return new Mechanism(this, parameters, other, furtherStates);
+    return new Mechanism(this, parameters, other, furtherStates, samplings);
   }
 
   /** Returns the same mechanism with other states besides positions and velocities. */
   public Mechanism withFurtherStates(List<FurtherState> other) {
-    return new Mechanism(this, parameters, events, other);
+    return new Mechanism(this, parameters, events, other, samplings);
+  }
+
+  /** Returns the same mechanism with further states that are sampled. */
+  public Mechanism withSamplings(List<Sampling> other) {
+    return new Mechanism(this, parameters, events, furtherStates, other);
+  }
+
+  /** Returns the samplings that set further states at given times. */
+  public List<Sampling> samplings() {
+    return samplings;
+  }
+
+  /** Returns whether the state or the equations of a run may change abruptly. */
+  public boolean somethingHappens() {
+    return !events.isEmpty() || !samplings.isEmpty() || mayJump();
   }
 
   /** Returns the states besides positions and velocities, in file order. */
@@ -368,7 +387,7 @@ public final class Mechanism {
     for (Parameter parameter : parameters) {
       changed.add(parameter.with(values[changed.size()]));
     }
-    return new Mechanism(this, changed, events, furtherStates);
+    return new Mechanism(this, changed, events, furtherStates, samplings);
   }
 
   /** Returns whether a joint's coordinates follow a prescribed motion and are no states. */

@@ -8,6 +8,7 @@ import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Parameter;
 import org.mechservice.solver.mechanism.PrescribedMotion;
 import org.mechservice.solver.mechanism.Root;
+import org.mechservice.solver.mechanism.Sampling;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.joint.Joint;
@@ -34,7 +35,7 @@ public final class CompactForm {
             .write(mechanism.parameters())
             .write(mechanism.events());
     if (!mechanism.furtherStates().isEmpty()) {
-      writer.write(mechanism.furtherStates());
+      writer.write(mechanism.furtherStates()).write(mechanism.samplings());
     }
     return writer.bytes();
   }
@@ -60,7 +61,11 @@ public final class CompactForm {
             list(reader, ForceElement.class),
             list(reader, Parameter.class));
     Mechanism watched = mechanism.withEvents(list(reader, Event.class));
-    return reader.hasMore() ? watched.withFurtherStates(list(reader, FurtherState.class)) : watched;
+    return reader.hasMore()
+        ? watched
+            .withFurtherStates(list(reader, FurtherState.class))
+            .withSamplings(list(reader, Sampling.class))
+        : watched;
   }
 
   private static <T> List<T> list(RecordReader reader, Class<T> type) {

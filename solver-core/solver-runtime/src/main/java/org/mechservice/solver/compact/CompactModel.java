@@ -117,7 +117,7 @@ public record CompactModel(
    * @param values code for their expressions, if any, for this model only
    */
   public Model watched(Model model, Optional<WrittenValues> values) {
-    return somethingHappens()
+    return mechanism.somethingHappens()
         ? ModelParts.of(model).with(new StateEvents(mechanism, values))
         : model;
   }
@@ -141,9 +141,5 @@ public record CompactModel(
         MessageCode.MODEL_DATA_DAMAGED
             + " the model is written in a formulation this solver does not have: "
             + formulation);
-  }
-
-  private boolean somethingHappens() {
-    return !mechanism.events().isEmpty() || mechanism.mayJump();
   }
 }

@@ -71,10 +71,15 @@ final class CheckpointWriter {
     double since = (System.nanoTime() - lastAt) / NANOSECONDS;
     boolean due = since >= distance || (stands && Double.isFinite(distance));
     if (due) {
-      store.keep(SavedState.save(state -> transfer(state, run)));
+      store.keep(save(run));
       lastAt = System.nanoTime();
     }
     return due;
+  }
+
+  /** Returns a checkpoint. */
+  byte[] save(SavedState.Part run) {
+    return SavedState.save(state -> transfer(state, run));
   }
 
   private void transfer(SavedState state, SavedState.Part run) {

@@ -13,6 +13,7 @@ import org.mechservice.solver.api.run.RunControl;
 import org.mechservice.solver.api.run.RunReport;
 import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.catalogue.IntegrationMethod;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.IntegratorFactory;
 import org.mechservice.solver.ode.adams.De;
 import org.mechservice.solver.ode.adams.Ode113;
@@ -50,6 +51,30 @@ public final class RuntimeSolver implements Solver {
             .run(model, request, seen, control, checkpoints);
     RunReport judged = seen.completed(report, request.strict());
     return EnergyDriftWarning.added(judged, model, request);
+  }
+
+  /**
+   * Begins a run that advances from row to row and whose state may be changed at each.
+   *
+   * @param request its settings; the rows are its steps of communication
+   * @param sink receives the rows
+   * @param modelHash exact identification of the model, for saved runs
+   * @throws IllegalArgumentException S-195 if the model is not integrated in time
+   * @throws IOException if the sink throws it
+   */
+  public static SteppedRun stepped(
+      Model model, RunRequest request, ResultSink sink, String modelHash) throws IOException {
+    if (AnalysisSolver.takes(model)) {
+      throw new IllegalArgumentException(
+          MessageCode.RUN_CANNOT_BE_STEPPED
+              + " model \""
+              + model.description().name()
+              + "\" is not integrated in time by this simulation, so it has no steps; choose a"
+              + " simulation of kind <dynamic>");
+    }
+    String name = request.settings().integrator();
+    return new Simulation(integrator(name), formOf(model, name))
+        .stepped(model, request, sink, modelHash);
   }
 
   /** Returns the form of a model's equations for an integrator. */

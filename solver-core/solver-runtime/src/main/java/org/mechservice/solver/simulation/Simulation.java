@@ -1,6 +1,7 @@
 package org.mechservice.solver.simulation;
 
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -105,16 +106,37 @@ public final class Simulation implements Solver {
   public RunReport run(
       Model model, RunRequest request, ResultSink sink, RunControl control, Checkpoints checkpoints)
       throws IOException {
+    return begun(model, request, sink, control, checkpoints).toEnd();
+  }
+
+  private Run begun(
+      Model model, RunRequest request, ResultSink sink, RunControl control, Checkpoints checkpoints)
+      throws IOException {
     OutputTimes.requireUsable(request.settings());
     requireBalance(model, request);
     ModelParts parts = ModelParts.of(model);
     ModelEquations equations = form.of(parts.equations());
     RunEvents events = form.events(parts, equations, request.settings());
-    return new Run(equations, events, parts.columns(), request, sink, control, checkpoints).toEnd();
+    return new Run(equations, events, parts.columns(), request, sink, control, checkpoints);
+  }
+
+  /**
+   * Begins a run that advances from row to row and whose state may be changed at each. Steps of the
+   * integrator end exactly at the rows.
+   *
+   * @param sink receives the rows
+   * @param modelHash exact identification of the model, for saved runs
+   * @throws IOException if the sink throws it
+   */
+  SteppedRun stepped(Model model, RunRequest request, ResultSink sink, String modelHash)
+      throws IOException {
+    Run run = begun(model, request, sink, new RunControl(), new SteppedRun.Saving(modelHash));
+    run.breakAtRows();
+    return new SteppedRun(run);
   }
 
   /** One run in progress. */
-  private final class Run {
+  final class Run {
     private final ExplicitModel model;
     private final RunSettings settings;
     private final RunControl control;
@@ -219,30 +241,40 @@ public final class Simulation implements Solver {
       if (saved.isPresent()) {
         return goOnFrom(saved.get());
       }
+      Optional<Outcome> ended = begin();
+      return ended.isPresent() ? ended.get() : stepToEnd();
+    }
+
+    /** Begins the integration and writes the first row; empty if the run goes on. */
+    Optional<Outcome> begin() throws IOException {
       model.initialState(y);
+      events.begin(settings.tStart(), y);
       StepResult result = equations.start(integrator, settings.tStart(), y, settings.tEnd());
       if (result == StepResult.FAILED) {
-        return failures.atStart(y, yDot);
+        return Optional.of(failures.atStart(y, yDot));
       }
       if (strict && notes.firstWarning().isPresent()) {
-        return failures.ofWarning(notes.firstWarning().get());
+        return Optional.of(failures.ofWarning(notes.firstWarning().get()));
       }
       double first = outputTimes.time(nextRow);
       int badColumn = rows.write(first, first, y, 0, 0);
       if (badColumn != RowWriter.ALL_FINITE) {
-        return failures.ofRow(first, badColumn);
+        return Optional.of(failures.ofRow(first, badColumn));
       }
       nextRow++;
       control.giveStates(Optional.of(this::copyState));
-      return control.proceed(settings.tStart(), 0, 0, 0)
-          ? stepToEnd(result)
-          : new Outcome.Stopped();
+      if (!control.proceed(settings.tStart(), 0, 0, 0)) {
+        return Optional.of(new Outcome.Stopped());
+      }
+      return result == StepResult.ADVANCED
+          ? Optional.empty()
+          : Optional.of(new Outcome.Completed());
     }
 
     private Outcome goOnFrom(byte[] saved) throws IOException {
       checkpoints.restore(saved, this::transfer);
       control.giveStates(Optional.of(this::copyState));
-      return goOn() ? stepToEnd(StepResult.ADVANCED) : new Outcome.Stopped();
+      return goOn() ? stepToEnd() : new Outcome.Stopped();
     }
 
     /** Saves or restores the run between two steps. */
@@ -261,33 +293,105 @@ public final class Simulation implements Solver {
       }
     }
 
-    private Outcome stepToEnd(StepResult begun) throws IOException {
-      StepResult result = begun;
-      while (result == StepResult.ADVANCED) {
-        result = integrator.step();
-        if (result == StepResult.FAILED) {
-          return integratorFailed();
-        }
-        if (result == StepResult.STOPPED) {
-          return new Outcome.Stopped();
-        }
-        steps++;
-        int badColumn = writeRowsOfStep();
-        if (badColumn != RowWriter.ALL_FINITE) {
-          return failures.ofRow(dueRow(), badColumn);
-        }
-        if (events.failure().isPresent()) {
-          return new Outcome.Failed(events.failure().get());
-        }
-        if (strict && notes.firstWarning().isPresent()) {
-          return failures.ofWarning(notes.firstWarning().get());
-        }
-        work.add(events.workOfEvents());
-        if (!proceed(result == StepResult.ADVANCED)) {
-          return new Outcome.Stopped();
-        }
+    private Outcome stepToEnd() throws IOException {
+      Optional<Outcome> ended = Optional.empty();
+      while (ended.isEmpty()) {
+        ended = step();
       }
-      return new Outcome.Completed();
+      return ended.get();
+    }
+
+    /** Takes one step of the integrator and writes its rows; empty if the run goes on. */
+    private Optional<Outcome> step() throws IOException {
+      StepResult result = integrator.step();
+      if (result == StepResult.FAILED) {
+        return Optional.of(integratorFailed());
+      }
+      if (result == StepResult.STOPPED) {
+        return Optional.of(new Outcome.Stopped());
+      }
+      steps++;
+      int badColumn = writeRowsOfStep();
+      if (badColumn != RowWriter.ALL_FINITE) {
+        return Optional.of(failures.ofRow(dueRow(), badColumn));
+      }
+      if (events.failure().isPresent()) {
+        return Optional.of(new Outcome.Failed(events.failure().get()));
+      }
+      if (strict && notes.firstWarning().isPresent()) {
+        return Optional.of(failures.ofWarning(notes.firstWarning().get()));
+      }
+      work.add(events.workOfEvents());
+      if (!proceed(result == StepResult.ADVANCED)) {
+        return Optional.of(new Outcome.Stopped());
+      }
+      return result == StepResult.ADVANCED
+          ? Optional.empty()
+          : Optional.of(new Outcome.Completed());
+    }
+
+    /** Lets steps end exactly at the rows. */
+    void breakAtRows() {
+      List<Double> times = new ArrayList<>();
+      for (long row = 1; row < outputTimes.count(); row++) {
+        times.add(outputTimes.time(row));
+      }
+      equations.alsoBreakAt(times);
+    }
+
+    /** Steps until the next output time has its row; empty if the run goes on from there. */
+    Optional<Outcome> stepToRow() throws IOException {
+      long row = nextRow;
+      Optional<Outcome> ended = Optional.empty();
+      while (ended.isEmpty() && nextRow == row) {
+        ended = step();
+      }
+      return ended;
+    }
+
+    double timeReached() {
+      return timeReached;
+    }
+
+    ModelEquations equations() {
+      return equations;
+    }
+
+    /** Writes the unknowns from which the run goes on. */
+    void copyUnknowns(double[] unknowns) {
+      if (events.stateAfter(timeReached, unknowns)) {
+        return;
+      }
+      if (steps > 0) {
+        integrator.interpolate(timeReached, y, yDot);
+        equations.closeLoops(timeReached, y);
+      }
+      System.arraycopy(y, 0, unknowns, 0, y.length);
+    }
+
+    /**
+     * Goes on from other unknowns; returns the outcome if that is not possible.
+     *
+     * @param moved whether the loops are to be closed first
+     */
+    Optional<Outcome> goOnFrom(double[] unknowns, boolean moved) {
+      if (moved && !equations.closeLoops(timeReached, unknowns)) {
+        return Optional.of(failures.ofRow(timeReached, RunFailures.LOOPS_OPEN));
+      }
+      events.continueFrom(timeReached);
+      StepResult result = integrator.restart(timeReached, unknowns);
+      System.arraycopy(unknowns, 0, y, 0, y.length);
+      return result == StepResult.ADVANCED
+          ? Optional.empty()
+          : Optional.of(result == StepResult.FAILED ? integratorFailed() : new Outcome.Completed());
+    }
+
+    byte[] save() {
+      return checkpoints.save(this::transfer);
+    }
+
+    void restore(byte[] saved) {
+      checkpoints.restore(saved, this::transfer);
     }
 
     /** Obeys the control between two steps, and stores a checkpoint if one is due. */
@@ -353,7 +457,7 @@ public final class Simulation implements Solver {
       return failures.ofIntegrator(y, yDot);
     }
 
-    private RunReport report(Outcome outcome) {
+    RunReport report(Outcome outcome) {
       IntegrationStatistics done = integrator.statistics();
       EnergyMonitor energy = rows.energyMonitor();
       return new RunReport(

@@ -16,7 +16,21 @@ public interface ModelEvents {
    */
   List<Double> begin(double from, double to);
 
-  /** Returns the events, in file order, then the jumps of prescribed motions in this run. */
+  /**
+   * Applies the samples at the start of the run to the state.
+   *
+   * @param t start, s
+   * @param y state there, loops closed; further states may be overwritten
+   * @return whether there is any
+   */
+  default boolean begin(double t, double[] y) {
+    return false;
+  }
+
+  /**
+   * Returns the events, in file order, then the samplings, then the jumps of prescribed motions in
+   * this run.
+   */
   List<Kind> kinds();
 
   /**
@@ -76,6 +90,8 @@ public interface ModelEvents {
     RECORD,
     /** Coordinates get new values; the run continues from there. */
     SET,
+    /** Held states get new values at a given time; the run continues from there. */
+    SAMPLE,
     /** The velocity of a driven joint jumps; other velocities change by the impulse. */
     IMPULSE,
     /** The position of a driven joint jumps; the run ends there as failed. */

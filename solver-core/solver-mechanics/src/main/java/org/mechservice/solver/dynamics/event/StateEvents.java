@@ -8,8 +8,10 @@ import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Event;
+import org.mechservice.solver.mechanism.FurtherChange;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.MotionJump;
+import org.mechservice.solver.mechanism.Sampling;
 import org.mechservice.solver.mechanism.StateChange;
 import org.mechservice.solver.mechanism.joint.Joint;
 import org.mechservice.solver.spatial.EulerParameters;
@@ -24,6 +26,8 @@ public final class StateEvents implements ModelEvents {
   private final List<Assignment> assignments;
   private final WrittenValues expressions;
   private final double[] assigned;
+  private final SampleTimes samples;
+  private final int triggerCount;
   private final int ownCount;
   private Optional<DrivenJumps> driven = Optional.empty();
 
@@ -41,7 +45,9 @@ public final class StateEvents implements ModelEvents {
     motion = new TreeMotion(new TreeGeometry(mechanism));
     assignments = assignments(mechanism);
     assigned = new double[assignments.size()];
-    ownCount = events.size();
+    samples = new SampleTimes(mechanism.samplings());
+    triggerCount = events.size();
+    ownCount = triggerCount + mechanism.samplings().size();
     expressions =
         code.orElseGet(
             () ->
@@ -71,8 +77,21 @@ public final class StateEvents implements ModelEvents {
         assign(i, q, change.positions(), all);
         assign(i, v, change.velocities(), all);
       }
+      assignFurther(i, events.get(i).furtherChanges(), mechanism.furtherOffset(), all);
+    }
+    List<Sampling> samplings = mechanism.samplings();
+    for (int i = 0; i < samplings.size(); i++) {
+      List<FurtherChange> changes = samplings.get(i).changes();
+      assignFurther(events.size() + i, changes, mechanism.furtherOffset(), all);
     }
     return all;
+  }
+
+  private static void assignFurther(
+      int event, List<FurtherChange> changes, int offset, List<Assignment> all) {
+    for (FurtherChange change : changes) {
+      all.add(new Assignment(event, offset + change.state(), change.value()));
+    }
   }
 
   private static void assign(
@@ -88,6 +107,7 @@ public final class StateEvents implements ModelEvents {
   @Override
   public List<Kind> kinds() {
     List<Kind> all = new ArrayList<>(kinds);
+    all.addAll(samples.kinds());
     driven.ifPresent(jumps -> all.addAll(jumps.kinds()));
     return all;
   }
@@ -95,9 +115,24 @@ public final class StateEvents implements ModelEvents {
   @Override
   public void values(double t, double[] y, double[] g) {
     expressions.triggers(t, y, g);
+    samples.values(t, g, triggerCount);
     if (driven.isPresent()) {
       driven.get().values(t, g, ownCount);
     }
+  }
+
+  @Override
+  public boolean begin(double t, double[] y) {
+    boolean[] due = new boolean[kinds().size()];
+    samples.mark(t, due, triggerCount);
+    boolean any = false;
+    for (boolean one : due) {
+      any |= one;
+    }
+    if (any) {
+      assign(due, t, y);
+    }
+    return any;
   }
 
   @Override
@@ -105,13 +140,17 @@ public final class StateEvents implements ModelEvents {
     if (driven.isPresent()) {
       driven.get().change(occurred, ownCount, t, y);
     }
+    assign(occurred, t, y);
+    normalize(y);
+  }
+
+  private void assign(boolean[] occurred, double t, double[] y) {
     expressions.assignments(t, y, assigned);
     for (int i = 0; i < assignments.size(); i++) {
       if (occurred[assignments.get(i).event()]) {
         y[assignments.get(i).component()] = assigned[i];
       }
     }
-    normalize(y);
   }
 
   /** Normalises Euler parameters; the values of expressions need not have norm one. */
@@ -159,6 +198,7 @@ public final class StateEvents implements ModelEvents {
       }
     }
     jumps.forEach(jump -> times.add(jump.time()));
+    times.addAll(samples.between(from, to));
     return times;
   }
 }

@@ -162,6 +162,13 @@ public abstract class ModelEquations implements UnitNormGroups, PiecewiseSystem,
     breakpoints = List.copyOf(times);
   }
 
+  /** Adds times at which steps end and begin anew. */
+  public final void alsoBreakAt(List<Double> times) {
+    List<Double> all = new ArrayList<>(breakpoints);
+    all.addAll(times);
+    breakpoints = List.copyOf(all);
+  }
+
   @Override
   public final List<Double> breakpoints() {
     return breakpoints;

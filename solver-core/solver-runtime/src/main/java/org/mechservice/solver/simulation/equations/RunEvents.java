@@ -17,6 +17,14 @@ public class RunEvents {
   }
 
   /**
+   * Applies what happens at the start of the run to the state.
+   *
+   * @param t start, s
+   * @param y state there; may be overwritten
+   */
+  public void begin(double t, double[] y) {}
+
+  /**
    * Returns the next instant of the last step that is to be a row, s; infinite if there is none.
    */
   public double dueRow() {
@@ -30,6 +38,20 @@ public class RunEvents {
   public double workOfEvents() {
     return 0;
   }
+
+  /**
+   * Writes the unknowns after the changes at a time.
+   *
+   * @param t time, s
+   * @param unknowns overwritten if there are changes
+   * @return whether there are
+   */
+  public boolean stateAfter(double t, double[] unknowns) {
+    return false;
+  }
+
+  /** Records that the run continues from a time with a state given from outside. */
+  public void continueFrom(double t) {}
 
   /** Returns the time for evaluations at {@code t}, at which a prescribed motion may jump. */
   double evaluationTime(double t) {

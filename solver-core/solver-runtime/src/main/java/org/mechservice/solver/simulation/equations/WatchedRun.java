@@ -36,6 +36,8 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   private final double[] wanted;
   private final boolean[] set;
   private final boolean[] zeroAtStart;
+  private final double[] after;
+  private double afterTime = Double.NaN;
   private final double[] energy = new double[2];
   private final List<Occurrence> told = new ArrayList<>();
   private final List<Double> dueRows = new ArrayList<>();
@@ -55,6 +57,7 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
     zeroAtStart = new boolean[names.length];
     wanted = new double[equations.dimension()];
     set = new boolean[wanted.length];
+    after = new double[wanted.length];
   }
 
   /**
@@ -69,6 +72,11 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   @Override
   public Integrator watch(Integrator integrator) {
     return new EventIntegration(integrator, this);
+  }
+
+  @Override
+  public void begin(double t, double[] y) {
+    events.begin(t, y);
   }
 
   @Override
@@ -96,6 +104,7 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
 
   @Override
   public Reaction occurred(double t, double[] y, boolean[] occurred) {
+    boolean samples = false;
     boolean sets = false;
     boolean stops = false;
     boolean records = false;
@@ -106,6 +115,11 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
           latest = i;
           fail(motionJumps(t, part()));
           return Reaction.STOP;
+        }
+        if (action == Action.SAMPLE) {
+          latest = i;
+          samples = true;
+          continue;
         }
         remember(i, t);
         sets |= action == Action.SET || action == Action.IMPULSE;
@@ -119,7 +133,15 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
     if (stops || (sets && !change(t, y, occurred))) {
       return Reaction.STOP;
     }
-    return sets ? Reaction.RESTART : Reaction.CONTINUE;
+    if (samples && !sets && !sample(t, y, occurred)) {
+      return Reaction.STOP;
+    }
+    if (sets || samples) {
+      System.arraycopy(y, 0, after, 0, after.length);
+      afterTime = t;
+      return Reaction.RESTART;
+    }
+    return Reaction.CONTINUE;
   }
 
   private void remember(int event, double t) {
@@ -130,6 +152,21 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
     }
   }
 
+  /** Gives held states new values; positions and velocities stay. Returns false on failure. */
+  private boolean sample(double t, double[] y, boolean[] occurred) {
+    events.change(occurred, t, y);
+    return isFinite(t, y);
+  }
+
+  private boolean isFinite(double t, double[] y) {
+    for (int l = 0; l < y.length; l++) {
+      if (!Double.isFinite(y[l])) {
+        return fail(EventFailures.eventNotFinite(t, part(), equations.name(l)));
+      }
+    }
+    return true;
+  }
+
   /** Changes the state and closes the loops; returns false on failure. */
   private boolean change(double t, double[] y, boolean[] occurred) {
     double tBefore = events.evaluationTime(t);
@@ -137,10 +174,8 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
     double before = energy(tBefore, y);
     double[] from = momentum.isPresent() ? y.clone() : y;
     events.change(occurred, tAfter, y);
-    for (int l = 0; l < y.length; l++) {
-      if (!Double.isFinite(y[l])) {
-        return fail(EventFailures.eventNotFinite(t, part(), equations.name(l)));
-      }
+    if (!isFinite(t, y)) {
+      return false;
     }
     System.arraycopy(y, 0, wanted, 0, y.length);
     double open = energy(tAfter, y);
@@ -213,7 +248,21 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
 
   @Override
   public void leftZeroAtStart(int function) {
-    zeroAtStart[function] = !isMotion(function);
+    zeroAtStart[function] = !isMotion(function) && actions[function] != Action.SAMPLE;
+  }
+
+  @Override
+  public boolean stateAfter(double t, double[] unknowns) {
+    boolean changed = t == afterTime;
+    if (changed) {
+      System.arraycopy(after, 0, unknowns, 0, unknowns.length);
+    }
+    return changed;
+  }
+
+  @Override
+  public void continueFrom(double t) {
+    events.continueFrom(t);
   }
 
   @Override
@@ -251,7 +300,15 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   @Override
   public String part() {
     int event = notFinite >= 0 ? notFinite : latest;
-    return event < 0 ? "" : (isMotion(event) ? "joint" : "event") + " \"" + names[event] + "\"";
+    return event < 0 ? "" : kind(event) + " \"" + names[event] + "\"";
+  }
+
+  private String kind(int event) {
+    return switch (actions[event]) {
+      case IMPULSE, BREAK -> "joint";
+      case SAMPLE -> "state";
+      case STOP, RECORD, SET -> "event";
+    };
   }
 
   private boolean isMotion(int event) {
@@ -293,6 +350,7 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
     return switch (actions[event]) {
       case STOP -> "Event " + name + " ends the run";
       case RECORD -> "Event " + name + " is recorded";
+      case SAMPLE -> "State " + name + " is sampled";
       case SET -> "Event " + name + " changes the state";
       case IMPULSE ->
           "The velocity of driven joint "
@@ -322,6 +380,8 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
     }
     count = state.integer(count);
     latest = state.integer(latest);
+    afterTime = state.number(afterTime);
+    state.numbers(after);
     int size = state.integer(told.size());
     for (int i = 0; i < size; i++) {
       Occurrence one = i < told.size() ? told.get(i) : new Occurrence(0, 0, 0, 0);
