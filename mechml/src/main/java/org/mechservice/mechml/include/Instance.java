@@ -50,8 +50,6 @@ final class Instance {
   private static final Set<String> REFERENCES =
       Set.of("point", "vector", "vector2", "body1", "body2", "body", "joint");
 
-  private static final Set<String> VALUES = Set.of("state", "pid", "transferFunction");
-
   private final Element use;
   private final String file;
   private final Renaming names;
@@ -87,7 +85,7 @@ final class Instance {
       names.define(Renaming.Kind.BODY, name);
     } else if (section.name().equals("Joints")) {
       names.define(Renaming.Kind.JOINT, name);
-    } else if (section.name().equals("Parameters") || VALUES.contains(element.name())) {
+    } else if (section.name().equals("Parameters") || section.name().equals("States")) {
       names.define(Renaming.Kind.VALUE, name);
     } else if (section.name().equals("Tables")) {
       names.define(Renaming.Kind.TABLE, name);
@@ -187,6 +185,9 @@ final class Instance {
     }
     if (name.equals("name")) {
       return renamedName(element, value);
+    }
+    if (name.equals("table")) {
+      return names.reference(Renaming.Kind.TABLE, value);
     }
     if (name.equals("joint")) {
       return names.reference(Renaming.Kind.JOINT, value);
