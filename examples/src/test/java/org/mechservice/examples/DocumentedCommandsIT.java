@@ -32,6 +32,7 @@ class DocumentedCommandsIT {
         "README.md",
         "docs/curves.md",
         "docs/fmu.md",
+        "docs/gradients.md",
         "docs/study.md",
         "docs/optimise.md",
         "docs/view.md",

@@ -98,7 +98,7 @@ final class ObjectAdapters {
               ThreadPolicyValue.ORB_CTRL_MODEL);
       for (var entry : servants.entrySet()) {
         byte[] id = entry.getKey().key().getBytes(StandardCharsets.US_ASCII);
-        named.activate_object_with_id(id, entry.getValue());
+        named.activate_object_with_id(id, new WatchedServant(entry.getValue(), false));
         published.put(entry.getKey(), named.id_to_reference(id));
       }
     } catch (UserException e) {
@@ -129,7 +129,7 @@ final class ObjectAdapters {
    */
   ActiveObject activate(Servant servant) throws UserException {
     byte[] id = UUID.randomUUID().toString().getBytes(StandardCharsets.US_ASCII);
-    handedOut.activate_object_with_id(id, servant);
+    handedOut.activate_object_with_id(id, new WatchedServant(servant, true));
     return new ActiveObject(handedOut.id_to_reference(id), handedOut, id);
   }
 

@@ -13,6 +13,9 @@ import org.slf4j.LoggerFactory;
 final class OrbThreads extends ThreadGroup {
   private static final Logger LOG = LoggerFactory.getLogger(OrbThreads.class);
 
+  /** The threads of connections, as the ORB names them. */
+  private static final String READERS = "ServerMessageReceptor";
+
   private volatile boolean closing;
 
   OrbThreads() {
@@ -61,6 +64,8 @@ final class OrbThreads extends ThreadGroup {
   public void uncaughtException(Thread thread, Throwable thrown) {
     if (closing && thrown instanceof org.omg.CORBA.OBJECT_NOT_EXIST) {
       LOG.debug("{} had a message left when the ORB closed", thread.getName());
+    } else if (thread.getName().startsWith(READERS) && thrown instanceof RuntimeException) {
+      LOG.info("a message cannot be read; its connection is closed: {}", thrown.toString());
     } else {
       GuardedServant.record("thread " + thread.getName(), thrown);
     }

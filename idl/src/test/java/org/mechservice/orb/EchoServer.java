@@ -5,6 +5,7 @@ import java.util.function.Consumer;
 import org.mechservice.idl.API_VERSION;
 import org.mechservice.idl.DiagnosticSeqHolder;
 import org.mechservice.idl.IMechClient;
+import org.mechservice.idl.IMechClientPOATie;
 import org.mechservice.idl.IMechSimRemote;
 import org.mechservice.idl.Limit;
 import org.mechservice.idl.MechServerOperations;
@@ -61,6 +62,11 @@ final class EchoServer implements MechServerOperations, AutoCloseable {
 
   String ior() {
     return orb.ior(ServiceKey.SERVER);
+  }
+
+  /** Returns the reference of an object that lives as long as it is called. */
+  String object() {
+    return orb.toIor(orb.activate(new IMechClientPOATie(new CountingClient())).reference());
   }
 
   int port() {

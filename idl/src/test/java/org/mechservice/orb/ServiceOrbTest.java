@@ -19,6 +19,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import java.util.Set;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.stream.Collectors;
@@ -230,6 +231,33 @@ class ServiceOrbTest {
       for (Socket socket : silent) {
         socket.close();
       }
+    }
+  }
+
+  /** All call once and then say nothing more; only one has an object that lives by its calls. */
+  @Test
+  void idleConnectionsGiveTheirPlacesToNewOnes() {
+    List<ServiceOrb> idle = new ArrayList<>();
+    List<MechServer> asked = new ArrayList<>();
+    try (EchoServer server = EchoServer.start();
+        ServiceOrb owner = ServiceOrb.client()) {
+      server.allowConnections(10);
+      List<IMechClient> back = new CopyOnWriteArrayList<>();
+      server.onSession(back::add);
+      CountingClient callbacks = new CountingClient();
+      askToBeCalledBack(owner.connect(server.address()), owner.export(callbacks));
+      IMechClientHelper.unchecked_narrow(owner.fromIor(server.object())).heartbeat();
+      for (int i = 0; i < 30; i++) {
+        ServiceOrb other = ServiceOrb.client();
+        idle.add(other);
+        asked.add(other.connect(server.address()));
+      }
+      assertThat(server.connections()).isEqualTo(10);
+      back.get(0).heartbeat(); // over the owner's connection
+      assertThat(callbacks.heartbeats).hasValue(1);
+      assertThat(asked.get(0).getInfo().serverName).isEqualTo("echo €");
+    } finally {
+      idle.forEach(ServiceOrb::close);
     }
   }
 

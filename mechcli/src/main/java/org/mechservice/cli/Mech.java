@@ -10,6 +10,7 @@ import org.mechservice.cli.model.ExamplesCommand;
 import org.mechservice.cli.model.ImportCommand;
 import org.mechservice.cli.model.NewCommand;
 import org.mechservice.cli.model.VerifyCommand;
+import org.mechservice.cli.optimise.GradientCommand;
 import org.mechservice.cli.optimise.IdentifyCommand;
 import org.mechservice.cli.optimise.OptimiseCommand;
 import org.mechservice.cli.picture.PlotCommand;
@@ -66,6 +67,7 @@ public final class Mech {
           SweepCommand.class,
           StudyCommand.class,
           OptimiseCommand.class,
+          GradientCommand.class,
           IdentifyCommand.class,
           FetchCommand.class,
           CompareCommand.class,

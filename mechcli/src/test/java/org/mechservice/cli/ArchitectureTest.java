@@ -62,6 +62,7 @@ class ArchitectureTest {
               List.of(
                   "sim.scene",
                   "sim.symbolic",
+                  "sim.gradient",
                   "sim.equations",
                   "sim.emit",
                   "sim.fmu",

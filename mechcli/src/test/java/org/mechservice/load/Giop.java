@@ -61,6 +61,30 @@ final class Giop {
     return message;
   }
 
+  /**
+   * Returns a request of version 1.2.
+   *
+   * @param objectKey whom it is for
+   * @param arguments encoded, to begin at a multiple of 8 bytes
+   */
+  static byte[] requestNow(byte[] objectKey, String operation, int id, byte[] arguments) {
+    Encoding body = new Encoding();
+    body.number(id);
+    body.raw(new byte[] {3, 0, 0, 0}); // an answer is expected
+    body.number(0); // the object is named by its key, after two bytes of nothing
+    body.octets(objectKey);
+    body.octets((operation + '\0').getBytes(StandardCharsets.US_ASCII));
+    body.number(0); // no service contexts
+    if (arguments.length > 0) {
+      body.align(8);
+    }
+    body.raw(arguments);
+    byte[] bytes = body.bytes();
+    byte[] message = Arrays.copyOf(header(0, bytes.length), HEADER_BYTES + bytes.length);
+    System.arraycopy(bytes, 0, message, HEADER_BYTES, bytes.length);
+    return message;
+  }
+
   /** Returns numbers as arguments of a request. */
   static byte[] numbers(int... values) {
     ByteBuffer bytes = ByteBuffer.allocate(4 * values.length);
@@ -68,6 +92,15 @@ final class Giop {
       bytes.putInt(value);
     }
     return bytes.array();
+  }
+
+  /** Returns a text as the first argument of a request. */
+  static byte[] text(String ascii) {
+    byte[] bytes = (ascii + '\0').getBytes(StandardCharsets.US_ASCII);
+    return ByteBuffer.allocate(4 + (bytes.length + 3) / 4 * 4)
+        .putInt(bytes.length)
+        .put(bytes)
+        .array();
   }
 
   /** Reads a whole message; returns an empty array at the end of the stream. */

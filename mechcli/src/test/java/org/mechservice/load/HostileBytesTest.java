@@ -220,20 +220,15 @@ class HostileBytesTest {
     byte[] model = Files.readAllBytes(Runs.PENDULUM);
     messages.add(Giop.request(server, "getInfo", 1, new byte[0]));
     messages.add(Giop.request(server, "limits", 2, new byte[0]));
-    messages.add(Giop.request(server, "findSession", 3, text("x")));
-    messages.add(Giop.request(server, "importModel", 4, joined(text("robot.u"), bytes(model))));
+    messages.add(Giop.request(server, "findSession", 3, Giop.text("x")));
+    messages.add(
+        Giop.request(server, "importModel", 4, joined(Giop.text("robot.u"), bytes(model))));
     messages.add(Giop.request(server, "noSuchThing", 5, Giop.numbers(1, 2, 3)));
     messages.add(Giop.request(admin, "getStatus", 6, new byte[0]));
     messages.add(Giop.request(admin, "listSimulations", 7, Giop.numbers(0, 100)));
     messages.add(
-        Giop.request(registry, "registerHost", 8, joined(text("far"), Giop.numbers(1, 2))));
+        Giop.request(registry, "registerHost", 8, joined(Giop.text("far"), Giop.numbers(1, 2))));
     return messages;
-  }
-
-  private static byte[] text(String ascii) {
-    byte[] bytes = (ascii + '\0').getBytes(StandardCharsets.US_ASCII);
-    byte[] padded = Arrays.copyOf(bytes, (bytes.length + 3) / 4 * 4);
-    return joined(Giop.numbers(bytes.length), padded);
   }
 
   private static byte[] bytes(byte[] content) {

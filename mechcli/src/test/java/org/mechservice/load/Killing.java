@@ -56,7 +56,7 @@ final class Killing implements AutoCloseable {
   /** What a run that was cut off says of itself. */
   private static final String CUT_OFF = "S-112";
 
-  private static final String WORKER_LOST = "S-157";
+  private static final String WORKER_LOST = "S-178";
 
   private final Random random;
   private final Path folder;

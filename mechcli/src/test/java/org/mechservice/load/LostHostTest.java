@@ -106,7 +106,7 @@ class LostHostTest {
       }
       assertThat(taken.rows).isEqualTo(undisturbed.rows).isEqualTo(50_001);
       assertThat(taken.bits).isEqualTo(undisturbed.bits);
-      assertThat(told).anyMatch(text -> text.contains("S-118 host far is lost"));
+      assertThat(told).anyMatch(text -> text.contains("S-118 host far was lost"));
     }
   }
 

@@ -211,6 +211,13 @@ final class Relay implements AutoCloseable {
     return new InetSocketAddress(InetAddress.getByName(address), 0);
   }
 
+  /** Returns a port that was free a moment ago. */
+  static int freePort() throws IOException {
+    try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+      return socket.getLocalPort();
+    }
+  }
+
   @Override
   public void close() throws IOException {
     target.cancel(false);

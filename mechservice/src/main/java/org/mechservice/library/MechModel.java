@@ -153,6 +153,11 @@ public final class MechModel {
     return model.mechanism().name();
   }
 
+  /** Returns what was read: the mechanism and its settings. */
+  public MechmlModel content() {
+    return model;
+  }
+
   /** Returns the parameters of the file, as it gives them, in its order. */
   public List<ModelParameter> parameters() {
     return model.parameters();

@@ -130,7 +130,7 @@ public record Reduction(String column, Kind kind, double argument) {
   }
 
   /** Returns whether it has a time of its own that lies in the interval of a run. */
-  boolean fits(double start, double end) {
+  public boolean fits(double start, double end) {
     return kind != Kind.AT || (argument >= start && argument <= end);
   }
 

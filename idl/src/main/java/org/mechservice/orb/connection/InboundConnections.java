@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.UUID;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.orb.connection.InboundSocketFactory.Accepted;
 import org.slf4j.Logger;
@@ -22,8 +23,10 @@ import org.slf4j.LoggerFactory;
  *
  * <p>Connections that are of no use keep nobody out. One that is late with its first message, or
  * with the rest of a message, is closed. Where there are as many as are allowed, a new one takes
- * the place of the oldest that has not sent a message yet, else of one that has been idle for
- * longer than any lease. No other machine may have more than three quarters of the places.
+ * the place of the oldest that has not sent a message yet; else of the one that has been silent
+ * longest, among those whose peers have no session here and wait for no answer; else of one that
+ * has been silent for longer than any lease. A peer whose connection is closed connects anew with
+ * its next call. No other machine may have more than three quarters of the places.
  */
 public final class InboundConnections {
   private static final Logger LOG = LoggerFactory.getLogger(InboundConnections.class);
@@ -133,11 +136,13 @@ public final class InboundConnections {
     return candidates.stream()
         .filter(other -> !other.isUsed())
         .findFirst()
-        .or(
-            () ->
-                candidates.stream()
-                    .filter(other -> other.stalledNanos() > IDLE_NANOS)
-                    .max(Comparator.comparingLong(Accepted::stalledNanos)));
+        .or(() -> longestSilent(candidates, Accepted::isIdle))
+        .or(() -> longestSilent(candidates, other -> other.stalledNanos() > IDLE_NANOS));
+  }
+
+  private static Optional<Accepted> longestSilent(
+      List<Accepted> candidates, Predicate<Accepted> which) {
+    return candidates.stream().filter(which).max(Comparator.comparingLong(Accepted::stalledNanos));
   }
 
   /** Closes connections whose peers are late, until all are closed. */

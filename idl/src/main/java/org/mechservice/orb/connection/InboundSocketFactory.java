@@ -6,6 +6,7 @@ import java.io.OutputStream;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.jacorb.config.Configurable;
 import org.jacorb.config.Configuration;
 import org.jacorb.config.ConfigurationException;
@@ -80,6 +81,8 @@ public class InboundSocketFactory implements ServerSocketFactory, Configurable {
     private @Nullable ReplyQueue replies;
     private @Nullable RequestStream requests;
     private volatile boolean plain;
+    private final AtomicInteger calls = new AtomicInteger();
+    private volatile boolean leased;
 
     public Accepted(InboundConnections connections) {
       this.connections = connections;
@@ -138,6 +141,30 @@ public class InboundSocketFactory implements ServerSocketFactory, Configurable {
     long stalledNanos() {
       RequestStream messages = requests();
       return messages == null ? 0 : messages.stalledNanos();
+    }
+
+    void callBegins() {
+      calls.incrementAndGet();
+    }
+
+    void callEnds() {
+      calls.decrementAndGet();
+    }
+
+    /** Sets whether the peer has something here that lives as long as it calls. */
+    void setLeased(boolean leased) {
+      this.leased = leased;
+    }
+
+    /** Returns whether nothing is lost if the peer has to connect anew for its next call. */
+    boolean isIdle() {
+      return !leased && calls.get() == 0;
+    }
+
+    /** Returns the size of a request of which the beginning alone was passed on, or 0. */
+    long takeRefused(int request) {
+      RequestStream messages = requests();
+      return messages == null ? 0 : messages.takeRefused(request);
     }
 
     /** Returns whether the peer is late with a message. */

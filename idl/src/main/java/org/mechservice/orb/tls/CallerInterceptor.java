@@ -11,6 +11,7 @@ import javax.net.ssl.SSLSocket;
 import org.jacorb.orb.giop.GIOPConnection;
 import org.jacorb.orb.iiop.IIOPConnection;
 import org.jacorb.orb.portableInterceptor.ServerRequestInfoImpl;
+import org.mechservice.orb.connection.InboundCall;
 import org.mechservice.orb.connection.ReplyMemory;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.INITIALIZE;
@@ -24,8 +25,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Sets {@link Caller#current} before each call; the ORB runs interceptors and servant in one
- * thread.
+ * Sets {@link Caller#current} before each call, and follows it in {@link InboundCall}; the ORB runs
+ * interceptors and servant in one thread.
  *
  * <p>Made by the ORB from its properties, hence public.
  */
@@ -51,7 +52,15 @@ public final class CallerInterceptor extends LocalObject
   @Override
   public void receive_request_service_contexts(ServerRequestInfo request) {
     ReplyMemory.made();
-    Caller.isNow(callerAt(((ServerRequestInfoImpl) request).getConnection()));
+    GIOPConnection connection = ((ServerRequestInfoImpl) request).getConnection();
+    Caller.isNow(callerAt(connection));
+    if (connection != null && connection.getTransport() instanceof IIOPConnection over) {
+      InboundCall.begins(accepted(over.getSocket()), request.request_id());
+    }
+  }
+
+  private static Socket accepted(Socket socket) {
+    return socket instanceof EncryptedConnection encrypted ? encrypted.accepted() : socket;
   }
 
   private static Caller callerAt(GIOPConnection connection) {
@@ -116,16 +125,19 @@ public final class CallerInterceptor extends LocalObject
   @Override
   public void send_reply(ServerRequestInfo request) {
     ReplyMemory.made();
+    InboundCall.ends();
   }
 
   @Override
   public void send_exception(ServerRequestInfo request) {
     ReplyMemory.made();
+    InboundCall.ends();
   }
 
   @Override
   public void send_other(ServerRequestInfo request) {
     ReplyMemory.made();
+    InboundCall.ends();
   }
 
   @Override

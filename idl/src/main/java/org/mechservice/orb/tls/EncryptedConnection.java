@@ -14,23 +14,31 @@ import javax.net.ssl.SSLSocket;
  * ORB uses it as an ordinary socket.
  */
 final class EncryptedConnection extends Socket {
+  private final Socket accepted;
   private final SSLSocket encrypted;
   private final InputStream messages;
   private final TlsIdentity owner;
 
   /**
    * @param owner identity of this process
+   * @param accepted the connection, as the port has accepted it
    * @param encrypted reads from and writes to the connection
    * @param messages what it reads, watched
    */
-  EncryptedConnection(TlsIdentity owner, SSLSocket encrypted, InputStream messages) {
+  EncryptedConnection(
+      TlsIdentity owner, Socket accepted, SSLSocket encrypted, InputStream messages) {
     this.owner = owner;
+    this.accepted = accepted;
     this.encrypted = encrypted;
     this.messages = messages;
   }
 
   TlsIdentity owner() {
     return owner;
+  }
+
+  Socket accepted() {
+    return accepted;
   }
 
   /** Returns what the two sides have agreed on; waits for it. */

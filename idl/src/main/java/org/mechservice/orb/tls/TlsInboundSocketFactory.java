@@ -42,6 +42,6 @@ public final class TlsInboundSocketFactory extends InboundSocketFactory {
     socket.setNeedClientAuth(true);
     socket.setEnabledProtocols(TlsOutboundSocketFactory.PROTOCOLS);
     return new EncryptedConnection(
-        peers.identity(), socket, accepted.readAsMessages(socket.getInputStream()));
+        peers.identity(), accepted, socket, accepted.readAsMessages(socket.getInputStream()));
   }
 }

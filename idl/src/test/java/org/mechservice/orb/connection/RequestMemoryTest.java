@@ -38,8 +38,8 @@ class RequestMemoryTest {
       byte[] message = ByteBuffer.allocate(12 + 500_000).put(header(500_000, order)).array();
       try (Socket socket = new Socket()) {
         RequestStream stream = stream(socket, message);
-        assertThat(stream.readNBytes(5)).hasSize(5);
         assertThat(room.used()).isZero();
+        assertThat(stream.readNBytes(5)).hasSize(5);
         assertThat(stream.readNBytes(7)).hasSize(7);
         assertThat(room.used()).isEqualTo(500_000);
         assertThat(stream.readNBytes(500_000)).hasSize(500_000);
@@ -94,13 +94,14 @@ class RequestMemoryTest {
     }
   }
 
+  /** Requests are answered instead. */
   @Test
-  void fragmentsTogetherAreNoLargerThanAMessageMayBe() throws Exception {
+  void fragmentsOfAReplyTogetherAreNoLargerThanAMessageMayBe() throws Exception {
     RequestMemory large = new RequestMemory(1L << 40);
     int each = LimitedBuffers.MAX_MESSAGE_BYTES / 4;
     byte[] fragment = fragment(7, 7, true, each);
     try (Socket socket = new Socket()) {
-      byte[] all = joined(fragment(0, 7, true, each), fragment, fragment, fragment, fragment);
+      byte[] all = joined(fragment(1, 7, true, each), fragment, fragment, fragment, fragment);
       RequestStream stream = new RequestStream(socket, new ByteArrayInputStream(all), large);
       stream.readNBytes(4 * (12 + each));
       assertThatThrownBy(stream::readAllBytes)
@@ -161,6 +162,39 @@ class RequestMemoryTest {
           .isInstanceOf(IOException.class)
           .hasMessageContaining("negative");
       assertThat(stream.isUsed()).isFalse();
+    }
+  }
+
+  @Test
+  void requestThatAsksForAnUnknownKindOfAnswerEndsTheConnection() throws Exception {
+    byte[] request = fragment(0, 7, false, 100);
+    request[16] = 2;
+    try (Socket socket = new Socket()) {
+      RequestStream stream = stream(socket, request);
+      assertThatThrownBy(stream::readAllBytes)
+          .isInstanceOf(IOException.class)
+          .hasMessageContaining("response flags 2");
+    }
+  }
+
+  /** The ORB reads each connection in a thread, which dies of some messages. */
+  @Test
+  void connectionThatNobodyReadsAnyMoreCountsAsLate() throws Exception {
+    byte[] message = ByteBuffer.allocate(12 + 8).put(header(8, ByteOrder.BIG_ENDIAN)).array();
+    try (Socket socket = new Socket()) {
+      RequestStream stream = stream(socket, message);
+      Thread reader =
+          new Thread(
+              () -> {
+                try {
+                  stream.readNBytes(message.length);
+                } catch (IOException e) {
+                  throw new java.io.UncheckedIOException(e);
+                }
+              });
+      reader.start();
+      reader.join();
+      assertThat(stream.isOverdue(in(0))).isTrue();
     }
   }
 

@@ -14,6 +14,7 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.cli.shell.ExitStatus;
@@ -25,6 +26,7 @@ import org.mechservice.result.SignalTable;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.study.identify.Identification;
 import org.mechservice.study.identify.Measurements;
+import org.mechservice.study.optimise.Derivatives;
 import org.mechservice.study.optimise.DesignVariable;
 import org.mechservice.study.optimise.PointFailedException;
 import picocli.CommandLine.Command;
@@ -87,6 +89,9 @@ public final class IdentifyCommand implements Callable<Integer> {
   @Option(names = "--json", description = "Print one JSON object.")
   private boolean json;
 
+  /** How derivatives were found, for the answer. */
+  private String derivatives = "";
+
   @Spec private CommandSpec spec = CommandSpec.create();
 
   @Override
@@ -103,7 +108,13 @@ public final class IdentifyCommand implements Callable<Integer> {
             "--level is " + level + "; it must be between 0 and 1, such as 0.95");
       }
       List<DesignVariable> variables = design.variables(model);
-      found = Identification.of(variables, measured.residuals(model, variables), design.step());
+      VariableOptions.Derived<Optional<Derivatives>> derived =
+          design.derived(
+              exact -> exact ? Optional.of(measured.slopes(model, variables)) : Optional.empty());
+      derivatives = derived.derivatives();
+      found =
+          Identification.of(
+              variables, measured.residuals(model, variables), design.step(), derived.made());
     } catch (IllegalArgumentException | MechmlException e) {
       throw VariableOptions.refused(MessageCode.DESIGN_UNUSABLE, e);
     } catch (PointFailedException e) {
@@ -168,6 +179,8 @@ public final class IdentifyCommand implements Callable<Integer> {
         .append(OptimiseCommand.counted(found.residuals().length, "measured value"))
         .append(", ")
         .append(OptimiseCommand.counted(found.runs(), "run"))
+        .append(", ")
+        .append(derivatives)
         .toString();
   }
 

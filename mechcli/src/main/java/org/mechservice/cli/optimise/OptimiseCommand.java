@@ -86,7 +86,7 @@ public final class OptimiseCommand implements Callable<Integer> {
       defaultValue = "auto",
       description =
           "auto: lm for residuals, sqp with constraints, else bobyqa; lm: Levenberg-Marquardt; sqp:"
-              + " sequential quadratic programming with differences; bobyqa: Powell's quadratic"
+              + " sequential quadratic programming; bobyqa: Powell's quadratic"
               + " models; cmaes: evolution strategy (default: ${DEFAULT-VALUE}).")
   private String method = "auto";
 
@@ -136,6 +136,9 @@ public final class OptimiseCommand implements Callable<Integer> {
   @Option(names = "--json", description = "Print one JSON object.")
   private boolean json;
 
+  /** How derivatives were found, for the answer; empty for a method without them. */
+  private String derivatives = "";
+
   @Spec private CommandSpec spec = CommandSpec.create();
 
   @Override
@@ -150,7 +153,7 @@ public final class OptimiseCommand implements Callable<Integer> {
     Optimum optimum;
     try {
       settings = settings();
-      problem = problem(design.model());
+      problem = problem(design.model(), settings.method());
       optimum = Optimiser.minimise(problem, settings);
     } catch (IllegalArgumentException | MechmlException e) {
       throw VariableOptions.refused(MessageCode.DESIGN_UNUSABLE, e);
@@ -193,7 +196,7 @@ public final class OptimiseCommand implements Callable<Integer> {
         Math.min(Math.max(1, starts), Runtime.getRuntime().availableProcessors()));
   }
 
-  private DesignProblem problem(MechModel model) throws MechmlException {
+  private DesignProblem problem(MechModel model, Method asked) throws MechmlException {
     if ((minimise.isPresent() ? 1 : 0)
             + (maximise.isPresent() ? 1 : 0)
             + (residuals.isEmpty() ? 0 : 1)
@@ -201,12 +204,19 @@ public final class OptimiseCommand implements Callable<Integer> {
       throw new UsageException(
           MessageCode.DESIGN_UNUSABLE + " write one of --minimise, --maximise and --residual");
     }
-    ModelDesign asked = new ModelDesign(model, design.variables(model));
-    minimise.ifPresent(asked::minimise);
-    maximise.ifPresent(asked::maximise);
-    residuals.forEach(asked::residual);
-    constraints.forEach(asked::subjectTo);
-    return asked.problem();
+    ModelDesign made = new ModelDesign(model, design.variables(model));
+    minimise.ifPresent(made::minimise);
+    maximise.ifPresent(made::maximise);
+    residuals.forEach(made::residual);
+    constraints.forEach(made::subjectTo);
+    DesignProblem plain = made.problem();
+    if (!asked.chosenFor(plain).hasDerivatives()) {
+      return plain;
+    }
+    VariableOptions.Derived<DesignProblem> derived =
+        design.derived(exact -> exact ? made.problem(true) : plain);
+    derivatives = ", " + derived.derivatives();
+    return derived.made();
   }
 
   private int tell(Optimum optimum) {
@@ -286,7 +296,7 @@ public final class OptimiseCommand implements Callable<Integer> {
     };
   }
 
-  private static String text(Optimum optimum) {
+  private String text(Optimum optimum) {
     DesignProblem problem = optimum.problem();
     Trial best = optimum.best();
     StringBuilder text = new StringBuilder();
@@ -314,6 +324,7 @@ public final class OptimiseCommand implements Callable<Integer> {
         .append(", ")
         .append(optimum.failures())
         .append(" failed")
+        .append(derivatives)
         .toString();
   }
 

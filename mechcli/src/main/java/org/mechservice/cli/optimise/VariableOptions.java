@@ -48,10 +48,54 @@ final class VariableOptions {
           "Step of differences, as a part of each parameter's range (default: ${DEFAULT-VALUE}).")
   private double step;
 
+  @Option(
+      names = "--gradient",
+      paramLabel = "HOW",
+      defaultValue = "auto",
+      description =
+          "exact: derivatives by integrating them along with the motion; differences: of whole"
+              + " runs; auto: exact where the model has them (default: ${DEFAULT-VALUE}).")
+  private String gradient = "auto";
+
   @Mixin private ParameterOption settings = new ParameterOption();
 
   double step() {
     return step;
+  }
+
+  /** Something that is made with exact derivatives or without. */
+  interface Made<T> {
+    T made(boolean exact) throws MechmlException;
+  }
+
+  /**
+   * What was made, and how.
+   *
+   * @param derivatives how derivatives are found, for the answer
+   */
+  record Derived<T>(T made, String derivatives) {}
+
+  /**
+   * Makes something with exact derivatives, unless differences are asked for or there are none.
+   *
+   * @throws IllegalArgumentException if exact derivatives are asked for and there are none
+   */
+  <T> Derived<T> derived(Made<T> maker) throws MechmlException {
+    if (!List.of("auto", "exact", "differences").contains(gradient)) {
+      throw new IllegalArgumentException(
+          "--gradient is \"" + gradient + "\"; there are auto, exact and differences");
+    } else if (gradient.equals("differences")) {
+      return new Derived<>(maker.made(false), "differences of runs");
+    }
+    try {
+      return new Derived<>(maker.made(true), "exact derivatives");
+    } catch (IllegalArgumentException e) {
+      if (gradient.equals("exact")) {
+        throw e;
+      }
+      T without = maker.made(false);
+      return new Derived<>(without, "differences of runs, since " + e.getMessage());
+    }
   }
 
   /** Returns the name of the model's file. */

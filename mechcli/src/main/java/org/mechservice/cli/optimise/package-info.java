@@ -1,6 +1,6 @@
 /**
  * {@code mech optimise} and {@code mech identify}: parameters for which a model does best, or
- * agrees best with measurements.
+ * agrees best with measurements; and {@code mech gradient}, derivatives of results by parameters.
  *
  * <p>{@link org.mechservice.cli.optimise.VariableOptions} reads which parameters may be changed
  * between which bounds, in both commands; {@link org.mechservice.cli.optimise.OptimiseCommand} and

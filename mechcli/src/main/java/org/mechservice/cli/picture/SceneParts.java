@@ -3,6 +3,7 @@ package org.mechservice.cli.picture;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Function;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Coordinate;
@@ -16,9 +17,11 @@ import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.closure.CoordinateClosure;
 import org.mechservice.solver.mechanism.closure.DistanceClosure;
 import org.mechservice.solver.mechanism.closure.JointClosure;
+import org.mechservice.solver.mechanism.closure.KnifeEdgeClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.closure.PointOnLineClosure;
 import org.mechservice.solver.mechanism.closure.PointOnPlaneClosure;
+import org.mechservice.solver.mechanism.closure.RollingClosure;
 import org.mechservice.solver.mechanism.force.Bushing;
 import org.mechservice.solver.mechanism.force.Contact;
 import org.mechservice.solver.mechanism.force.ForceElement;
@@ -157,6 +160,18 @@ final class SceneParts {
       } else if (closure instanceof PointOnPlaneClosure one) {
         SceneConstraint.Kind kind = SceneConstraint.Kind.POINT_ON_PLANE;
         constraints.add(constraint(one.name(), kind, one.point(), one.plane(), one.normal()));
+      } else if (closure instanceof RollingClosure one) {
+        constraints.add(
+            new SceneConstraint(
+                one.name(),
+                SceneConstraint.Kind.ROLLING,
+                List.of(anchor(one.centre()), anchor(one.plane())),
+                point(one.normal()),
+                Optional.of(new SceneConstraint.Wheel(point(one.axle()), one.size())),
+                List.of()));
+      } else if (closure instanceof KnifeEdgeClosure one) {
+        SceneConstraint.Kind kind = SceneConstraint.Kind.KNIFE_EDGE;
+        constraints.add(constraint(one.name(), kind, one.point(), one.ground(), one.side()));
       } else if (closure instanceof CoordinateClosure one) {
         constraints.add(
             new SceneConstraint(
@@ -164,6 +179,7 @@ final class SceneParts {
                 SceneConstraint.Kind.COUPLING,
                 List.of(),
                 Point3.ZERO,
+                Optional.empty(),
                 coupled(one.relation())));
       }
     }
@@ -177,7 +193,12 @@ final class SceneParts {
       BodyPoint second,
       Vector3 direction) {
     return new SceneConstraint(
-        name, kind, List.of(anchor(first), anchor(second)), point(direction), List.of());
+        name,
+        kind,
+        List.of(anchor(first), anchor(second)),
+        point(direction),
+        Optional.empty(),
+        List.of());
   }
 
   /** Returns the names of the joints whose coordinates an expression contains. */

@@ -38,8 +38,8 @@ import org.omg.CORBA.UserException;
  * server, with the same bits. The run stays on its host if it cannot be saved, if its user has
  * paused it, or if no other host has a free place.
  *
- * <p>When the host is lost, {@link #toEnd} computes the run again on another host and passes on the
- * rows that are still missing.
+ * <p>When the host is lost, or the process of the run is killed there, {@link #toEnd} computes the
+ * run again on a host that takes it and passes on the rows that are still missing.
  */
 public final class RemoteRun implements PreparedRun {
   /**
@@ -176,9 +176,13 @@ public final class RemoteRun implements PreparedRun {
     for (int losses = 1; ; losses++) {
       try {
         drain(rows, clock);
-        return result();
+        RunResult result = result();
+        if (!wasKilled(result) || !placeAgain(losses)) {
+          return result;
+        }
+        rows.again();
       } catch (ServerLostException lost) {
-        placeAgain(lost, losses);
+        placeAgain(lost, "host " + place.hostName() + " was lost", losses);
         rows.again();
       } catch (IOException e) {
         cancel();
@@ -187,13 +191,30 @@ public final class RemoteRun implements PreparedRun {
     }
   }
 
+  private static boolean wasKilled(RunResult result) {
+    return result.outcome() instanceof Outcome.Failed failed
+        && failed.failure().code() == MessageCode.WORKER_KILLED;
+  }
+
+  /** Starts a run again whose process was killed; returns whether it was started. */
+  private boolean placeAgain(int losses) {
+    String what = "the process of the run was killed on host " + place.hostName();
+    try {
+      placeAgain(new ServerLostException(MessageCode.WORKER_KILLED.code(), what, ""), what, losses);
+      return true;
+    } catch (ServerLostException notPlaced) {
+      return false; // the outcome says it
+    }
+  }
+
   /**
-   * Starts the run on another host after its host was lost.
+   * Starts the run again after its host was lost.
    *
+   * @param what what has happened
    * @throws ServerLostException the same, if no host takes the run, or the run does not continue by
    *     itself
    */
-  private synchronized void placeAgain(ServerLostException lost, int losses) {
+  private synchronized void placeAgain(ServerLostException lost, String what, int losses) {
     if (!free || cancelled || losses > MOST_LOSSES || Double.isFinite(until)) {
       throw lost;
     }
@@ -219,12 +240,11 @@ public final class RemoteRun implements PreparedRun {
     if (cancelled) {
       cancel();
     }
-    moved = Optional.of("from its start, after host " + gone.hostName() + " was lost");
+    moved = Optional.of("from its start, after " + what);
     say(
         MessageCode.RUN_PLACED_AGAIN,
-        "host "
-            + gone.hostName()
-            + " is lost; the run is computed again on host "
+        what
+            + "; the run is computed again on host "
             + place.hostName()
             + " as "
             + id()

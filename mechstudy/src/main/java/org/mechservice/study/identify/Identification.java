@@ -4,10 +4,12 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import org.apache.commons.math3.distribution.TDistribution;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.SingularValueDecomposition;
 import org.mechservice.study.optimise.CentralDifferences;
+import org.mechservice.study.optimise.Derivatives;
 import org.mechservice.study.optimise.DesignVariable;
 import org.mechservice.study.optimise.LeastSquares;
 import org.mechservice.study.optimise.PointFailedException;
@@ -68,6 +70,20 @@ public record Identification(
    */
   public static Identification of(List<DesignVariable> variables, Response response, double step)
       throws PointFailedException {
+    return of(variables, response, step, Optional.empty());
+  }
+
+  /**
+   * Fits parameters.
+   *
+   * @param step of differences, as a part of the ranges, where there are no derivatives
+   * @param slopes derivatives of the residuals by the variables; empty for differences
+   * @throws PointFailedException if a point on the way cannot be computed
+   * @throws IllegalArgumentException if there are not more residuals than variables
+   */
+  public static Identification of(
+      List<DesignVariable> variables, Response response, double step, Optional<Derivatives> slopes)
+      throws PointFailedException {
     int[] runs = new int[1];
     Response onCube =
         parts -> {
@@ -88,10 +104,29 @@ public record Identification(
               + variables.size()
               + " parameters; more values than parameters are needed");
     }
-    CentralDifferences jacobian = new CentralDifferences(onCube, step);
+    Derivatives jacobian =
+        slopes.isPresent()
+            ? parts -> onCube(variables, slopes.get(), parts)
+            : new CentralDifferences(onCube, step);
     double[] parts = new LeastSquares(onCube, jacobian).minimise(start);
     double[] residuals = onCube.at(parts);
     return judged(variables, parts, residuals, jacobian.at(parts), runs[0]);
+  }
+
+  private static double[][] onCube(
+      List<DesignVariable> variables, Derivatives slopes, double[] parts)
+      throws PointFailedException {
+    double[] point = new double[parts.length];
+    for (int j = 0; j < point.length; j++) {
+      point[j] = variables.get(j).value(parts[j]);
+    }
+    double[][] scaled = slopes.at(point);
+    for (double[] row : scaled) {
+      for (int j = 0; j < row.length; j++) {
+        row[j] *= variables.get(j).upper() - variables.get(j).lower();
+      }
+    }
+    return scaled;
   }
 
   private static Identification judged(

@@ -11,6 +11,8 @@ import org.mechservice.result.SignalTable;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.study.PointModel;
 import org.mechservice.study.Reduction;
+import org.mechservice.study.gradient.RowGradients;
+import org.mechservice.study.optimise.Derivatives;
 import org.mechservice.study.optimise.DesignVariable;
 import org.mechservice.study.optimise.ModelDesign;
 import org.mechservice.study.optimise.PointFailedException;
@@ -135,6 +137,36 @@ public final class Measurements {
         set.put(names.get(j), point[j]);
       }
       return weighted(ModelDesign.reduced(points, set));
+    };
+  }
+
+  /**
+   * Returns the exact derivatives of the residuals by the variables.
+   *
+   * @throws MechmlException if the model cannot be used
+   * @throws IllegalArgumentException if there are none; says why
+   */
+  public Derivatives slopes(MechModel model, List<DesignVariable> variables)
+      throws MechmlException {
+    List<Reduction> reductions =
+        samples.stream()
+            .map(each -> new Reduction(each.output(), Reduction.Kind.AT, each.time()))
+            .toList();
+    RowGradients gradients =
+        RowGradients.of(model, variables.stream().map(DesignVariable::name).toList(), reductions);
+    return point -> {
+      double[][] slopes;
+      try {
+        slopes = gradients.at(point);
+      } catch (IllegalArgumentException e) {
+        throw new PointFailedException(String.valueOf(e.getMessage()));
+      }
+      for (int i = 0; i < slopes.length; i++) {
+        for (int j = 0; j < slopes[i].length; j++) {
+          slopes[i][j] /= samples.get(i).deviation();
+        }
+      }
+      return slopes;
     };
   }
 

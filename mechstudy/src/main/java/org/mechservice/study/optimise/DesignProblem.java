@@ -1,6 +1,7 @@
 package org.mechservice.study.optimise;
 
 import java.util.List;
+import java.util.Optional;
 
 /**
  * What is to be optimised: variables with bounds, an objective or residuals, constraints.
@@ -8,8 +9,18 @@ import java.util.List;
  * @param variables what may be changed; at least one
  * @param aims what is wanted: one objective or any number of residuals, and constraints
  * @param response values of the aims as functions of the variables
+ * @param slopes their derivatives by the variables; empty if methods are to take differences
  */
-public record DesignProblem(List<DesignVariable> variables, List<Aim> aims, Response response) {
+public record DesignProblem(
+    List<DesignVariable> variables,
+    List<Aim> aims,
+    Response response,
+    Optional<Derivatives> slopes) {
+  /** A problem without derivatives. */
+  public DesignProblem(List<DesignVariable> variables, List<Aim> aims, Response response) {
+    this(variables, aims, response, Optional.empty());
+  }
+
   /**
    * @throws IllegalArgumentException if there is nothing to change, or nothing or more than one
    *     thing to minimise
@@ -41,6 +52,11 @@ public record DesignProblem(List<DesignVariable> variables, List<Aim> aims, Resp
       values[j] = variables.get(j).value(parts[j]);
     }
     return values;
+  }
+
+  /** Returns the range of a variable, by which a part of the unit cube is multiplied. */
+  double range(int variable) {
+    return variables.get(variable).upper() - variables.get(variable).lower();
   }
 
   /** Returns the start as a point of the unit cube. */

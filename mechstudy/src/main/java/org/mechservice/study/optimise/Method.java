@@ -38,12 +38,17 @@ public enum Method {
     return Arrays.stream(values()).map(Method::label).collect(Collectors.joining(", "));
   }
 
+  /** Returns whether it uses derivatives. */
+  public boolean hasDerivatives() {
+    return this == LM || this == SQP;
+  }
+
   /**
    * Returns the method that is used for a problem.
    *
    * @throws IllegalArgumentException if this one does not fit it
    */
-  Method chosenFor(DesignProblem problem) {
+  public Method chosenFor(DesignProblem problem) {
     return switch (this) {
       case AUTO ->
           problem.hasResiduals() && !problem.hasConstraints()

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -16,12 +17,16 @@ import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.study.PointModel;
 import org.mechservice.study.PointOutcome;
 import org.mechservice.study.Reduction;
+import org.mechservice.study.gradient.RowGradients;
 
 /**
  * A design problem about a model, put together from texts: what to minimise, what to hold. A
  * formula may name reductions of outputs and parameters of the model.
  */
 public final class ModelDesign {
+  /** Step of the differences of formulas, a part of a variable's range: the cube root of 1e-16. */
+  private static final double FORMULA_STEP = 1e-5;
+
   private static final Pattern RELATION = Pattern.compile("<=|>=|==|<|>|=");
 
   /** A formula less another, and its aim. */
@@ -129,23 +134,79 @@ public final class ModelDesign {
    *     minimise
    */
   public DesignProblem problem() throws MechmlException {
+    return problem(false);
+  }
+
+  /**
+   * Returns the problem, with exact derivatives if this is wanted.
+   *
+   * @throws MechmlException if the model cannot be used
+   * @throws IllegalArgumentException as {@link #problem()}, or if there are no exact derivatives;
+   *     says why
+   */
+  public DesignProblem problem(boolean exact) throws MechmlException {
     List<String> names = variables.stream().map(DesignVariable::name).toList();
     if (reductions.isEmpty()) {
       throw new IllegalArgumentException("no formula names an output of the model");
     }
     PointModel points = PointModel.of(model, names, reductions);
+    Optional<Derivatives> slopes = Optional.empty();
+    if (exact) {
+      RowGradients gradients = RowGradients.of(model, names, reductions);
+      slopes = Optional.of(point -> slopes(points, gradients, point));
+    }
     return new DesignProblem(
-        variables, wanted.stream().map(Wanted::aim).toList(), point -> values(points, point));
+        variables,
+        wanted.stream().map(Wanted::aim).toList(),
+        point -> values(points, point),
+        slopes);
   }
 
-  private double[] values(PointModel points, double[] point) throws PointFailedException {
+  /**
+   * Returns the derivatives of the aims: exact ones of the reductions, and differences of the
+   * formulas, which cost no runs.
+   */
+  private double[][] slopes(PointModel points, RowGradients gradients, double[] point)
+      throws PointFailedException {
+    double[][] byVariable;
+    try {
+      byVariable = gradients.at(point);
+    } catch (IllegalArgumentException e) {
+      throw new PointFailedException(String.valueOf(e.getMessage()));
+    }
+    double[] reduced = reduced(points, named(point));
+    double[][] slopes = new double[wanted.size()][point.length];
+    for (int j = 0; j < point.length; j++) {
+      double range = variables.get(j).upper() - variables.get(j).lower();
+      for (int side = -1; side <= 1; side += 2) {
+        double move = side * FORMULA_STEP * range;
+        double[] moved = reduced.clone();
+        for (int r = 0; r < moved.length; r++) {
+          moved[r] += move * byVariable[r][j];
+        }
+        Map<String, Double> all = new HashMap<>(fixed);
+        all.putAll(named(point));
+        all.merge(variables.get(j).name(), move, Double::sum);
+        for (int i = 0; i < slopes.length; i++) {
+          slopes[i][j] += wanted.get(i).value(moved, all) / (2 * move);
+        }
+      }
+    }
+    return slopes;
+  }
+
+  private Map<String, Double> named(double[] point) {
     Map<String, Double> set = new HashMap<>();
     for (int j = 0; j < point.length; j++) {
       set.put(variables.get(j).name(), point[j]);
     }
-    double[] reduced = reduced(points, set);
+    return set;
+  }
+
+  private double[] values(PointModel points, double[] point) throws PointFailedException {
+    double[] reduced = reduced(points, named(point));
     Map<String, Double> all = new HashMap<>(fixed);
-    all.putAll(set);
+    all.putAll(named(point));
     return wanted.stream().mapToDouble(each -> each.value(reduced, all)).toArray();
   }
 

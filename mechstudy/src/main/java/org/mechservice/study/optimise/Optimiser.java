@@ -100,8 +100,7 @@ public final class Optimiser {
 
   private static void leastSquares(Trials trials, double step, double[] from) {
     try {
-      new LeastSquares(trials::residuals, new CentralDifferences(trials::residuals, step))
-          .minimise(from);
+      new LeastSquares(trials::residuals, trials.slopes(true, step)).minimise(from);
     } catch (PointFailedException e) {
       throw new Trials.StartFailedException(
           "Levenberg-Marquardt cannot pass a point that fails: " + e.getMessage());

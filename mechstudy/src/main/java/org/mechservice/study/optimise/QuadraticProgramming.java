@@ -39,7 +39,7 @@ final class QuadraticProgramming {
 
   QuadraticProgramming(DesignProblem problem, Trials trials, double step) {
     this.trials = trials;
-    derivatives = new CentralDifferences(trials::scaled, step);
+    derivatives = trials.slopes(false, step);
     n = problem.variables().size();
     atMost = trials.count(Aim.Kind.AT_MOST_ZERO);
     zero = trials.count(Aim.Kind.ZERO);

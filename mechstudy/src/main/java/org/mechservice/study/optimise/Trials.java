@@ -101,6 +101,49 @@ final class Trials {
     return values;
   }
 
+  /**
+   * Returns the derivatives of {@link #residuals}, or of {@link #scaled}, on the unit cube.
+   *
+   * @param step of differences, where the problem has no derivatives
+   */
+  Derivatives slopes(boolean ofResiduals, double step) {
+    if (problem.slopes().isEmpty()) {
+      return new CentralDifferences(ofResiduals ? this::residuals : this::scaled, step);
+    }
+    Derivatives known = problem.slopes().get();
+    return parts -> {
+      computed(parts);
+      double[][] all = known.at(problem.point(parts));
+      List<double[]> rows = new ArrayList<>();
+      if (!ofResiduals) {
+        add(all, Aim.Kind.MINIMISE, rows);
+        add(all, Aim.Kind.AT_MOST_ZERO, rows);
+        add(all, Aim.Kind.ZERO, rows);
+      } else {
+        add(all, Aim.Kind.RESIDUAL, rows);
+      }
+      return rows.toArray(double[][]::new);
+    };
+  }
+
+  private void add(double[][] all, Aim.Kind kind, List<double[]> rows) {
+    for (int i = 0; i < all.length; i++) {
+      if (problem.aims().get(i).kind() == kind) {
+        double scale =
+            switch (kind) {
+              case MINIMISE -> objectiveScale;
+              case RESIDUAL -> 1;
+              case AT_MOST_ZERO, ZERO -> scales[i];
+            };
+        double[] row = new double[all[i].length];
+        for (int j = 0; j < row.length; j++) {
+          row[j] = all[i][j] * problem.range(j) / scale;
+        }
+        rows.add(row);
+      }
+    }
+  }
+
   private Trial computed(double[] parts) throws PointFailedException {
     Trial trial = at(parts);
     if (trial.failure().isPresent()) {

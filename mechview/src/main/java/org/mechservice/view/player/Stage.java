@@ -317,6 +317,17 @@ public final class Stage {
         Mesh rail = Solids.cylinder(0.006 * extent, 1.2 * extent).moved(along);
         add(line.body(), Part.Role.JOINT, constraint.name(), rail);
       }
+      case ROLLING -> {
+        Anchor plane = constraint.anchors().get(1);
+        addSurface(constraint.name(), plane, constraint.direction());
+        addWheel(constraint.name(), constraint.anchors().get(0), constraint.wheel().orElseThrow());
+      }
+      case KNIFE_EDGE -> {
+        Anchor point = constraint.anchors().get(0);
+        Point3 side = constraint.direction().times(0.05 * extent);
+        Solids.rod(point.point().minus(side), point.point().plus(side), 0.006 * extent)
+            .forEach(mesh -> add(point.body(), Part.Role.JOINT, constraint.name(), mesh));
+      }
       case POINT_ON_PLANE -> {
         Anchor plane = constraint.anchors().get(1);
         addSurface(constraint.name(), plane, constraint.direction());
@@ -325,6 +336,15 @@ public final class Stage {
         // relates coordinates, is at no place
       }
     }
+  }
+
+  private void addWheel(String name, Anchor centre, SceneConstraint.Wheel wheel) {
+    double r = wheel.radius();
+    Mesh mesh =
+        wheel.isBall()
+            ? Solids.sphere(r).moved(at(centre.point()))
+            : Solids.tube(0.92 * r, r, 0.06 * r).moved(Solids.zAlong(wheel.axle(), centre.point()));
+    add(centre.body(), Part.Role.JOINT, name, mesh);
   }
 
   private void addSurface(String name, Anchor at, Point3 normal) {

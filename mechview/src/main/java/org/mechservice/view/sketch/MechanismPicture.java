@@ -100,6 +100,16 @@ public final class MechanismPicture {
         high = Math.max(high, projection.y(centre) + force.radius());
       }
     }
+    for (SceneConstraint constraint : scene.constraints()) {
+      if (constraint.wheel().isPresent()) {
+        Point3 centre = scene.world(constraint.anchors().get(0));
+        double radius = constraint.wheel().get().radius();
+        left = Math.min(left, projection.x(centre) - radius);
+        right = Math.max(right, projection.x(centre) + radius);
+        low = Math.min(low, projection.y(centre) - radius);
+        high = Math.max(high, projection.y(centre) + radius);
+      }
+    }
     double w = right - left;
     double h = high - low;
     double room = WIDTH - 2 * SIDE;
@@ -230,6 +240,7 @@ public final class MechanismPicture {
     }
     scene.constraints().stream()
         .filter(one -> one.kind() != SceneConstraint.Kind.POINT_ON_PLANE)
+        .filter(one -> one.kind() != SceneConstraint.Kind.ROLLING)
         .forEach(one -> one.anchors().forEach(this::addPoint));
     scene.forces().stream()
         .filter(one -> one.kind() != SceneForce.Kind.CONTACT)
@@ -425,6 +436,22 @@ public final class MechanismPicture {
         names.keepFree(point, joints.reach());
         names.name(constraint.name(), CONSTRAINT, false, List.of(point), 14);
       }
+      case ROLLING -> {
+        Place centre = place(constraint.anchors().get(0));
+        canvas.draw(rim(constraint), new Pen(CONSTRAINT, 1.6));
+        forces.dot(centre, CONSTRAINT);
+        names.name(constraint.name(), CONSTRAINT, false, List.of(centre), 14);
+      }
+      case KNIFE_EDGE -> {
+        Place point = place(constraint.anchors().get(0));
+        Point3 side = scene.pose(constraint.anchors().get(0).body()).turn(constraint.direction());
+        Place across = direction(side).times(30);
+        canvas.draw(
+            JointSymbols.polygon(point.minus(across), point.plus(across)),
+            new Pen(CONSTRAINT, 1.6).dashed(1));
+        forces.dot(point, CONSTRAINT);
+        names.name(constraint.name(), CONSTRAINT, false, List.of(point), 14);
+      }
       case POINT_ON_PLANE -> {
         Place point = place(constraint.anchors().get(0));
         Point3 normal = turned(constraint);
@@ -444,6 +471,27 @@ public final class MechanismPicture {
         names.name(constraint.name(), CONSTRAINT, false, List.of(point), 14);
       }
     }
+  }
+
+  /** Returns the rim of a wheel, or the circle of a ball that faces the viewer. */
+  private Path2D rim(SceneConstraint constraint) {
+    Anchor centre = constraint.anchors().get(0);
+    SceneConstraint.Wheel wheel = constraint.wheel().orElseThrow();
+    Point3 axle =
+        wheel.isBall()
+            ? projection.right().cross(projection.up())
+            : scene.pose(centre.body()).turn(wheel.axle());
+    Point3 across = Math.abs(axle.x()) < 0.8 ? new Point3(1, 0, 0) : new Point3(0, 1, 0);
+    Point3 first = axle.cross(across);
+    Point3 u = first.times(wheel.radius() / first.norm());
+    Point3 v = axle.cross(u);
+    Point3 at = scene.world(centre);
+    Place[] corners = new Place[48];
+    for (int i = 0; i < corners.length; i++) {
+      double angle = 2 * Math.PI * i / corners.length;
+      corners[i] = place(at.plus(u.times(Math.cos(angle))).plus(v.times(Math.sin(angle))));
+    }
+    return JointSymbols.polygon(corners);
   }
 
   private Point3 turned(SceneConstraint constraint) {

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -118,6 +119,9 @@ class MechanismPictureTest {
             kind,
             couples ? List.of() : List.of(end(1), start(Anchor.ROOT)),
             new Point3(0.6, 0, 0.8),
+            kind == SceneConstraint.Kind.ROLLING
+                ? Optional.of(new SceneConstraint.Wheel(new Point3(0, 1, 0), 0.3))
+                : Optional.empty(),
             couples ? List.of("joint0", "joint1") : List.of()));
 
     SvgPicture picture = picture(ViewPlane.AUTO);

@@ -19,9 +19,11 @@ import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.mechanism.closure.DistanceClosure;
 import org.mechservice.solver.mechanism.closure.JointClosure;
+import org.mechservice.solver.mechanism.closure.KnifeEdgeClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.closure.PointOnLineClosure;
 import org.mechservice.solver.mechanism.closure.PointOnPlaneClosure;
+import org.mechservice.solver.mechanism.closure.RollingClosure;
 import org.mechservice.solver.mechanism.joint.StartRole;
 import org.mechservice.solver.spatial.Vector3;
 
@@ -66,6 +68,8 @@ public final class ConstraintsReader {
       case "CoordConstraint" -> couplings.read(element);
       case "PointOnPlane" -> pointOnPlane(element);
       case "PointOnLine" -> pointOnLine(element);
+      case "Rolling" -> rolling(element);
+      case "KnifeEdge" -> knifeEdge(element);
       default -> jointConstraint(element);
     };
   }
@@ -162,6 +166,65 @@ public final class ConstraintsReader {
                 point.orElseThrow(),
                 line.orElseThrow(),
                 direction.get(),
+                names.origin(element)))
+        : Optional.empty();
+  }
+
+  private Optional<RollingClosure> rolling(Element element) {
+    Element carrier = element.requiredChild("body1");
+    Element wheel = element.requiredChild("body2");
+    Optional<BodyPoint> plane = names.point(carrier);
+    Optional<BodyPoint> centre = names.point(wheel);
+    Optional<Vector3> normal = frames.direction(carrier, "the normal of the plane");
+    boolean isWheel = wheel.attribute("vector").isPresent();
+    Optional<Vector3> axle =
+        isWheel ? frames.direction(wheel, "the axle of the wheel") : Optional.of(Vector3.ZERO);
+    OptionalDouble radius = values.quantity(element, "radius", Quantity.LENGTH);
+    OptionalDouble tube = values.quantityOrZero(element, "tube", Quantity.LENGTH);
+    boolean joins = joinsTwoBodies(element, plane, centre);
+    if (radius.isPresent() && radius.getAsDouble() <= 0) {
+      error(
+          MessageCode.DISTANCE_NOT_POSITIVE,
+          element,
+          Phrase.of("radius is %s m; it must be positive", radius.getAsDouble()));
+      return Optional.empty();
+    }
+    if (tube.isPresent() && (tube.getAsDouble() < 0 || (tube.getAsDouble() > 0 && !isWheel))) {
+      error(
+          MessageCode.DISTANCE_NOT_POSITIVE,
+          element,
+          isWheel
+              ? Phrase.of("tube is %s m; it must not be negative", tube.getAsDouble())
+              : "a ball has no tube; give body2 a vector, which is the axle of a wheel");
+      return Optional.empty();
+    }
+    if (!joins || normal.isEmpty() || axle.isEmpty() || radius.isEmpty() || tube.isEmpty()) {
+      return Optional.empty();
+    }
+    return Optional.of(
+        new RollingClosure(
+            element.required("name"),
+            plane.orElseThrow(),
+            normal.get(),
+            centre.orElseThrow(),
+            axle.get(),
+            radius.getAsDouble(),
+            tube.getAsDouble(),
+            names.origin(element)));
+  }
+
+  private Optional<KnifeEdgeClosure> knifeEdge(Element element) {
+    Element edge = element.requiredChild("body2");
+    Optional<BodyPoint> ground = names.point(element.requiredChild("body1"));
+    Optional<BodyPoint> point = names.point(edge);
+    Optional<Vector3> side = frames.direction(edge, "the direction across the edge");
+    return joinsTwoBodies(element, ground, point) && side.isPresent()
+        ? Optional.of(
+            new KnifeEdgeClosure(
+                element.required("name"),
+                ground.orElseThrow(),
+                point.orElseThrow(),
+                side.get(),
                 names.origin(element)))
         : Optional.empty();
   }

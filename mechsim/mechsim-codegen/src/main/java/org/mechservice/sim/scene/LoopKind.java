@@ -2,9 +2,11 @@ package org.mechservice.sim.scene;
 
 import org.mechservice.solver.mechanism.closure.DistanceClosure;
 import org.mechservice.solver.mechanism.closure.JointClosure;
+import org.mechservice.solver.mechanism.closure.KnifeEdgeClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.closure.PointOnLineClosure;
 import org.mechservice.solver.mechanism.closure.PointOnPlaneClosure;
+import org.mechservice.solver.mechanism.closure.RollingClosure;
 
 /** Names of the kinds of constraints in reports. */
 final class LoopKind {
@@ -23,6 +25,12 @@ final class LoopKind {
     }
     if (closure instanceof PointOnLineClosure) {
       return "point on line";
+    }
+    if (closure instanceof RollingClosure rolling) {
+      return rolling.isBall() ? "rolling ball" : "rolling wheel";
+    }
+    if (closure instanceof KnifeEdgeClosure) {
+      return "knife edge";
     }
     return "coupling";
   }

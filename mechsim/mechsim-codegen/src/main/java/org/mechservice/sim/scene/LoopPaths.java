@@ -6,9 +6,11 @@ import java.util.List;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.closure.DistanceClosure;
 import org.mechservice.solver.mechanism.closure.JointClosure;
+import org.mechservice.solver.mechanism.closure.KnifeEdgeClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.closure.PointOnLineClosure;
 import org.mechservice.solver.mechanism.closure.PointOnPlaneClosure;
+import org.mechservice.solver.mechanism.closure.RollingClosure;
 import org.mechservice.solver.mechanism.joint.Attachment;
 
 /** The paths through the tree that constraints close to loops. */
@@ -83,6 +85,12 @@ final class LoopPaths {
     }
     if (closure instanceof PointOnLineClosure line) {
       return List.of(new Pair(line.line().body(), line.point().body()));
+    }
+    if (closure instanceof RollingClosure rolling) {
+      return List.of(new Pair(rolling.plane().body(), rolling.centre().body()));
+    }
+    if (closure instanceof KnifeEdgeClosure edge) {
+      return List.of(new Pair(edge.ground().body(), edge.point().body()));
     }
     return List.of();
   }

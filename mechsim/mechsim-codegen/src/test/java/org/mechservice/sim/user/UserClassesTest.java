@@ -13,7 +13,9 @@ import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.solver.api.UserForce;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.compact.LoadedUserForces;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.force.UserForceElement;
 
 /** What classes of users have to be before they are let in. */
 class UserClassesTest {
@@ -65,6 +67,24 @@ class UserClassesTest {
                 ClassNotFoundException.class,
                 () -> classes.loader().loadClass("org.mechservice.solver.mechanism.Mechanism")))
         .isNotNull();
+  }
+
+  /** Reflection writes a class of its own for a constructor that is called often. */
+  @Test
+  void forceIsMadeAsOftenAsRunsNeedIt() throws Exception {
+    UserClasses classes =
+        UserClasses.admit(CART, List.of(PushedCart.asSource(PushedCart.source())), true);
+    LoadedUserForces forces = new LoadedUserForces(classes.loader());
+    UserForceElement push =
+        CART.forces().stream()
+            .filter(UserForceElement.class::isInstance)
+            .map(UserForceElement.class::cast)
+            .findFirst()
+            .orElseThrow();
+    for (int i = 0; i < 40; i++) {
+      assertThat(forces.create(push).getClass().getName()).isEqualTo("car.Push");
+    }
+    System.clearProperty(PushedCart.TRACE);
   }
 
   @Test

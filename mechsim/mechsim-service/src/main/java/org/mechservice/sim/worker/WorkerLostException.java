@@ -1,25 +1,30 @@
 package org.mechservice.sim.worker;
 
+import org.mechservice.solver.catalogue.MessageCode;
+
 /** A worker has ended without a result. */
 public final class WorkerLostException extends RuntimeException {
   private static final long serialVersionUID = 1L;
 
+  private final MessageCode code;
   private final String advice;
-  private final boolean outOfMemory;
 
-  WorkerLostException(String text, String advice, boolean outOfMemory) {
+  WorkerLostException(MessageCode code, String text, String advice) {
     super(text);
+    this.code = code;
     this.advice = advice;
-    this.outOfMemory = outOfMemory;
+  }
+
+  /**
+   * Returns why it ended: without memory (S-110), killed from outside (S-178), or by something in
+   * it (S-157).
+   */
+  public MessageCode code() {
+    return code;
   }
 
   /** Returns what the user or the operator can do. */
   public String advice() {
     return advice;
-  }
-
-  /** Returns whether it needed more memory than it was given. */
-  public boolean outOfMemory() {
-    return outOfMemory;
   }
 }

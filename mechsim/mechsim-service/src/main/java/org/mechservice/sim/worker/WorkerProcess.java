@@ -19,6 +19,7 @@ import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.Checkpoints;
 import org.mechservice.solver.api.run.RunControl;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** A worker as its host sees it. Runs once. */
 public final class WorkerProcess {
@@ -109,9 +110,9 @@ public final class WorkerProcess {
       return new Dialogue(in, out, sink, control, checkpoints).hold(order);
     } catch (StreamCorruptedException e) {
       throw new WorkerLostException(
+          MessageCode.WORKER_ENDED,
           "the process of the run sent what makes no sense: " + e.getMessage() + ".",
-          ASK_CLASSES,
-          false);
+          ASK_CLASSES);
     } catch (PeerGoneException e) {
       throw lost(started, bounds.heapBytes());
     } finally {
@@ -160,12 +161,13 @@ public final class WorkerProcess {
       Thread.currentThread().interrupt();
     }
     return new WorkerLostException(
-        "the process of the run does not answer any more.", ASK_CLASSES, false);
+        MessageCode.WORKER_ENDED, "the process of the run does not answer any more.", ASK_CLASSES);
   }
 
   private static WorkerLostException lost(int status, long memoryBytes) {
     if (status == EXIT_OUT_OF_MEMORY) {
       return new WorkerLostException(
+          MessageCode.OUT_OF_MEMORY,
           memoryBytes > 0
               ? String.format(
                   Locale.ROOT,
@@ -173,24 +175,25 @@ public final class WorkerProcess {
                       + " process.",
                   memoryBytes / MEGABYTE)
               : "the run needed more memory than its process could get.",
-          ASK_CLASSES,
-          true);
+          ASK_CLASSES);
     } else if (status == SIGNALLED + SIGKILL || status == SIGNALLED + SIGTERM) {
       return new WorkerLostException(
+          MessageCode.WORKER_KILLED,
           "the process of the run was killed from outside, with signal "
               + (status - SIGNALLED)
               + ".",
           "Start the run again. If this happens again, ask the operator whether the machine has run"
-              + " out of memory.",
-          false);
+              + " out of memory.");
     } else if (status == SIGNALLED + SIGXCPU) {
       return new WorkerLostException(
-          "the process of the run has used up its processor time.", ASK_CLASSES, false);
+          MessageCode.WORKER_ENDED,
+          "the process of the run has used up its processor time.",
+          ASK_CLASSES);
     }
     return new WorkerLostException(
+        MessageCode.WORKER_ENDED,
         "the process of the run ended unexpectedly, with status " + status + ".",
-        ASK_CLASSES,
-        false);
+        ASK_CLASSES);
   }
 
   /** The worker has closed its end. */
@@ -251,7 +254,9 @@ public final class WorkerProcess {
 
     private WorkerLostException thrown() throws IOException {
       return new WorkerLostException(
-          "the process of the run failed: " + hear(in::readUTF) + ".", ASK_CLASSES, false);
+          MessageCode.WORKER_ENDED,
+          "the process of the run failed: " + hear(in::readUTF) + ".",
+          ASK_CLASSES);
     }
 
     private IllegalArgumentException refused() throws IOException {

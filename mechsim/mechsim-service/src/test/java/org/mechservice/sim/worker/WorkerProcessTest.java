@@ -3,6 +3,7 @@ package org.mechservice.sim.worker;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
+import org.mechservice.solver.catalogue.MessageCode;
 
 class WorkerProcessTest {
   private static WorkerLostException lostAfter(String last) throws Exception {
@@ -16,13 +17,20 @@ class WorkerProcessTest {
   void workerWithoutMemoryIsToldFromOthersHoweverLongItTakesToDie() throws Exception {
     assertThat(lostAfter("sleep 3; exit 3"))
         .hasMessageContaining("more than the 300 MB of memory")
-        .matches(WorkerLostException::outOfMemory);
+        .matches(lost -> lost.code() == MessageCode.OUT_OF_MEMORY);
   }
 
   @Test
   void workerThatEndsOtherwiseIsReportedWithItsStatus() throws Exception {
     assertThat(lostAfter("exit 7"))
         .hasMessageContaining("with status 7")
-        .matches(lost -> !lost.outOfMemory());
+        .matches(lost -> lost.code() == MessageCode.WORKER_ENDED);
+  }
+
+  @Test
+  void workerThatIsKilledFromOutsideIsNotBlamedOnItsClasses() throws Exception {
+    assertThat(lostAfter("kill -9 $$"))
+        .hasMessageContaining("killed from outside, with signal 9")
+        .matches(lost -> lost.code() == MessageCode.WORKER_KILLED);
   }
 }

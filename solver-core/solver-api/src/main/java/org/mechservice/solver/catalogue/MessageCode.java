@@ -264,6 +264,7 @@ public enum MessageCode {
   DISK_FULL("S-174"),
   RESULT_TOO_LARGE("S-176"),
   RESULT_UNREADABLE("S-177"),
+  WORKER_KILLED("S-178"),
   STUDY_UNUSABLE("S-180"),
   STUDY_CHANGED("S-181"),
   STUDY_PARTS("S-182"),
@@ -274,7 +275,9 @@ public enum MessageCode {
   NO_POINT_FEASIBLE("S-212"),
   MEASUREMENTS_UNUSABLE("S-213"),
   NOT_IDENTIFIABLE("S-214", WARNING),
-  START_ENDED("S-215", WARNING);
+  START_ENDED("S-215", WARNING),
+  GRADIENT_UNUSABLE("S-216"),
+  GRADIENT_FAILED("S-217");
 
   private final String code;
   private final Severity severity;

@@ -29,10 +29,26 @@ final class FreeDirections {
 
   /** Chooses directions at the placed state of the equations, whose J must be evaluated. */
   FreeDirections(EquationsOfMotion equations) {
+    this(equations, false);
+  }
+
+  /**
+   * Returns the directions in which positions are free: those of the velocities, and those that
+   * only non-holonomic equations forbid. The equations are placed as for the constructor.
+   */
+  static FreeDirections ofPositions(EquationsOfMotion equations) {
+    return new FreeDirections(equations, true);
+  }
+
+  private FreeDirections(EquationsOfMotion equations, boolean ofPositions) {
     this.equations = equations;
     n = equations.nv;
-    equations.jacobian.decompose();
-    rank = equations.rank();
+    if (ofPositions) {
+      equations.jacobian.decomposeOfPositions();
+    } else {
+      equations.jacobian.decompose();
+    }
+    rank = equations.loops.holonomicCount() == 0 && ofPositions ? 0 : equations.rank();
     PivotedElimination elimination = new PivotedElimination(equations.lambda.length, n);
     elimination.eliminate(equations.jacobian.elements(), rank);
     independent = new int[n - rank];
@@ -136,23 +152,23 @@ final class FreeDirections {
     }
   }
 
-  /** Returns Rᵀ A B, f × f, with A n × n and B n × f. */
-  double[] reduce(double[] a, double[] b) {
+  /** Returns Rᵀ A B, f × columns, with A n × n and B n × columns. */
+  double[] reduce(double[] a, double[] b, int columns) {
     int f = freedom();
-    double[] product = new double[f * f];
+    double[] product = new double[f * columns];
     double[] ab = new double[n];
     double[] reduced = new double[f];
-    for (int j = 0; j < f; j++) {
+    for (int j = 0; j < columns; j++) {
       for (int i = 0; i < n; i++) {
         double sum = 0;
         for (int k = 0; k < n; k++) {
-          sum += a[i * n + k] * b[k * f + j];
+          sum += a[i * n + k] * b[k * columns + j];
         }
         ab[i] = sum;
       }
       project(ab, reduced);
       for (int i = 0; i < f; i++) {
-        product[i * f + j] = reduced[i];
+        product[i * columns + j] = reduced[i];
       }
     }
     return product;

@@ -163,7 +163,7 @@ final class LinearModel implements ResultTable, RunNotes {
   }
 
   private int writeModes(double t, Linearisation linear, ResultSink sink) throws IOException {
-    if (linear.freedom() + linear.furtherCount() == 0) {
+    if (linear.order() == 0) {
       return ExplicitModel.REGULAR;
     }
     double[] system = linear.system();
@@ -205,9 +205,11 @@ final class LinearModel implements ResultTable, RunNotes {
    */
   private int writeMatrices(double t, Linearisation linear, ResultSink sink) throws IOException {
     int f = linear.freedom();
+    int fq = linear.placeFreedom();
     int ns = linear.furtherCount();
+    int ofStiffness = 2 + 2 * names.count();
     int ofStates = 2 + 3 * names.count();
-    double[][] matrices = {linear.mass, linear.damping, linear.stiffness};
+    double[][] matrices = {linear.mass, linear.damping};
     for (int i = 0; i < f; i++) {
       double[] row = new double[ofStates + ns];
       row[0] = t;
@@ -218,6 +220,9 @@ final class LinearModel implements ResultTable, RunNotes {
           row[2 + m * names.count() + linear.independent()[j]] = matrices[m][i * f + j];
         }
       }
+      for (int j = 0; j < fq; j++) {
+        row[ofStiffness + linear.independentPlaces()[j]] = linear.stiffnessOfPlaces[i * fq + j];
+      }
       sink.row(row);
     }
     for (int k = 0; k < ns; k++) {
@@ -225,9 +230,10 @@ final class LinearModel implements ResultTable, RunNotes {
       row[0] = t;
       row[1] = names.count() + k + 1;
       for (int l = 0; l < f; l++) {
-        int column = 2 + names.count() + linear.independent()[l];
-        row[column] = linear.rateDamping[k * f + l];
-        row[column + names.count()] = linear.rateStiffness[k * f + l];
+        row[2 + names.count() + linear.independent()[l]] = linear.rateDamping[k * f + l];
+      }
+      for (int l = 0; l < fq; l++) {
+        row[ofStiffness + linear.independentPlaces()[l]] = linear.rateStiffness[k * fq + l];
       }
       System.arraycopy(linear.rateByState, k * ns, row, ofStates, ns);
       sink.row(row);

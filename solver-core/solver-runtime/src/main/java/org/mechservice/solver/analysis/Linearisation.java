@@ -26,14 +26,30 @@ import org.mechservice.solver.linear.LinearSolver;
  *
  * <pre>M z'' + C z' + K z + B s = 0,  s' + C_s z' + K_s z + D s = 0</pre>
  *
+ * <p>Non-holonomic equations leave more freedoms to positions, ξ = R_q ζ, than to velocities, v = R
+ * w + V ζ. The equations are then of first order in ζ:
+ *
+ * <pre>M w' + C w + K_q ζ = 0,  ζ' = [R w + V ζ] of the independent positions</pre>
+ *
+ * <p>with K_q as K, but with R_q in place of the right R. {@link #stiffness} remains that along the
+ * free directions of velocities, in which a mechanism moves from rest.
+ *
  * <p>At an equilibrium the equations describe the motions near it; at another state they describe
  * the differences between neighbouring motions at that time.
  */
 final class Linearisation {
   private final EquationsOfMotion equations;
   private final FreeDirections free;
+
+  /** Directions of positions; those of velocities if all equations are holonomic. */
+  private final FreeDirections places;
+
+  private final LoopVariations loops;
   private final int n;
   private final int f;
+
+  /** Number of freedoms of positions. */
+  private final int fq;
 
   /** M, C and K, f × f row by row. */
   final double[] mass;
@@ -41,7 +57,10 @@ final class Linearisation {
   final double[] damping;
   final double[] stiffness;
 
-  /** Turning of small rotations with the angular velocity of Euler parameters, f × f. */
+  /** K_q, f × fq row by row. */
+  final double[] stiffnessOfPlaces;
+
+  /** Turning of small rotations with the angular velocity of Euler parameters, fq × fq. */
   private final double[] turning;
 
   /** Number of further states. */
@@ -50,7 +69,7 @@ final class Linearisation {
   /** B, f × ns. */
   final double[] byState;
 
-  /** C_s and K_s, ns × f, and D, ns × ns: what follows from the derivatives of the states. */
+  /** C_s, ns × f, K_s, ns × fq, and D, ns × ns: what follows from the derivatives of the states. */
   final double[] rateDamping;
 
   final double[] rateStiffness;
@@ -72,7 +91,9 @@ final class Linearisation {
     equations.place(t, y);
     free = new FreeDirections(equations);
     f = free.freedom();
-    LoopVariations loops = new LoopVariations(equations, free, t, y, a);
+    places = equations.loops.isHolonomic() ? free : FreeDirections.ofPositions(equations);
+    fq = places.freedom();
+    loops = new LoopVariations(equations, free, places, t, y, a);
     equations.place(t, y);
     require(equations.applyForces(t));
     equations.formResidual(a, 0);
@@ -89,25 +110,26 @@ final class Linearisation {
     jacobian.mass().toDense(m);
     jacobian.byVelocity().toDense(c);
     jacobian.byPosition().toDense(k);
-    mass = free.reduce(m, free.r);
-    damping = sum(free.reduce(c, free.r), free.reduce(m, loops.accelerationByVelocity));
-    stiffness =
+    mass = free.reduce(m, free.r, f);
+    damping = sum(free.reduce(c, free.r, f), free.reduce(m, loops.accelerationByVelocity, f));
+    stiffnessOfPlaces =
         sum(
-            sum(free.reduce(k, free.r), free.reduce(c, loops.velocityByPlace)),
-            free.reduce(m, loops.accelerationByPlace));
+            sum(free.reduce(k, places.r, fq), free.reduce(c, loops.velocityByPlace, fq)),
+            free.reduce(m, loops.accelerationByPlace, fq));
+    stiffness = places == free ? stiffnessOfPlaces : free.reduce(k, free.r, f);
     ns = equations.tree.mechanism().furtherStates().size();
     byState = new double[f * ns];
     rateDamping = new double[ns * f];
-    rateStiffness = new double[ns * f];
+    rateStiffness = new double[ns * fq];
     rateByState = new double[ns * ns];
     if (ns > 0) {
-      lineariseFurther(t, y, loops);
+      lineariseFurther(t, y);
     }
     turning = turning();
   }
 
   /** Reduces the derivatives that further states add to the free directions. */
-  private void lineariseFurther(double t, double[] y, LoopVariations loops) {
+  private void lineariseFurther(double t, double[] y) {
     FurtherDerivatives further = new FurtherDerivatives(equations.nq, n, ns);
     further.evaluate(
         equations.motion,
@@ -126,15 +148,18 @@ final class Linearisation {
       for (int j = 0; j < f; j++) {
         byState[j * ns + k] = reduced[j];
         double damping = 0;
-        double stiffness = 0;
         for (int i = 0; i < n; i++) {
-          double direction = free.r[i * f + j];
-          damping -= further.byVelocity[k * n + i] * direction;
-          stiffness -= further.byPlace[k * n + i] * direction;
-          stiffness -= further.byVelocity[k * n + i] * loops.velocityByPlace[i * f + j];
+          damping -= further.byVelocity[k * n + i] * free.r[i * f + j];
         }
         rateDamping[k * f + j] = damping;
-        rateStiffness[k * f + j] = stiffness;
+      }
+      for (int j = 0; j < fq; j++) {
+        double stiffness = 0;
+        for (int i = 0; i < n; i++) {
+          stiffness -= further.byPlace[k * n + i] * places.r[i * fq + j];
+          stiffness -= further.byVelocity[k * n + i] * loops.velocityByPlace[i * fq + j];
+        }
+        rateStiffness[k * fq + j] = stiffness;
       }
       for (int l = 0; l < ns; l++) {
         rateByState[k * ns + l] = -further.byState[k * ns + l];
@@ -191,18 +216,18 @@ final class Linearisation {
 
   /** Returns the independent part of G R: ξ' = δv + ω × ξ for rotations. */
   private double[] turning() {
-    double[] rows = new double[f * f];
+    double[] rows = new double[fq * fq];
     for (int ball = 0; ball < equations.coordinates.ballCount(); ball++) {
       int at = equations.coordinates.ballVelocity(ball);
-      for (int i = 0; i < f; i++) {
-        int axis = free.independent[i] - at;
+      for (int i = 0; i < fq; i++) {
+        int axis = places.independent[i] - at;
         if (axis >= 0 && axis < 3) {
           int next = (axis + 1) % 3;
           int last = (axis + 2) % 3;
-          for (int j = 0; j < f; j++) {
-            rows[i * f + j] =
-                equations.motion.v[at + next] * free.r[(at + last) * f + j]
-                    - equations.motion.v[at + last] * free.r[(at + next) * f + j];
+          for (int j = 0; j < fq; j++) {
+            rows[i * fq + j] =
+                equations.motion.v[at + next] * places.r[(at + last) * fq + j]
+                    - equations.motion.v[at + last] * places.r[(at + next) * fq + j];
           }
         }
       }
@@ -210,9 +235,24 @@ final class Linearisation {
     return rows;
   }
 
-  /** Returns the number of freedoms f. */
+  /** Returns the number of freedoms of velocities f. */
   int freedom() {
     return f;
+  }
+
+  /** Returns the number of freedoms of positions, f if all equations of loops are holonomic. */
+  int placeFreedom() {
+    return fq;
+  }
+
+  /** Returns the coordinates that are independent as positions, by their velocities. */
+  int[] independentPlaces() {
+    return places.independent;
+  }
+
+  /** Writes the small displacements ξ = R_q ζ. */
+  void expandPlaces(double[] zeta, double[] xi) {
+    places.expand(zeta, xi);
   }
 
   /** Returns the velocities of the state that are independent, one per freedom. */
@@ -235,27 +275,38 @@ final class Linearisation {
     return ns;
   }
 
-  /** Returns A of [z; v_I; s]' = A [z; v_I; s], square and row by row; empty if M is singular. */
+  /** Returns the number of rows of {@link #system}. */
+  int order() {
+    return fq + f + ns;
+  }
+
+  /** Returns A of [ζ; w; s]' = A [ζ; w; s], square and row by row; empty if M is singular. */
   double[] system() {
     DenseLu lu = new DenseLu(f);
     if (lu.factor(mass) != LinearSolver.NONSINGULAR) {
       return new double[0];
     }
-    int size = 2 * f + ns;
+    int size = order();
     double[] a = new double[size * size];
     double[] column = new double[f];
-    for (int j = 0; j < 2 * f; j++) {
-      double[] source = j < f ? stiffness : damping;
+    for (int j = 0; j < fq + f; j++) {
+      boolean ofPlace = j < fq;
+      int at = ofPlace ? j : j - fq;
+      int width = ofPlace ? fq : f;
+      for (int i = 0; i < fq; i++) {
+        int position = places.independent[i] * width + at;
+        a[i * size + j] =
+            ofPlace ? turning[i * fq + j] + loops.velocityByPlace[position] : free.r[position];
+      }
       for (int i = 0; i < f; i++) {
-        column[i] = -source[i * f + j % f];
-        a[i * size + j] = j < f ? turning[i * f + j] : i == j - f ? 1 : 0;
+        column[i] = -(ofPlace ? stiffnessOfPlaces : damping)[i * width + at];
       }
       lu.solve(column);
       for (int i = 0; i < f; i++) {
-        a[(f + i) * size + j] = column[i];
+        a[(fq + i) * size + j] = column[i];
       }
       for (int k = 0; k < ns; k++) {
-        a[(2 * f + k) * size + j] = -(j < f ? rateStiffness : rateDamping)[k * f + j % f];
+        a[(fq + f + k) * size + j] = -(ofPlace ? rateStiffness : rateDamping)[k * width + at];
       }
     }
     for (int k = 0; k < ns; k++) {
@@ -264,10 +315,10 @@ final class Linearisation {
       }
       lu.solve(column);
       for (int i = 0; i < f; i++) {
-        a[(f + i) * size + 2 * f + k] = column[i];
+        a[(fq + i) * size + fq + f + k] = column[i];
       }
       for (int l = 0; l < ns; l++) {
-        a[(2 * f + l) * size + 2 * f + k] = -rateByState[l * ns + k];
+        a[(fq + f + l) * size + fq + f + k] = -rateByState[l * ns + k];
       }
     }
     return a;

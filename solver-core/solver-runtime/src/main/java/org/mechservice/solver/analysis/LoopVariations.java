@@ -5,7 +5,8 @@ import org.mechservice.solver.closure.equations.LoopEquations;
 
 /**
  * Derivatives of dependent velocities and accelerations of a moving loop by the independent ones: v
- * = R v_I + V ξ_I, a = R a_I + A_v v_I + A_q ξ_I for small ξ. All three are zero at rest.
+ * = R v_I + V ξ_I, a = R a_I + A_v v_I + A_q ξ_I for small ξ. All three are zero at rest. With
+ * non-holonomic equations there are more independent ξ_I than v_I.
  *
  * <p>J v + Φ_t and J a + γ are varied by central differences of three steps, extrapolated; they are
  * quadratic in v, so that one step is exact.
@@ -15,36 +16,49 @@ final class LoopVariations {
 
   private final EquationsOfMotion equations;
   private final FreeDirections free;
+  private final FreeDirections places;
   private final double t;
   private final double[] y;
   private final double[] a;
   private final int m;
 
-  /** V, A_q and A_v, n × f row by row. */
+  /** V and A_q, n × the freedoms of positions, and A_v, n × those of velocities, row by row. */
   final double[] velocityByPlace;
 
   final double[] accelerationByPlace;
   final double[] accelerationByVelocity;
 
   /**
+   * @param free directions of velocities
+   * @param places directions of positions
    * @param y state; not modified
    * @param a accelerations that fit it; not modified
    */
   LoopVariations(
-      EquationsOfMotion equations, FreeDirections free, double t, double[] y, double[] a) {
+      EquationsOfMotion equations,
+      FreeDirections free,
+      FreeDirections places,
+      double t,
+      double[] y,
+      double[] a) {
     this.equations = equations;
     this.free = free;
+    this.places = places;
     this.t = t;
     this.y = y;
     this.a = a;
     m = equations.lambda.length;
-    int size = equations.nv * free.freedom();
-    velocityByPlace = new double[size];
-    accelerationByPlace = new double[size];
-    accelerationByVelocity = new double[size];
+    velocityByPlace = new double[equations.nv * places.freedom()];
+    accelerationByPlace = new double[equations.nv * places.freedom()];
+    accelerationByVelocity = new double[equations.nv * free.freedom()];
     if (m > 0 && !atRest()) {
+      for (int j = 0; j < places.freedom(); j++) {
+        varyPlace(j);
+      }
       for (int j = 0; j < free.freedom(); j++) {
-        vary(j);
+        double[] change = new double[equations.nv];
+        free.complete(byVelocity(direction(free, j)), change);
+        put(change, accelerationByVelocity, j, free.freedom());
       }
     }
   }
@@ -63,30 +77,31 @@ final class LoopVariations {
     return largest == 0;
   }
 
-  private void vary(int j) {
-    int n = equations.nv;
-    double[] direction = new double[n];
-    for (int i = 0; i < n; i++) {
-      direction[i] = free.r[i * free.freedom() + j];
+  private double[] direction(FreeDirections of, int j) {
+    double[] direction = new double[equations.nv];
+    for (int i = 0; i < direction.length; i++) {
+      direction[i] = of.r[i * of.freedom() + j];
     }
-    double[] rows = byPlace(direction);
-    double[] change = new double[n];
+    return direction;
+  }
+
+  private void varyPlace(int j) {
+    double[] rows = byPlace(direction(places, j));
+    double[] change = new double[equations.nv];
     free.complete(Arrays.copyOf(rows, m), change);
-    put(change, velocityByPlace, j);
+    put(change, velocityByPlace, j, places.freedom());
     double[] accelerations = Arrays.copyOfRange(rows, m, 2 * m);
     double[] ofVelocity = byVelocity(change);
     for (int row = 0; row < m; row++) {
       accelerations[row] += ofVelocity[row];
     }
     free.complete(accelerations, change);
-    put(change, accelerationByPlace, j);
-    free.complete(byVelocity(direction), change);
-    put(change, accelerationByVelocity, j);
+    put(change, accelerationByPlace, j, places.freedom());
   }
 
-  private void put(double[] column, double[] matrix, int j) {
+  private static void put(double[] column, double[] matrix, int j, int columns) {
     for (int i = 0; i < column.length; i++) {
-      matrix[i * free.freedom() + j] = column[i];
+      matrix[i * columns + j] = column[i];
     }
   }
 

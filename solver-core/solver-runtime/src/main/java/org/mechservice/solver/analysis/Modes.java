@@ -28,7 +28,7 @@ final class Modes {
    */
   Modes(Linearisation linear, double[] system) {
     this.linear = linear;
-    int size = 2 * linear.freedom() + linear.furtherCount();
+    int size = linear.order();
     eigen = new Eigenvalues(size, system);
     int[] found = new int[size];
     int count = 0;
@@ -93,15 +93,14 @@ final class Modes {
    * @param im imaginary parts, likewise; overwritten
    */
   void shape(int k, double[] unit, double[] re, double[] im) {
-    int f = linear.freedom();
     int ns = linear.furtherCount();
-    double[] vr = new double[2 * f + ns];
-    double[] vi = new double[2 * f + ns];
+    double[] vr = new double[linear.order()];
+    double[] vi = new double[vr.length];
     eigen.vector(mode[k], vr, vi);
-    linear.expand(vr, re);
-    linear.expand(vi, im);
-    System.arraycopy(vr, 2 * f, re, unit.length, ns);
-    System.arraycopy(vi, 2 * f, im, unit.length, ns);
+    linear.expandPlaces(vr, re);
+    linear.expandPlaces(vi, im);
+    System.arraycopy(vr, vr.length - ns, re, unit.length, ns);
+    System.arraycopy(vi, vi.length - ns, im, unit.length, ns);
     int largest = largest(re, im, unit, 0, unit.length);
     if (ns > 0) {
       int ofStates = largest(re, im, unit, unit.length, re.length);

@@ -58,6 +58,9 @@ final class PrescribedModel extends AnalysisModel {
   private Optional<Defect> begin(double t) {
     double[] start = new double[equations.nq + equations.nv];
     mechanism.initialState(start);
+    if (!equations.loops.isHolonomic()) {
+      return Optional.of(rolls());
+    }
     for (LoopFinding finding : new Assembly(equations.tree).assemble(t, start)) {
       if (finding.kind() == LoopFinding.Kind.NOT_CLOSED) {
         return Optional.of(open(finding.part(), finding.amount(), finding.unit()));
@@ -79,6 +82,19 @@ final class PrescribedModel extends AnalysisModel {
     }
     orientation = orientation();
     return move(t);
+  }
+
+  private Defect rolls() {
+    int row = 0;
+    while (equations.loops.isHolonomic(row)) {
+      row++;
+    }
+    return new Defect(
+        MessageCode.PRESCRIBED_MOTION_INCOMPLETE,
+        equations.loops.name(row),
+        "The prescribed motion does not determine positions: this constraint restricts velocities"
+            + " alone, and positions follow from the whole motion before them.",
+        "Simulate <dynamic>: drives move the mechanism there too, and columns have their forces.");
   }
 
   private Defect free(double t, double[] start) {

@@ -1,5 +1,7 @@
 package org.mechservice.solver.compact;
 
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.MethodType;
 import org.mechservice.solver.api.UserForce;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.force.user.UserForceSource;
@@ -19,11 +21,15 @@ public final class LoadedUserForces implements UserForceSource {
   @Override
   public UserForce create(UserForceElement element) {
     try {
-      return Class.forName(element.className(), true, loader)
-          .asSubclass(UserForce.class)
-          .getConstructor()
-          .newInstance();
-    } catch (ReflectiveOperationException | LinkageError | ClassCastException e) {
+      Class<? extends UserForce> type =
+          Class.forName(element.className(), true, loader).asSubclass(UserForce.class);
+      // For a constructor that is called often, reflection would generate a class that needs
+      // classes of Java which loaders of user classes do not find.
+      return (UserForce)
+          MethodHandles.publicLookup()
+              .findConstructor(type, MethodType.methodType(void.class))
+              .invoke();
+    } catch (Throwable e) {
       throw new IllegalArgumentException(
           MessageCode.FORCE_CLASS_UNUSABLE
               + " the class "

@@ -8,6 +8,7 @@ import org.mechservice.sim.symbolic.ScalarMatrix;
 import org.mechservice.sim.symbolic.ScalarVector;
 import org.mechservice.solver.kinematics.pair.AxisPair;
 import org.mechservice.solver.kinematics.pair.PairForms;
+import org.mechservice.solver.kinematics.pair.RollingShape;
 import org.mechservice.solver.spatial.Vector3;
 
 /** Functions of the pose of two frames: the constraints of joints, and their coordinates. */
@@ -149,5 +150,69 @@ public final class PairTerms implements PairForms<PairTerm> {
     ScalarVector byTurn = ScalarVector.of(expressions, new Vector3(unit[0], unit[1], unit[2]));
     Scalar zero = expressions.zero();
     return new PairTerm(zero, byTurn, none, zero, false);
+  }
+
+  /**
+   * {@inheritDoc} With k = e × n, c = n · e, s = |k|: a = −radius (n − c e) / s − tube n, c' = k ·
+   * ω, s' = −c c' / s; the gradient is [a × t; t].
+   */
+  @Override
+  public PairTerm rollingContact(RollingShape shape, RollingShape.Direction direction) {
+    ScalarVector n = ScalarVector.of(expressions, shape.normal());
+    ScalarVector first = ScalarVector.of(expressions, shape.tangent());
+    boolean off = direction == RollingShape.Direction.OFF;
+    Scalar height = way.dot(n);
+    if (shape.isBall()) {
+      ScalarVector arm = n.map(c -> c.times(-shape.radius()));
+      ScalarVector along =
+          switch (direction) {
+            case OFF -> n;
+            case ALONG -> first;
+            case ACROSS -> n.cross(first);
+          };
+      Scalar value = off ? height.minus(expressions.constant(shape.radius())) : expressions.zero();
+      return new PairTerm(value, arm.cross(along), along, expressions.zero(), false);
+    }
+    ScalarVector e = rotation.times(ScalarVector.of(expressions, shape.axle()));
+    Scalar c = n.dot(e);
+    ScalarVector k = e.cross(n);
+    Scalar s = k.dot(k).squareRoot();
+    ScalarVector up = n.minus(e.times(c)).map(x -> x.over(s));
+    ScalarVector arm = up.times(-shape.radius()).minus(n.map(x -> x.times(shape.tube())));
+    ScalarVector eRate = omega.cross(e);
+    ScalarVector kRate = eRate.cross(n);
+    Scalar cRate = k.dot(omega);
+    Scalar sRate = c.times(cRate).over(s).negated();
+    ScalarVector upRate =
+        e.times(cRate).plus(eRate.times(c)).plus(up.times(sRate)).map(x -> x.over(s).negated());
+    ScalarVector armRate = upRate.times(-shape.radius());
+    ScalarVector track = k.map(x -> x.over(s));
+    ScalarVector trackRate = kRate.minus(track.times(sRate)).map(x -> x.over(s));
+    ScalarVector along =
+        switch (direction) {
+          case OFF -> n;
+          case ALONG -> track;
+          case ACROSS -> n.cross(track);
+        };
+    ScalarVector alongRate =
+        switch (direction) {
+          case OFF -> none;
+          case ALONG -> trackRate;
+          case ACROSS -> n.cross(trackRate);
+        };
+    Scalar value =
+        off
+            ? height.minus(s.times(shape.radius())).minus(expressions.constant(shape.tube()))
+            : expressions.zero();
+    Scalar bend =
+        armRate.cross(along).plus(arm.cross(alongRate)).dot(omega).plus(alongRate.dot(rate));
+    return new PairTerm(value, arm.cross(along), along, bend, false);
+  }
+
+  @Override
+  public PairTerm edgeVelocity(Vector3 side) {
+    ScalarVector along = rotation.times(ScalarVector.of(expressions, side));
+    Scalar bend = omega.cross(along).dot(rate);
+    return new PairTerm(expressions.zero(), none, along, bend, false);
   }
 }

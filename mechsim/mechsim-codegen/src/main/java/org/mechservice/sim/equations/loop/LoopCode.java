@@ -7,6 +7,7 @@ import org.mechservice.sim.equations.force.MassiveRodTerms;
 import org.mechservice.sim.equations.kinematics.Coordinates;
 import org.mechservice.sim.equations.kinematics.JointOutputs;
 import org.mechservice.sim.equations.kinematics.LinkKinematics;
+import org.mechservice.sim.equations.kinematics.PositionRates;
 import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.equations.links.Wrench;
 import org.mechservice.sim.equations.recursion.ForceSweep;
@@ -98,6 +99,18 @@ public final class LoopCode {
         new AppliedForces(code.program, code.mechanism, code.coordinates).furtherRates();
     for (int i = 0; i < rates.size(); i++) {
       code.program.output(i, rates.get(i));
+    }
+    return code.program;
+  }
+
+  /** Derives the program from [q; v; s] to [q'; 0; s']: the rates that need no accelerations. */
+  public static Program rates(Links mechanism) {
+    LoopCode code = atRest(mechanism, 0);
+    new PositionRates(code.program, mechanism, code.coordinates).putOut();
+    List<Scalar> rates =
+        new AppliedForces(code.program, code.mechanism, code.coordinates).furtherRates();
+    for (int i = 0; i < rates.size(); i++) {
+      code.program.output(mechanism.mechanism().furtherOffset() + i, rates.get(i));
     }
     return code.program;
   }

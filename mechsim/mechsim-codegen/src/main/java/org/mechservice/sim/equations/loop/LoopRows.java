@@ -31,12 +31,15 @@ import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.pair.CutJoint;
 import org.mechservice.solver.kinematics.pair.PairFunction;
+import org.mechservice.solver.kinematics.pair.RollingShape;
 import org.mechservice.solver.mechanism.closure.CoordinateClosure;
 import org.mechservice.solver.mechanism.closure.DistanceClosure;
 import org.mechservice.solver.mechanism.closure.JointClosure;
+import org.mechservice.solver.mechanism.closure.KnifeEdgeClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.closure.PointOnLineClosure;
 import org.mechservice.solver.mechanism.closure.PointOnPlaneClosure;
+import org.mechservice.solver.mechanism.closure.RollingClosure;
 import org.mechservice.solver.spatial.Rotation;
 
 /**
@@ -151,6 +154,13 @@ public final class LoopRows {
     } else if (closure instanceof PointOnPlaneClosure plane) {
       PairFunction function = PairFunction.displacement("off the plane", plane.normal());
       return new Pair(plane.plane(), plane.point(), List.of(function), List.of());
+    } else if (closure instanceof RollingClosure rolling) {
+      RollingShape shape =
+          new RollingShape(rolling.normal(), rolling.axle(), rolling.radius(), rolling.tube());
+      return new Pair(rolling.plane(), rolling.centre(), PairFunction.rolling(shape), List.of());
+    } else if (closure instanceof KnifeEdgeClosure edge) {
+      PairFunction function = PairFunction.edgeVelocity(edge.side());
+      return new Pair(edge.ground(), edge.point(), List.of(function), List.of());
     }
     PointOnLineClosure line = (PointOnLineClosure) closure;
     List<PairFunction> functions = PairFunction.offLine(line.direction());

@@ -10,7 +10,6 @@ import org.mechservice.idl.Diagnostic;
 import org.mechservice.idl.IMechClient;
 import org.mechservice.idl.Progress;
 import org.mechservice.idl.SimState;
-import org.omg.CORBA.SystemException;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -66,7 +65,8 @@ public final class ClientNotifier {
     for (Message message = next(); message != null; message = next()) {
       try {
         message.call().accept(message.client());
-      } catch (SystemException e) {
+      } catch (RuntimeException e) {
+        // Not only the ORB's exceptions: a reference that a client has made up ends in others.
         LOG.debug("a client could not be called back: {}", e.toString());
       }
     }

@@ -5,7 +5,6 @@ import java.util.Map;
 import java.util.Optional;
 import org.mechservice.idl.SimState;
 import org.mechservice.orb.GuardedServant;
-import org.mechservice.sim.service.limits.HostLimit;
 import org.mechservice.sim.service.limits.LimitReachedException;
 import org.mechservice.sim.worker.WorkerLostException;
 import org.mechservice.sim.worker.WorkerResult;
@@ -58,7 +57,7 @@ record RunOutcome(Optional<Map<String, Object>> report, Outcome outcome) {
     }
     return failed(
         failure(
-            lost.outOfMemory() ? HostLimit.MEMORY.code() : MessageCode.WORKER_ENDED,
+            lost.code(),
             String.valueOf(lost.getMessage()),
             control,
             lost.advice() + " The rows up to then are kept."));

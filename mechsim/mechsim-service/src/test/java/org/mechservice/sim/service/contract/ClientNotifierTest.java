@@ -67,6 +67,25 @@ class ClientNotifierTest {
     assertThat(heardInTheEnd()).containsExactly("running", "step 999", "done");
   }
 
+  /** Such as one that gives a reference that the ORB cannot read. */
+  @Test
+  void clientThatCannotBeCalledKeepsNoOtherFromHearing() throws InterruptedException {
+    ClientNotifier notifier = new ClientNotifier(threads);
+    IMechClient broken =
+        (IMechClient)
+            Proxy.newProxyInstance(
+                IMechClient.class.getClassLoader(),
+                new Class<?>[] {IMechClient.class},
+                (proxy, method, arguments) -> {
+                  throw new ArrayIndexOutOfBoundsException("no address");
+                });
+    IMechClient client = slowClient();
+    notifier.status(client, "a", SimState.SIM_RUNNING, "first");
+    notifier.status(broken, "b", SimState.SIM_RUNNING, "lost");
+    notifier.status(client, "a", SimState.SIM_DONE, "last");
+    assertThat(heardInTheEnd()).containsExactly("first", "last");
+  }
+
   @Test
   void messagesThatNobodyTakesDoNotPileUp() throws InterruptedException {
     ClientNotifier notifier = new ClientNotifier(threads);

@@ -139,7 +139,7 @@ class WorkerTest {
       IMechSimRemote good = simulation(there, PUSH);
       first.destroyForcibly();
       good.start();
-      assertFailsWith(endless, "S-157");
+      assertFailsWith(endless, "S-178");
       Eventually.holds(() -> good.getProgress().state == SimState.SIM_DONE);
     }
   }

@@ -169,7 +169,7 @@ public final class Assembly {
     double merit = merit(t, y);
     double damping = 0;
     for (int i = 0; i < ITERATIONS && rounding.excess(y) > CLOSED; i++) {
-      differentiate(last);
+      differentiate(last, true);
       double[] tried = y.clone();
       least.solve(damping, right, step);
       advance(tried, last);
@@ -205,15 +205,19 @@ public final class Assembly {
   /**
    * Forms J with rows divided by their sizes and columns multiplied by their weights relative to
    * the largest.
+   *
+   * @param ofPositions whether positions are to change, which non-holonomic equations do not
+   *     restrict
    */
-  private void differentiate(StartRole last) {
+  private void differentiate(StartRole last, boolean ofPositions) {
     loops.differentiate(motion);
     double most = mostReady(last);
     for (int row = 0; row < loops.count(); row++) {
       for (int e = matrix.start[row]; e < matrix.start[row + 1]; e++) {
         int j = matrix.column[e];
+        boolean counts = j < nv && (loops.isHolonomic(row) || !ofPositions);
         matrix.value[e] =
-            j < nv ? loops.jacobian.value[e] * weight(j, last) / most / loops.size(row) : 0;
+            counts ? loops.jacobian.value[e] * weight(j, last) / most / loops.size(row) : 0;
       }
     }
     least.take(matrix);
@@ -278,7 +282,7 @@ public final class Assembly {
   private double fitVelocities(double t, double[] y, StartRole last) {
     double reached = rateResidual(t, y);
     for (int pass = 0; pass < 2; pass++) {
-      differentiate(last);
+      differentiate(last, false);
       for (int row = 0; row < loops.count(); row++) {
         right[row] = -loops.rate[row] / loops.size(row);
       }

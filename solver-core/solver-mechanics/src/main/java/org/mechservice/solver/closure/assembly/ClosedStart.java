@@ -16,6 +16,7 @@ public final class ClosedStart {
   private final double time;
   private final double[] state;
   private final int rank;
+  private final int positionRank;
   private final Optional<String> againstProjection;
   private final List<LoopFinding> findings;
 
@@ -33,10 +34,12 @@ public final class ClosedStart {
     if (isAssembled()) {
       RankAnalysis analysis = new RankAnalysis(tree, time, state);
       rank = analysis.rank();
+      positionRank = analysis.positionRank();
       againstProjection = analysis.againstProjection();
       findings.addAll(analysis.findings(time));
     } else {
       rank = 0;
+      positionRank = 0;
       againstProjection = Optional.empty();
     }
   }
@@ -67,6 +70,14 @@ public final class ClosedStart {
   /** Returns the number of independent equations of the loops; 0 if they are not closed. */
   public int rank() {
     return rank;
+  }
+
+  /**
+   * Returns the number of independent equations that restrict positions; smaller than {@link #rank}
+   * by the independent non-holonomic equations.
+   */
+  public int positionRank() {
+    return positionRank;
   }
 
   /** Returns the time at which the loops are closed, s. */

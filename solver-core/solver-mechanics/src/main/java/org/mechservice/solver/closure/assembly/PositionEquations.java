@@ -4,17 +4,22 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.linear.SparseMatrix;
 
 /**
- * The equations of the positions of the state: Φ(q, t) = 0 and, for each set of Euler parameters,
- * (|e|² − 1)/2 = 0, with their derivatives by q. Workspace of one thread.
+ * The equations of the positions of the state: Φ(q, t) = 0, without non-holonomic equations, and,
+ * for each set of Euler parameters, (|e|² − 1)/2 = 0, with their derivatives by q. Workspace of one
+ * thread.
  */
 public final class PositionEquations {
   private final LoopEquations loops;
   private final StateCoordinates coordinates;
+
+  /** The loop equations that restrict positions. */
+  private final int[] loopRow;
 
   /** Number of equations, that of Φ first. */
   public final int count;
@@ -43,13 +48,14 @@ public final class PositionEquations {
   public PositionEquations(LoopEquations loops, StateCoordinates coordinates) {
     this.loops = loops;
     this.coordinates = coordinates;
-    count = loops.count() + coordinates.ballCount();
+    loopRow = IntStream.range(0, loops.count()).filter(loops::isHolonomic).toArray();
+    count = loopRow.length + coordinates.ballCount();
     unknowns = coordinates.positionCount();
     value = new double[count];
     matrix = SparseMatrix.of(pattern(), unknowns);
     ofVelocity = new int[matrix.column.length];
     Arrays.fill(ofVelocity, -1);
-    for (int row = 0; row < loops.count(); row++) {
+    for (int row = 0; row < loopRow.length; row++) {
       findElements(row);
     }
   }
@@ -62,9 +68,9 @@ public final class PositionEquations {
       Arrays.fill(ballOf, at, at + 3, ball);
     }
     int[][] pattern = new int[count][];
-    for (int row = 0; row < loops.count(); row++) {
+    for (int row = 0; row < loopRow.length; row++) {
       BitSet columns = new BitSet();
-      for (int e = loops.jacobian.start[row]; e < endOfState(row); e++) {
+      for (int e = loops.jacobian.start[loopRow[row]]; e < endOfState(loopRow[row]); e++) {
         int velocity = loops.jacobian.column[e];
         if (ballOf[velocity] < 0) {
           columns.set(coordinates.positionOf(velocity));
@@ -77,7 +83,7 @@ public final class PositionEquations {
     }
     for (int ball = 0; ball < coordinates.ballCount(); ball++) {
       int at = coordinates.ballPosition(ball);
-      pattern[loops.count() + ball] = new int[] {at, at + 1, at + 2, at + 3};
+      pattern[loopRow.length + ball] = new int[] {at, at + 1, at + 2, at + 3};
     }
     return pattern;
   }
@@ -93,19 +99,16 @@ public final class PositionEquations {
 
   private void findElements(int row) {
     int[] jacobianColumn = loops.jacobian.column;
-    for (int e = loops.jacobian.start[row]; e < endOfState(row); e++) {
+    int from = loops.jacobian.start[loopRow[row]];
+    int end = endOfState(loopRow[row]);
+    for (int e = from; e < end; e++) {
       int position = coordinates.positionOf(jacobianColumn[e]);
       if (position >= 0) {
         ofVelocity[element(row, position)] = e;
       }
     }
     for (int ball = 0; ball < coordinates.ballCount(); ball++) {
-      int e =
-          Arrays.binarySearch(
-              jacobianColumn,
-              loops.jacobian.start[row],
-              endOfState(row),
-              coordinates.ballVelocity(ball));
+      int e = Arrays.binarySearch(jacobianColumn, from, end, coordinates.ballVelocity(ball));
       if (e >= 0) {
         balls.add(new BallElements(ball, element(row, coordinates.ballPosition(ball)), e));
       }
@@ -116,11 +119,18 @@ public final class PositionEquations {
     return Arrays.binarySearch(matrix.column, matrix.start[row], matrix.start[row + 1], position);
   }
 
+  /** Returns the size of what an equation measures: m, or 1 of rotations and norms. */
+  public double size(int row) {
+    return row < loopRow.length ? loops.size(loopRow[row]) : 1;
+  }
+
   /** Evaluates Φ and the norms; the equations must be placed. */
   public void evaluate(double[] q) {
-    System.arraycopy(loops.value, 0, value, 0, loops.count());
+    for (int row = 0; row < loopRow.length; row++) {
+      value[row] = loops.value[loopRow[row]];
+    }
     for (int ball = 0; ball < coordinates.ballCount(); ball++) {
-      value[loops.count() + ball] = 0.5 * (square(q, coordinates.ballPosition(ball)) - 1);
+      value[loopRow.length + ball] = 0.5 * (square(q, coordinates.ballPosition(ball)) - 1);
     }
   }
 
@@ -139,7 +149,7 @@ public final class PositionEquations {
       differentiateBall(q, balls.get(i));
     }
     for (int ball = 0; ball < coordinates.ballCount(); ball++) {
-      int norm = matrix.start[loops.count() + ball];
+      int norm = matrix.start[loopRow.length + ball];
       System.arraycopy(q, coordinates.ballPosition(ball), matrix.value, norm, 4);
     }
   }

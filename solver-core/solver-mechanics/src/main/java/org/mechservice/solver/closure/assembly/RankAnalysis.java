@@ -1,6 +1,7 @@
 package org.mechservice.solver.closure.assembly;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -56,6 +57,7 @@ public final class RankAnalysis {
   private final int n;
   private final int rankAtStart;
   private int rank;
+  private int positionRank;
   private double smallestPivot = 1;
   private List<Integer> redundant = List.of();
 
@@ -98,16 +100,45 @@ public final class RankAnalysis {
     motion.sweep(t, y);
     loops.place(motion, t);
     loops.differentiate(motion);
-    IndependentRows rows =
-        loops.isLargeToSetUp()
-            ? new SparseIndependentRows(scaledInUnits(), n)
-            : new DenseIndependentRows(scaledByMass(), m, n);
+    IndependentRows rows;
+    int ofPositions;
+    if (loops.isLargeToSetUp()) {
+      SparseMatrix scaled = scaledInUnits();
+      rows = new SparseIndependentRows(scaled, n);
+      ofPositions = loops.isHolonomic() ? rows.rank() : positionRank(scaled);
+    } else {
+      double[] scaled = scaledByMass();
+      rows = new DenseIndependentRows(scaled, m, n);
+      ofPositions = loops.isHolonomic() ? rows.rank() : positionRank(scaled);
+    }
+    positionRank = Math.max(positionRank, ofPositions);
     if (rows.rank() >= rank) {
       rank = rows.rank();
       redundant = rows.redundant();
       smallestPivot = rows.smallestPivot();
     }
     return rows.rank();
+  }
+
+  private int positionRank(SparseMatrix scaled) {
+    for (int row = 0; row < m; row++) {
+      if (!loops.isHolonomic(row)) {
+        Arrays.fill(scaled.value, scaled.start[row], scaled.start[row + 1], 0);
+      }
+    }
+    return loops.holonomicCount() == 0 ? 0 : new SparseIndependentRows(scaled, n).rank();
+  }
+
+  private int positionRank(double[] scaled) {
+    int count = loops.holonomicCount();
+    double[] ofPositions = new double[count * n];
+    int next = 0;
+    for (int row = 0; row < m; row++) {
+      if (loops.isHolonomic(row)) {
+        System.arraycopy(scaled, row * n, ofPositions, n * next++, n);
+      }
+    }
+    return count == 0 ? 0 : new DenseIndependentRows(ofPositions, count, n).rank();
   }
 
   /**
@@ -182,6 +213,11 @@ public final class RankAnalysis {
   /** Returns the number of independent equations. */
   public int rank() {
     return rank;
+  }
+
+  /** Returns the number of independent equations among those that restrict positions. */
+  public int positionRank() {
+    return positionRank;
   }
 
   /** Returns the number of degrees of freedom that the loops leave. */

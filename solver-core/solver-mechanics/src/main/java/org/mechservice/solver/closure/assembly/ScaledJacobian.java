@@ -46,10 +46,20 @@ public final class ScaledJacobian {
 
   /** Copies and scales the present J of the loops. */
   public void decompose() {
+    decompose(false);
+  }
+
+  /** As {@link #decompose()}, with zeros in place of non-holonomic equations. */
+  public void decomposeOfPositions() {
+    decompose(true);
+  }
+
+  private void decompose(boolean ofPositions) {
     for (int row = 0; row < ofRows.length; row++) {
       for (int e = scaled.start[row]; e < scaled.start[row + 1]; e++) {
         int j = scaled.column[e];
-        scaled.value[e] = j < unit.length ? loops.jacobian.value[e] * unit[j] / loops.size(row) : 0;
+        boolean counts = j < unit.length && (loops.isHolonomic(row) || !ofPositions);
+        scaled.value[e] = counts ? loops.jacobian.value[e] * unit[j] / loops.size(row) : 0;
       }
     }
     decomposed = false;

@@ -28,6 +28,11 @@ abstract class ClosureRows {
   /** Returns the direction that an equation constrains, for messages. */
   abstract String label(int row);
 
+  /** Returns whether an equation restricts positions; otherwise only velocities, and Φ = 0. */
+  boolean isHolonomic(int row) {
+    return true;
+  }
+
   /** Returns the size of what an equation measures after {@link #place}: m, or 1 rad. */
   abstract double size(int row);
 

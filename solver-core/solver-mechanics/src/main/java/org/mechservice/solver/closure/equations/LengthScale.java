@@ -5,9 +5,11 @@ import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.mechanism.closure.DistanceClosure;
 import org.mechservice.solver.mechanism.closure.JointClosure;
+import org.mechservice.solver.mechanism.closure.KnifeEdgeClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.closure.PointOnLineClosure;
 import org.mechservice.solver.mechanism.closure.PointOnPlaneClosure;
+import org.mechservice.solver.mechanism.closure.RollingClosure;
 import org.mechservice.solver.spatial.Vector3;
 
 /** The length scale of a mechanism, for relative residuals. */
@@ -54,7 +56,12 @@ final class LengthScale {
   }
 
   private static double of(LoopClosure closure, TreeGeometry tree) {
-    double largest = closure instanceof DistanceClosure rod ? rod.distance() : 0;
+    double largest = 0;
+    if (closure instanceof DistanceClosure rod) {
+      largest = rod.distance();
+    } else if (closure instanceof RollingClosure rolling) {
+      largest = rolling.size();
+    }
     for (BodyPoint point : points(closure)) {
       largest = Math.max(largest, arm(point, tree));
     }
@@ -72,6 +79,10 @@ final class LengthScale {
       return List.of(plane.point(), plane.plane());
     } else if (closure instanceof PointOnLineClosure line) {
       return List.of(line.point(), line.line());
+    } else if (closure instanceof RollingClosure rolling) {
+      return List.of(rolling.centre(), rolling.plane());
+    } else if (closure instanceof KnifeEdgeClosure edge) {
+      return List.of(edge.point(), edge.ground());
     }
     return List.of();
   }

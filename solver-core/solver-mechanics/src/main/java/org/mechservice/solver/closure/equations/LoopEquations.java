@@ -14,13 +14,17 @@ import org.mechservice.solver.mechanism.Parameter;
 import org.mechservice.solver.mechanism.closure.CoordinateClosure;
 import org.mechservice.solver.mechanism.closure.DistanceClosure;
 import org.mechservice.solver.mechanism.closure.JointClosure;
+import org.mechservice.solver.mechanism.closure.KnifeEdgeClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.closure.PointOnLineClosure;
 import org.mechservice.solver.mechanism.closure.PointOnPlaneClosure;
+import org.mechservice.solver.mechanism.closure.RollingClosure;
 
 /**
  * The equations of all closures of a mechanism: Φ(q, t) = 0, Φ' = J v + Φ_t = 0, Φ'' = J v' + γ =
  * 0. Workspace of one thread; nothing allocates after construction.
+ *
+ * <p>Non-holonomic equations ({@link #isHolonomic}) have only Φ' = J v = 0; their Φ is zero.
  *
  * <p>Displacements are in m and tilts in rad, with gradients of size one. Residuals of different
  * equations are compared relative to the {@link #size} of what each measures.
@@ -40,6 +44,8 @@ public final class LoopEquations {
   private final List<ClosureRows> closures = new ArrayList<>();
   private final ClosureRows[] closureOfRow;
   private final int[] rowInClosure;
+  private final boolean[] holonomic;
+  private final int holonomicCount;
   private final double[] parameters;
   private final double length;
 
@@ -92,6 +98,13 @@ public final class LoopEquations {
         rowInClosure[row++] = i;
       }
     }
+    holonomic = new boolean[count];
+    int positions = 0;
+    for (int i = 0; i < count; i++) {
+      holonomic[i] = closureOfRow[i].isHolonomic(rowInClosure[i]);
+      positions += holonomic[i] ? 1 : 0;
+    }
+    holonomicCount = positions;
     value = new double[count];
     rate = new double[count];
     acceleration = new double[count];
@@ -136,6 +149,10 @@ public final class LoopEquations {
       return PairRows.of(plane, tree, length);
     } else if (closure instanceof PointOnLineClosure line) {
       return PairRows.of(line, tree, length);
+    } else if (closure instanceof RollingClosure rolling) {
+      return PairRows.of(rolling, tree, length);
+    } else if (closure instanceof KnifeEdgeClosure edge) {
+      return PairRows.of(edge, tree, length);
     }
     return new CouplingRows((CoordinateClosure) closure, tree, parameters, length, counted);
   }
@@ -151,6 +168,24 @@ public final class LoopEquations {
   /** Returns the number of equations. */
   public int count() {
     return closureOfRow.length;
+  }
+
+  /**
+   * Returns whether an equation restricts positions. If not, it restricts velocities alone, such as
+   * those of a rolling wheel.
+   */
+  public boolean isHolonomic(int row) {
+    return holonomic[row];
+  }
+
+  /** Returns the number of equations that restrict positions. */
+  public int holonomicCount() {
+    return holonomicCount;
+  }
+
+  /** Returns whether all equations restrict positions. */
+  public boolean isHolonomic() {
+    return holonomicCount == holonomic.length;
   }
 
   /** Returns whether the mechanism is large enough for sparse matrices. */

@@ -13,11 +13,14 @@ import org.mechservice.solver.kinematics.pair.CutJoint;
 import org.mechservice.solver.kinematics.pair.PairFunction;
 import org.mechservice.solver.kinematics.pair.PairLinearisation;
 import org.mechservice.solver.kinematics.pair.RelativeMotion;
+import org.mechservice.solver.kinematics.pair.RollingShape;
 import org.mechservice.solver.mechanism.closure.DistanceClosure;
 import org.mechservice.solver.mechanism.closure.JointClosure;
+import org.mechservice.solver.mechanism.closure.KnifeEdgeClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.closure.PointOnLineClosure;
 import org.mechservice.solver.mechanism.closure.PointOnPlaneClosure;
+import org.mechservice.solver.mechanism.closure.RollingClosure;
 import org.mechservice.solver.mechanism.joint.Joint;
 
 /**
@@ -103,6 +106,21 @@ final class PairRows extends ClosureRows {
     return new PairRows(closure, relative, PairFunction.offLine(closure.direction()), length);
   }
 
+  /** A wheel or ball that rolls on a plane. */
+  static PairRows of(RollingClosure closure, TreeGeometry tree, double length) {
+    RelativeMotion relative = new RelativeMotion(tree, closure.plane(), closure.centre());
+    RollingShape shape =
+        new RollingShape(closure.normal(), closure.axle(), closure.radius(), closure.tube());
+    return new PairRows(closure, relative, PairFunction.rolling(shape), length);
+  }
+
+  /** An edge that does not slip sideways. */
+  static PairRows of(KnifeEdgeClosure closure, TreeGeometry tree, double length) {
+    RelativeMotion relative = new RelativeMotion(tree, closure.ground(), closure.point());
+    return new PairRows(
+        closure, relative, List.of(PairFunction.edgeVelocity(closure.side())), length);
+  }
+
   /**
    * Coordinates and velocities of a cut joint with given start values; equations for assembly only.
    */
@@ -141,6 +159,11 @@ final class PairRows extends ClosureRows {
   @Override
   String label(int row) {
     return functions[row].label();
+  }
+
+  @Override
+  boolean isHolonomic(int row) {
+    return functions[row].isHolonomic();
   }
 
   @Override

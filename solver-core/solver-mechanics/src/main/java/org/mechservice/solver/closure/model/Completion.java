@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import org.mechservice.solver.api.capability.Defects.Defect;
 import org.mechservice.solver.closure.ClosedTree;
+import org.mechservice.solver.closure.assembly.ClosedStart;
 import org.mechservice.solver.closure.assembly.LoopDefect;
 import org.mechservice.solver.closure.assembly.LoopFinding;
 import org.mechservice.solver.closure.assembly.PositionEquations;
@@ -76,10 +77,11 @@ public final class Completion {
   private double acceptedSpeed;
 
   /**
-   * @param rank number of independent equations among those of the loops
+   * @param start ranks of the equations of the loops
    * @param notes receives a finding for each singular position passed
    */
-  Completion(ClosedTree work, int rank, Consumer<LoopFinding> notes) {
+  Completion(ClosedTree work, ClosedStart start, Consumer<LoopFinding> notes) {
+    int rank = start.rank();
     this.work = work;
     loops = work.loops;
     units = work.units;
@@ -89,7 +91,8 @@ public final class Completion {
     nq = work.nq;
     nv = work.nv;
     boolean large = loops.isLarge();
-    ofPositions = Partition.of(positions.matrix, nq, rank + coordinates.ballCount(), large);
+    ofPositions =
+        Partition.of(positions.matrix, nq, start.positionRank() + coordinates.ballCount(), large);
     ofVelocities = Partition.of(loops.jacobian, nv, rank, large);
     correction = new double[ofPositions.rank()];
     velocityCorrection = new double[rank];
@@ -135,12 +138,11 @@ public final class Completion {
     work.place(t, y);
     differentiate(y);
     double[] rows = new double[positions.count];
-    Arrays.fill(rows, 1);
-    for (int row = 0; row < loops.count(); row++) {
-      rows[row] = 1 / loops.size(row);
-    }
+    Arrays.setAll(rows, row -> 1 / positions.size(row));
     ofPositions.scale(rows, units.positions);
-    ofVelocities.scale(rows, units.velocities);
+    double[] loopRows = new double[loops.count()];
+    Arrays.setAll(loopRows, row -> 1 / loops.size(row));
+    ofVelocities.scale(loopRows, units.velocities);
     remember(y);
     boolean positionsChosen = ofPositions.choose(positions.matrix);
     boolean velocitiesChosen = ofVelocities.choose(loops.jacobian);

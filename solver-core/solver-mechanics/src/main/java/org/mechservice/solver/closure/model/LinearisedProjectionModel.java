@@ -72,8 +72,7 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
     boolean large = work.loops.isLarge();
     velocities = Partition.of(work.loops.jacobian, work.nv, rank, large);
     positions =
-        Partition.of(
-            completion.positionMatrix(), work.nq, rank + work.coordinates.ballCount(), large);
+        Partition.of(completion.positionMatrix(), work.nq, completion.ofPositions().rank(), large);
     linearised = Partition.of(work.loops.jacobian, work.nv, rank, large);
     linearised.copyChoice(completion.ofVelocities());
     loopJacobian = work.loops.jacobian.sameShape();

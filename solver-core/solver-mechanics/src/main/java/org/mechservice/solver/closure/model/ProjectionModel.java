@@ -32,7 +32,7 @@ public class ProjectionModel extends LoopModel implements DependentStates, Model
    */
   public ProjectionModel(ClosedMechanism closed, UserForceSource userForces) {
     super(closed, userForces);
-    completion = new Completion(work, closed.start().rank(), this::note);
+    completion = new Completion(work, closed.start(), this::note);
     if (work.isLarge()) {
       recursive = Optional.of(new RecursiveAccelerations(work, completion.ofVelocities()));
     }

@@ -31,7 +31,8 @@ import org.mechservice.solver.linear.SparseMatrix;
  * states lie off the loops, where such rows slightly contradict the others, and multipliers would
  * grow without bound. The matrix omits the derivative of J v by q, because it is kept over several
  * steps; every solution is corrected by the rates at the state that it leads to. The matrix also
- * omits the derivative of Jᵀ μ, for which the iteration makes up.
+ * omits the derivative of Jᵀ μ, for which the iteration makes up. Equations that restrict
+ * velocities alone have no Φ, and their μ is zero.
  */
 public final class ResidualPenaltyModel extends PenaltyModel implements LinearisedModel {
   /** Method for the derivatives of the equations of motion. */
@@ -61,6 +62,10 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
   private final SparseMatrix rows;
 
   private final SparseMatrix linearisedRows;
+
+  /** The rows at the linearisation that restrict positions; the others are zero. */
+  private final SparseMatrix positionRows;
+
   private final double[] force;
   private final double[] velocity;
   private final double[] lambda;
@@ -118,6 +123,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
         new ResidualDifferences(jacobian, work.coordinates, pattern, work.tree.velocityCount);
     rows = work.loops.stateRows(n, false);
     linearisedRows = rows.sameShape();
+    positionRows = work.loops.isHolonomic() ? linearisedRows : rows.sameShape();
     force = new double[work.tree.velocityCount];
     velocity = new double[n];
     lambda = new double[m];
@@ -128,8 +134,8 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
             : DenseAugmentedEquations.general(linearisedRows, units);
     correction =
         work.loops.isLarge()
-            ? new SparsePositionCorrection(linearisedRows, units)
-            : new DensePositionCorrection(linearisedRows, units);
+            ? new SparsePositionCorrection(positionRows, units)
+            : new DensePositionCorrection(positionRows, units);
     right = new double[n];
     ofVelocity = new double[m];
     ofPosition = new double[m];
@@ -208,7 +214,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
               : LoopRounding.beyond(
                   (RATE_ROUNDING + leftAlone) * speed, work.loops.rate[row] / size);
       residual[atMu + row] =
-          repeats
+          repeats || !work.loops.isHolonomic(row)
               ? y[atMu + row]
               : LoopRounding.beyond(ROUNDING + leftAlone, work.loops.value[row] / size);
     }
@@ -275,10 +281,22 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
       }
     }
     formRows(linearisedRows);
+    formPositionRows();
     iteration.setState(y);
     bordered.setState(y);
     work.lineariseFurther(t, y, further);
     return jacobian.isFinite() && further.isFinite();
+  }
+
+  private void formPositionRows() {
+    if (positionRows != linearisedRows) {
+      positionRows.copy(linearisedRows);
+      for (int row = 0; row < m; row++) {
+        if (!work.loops.isHolonomic(row)) {
+          Arrays.fill(positionRows.value, positionRows.start[row], positionRows.start[row + 1], 0);
+        }
+      }
+    }
   }
 
   /** Forms M v' + b − τ + Jᵀ λ at another state, for the same v' and λ. */
@@ -332,7 +350,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
       boolean repeats = isRepeated[row];
       ofVelocity[row] = repeats ? 0 : -r[atLambda + row] / hGamma;
       ofPosition[row] =
-          repeats
+          repeats || !work.loops.isHolonomic(row)
               ? 0
               : linearisedRows.product(row, iteration.tangent(), 0) / hGamma
                   - r[atMu + row] / (hGamma * hGamma);
@@ -350,7 +368,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     for (int row = 0; row < m; row++) {
       boolean repeats = isRepeated[row];
       r[atLambda + row] = (repeats ? r[atLambda + row] : push[row]) / hGamma;
-      r[atMu + row] = repeats ? r[atMu + row] / hGamma : mu[row];
+      r[atMu + row] = repeats || !work.loops.isHolonomic(row) ? r[atMu + row] / hGamma : mu[row];
     }
   }
 
@@ -392,10 +410,10 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     Arrays.fill(mu, 0);
     for (int i = 0; i < REPETITIONS; i++) {
       for (int row = 0; row < m; row++) {
-        lambda[row] = linearisedRows.product(row, change, 0) + ofPosition[row];
+        lambda[row] = positionRows.product(row, change, 0) + ofPosition[row];
       }
       correction.solve(lambda);
-      addTransposed(linearisedRows, lambda, 0, -1, true, change);
+      addTransposed(positionRows, lambda, 0, -1, true, change);
       for (int row = 0; row < m; row++) {
         mu[row] += lambda[row];
       }

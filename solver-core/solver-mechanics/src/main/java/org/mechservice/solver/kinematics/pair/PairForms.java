@@ -38,4 +38,14 @@ public interface PairForms<T> {
 
   /** A component of the relative angular velocity, which has no value as a position. */
   T angularVelocity(int axis);
+
+  /** The velocity of the touching point of a wheel or ball in a direction. */
+  T rollingContact(RollingShape shape, RollingShape.Direction direction);
+
+  /**
+   * The velocity of B's point along a vector fixed in B, which has no value as a position.
+   *
+   * @param side unit vector in B's axes
+   */
+  T edgeVelocity(Vector3 side);
 }

@@ -54,6 +54,34 @@ public abstract class PairFunction {
     return new Distance(d);
   }
 
+  /**
+   * Returns the functions of a wheel or ball that rolls on a plane: its height, then the velocities
+   * of its touching point along the plane.
+   */
+  public static List<PairFunction> rolling(RollingShape shape) {
+    return Arrays.stream(RollingShape.Direction.values())
+        .<PairFunction>map(direction -> new RollingContact(shape, direction))
+        .toList();
+  }
+
+  /**
+   * Returns the velocity of B's point along a vector fixed in B.
+   *
+   * @param side unit vector in B's axes
+   */
+  public static PairFunction edgeVelocity(Vector3 side) {
+    return new EdgeVelocity("slip across the edge", side);
+  }
+
+  /**
+   * Returns whether this is a function of the pose. Otherwise only its rate has a meaning,
+   * gradientᵀ times the velocities; its value is zero, and its gradient is not the derivative of a
+   * function (non-holonomic).
+   */
+  public boolean isHolonomic() {
+    return true;
+  }
+
   /** Returns the name of the measured quantity. */
   public final String label() {
     return label;

@@ -11,7 +11,9 @@ public sealed interface LoopClosure
         DistanceClosure,
         CoordinateClosure,
         PointOnPlaneClosure,
-        PointOnLineClosure {
+        PointOnLineClosure,
+        RollingClosure,
+        KnifeEdgeClosure {
   /** Returns the name in the model file. */
   String name();
 

@@ -1,0 +1,412 @@
+package org.mechservice.load;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.net.InetAddress;
+import java.net.Socket;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import javax.net.SocketFactory;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.mechservice.client.MechConnection;
+import org.mechservice.client.MechSession;
+import org.mechservice.client.SimulationOptions;
+import org.mechservice.client.jar.JarCache;
+import org.mechservice.idl.IMechSimRemote;
+import org.mechservice.idl.MechServer;
+import org.mechservice.idl.MechSim;
+import org.mechservice.idl.ModelFile;
+import org.mechservice.idl.NameValue;
+import org.mechservice.load.ServiceJvm.Inside;
+import org.mechservice.orb.ServiceOrb;
+import org.omg.CORBA.SystemException;
+import org.omg.CORBA.UserException;
+
+/**
+ * A hundred thousand requests with damaged bytes, to a server and to a host, over plain connections
+ * and over TLS, from strangers and from users: all go on serving, and keep nothing.
+ */
+@Tag("soak")
+class MutatedMessagesTest {
+  private static final long SEED = 20261125;
+  private static final int HEAP_MEGABYTES = 192;
+  private static final int LEASE_SECONDS = 10;
+
+  /** Messages over one connection; most connections are closed before. */
+  private static final int PER_CONNECTION = 20;
+
+  /** Java's own bookkeeping goes up and down by this much, and a class is loaded now and then. */
+  private static final long NOISE_BYTES = 6_000_000;
+
+  @TempDir Path folder;
+
+  private final Random random = new Random(SEED);
+  private final SoakPage page =
+      new SoakPage(
+          "Mutated messages",
+          "Requests to every kind of object (server, administration, registry, session, simulation,"
+              + " cursor), of versions 1.0 and 1.2 of the protocol, with bytes changed, cut out or"
+              + " put in, up to "
+              + PER_CONNECTION
+              + " over one connection. They go to the port of a server and to that of its host,"
+              + " over plain connections; over TLS by a program that shows no certificate; and over"
+              + " TLS by a user. Sessions, simulations and cursors among the targets exist, and are"
+              + " made anew when a message has ended them. After each row an honest client, who is"
+              + " connected all the time, simulates on the host and gets its rows to the last bit."
+              + " Heap (with `-Xmx"
+              + HEAP_MEGABYTES
+              + "m`), objects, threads and files are those of the attacked process after a full"
+              + " collection, when the leases have ended; before and after the row. Incidents are"
+              + " errors that the service did not expect ([S-001](../errors/S-001.md)).",
+          SEED);
+
+  private int sent;
+
+  @Test
+  void everyPortSurvives() throws Exception {
+    page.line(
+        "| port | sender | messages | connections | heap, MB | objects | threads | files |"
+            + " incidents |");
+    page.line("|---|---|---|---|---|---|---|---|---|");
+    attackPlain(20_000);
+    TlsKeys keys = TlsKeys.make(folder.resolve("keys"), "ann", "eve");
+    attackEncrypted(keys, 5_000, 25_000);
+    page.line("%n%d messages in all.", sent);
+    assertThat(sent).isGreaterThanOrEqualTo(100_000);
+    page.write("service-mutated-messages.md");
+  }
+
+  private static ServiceJvm server(String... more) throws IOException {
+    List<String> words =
+        new ArrayList<>(List.of("server", "--listen", "127.0.0.1:0", "--capacity", "0"));
+    words.addAll(List.of("--limit", "lease=" + LEASE_SECONDS));
+    words.addAll(List.of(more));
+    return ServiceJvm.start(List.of(), HEAP_MEGABYTES, words.toArray(String[]::new));
+  }
+
+  private static ServiceJvm host(ServiceJvm server, String... more) throws IOException {
+    List<String> words = new ArrayList<>(List.of("simhost", "--server", server.address()));
+    words.addAll(List.of("--listen", "127.0.0.1:0", "--name", "far", "--capacity", "2"));
+    words.addAll(List.of("--limit", "lease=" + LEASE_SECONDS));
+    words.addAll(List.of(more));
+    return ServiceJvm.start(List.of(), HEAP_MEGABYTES, words.toArray(String[]::new));
+  }
+
+  private void attackPlain(int each) throws Exception {
+    try (ServiceJvm server = server();
+        ServiceJvm host = host(server);
+        ServiceOrb orb = ServiceOrb.client();
+        MechConnection honest = MechConnection.open(server.address(), JarCache.ofUser())) {
+      Targets targets = new Targets(orb, server.address());
+      try (MechSession session = honest.openSession("far")) {
+        session.loadModel(Runs.PENDULUM);
+        List<Long> alone = Runs.bits(session, SimulationOptions.asInFile(), false);
+        SocketFactory plain = SocketFactory.getDefault();
+        attack("server", "anybody, plain", server, plain, targets::ofServer, each);
+        assertServes(session, alone);
+        attack("host", "anybody, plain", host, plain, targets::ofHost, each);
+        assertServes(session, alone);
+      }
+    }
+  }
+
+  private void attackEncrypted(TlsKeys keys, int strangers, int users) throws Exception {
+    String[] tls = {"--tls", keys.of("server")};
+    try (ServiceJvm server = server(tls);
+        ServiceJvm host = host(server, tls);
+        ServiceOrb orb = ServiceOrb.client(keys.identity("eve"));
+        MechConnection honest =
+            MechConnection.open(
+                server.address(), new JarCache(folder.resolve("jars")), keys.identity("ann"))) {
+      Targets targets = new Targets(orb, server.address());
+      try (MechSession session = honest.openSession("far")) {
+        session.loadModel(Runs.PENDULUM);
+        List<Long> alone = Runs.bits(session, SimulationOptions.asInFile(), false);
+        SocketFactory stranger = keys.context("eve", false).getSocketFactory();
+        SocketFactory user = keys.context("eve", true).getSocketFactory();
+        String without = "a stranger, TLS without a certificate";
+        attack("server", without, server, stranger, targets::ofServer, strangers);
+        attack("host", without, host, stranger, targets::ofHost, strangers);
+        assertServes(session, alone);
+        attack("server", "a user, TLS", server, user, targets::ofServer, users);
+        assertServes(session, alone);
+        attack("host", "a user, TLS", host, user, targets::ofHost, users);
+        assertServes(session, alone);
+      }
+    }
+  }
+
+  private static void assertServes(MechSession session, List<Long> alone) throws IOException {
+    assertThat(Runs.bits(session, SimulationOptions.asInFile(), false)).isEqualTo(alone);
+  }
+
+  private interface Messages {
+    List<byte[]> all() throws Exception;
+  }
+
+  private void attack(
+      String port,
+      String sender,
+      ServiceJvm attacked,
+      SocketFactory sockets,
+      Messages messages,
+      int count)
+      throws Exception {
+    Thread.sleep(1000L * (LEASE_SECONDS + 2));
+    Inside before = attacked.inside();
+    int incidents = incidents(attacked);
+    int done = 0;
+    int connections = 0;
+    List<byte[]> valid = messages.all();
+    while (done < count) {
+      if (connections % 50 == 0) {
+        valid = messages.all();
+      }
+      connections++;
+      done += send(attacked.port(), sockets, valid, Math.min(PER_CONNECTION, count - done));
+    }
+    sent += done;
+    assertThat(attacked.alive()).as(port + ", " + sender).isTrue();
+    Thread.sleep(1000L * (LEASE_SECONDS + 2));
+    Inside after = attacked.inside();
+    int found = incidents(attacked) - incidents;
+    page.line(
+        "| %s | %s | %d | %d | %.1f, %.1f | %d, %d | %d, %d | %d, %d | %d |",
+        port,
+        sender,
+        done,
+        connections,
+        before.heapBytes() * 1e-6,
+        after.heapBytes() * 1e-6,
+        before.objects(),
+        after.objects(),
+        before.threads(),
+        after.threads(),
+        before.files(),
+        after.files(),
+        found);
+    String which = port + ", " + sender;
+    assertThat(attacked.messages()).as(which).doesNotContain("OutOfMemoryError");
+    assertThat(found).as(which + ": " + kinds(attacked)).isZero();
+    assertThat(after.heapBytes()).as(which).isLessThan(before.heapBytes() + NOISE_BYTES);
+    assertThat(after.files()).as(which).isLessThanOrEqualTo(before.files() + 5);
+  }
+
+  private static int incidents(ServiceJvm attacked) throws IOException {
+    return attacked.messages().split("S-001", -1).length - 1;
+  }
+
+  /** Returns the different incidents: what was thrown, and where. */
+  private static String kinds(ServiceJvm attacked) throws IOException {
+    return Pattern.compile("S-001[^\\n]* (in [^\\n]*\\n(?:[^\\n]*\\n){1,12})")
+        .matcher(attacked.messages())
+        .results()
+        .map(found -> found.group(1).replaceAll("-?\\d+", "N"))
+        .distinct()
+        .collect(Collectors.joining("\n"));
+  }
+
+  /** Sends messages until the other side closes; returns how many. */
+  private int send(int port, SocketFactory sockets, List<byte[]> valid, int most)
+      throws IOException {
+    int count = 0;
+    try (Socket socket = sockets.createSocket(InetAddress.getLoopbackAddress(), port)) {
+      socket.setSoTimeout(1);
+      OutputStream out = socket.getOutputStream();
+      InputStream in = socket.getInputStream();
+      byte[] replies = new byte[1 << 16];
+      while (count < most) {
+        byte[] message = mutated(valid.get(random.nextInt(valid.size())));
+        count++;
+        out.write(message);
+        out.flush();
+        if (!goesOn(in, replies)) {
+          return count;
+        }
+      }
+    } catch (IOException closedByServer) {
+      return Math.max(count, 1);
+    }
+    return count;
+  }
+
+  private static boolean goesOn(InputStream in, byte[] replies) throws IOException {
+    try {
+      return in.read(replies) >= 0;
+    } catch (java.net.SocketTimeoutException nothingYet) {
+      return true;
+    }
+  }
+
+  private byte[] mutated(byte[] message) {
+    byte[] changed = message.clone();
+    for (int i = random.nextInt(4); i >= 0 && changed.length > Giop.HEADER_BYTES; i--) {
+      // Half of the changes leave the header alone, else most messages would never be looked at.
+      int first = random.nextBoolean() ? Giop.HEADER_BYTES : 0;
+      int place = first + random.nextInt(changed.length - first);
+      switch (random.nextInt(5)) {
+        case 0 -> changed[place] = (byte) random.nextInt(256);
+        case 1 -> changed[place] ^= (byte) (1 << random.nextInt(8));
+        case 2 -> ByteBuffer.wrap(changed).putInt(place / 4 * 4 % (changed.length - 4), odd());
+        case 3 ->
+            changed = spliced(changed, place, Math.min(changed.length, place + 4), new byte[0]);
+        default -> {
+          byte[] more = new byte[1 + random.nextInt(8)];
+          random.nextBytes(more);
+          changed = spliced(changed, place, place, more);
+        }
+      }
+    }
+    if (random.nextBoolean()) { // the length is right again
+      ByteBuffer.wrap(changed).putInt(8, changed.length - Giop.HEADER_BYTES);
+    }
+    return changed;
+  }
+
+  /** Returns a number at the edge of something. */
+  private int odd() {
+    int[] all = {0, 1, -1, Integer.MAX_VALUE, Integer.MIN_VALUE, 0x7FFFFFF0, 1 << 20, 1 << 25};
+    return all[random.nextInt(all.length)];
+  }
+
+  private static byte[] spliced(byte[] bytes, int from, int to, byte[] put) {
+    byte[] all = Arrays.copyOf(bytes, from + put.length + bytes.length - to);
+    System.arraycopy(put, 0, all, from, put.length);
+    System.arraycopy(bytes, to, all, from + put.length, bytes.length - to);
+    return all;
+  }
+
+  /** Valid messages, to objects that exist. */
+  private static final class Targets {
+    private static final List<String> SERVER =
+        List.of("getInfo", "limits", "findSession", "findSimulation", "createSession", "_is_a");
+    private static final List<String> ADMIN =
+        List.of("getStatus", "listHosts", "listSimulations", "showSimulation", "events", "limits");
+    private static final List<String> SESSION =
+        List.of(
+            "_get_sessionId",
+            "_get_hostName",
+            "getModelInfo",
+            "parameters",
+            "roadmap",
+            "checkReport",
+            "generatedSource",
+            "createSimulation",
+            "compileToJar",
+            "getRuntimeInfo",
+            "fetchRuntime",
+            "timings",
+            "pollEvents",
+            "prepareSimulation",
+            "prepareJar",
+            "renewLease");
+    private static final List<String> SIMULATION =
+        List.of(
+            "_get_simId",
+            "start",
+            "pause",
+            "resume",
+            "stepOnce",
+            "runTo",
+            "getProgress",
+            "stateChannels",
+            "getStates",
+            "parameters",
+            "setParameters",
+            "openResults",
+            "report",
+            "failure",
+            "checkpoint",
+            "restore",
+            "cancel",
+            "destroy");
+    private static final List<String> CURSOR =
+        List.of("channels", "nextBlock", "seekRow", "renewLease", "destroy");
+
+    private final ServiceOrb orb;
+    private final MechServer server;
+    private final byte[] model;
+    private Optional<MechSim> session = Optional.empty();
+    private int id;
+
+    Targets(ServiceOrb orb, String address) throws IOException {
+      this.orb = orb;
+      server = orb.connect(address);
+      model = Files.readAllBytes(Runs.PENDULUM);
+    }
+
+    List<byte[]> ofServer() {
+      List<byte[]> all = new ArrayList<>();
+      addAll(all, "MechServer".getBytes(StandardCharsets.US_ASCII), SERVER);
+      addAll(all, "MechAdmin".getBytes(StandardCharsets.US_ASCII), ADMIN);
+      byte[] registry = "HostRegistry".getBytes(StandardCharsets.US_ASCII);
+      addAll(all, registry, List.of("registerHost"));
+      byte[] named = Giop.text("robot.urdf");
+      add(all, "MechServer".getBytes(StandardCharsets.US_ASCII), "importModel", named, model);
+      return all;
+    }
+
+    /** Ends what it has made before, as far as no message has. */
+    List<byte[]> ofHost() throws UserException {
+      session.ifPresent(Targets::end);
+      MechSim made = server.createSession("eve", "far", null);
+      session = Optional.of(made);
+      made.loadModel(new ModelFile("pendulum.xml", model), new ModelFile[0]);
+      IMechSimRemote run = made.createSimulation(new NameValue[0], null);
+      List<byte[]> all = new ArrayList<>();
+      byte[] ofSession = key(made);
+      addAll(all, ofSession, SESSION);
+      add(all, ofSession, "loadModel", Giop.text("pendulum.xml"), model);
+      addAll(all, key(run), SIMULATION);
+      addAll(all, key(run.openResults(new String[0])), CURSOR);
+      return all;
+    }
+
+    private static void end(MechSim session) {
+      try {
+        session.destroy();
+      } catch (SystemException alreadyGone) {
+        return;
+      }
+    }
+
+    private byte[] key(org.omg.CORBA.Object object) {
+      return Giop.objectKey(orb.toIor(object));
+    }
+
+    /** Each operation without arguments, with numbers and with text. */
+    private void addAll(List<byte[]> all, byte[] key, List<String> operations) {
+      for (String operation : operations) {
+        add(all, key, operation, new byte[0], new byte[0]);
+        add(all, key, operation, Giop.numbers(0, 1, 0, 10, 0), new byte[0]);
+        add(all, key, operation, Giop.text("x"), new byte[0]);
+      }
+    }
+
+    private void add(
+        List<byte[]> all, byte[] key, String operation, byte[] arguments, byte[] octets) {
+      byte[] whole = arguments;
+      if (octets.length > 0) {
+        whole = spliced(arguments, arguments.length, arguments.length, Giop.numbers(octets.length));
+        whole = spliced(whole, whole.length, whole.length, octets);
+        whole = Arrays.copyOf(whole, (whole.length + 3) / 4 * 4 + 4); // and nothing else
+      }
+      all.add(Giop.request(key, operation, id++, whole));
+      all.add(Giop.requestNow(key, operation, id++, whole));
+    }
+  }
+}

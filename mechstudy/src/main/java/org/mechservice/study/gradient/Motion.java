@@ -1,0 +1,130 @@
+package org.mechservice.study.gradient;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import org.mechservice.solver.api.capability.ModelEvents;
+import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.mechanism.Event;
+import org.mechservice.solver.ode.ProjectedSystem;
+import org.mechservice.solver.ode.solve.Ode;
+import org.mechservice.solver.ode.solve.OdeEvent;
+import org.mechservice.solver.ode.solve.OdeFunction;
+import org.mechservice.solver.ode.solve.OdeMethod;
+import org.mechservice.solver.ode.solve.OdeOptions;
+import org.mechservice.solver.ode.solve.OdeProblem;
+import org.mechservice.study.gradient.GradientModel.Part;
+
+/** The motion as a problem of the integrators: settings of the run, events and switches. */
+final class Motion {
+  final GradientModel model;
+  final RunSettings run;
+
+  /** All places where something jumps, in the order of the events of the problem. */
+  final List<Transition> transitions = new ArrayList<>();
+
+  private final List<OdeEvent> events = new ArrayList<>();
+  private final int stopsFrom;
+
+  /** What a transition does to all that is integrated. */
+  interface Change {
+    void apply(Transition transition, double t, double[] z);
+  }
+
+  Motion(GradientModel model, RunSettings run, Change change) {
+    this.model = model;
+    this.run = run;
+    List<Event> given = model.functions.events();
+    List<OdeEvent> stops = new ArrayList<>();
+    List<Transition> ends = new ArrayList<>();
+    for (int e = 0; e < given.size(); e++) {
+      Event event = given.get(e);
+      if (event.action() == ModelEvents.Action.RECORD) {
+        continue;
+      }
+      Transition transition =
+          new Transition(model, Part.TRIGGERS, e, "event \"" + event.name() + "\"");
+      OdeEvent ode = directed(OdeEvent.when(transition::value), event.direction());
+      if (event.action() == ModelEvents.Action.STOP) {
+        ends.add(transition);
+        stops.add(ode.named(event.name()).terminal());
+      } else {
+        transitions.add(transition);
+        events.add(ode.named(event.name()).then((t, z) -> change.apply(transition, t, z)));
+      }
+    }
+    for (int i = 0; i < model.functions.switches().count(); i++) {
+      Transition transition =
+          new Transition(model, Part.SWITCHES, i, "a sign, step or contact of the forces");
+      transitions.add(transition);
+      events.add(OdeEvent.when(transition::value).then((t, z) -> change.apply(transition, t, z)));
+    }
+    stopsFrom = transitions.size();
+    transitions.addAll(ends);
+    events.addAll(stops);
+  }
+
+  private static OdeEvent directed(OdeEvent event, ModelEvents.Direction direction) {
+    return switch (direction) {
+      case RISING -> event.rising();
+      case FALLING -> event.falling();
+      case BOTH -> event;
+    };
+  }
+
+  /** Returns whether an event ends the run. */
+  boolean isStop(int event) {
+    return event >= stopsFrom;
+  }
+
+  /** Returns the method that the settings name, in the integrators' terms. */
+  OdeMethod method() {
+    String name = run.integrator();
+    return name.startsWith("ode15s") ? OdeMethod.ODE15S : OdeMethod.ODE113;
+  }
+
+  /**
+   * Returns the options of an integration.
+   *
+   * @param tolerances absolute tolerance of each component
+   */
+  OdeOptions options(double[] tolerances) {
+    OdeOptions options =
+        OdeOptions.standard()
+            .method(method())
+            .rtol(run.relativeTolerance())
+            .atol(tolerances)
+            .keepSteps(false)
+            .maxSteps(100_000_000);
+    if (run.maxStep() > 0) {
+      options = options.maxStep(run.maxStep());
+    }
+    return options;
+  }
+
+  /** Returns the options with the events of the motion. */
+  OdeOptions watched(OdeOptions options) {
+    OdeOptions all = options;
+    for (OdeEvent event : events) {
+      all = all.event(event);
+    }
+    return all;
+  }
+
+  /** Returns the problem of the motion and whatever follows the state in the vector. */
+  OdeProblem problem(int length, OdeFunction function) {
+    OdeProblem problem = Ode.system(length, function).withBreakpoints(model.functions.jumpTimes());
+    return model.functions.assembles()
+        ? problem.with(ProjectedSystem.class, model.equations::project)
+        : problem;
+  }
+
+  /** Returns the absolute tolerances of the state, as a run has them. */
+  double[] tolerances() {
+    List<String> units = model.functions.stateUnits();
+    double[] own = model.functions.stateTolerances();
+    double[] tolerances = new double[model.n];
+    Arrays.setAll(tolerances, i -> own[i] > 0 ? own[i] : run.absoluteTolerance(units.get(i)));
+    return tolerances;
+  }
+}

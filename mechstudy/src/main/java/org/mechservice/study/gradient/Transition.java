@@ -1,0 +1,205 @@
+package org.mechservice.study.gradient;
+
+import java.util.Arrays;
+import java.util.List;
+import org.mechservice.study.gradient.GradientModel.Part;
+
+/**
+ * One of the places at which the state or its derivative jumps: an event of the file, or a switch
+ * of the equations. With g its function, h the change of the state and f⁻, f⁺ the derivatives
+ * before and behind, a tangent δy becomes
+ *
+ * <pre>{@code
+ * h_y (δy + f⁻ δt) + h_t δt + h_p − f⁺ δt,   δt = −(g_y δy + g_p) / (g_t + g_y f⁻)
+ * }</pre>
+ *
+ * <p>at the same time (Galán, Feehery and Barton 1999, equations 24 and 30).
+ */
+final class Transition {
+  /** Rate of the function, relative to the sizes of its terms, from which it is crossed. */
+  private static final double GRAZING = 1e-9;
+
+  private final GradientModel model;
+  private final Part part;
+  private final int index;
+  private final String name;
+
+  /** Components of the state that the event sets, and where their values stand. */
+  private final int[] assigned;
+
+  private final int firstValue;
+
+  /**
+   * @param part triggers or switches
+   * @param index which of them
+   */
+  Transition(GradientModel model, Part part, int index, String name) {
+    this.model = model;
+    this.part = part;
+    this.index = index;
+    this.name = name;
+    List<int[]> components = model.functions.assignedComponents();
+    int first = 0;
+    for (int e = 0; part == Part.TRIGGERS && e < index; e++) {
+      first += components.get(e).length;
+    }
+    firstValue = first;
+    assigned = part == Part.TRIGGERS ? components.get(index) : new int[0];
+  }
+
+  /** Returns the value of its function. */
+  double value(double t, double[] y) {
+    return part.of(model.functions).values(t, y)[index];
+  }
+
+  /**
+   * Both sides of the transition.
+   *
+   * @param before state before, n numbers
+   * @param after state behind
+   * @param rateBefore f⁻
+   * @param rateAfter f⁺
+   * @param speed g_t + g_y f⁻
+   */
+  @SuppressWarnings("ArrayRecordComponent") // never compared
+  record Sides(
+      double[] before, double[] after, double[] rateBefore, double[] rateAfter, double speed) {}
+
+  /**
+   * Returns both sides.
+   *
+   * @param y state before the change, at the place where the function is zero or just behind it
+   * @throws IllegalArgumentException if the function only touches zero: the time of the event is no
+   *     differentiable function then
+   */
+  Sides sides(double t, double[] y) {
+    int n = model.n;
+    double[] before = Arrays.copyOf(y, n);
+    double[] after = before.clone();
+    double[] rateBefore = new double[n];
+    double[] rateAfter = new double[n];
+    if (part == Part.TRIGGERS) {
+      double[] values = Part.ASSIGNMENTS.of(model.functions).values(t, before);
+      for (int i = 0; i < assigned.length; i++) {
+        after[assigned[i]] = values[firstValue + i];
+      }
+      model.derivative(t, before, rateBefore);
+      model.derivative(t, after, rateAfter);
+    } else {
+      model.derivative(t, before, rateAfter);
+      stepBack(t, before, rateAfter, rateBefore);
+    }
+    double speed = model.along(part, t, before, rateBefore, 1, -1)[index];
+    double size = 0;
+    for (int i = 0; i < n; i++) {
+      double[] one = new double[n];
+      one[i] = rateBefore[i];
+      size += Math.abs(model.along(part, t, before, one, 0, -1)[index]);
+    }
+    if (!(Math.abs(speed) > GRAZING * size) || speed == 0) {
+      throw new IllegalArgumentException(
+          name
+              + " is only touched at t = "
+              + t
+              + " s, not crossed: its time has no derivative there");
+    }
+    return new Sides(before, after, rateBefore, rateAfter, speed);
+  }
+
+  /** Evaluates f before a switch, extrapolated from two states on the way to it. */
+  private void stepBack(double t, double[] at, double[] rateAfter, double[] rateBefore) {
+    int n = model.n;
+    double[] near = new double[n];
+    double[] far = new double[n];
+    double[] rateFar = new double[n];
+    double sign = Math.signum(value(t, at));
+    double back = 1e-10 * Math.max(1e-3, Math.abs(t));
+    System.arraycopy(rateAfter, 0, rateBefore, 0, n);
+    for (int tries = 0; tries < 20; tries++) {
+      for (int i = 0; i < n; i++) {
+        near[i] = at[i] - back * rateBefore[i];
+        far[i] = at[i] - 2 * back * rateBefore[i];
+      }
+      if (Math.signum(value(t - back, near)) != sign) {
+        model.derivative(t - back, near, rateBefore);
+        model.derivative(t - 2 * back, far, rateFar);
+        for (int i = 0; i < n; i++) {
+          rateBefore[i] = 2 * rateBefore[i] - rateFar[i];
+        }
+        return;
+      }
+      back *= 4;
+    }
+    throw new IllegalArgumentException(
+        name
+            + " is only touched at t = "
+            + t
+            + " s, not crossed: its time has no derivative there");
+  }
+
+  /**
+   * Returns the derivative of the time of the transition along a direction.
+   *
+   * @param tangent of the state before, n numbers
+   */
+  double timeRate(double t, Sides sides, double[] tangent, int direction) {
+    return -model.along(part, t, sides.before(), tangent, 0, direction)[index] / sides.speed();
+  }
+
+  /**
+   * Carries a tangent across.
+   *
+   * @param tangent before at entry, behind at return
+   * @param dt derivative of the time along it
+   */
+  void carry(double t, Sides sides, double[] tangent, double dt, int direction) {
+    int n = model.n;
+    double[] moved = new double[n];
+    for (int i = 0; i < n; i++) {
+      moved[i] = tangent[i] + sides.rateBefore()[i] * dt;
+    }
+    double[] set =
+        assigned.length == 0
+            ? new double[0]
+            : model.along(Part.ASSIGNMENTS, t, sides.before(), moved, dt, direction);
+    for (int i = 0; i < assigned.length; i++) {
+      moved[assigned[i]] = set[firstValue + i];
+    }
+    for (int i = 0; i < n; i++) {
+      tangent[i] = moved[i] - sides.rateAfter()[i] * dt;
+    }
+  }
+
+  /**
+   * Carries an adjoint back.
+   *
+   * @param lambda behind at entry, before at return; n numbers
+   * @param byDirection derivatives by the directions; added to
+   * @param further what the number itself gains for each second by which the transition is later
+   */
+  void carryBack(double t, Sides sides, double[] lambda, double[] byDirection, double further) {
+    int n = model.n;
+    double gain = further - GradientModel.dot(lambda, sides.rateAfter(), n);
+    double[] through = Arrays.copyOf(lambda, n);
+    if (assigned.length > 0) {
+      double[] weights = new double[Part.ASSIGNMENTS.of(model.functions).count()];
+      for (int i = 0; i < assigned.length; i++) {
+        weights[firstValue + i] = lambda[assigned[i]];
+        through[assigned[i]] = 0;
+      }
+      gain +=
+          model.addAdjointOf(Part.ASSIGNMENTS, t, sides.before(), weights, 1, through, byDirection);
+    }
+    gain += GradientModel.dot(through, sides.rateBefore(), n);
+    addTime(t, sides, gain, through, byDirection);
+    System.arraycopy(through, 0, lambda, 0, n);
+  }
+
+  /** Adds the derivatives of gain · time of the transition. */
+  void addTime(double t, Sides sides, double gain, double[] lambda, double[] byDirection) {
+    double[] weights = new double[part.of(model.functions).count()];
+    weights[index] = 1;
+    model.addAdjointOf(
+        part, t, sides.before(), weights, -gain / sides.speed(), lambda, byDirection);
+  }
+}
