@@ -39,6 +39,8 @@ record ExampleFile(String text) {
           Map.entry("CoordConstraint", "Constraints"),
           Map.entry("PointOnPlane", "Constraints"),
           Map.entry("PointOnLine", "Constraints"),
+          Map.entry("Rolling", "Constraints"),
+          Map.entry("KnifeEdge", "Constraints"),
           Map.entry("JointConstraint", "Constraints"),
           Map.entry("table", "Tables"),
           Map.entry("state", "States"),

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -324,5 +325,29 @@ class RollingTest {
     assertThat(rest.column("plane.q[2]")[0]).isCloseTo(Math.PI / 2, within(1e-7));
     assertThat(rest.column("plane.q[0]")[0])
         .isCloseTo(0.4 * (Math.PI / 2 - 0.3), within(1e-7));
+  }
+
+  /** A wheel and a ball of the same inertia roll down a slope alike, 5/14 g sin 30° t². */
+  @ParameterizedTest
+  @ValueSource(booleans = {true, false})
+  void ballRollsDownTheSlope(boolean ball) throws Exception {
+    String text = Files.readString(Path.of("../examples/elements/Rolling.xml"));
+    if (ball) {
+      text =
+          text.replace("radius=\"400\" tube=\"100\"", "radius=\"500\"")
+              .replace("point=\"o\" vector=\"axle\"", "point=\"o\"");
+      assertThat(text).doesNotContain("tube");
+    }
+    Trajectory rows = of(text).columns(ColumnGroup.JOINTS, ColumnGroup.CONSTRAINTS).simulate();
+    double way = 5.0 / 14 * G * 0.5;
+    assertThat(rows.column("flight.q[4]")[10])
+        .isCloseTo(0.25 + way * Math.sqrt(0.75), within(1e-8));
+    assertThat(rows.column("flight.q[6]")[10])
+        .isCloseTo(Math.sqrt(3) / 4 - 0.5 * way, within(1e-8));
+    // the friction that turns it is 2/7 of the weight along the slope
+    double friction =
+        Math.hypot(rows.column("slope.lambda[1]")[5], rows.column("slope.lambda[2]")[5]);
+    double pressure = -rows.column("slope.lambda[0]")[5];
+    assertThat(friction / pressure).isCloseTo(2.0 / 7 / Math.sqrt(3), within(1e-8));
   }
 }

@@ -101,9 +101,6 @@ class PageInBrowserTest {
     String id = "10000019-0000-4000-8000-000000000000";
     browser.evaluate("location.hash = '#/sim/" + lab.address() + "/" + id + "'");
     browser.waitFor("document.querySelectorAll('svg .curve').length === 4");
-    browser.screenshot(PICTURES.resolve("admin-simulation.png"));
-    browser.look(390, 844, true);
-    browser.screenshot(PICTURES.resolve("admin-simulation-phone-dark.png"));
     browser.look(1280, 900, true);
     browser.evaluate("location.hash = '#/sim/" + lab.address() + "/" + FAILED + "'");
     browser.awaitText("Try ode15s.");
