@@ -16,7 +16,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.mechservice.mechml.diagnosis.Diagnostic;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.resolve.MechmlReader;
-import org.mechservice.mechml.urdf.UrdfImport;
+import org.mechservice.mechml.robot.RobotImport;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
@@ -63,7 +63,7 @@ class BrokenFileTest {
   private static List<Diagnostic> ofRobot(String name) {
     try {
       byte[] content = Resources.bytes("broken-urdf/" + name + ".urdf");
-      return UrdfImport.of(name + ".urdf", content).losses();
+      return RobotImport.of(name + ".urdf", content).losses();
     } catch (MechmlException e) {
       return e.diagnostics();
     } catch (IOException e) {

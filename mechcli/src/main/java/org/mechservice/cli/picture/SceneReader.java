@@ -5,6 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
@@ -14,7 +15,7 @@ import org.mechservice.mechml.ReadOptions;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.resolve.MechmlReader;
-import org.mechservice.mechml.urdf.UrdfImport;
+import org.mechservice.mechml.robot.RobotImport;
 import org.mechservice.sim.check.CheckReport;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.assembly.ClosedStart;
@@ -27,14 +28,15 @@ import org.mechservice.view.web.ModelReader;
 
 /** Reads model files as scenes for pictures: poses at the start, with closed loops. */
 public final class SceneReader {
-  private static final String ROBOT = ".urdf";
+  private static final List<String> ROBOTS = List.of(".urdf", ".sdf", ".mjcf");
 
   private SceneReader() {}
 
   /**
    * Reads a model file.
    *
-   * @param file a MechML file, or a robot in URDF if its name ends in {@code .urdf}
+   * @param file a MechML file, or a robot if its name ends in {@code .urdf}, {@code .sdf} or {@code
+   *     .mjcf}
    * @param options the simulation whose start is shown, and values of parameters
    * @throws IOException if the file cannot be read
    * @throws UsageException with the messages of the reader if it is no valid model; if options are
@@ -44,15 +46,15 @@ public final class SceneReader {
     byte[] content = ModelFiles.inlined(Files.readAllBytes(file), file);
     String fileName = String.valueOf(file.getFileName());
     try {
-      if (fileName.toLowerCase(Locale.ROOT).endsWith(ROBOT)) {
+      if (ROBOTS.stream().anyMatch(fileName.toLowerCase(Locale.ROOT)::endsWith)) {
         if (!options.equals(ReadOptions.NONE)) {
           throw new UsageException(
               MessageCode.OPTION_UNUSABLE
                   + " "
                   + file
-                  + " is a robot in URDF, which has no parameters and simulations to choose");
+                  + " is a robot, which has no parameters and simulations to choose");
         }
-        UrdfImport robot = UrdfImport.of(fileName, content);
+        RobotImport robot = RobotImport.of(fileName, content);
         return scene(robot.model(), geometries(robot.document().root()));
       }
       MechmlModel model = MechmlReader.read(fileName, content, options);

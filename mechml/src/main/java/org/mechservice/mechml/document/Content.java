@@ -1,4 +1,4 @@
 package org.mechservice.mechml.document;
 
-/** Content of an element: child elements, comments, and the text of a file that travels with it. */
+/** Content of an element: child elements, comments, and the text of another file or language. */
 public sealed interface Content permits Element, Comment, Text {}

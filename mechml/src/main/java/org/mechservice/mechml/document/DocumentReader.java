@@ -67,7 +67,7 @@ public final class DocumentReader {
 
   /**
    * Reads an XML file of another language without checking a grammar. The file may have no DOCTYPE
-   * and hence no entities; text between tags is ignored.
+   * and hence no entities.
    *
    * @param content the file's bytes; not modified
    * @param diagnostics receives errors and warnings

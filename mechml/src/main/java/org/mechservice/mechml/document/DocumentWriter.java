@@ -38,8 +38,10 @@ public final class DocumentWriter {
     for (Content content : contents) {
       if (content instanceof Element element) {
         element(element, indent);
+      } else if (content instanceof Comment comment) {
+        text.append(indent).append("<!--").append(comment.text()).append("-->\n");
       } else {
-        text.append(indent).append("<!--").append(((Comment) content).text()).append("-->\n");
+        throw new IllegalArgumentException("a model file has no text between tags: " + content);
       }
     }
   }

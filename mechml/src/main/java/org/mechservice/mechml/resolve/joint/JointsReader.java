@@ -15,7 +15,6 @@ import org.mechservice.mechml.resolve.value.NameTable;
 import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.Root;
-import org.mechservice.solver.text.Origin;
 
 /** Reads {@code Joints} with the starts that {@code relCoorVals} gives them. */
 public final class JointsReader {

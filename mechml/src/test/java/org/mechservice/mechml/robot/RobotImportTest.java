@@ -1,4 +1,4 @@
-package org.mechservice.mechml.urdf;
+package org.mechservice.mechml.robot;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -19,7 +19,7 @@ import org.mechservice.solver.dynamics.DataDrivenModel;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /** An imported robot is the robot. */
-class UrdfImportTest {
+class RobotImportTest {
   /** Rounding through a dozen joints, and what the shortest decimals of vectors leave. */
   private static final double ROUNDING = 1e-12;
 
@@ -57,7 +57,7 @@ class UrdfImportTest {
 
   private static String imported(String urdf) throws MechmlException {
     return DocumentWriter.write(
-        UrdfImport.of("robot.urdf", urdf.getBytes(StandardCharsets.UTF_8)).document());
+        RobotImport.of("robot.urdf", urdf.getBytes(StandardCharsets.UTF_8)).document());
   }
 
   private static MechmlModel read(String text) throws MechmlException {
@@ -122,7 +122,7 @@ class UrdfImportTest {
 
   @Test
   void robotWithoutLossesHasNone() throws MechmlException {
-    assertThat(UrdfImport.of("robot.urdf", ARM.getBytes(StandardCharsets.UTF_8)).losses())
+    assertThat(RobotImport.of("robot.urdf", ARM.getBytes(StandardCharsets.UTF_8)).losses())
         .isEmpty();
   }
 
@@ -141,7 +141,7 @@ class UrdfImportTest {
 
   private static List<String> codes(String robot) {
     try {
-      UrdfImport.of("r.urdf", robot.getBytes(StandardCharsets.UTF_8));
+      RobotImport.of("r.urdf", robot.getBytes(StandardCharsets.UTF_8));
       return List.of();
     } catch (MechmlException e) {
       return e.diagnostics().stream().map(said -> said.code().code()).distinct().toList();

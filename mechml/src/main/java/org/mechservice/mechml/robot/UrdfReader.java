@@ -1,4 +1,4 @@
-package org.mechservice.mechml.urdf;
+package org.mechservice.mechml.robot;
 
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -11,9 +11,9 @@ import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Attribute;
 import org.mechservice.mechml.document.Element;
-import org.mechservice.mechml.urdf.UrdfRobot.Inertial;
-import org.mechservice.mechml.urdf.UrdfRobot.Joint;
-import org.mechservice.mechml.urdf.UrdfRobot.Link;
+import org.mechservice.mechml.robot.Robot.Inertial;
+import org.mechservice.mechml.robot.Robot.Joint;
+import org.mechservice.mechml.robot.Robot.Link;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /** Reads the elements of a robot. */
@@ -23,7 +23,7 @@ final class UrdfReader {
 
   private final Diagnostics diagnostics;
   private final ImportLosses losses;
-  private final UrdfNumbers numbers;
+  private final RobotNumbers numbers;
   private final UrdfJointReader joints;
 
   /**
@@ -33,12 +33,12 @@ final class UrdfReader {
   UrdfReader(Diagnostics diagnostics, ImportLosses losses) {
     this.diagnostics = diagnostics;
     this.losses = losses;
-    numbers = new UrdfNumbers(diagnostics);
+    numbers = new RobotNumbers(diagnostics);
     joints = new UrdfJointReader(numbers, diagnostics, losses);
   }
 
   /** Returns the robot without the elements in error. */
-  UrdfRobot read(Element robot) {
+  Robot read(Element robot) {
     List<Link> links = new ArrayList<>();
     List<Joint> read = new ArrayList<>();
     Set<String> linkNames = new HashSet<>();
@@ -61,7 +61,8 @@ final class UrdfReader {
     if (links.isEmpty()) {
       numbers.missing(robot, "links");
     }
-    return new UrdfRobot(robot.attribute("name").orElse("robot"), links, read);
+    return new Robot(
+        RobotFormat.URDF, robot.attribute("name").orElse("robot"), Optional.empty(), links, read);
   }
 
   private boolean isNamedAnew(Element element, Set<String> taken) {
@@ -88,7 +89,11 @@ final class UrdfReader {
     if (!collisions.isEmpty()) {
       losses.add(collisions.get(0), "collision shapes are left out");
     }
-    return new Link(element, element.child("inertial").flatMap(this::inertial), mesh(element));
+    return new Link(
+        element,
+        element.required("name"),
+        element.child("inertial").flatMap(this::inertial),
+        mesh(element));
   }
 
   private Optional<Inertial> inertial(Element element) {

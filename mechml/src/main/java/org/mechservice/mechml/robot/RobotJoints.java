@@ -1,12 +1,13 @@
-package org.mechservice.mechml.urdf;
+package org.mechservice.mechml.robot;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.mechservice.mechml.document.Element;
-import org.mechservice.mechml.urdf.UrdfRobot.Freedom;
-import org.mechservice.mechml.urdf.UrdfRobot.Joint;
+import org.mechservice.mechml.robot.Robot.Freedom;
+import org.mechservice.mechml.robot.Robot.Joint;
+import org.mechservice.mechml.robot.Robot.Place;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 import org.mechservice.solver.text.ShortestDecimal;
@@ -36,11 +37,11 @@ final class RobotJoints {
     }
   }
 
-  private final UrdfRobot robot;
-  private final UrdfTree tree;
+  private final Robot robot;
+  private final RobotTree tree;
   private final String origin;
 
-  RobotJoints(UrdfRobot robot, UrdfTree tree) {
+  RobotJoints(Robot robot, RobotTree tree) {
     this.robot = robot;
     this.tree = tree;
     String free = "origin";
@@ -72,10 +73,12 @@ final class RobotJoints {
   private static boolean needs(Joint joint, Assumption assumption) {
     boolean slides = joint.type() == Freedom.PRISMATIC;
     return switch (assumption) {
-      case ANGLE_STOP_STIFFNESS, ANGLE_STOP_DAMPING -> joint.limits().isPresent() && !slides;
-      case LENGTH_STOP_STIFFNESS, LENGTH_STOP_DAMPING -> joint.limits().isPresent() && slides;
-      case ANGLE_FRICTION_SPEED -> joint.friction() > 0 && !slides;
-      case LENGTH_FRICTION_SPEED -> joint.friction() > 0 && slides;
+      case ANGLE_STOP_STIFFNESS, ANGLE_STOP_DAMPING ->
+          joint.coordinate().limits().isPresent() && !slides;
+      case LENGTH_STOP_STIFFNESS, LENGTH_STOP_DAMPING ->
+          joint.coordinate().limits().isPresent() && slides;
+      case ANGLE_FRICTION_SPEED -> joint.coordinate().friction() > 0 && !slides;
+      case LENGTH_FRICTION_SPEED -> joint.coordinate().friction() > 0 && slides;
     };
   }
 
@@ -83,27 +86,36 @@ final class RobotJoints {
   List<TagBuilder> frames(String link) {
     List<TagBuilder> frames = new ArrayList<>();
     for (Joint joint : robot.joints()) {
-      Rotation turn = joint.frame().turn();
+      Place place = joint.place();
+      Rotation turn = place.frame().turn();
       if (joint.parent().equals(link)) {
         frames.add(
-            point(TagBuilder.of("point", joint.element()), joint.name(), joint.frame().at()));
+            point(TagBuilder.of("point", joint.element()), joint.name(), place.pointOnParent()));
         if (hasVectors(joint)) {
-          frames.add(vector(joint, "_axis", turn.apply(joint.axis())));
-          frames.add(vector(joint, "_side", turn.apply(across(joint.axis()))));
+          frames.add(vector(joint, "_axis", turn.apply(place.axis())));
+          frames.add(vector(joint, "_side", turn.apply(place.side())));
         }
       } else if (joint.child().equals(link)) {
-        frames.add(point(TagBuilder.of("point", joint.element()), origin, Vector3.ZERO));
+        frames.add(
+            point(TagBuilder.of("point", joint.element()), childPoint(joint), place.point()));
         if (hasVectors(joint)) {
-          frames.add(vector(joint, "_axis", joint.axis()));
-          frames.add(vector(joint, "_side", across(joint.axis())));
+          frames.add(vector(joint, "_axis", place.axis()));
+          frames.add(vector(joint, "_side", place.side()));
         }
       }
     }
     return frames;
   }
 
+  /** Returns the name of the joint's point on its child: the child's origin needs one only once. */
+  private String childPoint(Joint joint) {
+    return joint.place().point().equals(Vector3.ZERO) && !tree.closes(joint)
+        ? origin
+        : joint.name();
+  }
+
   private static boolean hasVectors(Joint joint) {
-    return joint.type() != Freedom.FLOATING;
+    return !joint.type().turnsFreely();
   }
 
   private static TagBuilder point(TagBuilder point, String name, Vector3 at) {
@@ -118,33 +130,29 @@ final class RobotJoints {
         .set("vz", v.z());
   }
 
-  /** Returns a unit vector normal to another, a coordinate axis if possible. */
-  private static Vector3 across(Vector3 axis) {
-    double x = Math.abs(axis.x());
-    double y = Math.abs(axis.y());
-    double z = Math.abs(axis.z());
-    Vector3 least =
-        x <= y && x <= z
-            ? new Vector3(1, 0, 0)
-            : y <= z ? new Vector3(0, 1, 0) : new Vector3(0, 0, 1);
-    return least.minus(axis.times(axis.dot(least))).normalized();
-  }
-
   /** Returns a joint. */
   Element joint(Joint joint) {
     TagBuilder tag =
         TagBuilder.of("joint", joint.element())
             .set("name", joint.name())
-            .set("type", letter(joint.type()));
-    if (joint.damping() > 0) {
-      tag.set("damping", joint.damping());
+            .set("type", joint.type().letter());
+    if (joint.place().lead() != 0) {
+      tag.set("lead", joint.place().lead());
+    }
+    if (joint.coordinate().stiffness() > 0) {
+      tag.set("stiffness", joint.coordinate().stiffness());
+      tag.set("freePosition", joint.coordinate().freePosition());
+    }
+    if (joint.coordinate().damping() > 0) {
+      tag.set("damping", joint.coordinate().damping());
     }
     boolean slides = joint.type() == Freedom.PRISMATIC;
-    if (joint.friction() > 0) {
-      tag.set("friction", joint.friction());
+    if (joint.coordinate().friction() > 0) {
+      tag.set("friction", joint.coordinate().friction());
       tag.set("frictionSpeed", slides ? "lengthFrictionSpeed" : "angleFrictionSpeed");
     }
     joint
+        .coordinate()
         .limits()
         .ifPresent(
             range -> {
@@ -153,18 +161,8 @@ final class RobotJoints {
               tag.set("stopDamping", slides ? "lengthStopDamping" : "angleStopDamping");
             });
     return tag.add(end(tag, joint, "body1", joint.parent(), joint.name()))
-        .add(end(tag, joint, "body2", joint.child(), origin))
+        .add(end(tag, joint, "body2", joint.child(), childPoint(joint)))
         .element();
-  }
-
-  private static String letter(Freedom type) {
-    return switch (type) {
-      case REVOLUTE, CONTINUOUS -> "R";
-      case PRISMATIC -> "P";
-      case FIXED -> "W";
-      case FLOATING -> "F";
-      case PLANAR -> "PL";
-    };
   }
 
   private static TagBuilder end(
@@ -178,12 +176,16 @@ final class RobotJoints {
 
   /** Returns the start position of a joint; empty if it is zero. */
   Optional<TagBuilder> start(Joint joint) {
-    if (joint.type() == Freedom.FLOATING) {
+    if (joint.type().turnsFreely()) {
+      if (tree.closes(joint)) {
+        return Optional.empty();
+      }
       String turn =
-          joint.frame().eulerParameters().stream()
+          joint.place().frame().eulerParameters().stream()
               .map(value -> ShortestDecimal.format(value + 0.0))
               .collect(Collectors.joining(";"));
-      return Optional.of(value(joint).set("posVals", turn + ";0;0;0"));
+      return Optional.of(
+          value(joint).set("posVals", joint.type() == Freedom.FLOATING ? turn + ";0;0;0" : turn));
     }
     double position = tree.start().getOrDefault(joint.name(), 0.0);
     return position == 0 ? Optional.empty() : Optional.of(value(joint).set("posVals", position));

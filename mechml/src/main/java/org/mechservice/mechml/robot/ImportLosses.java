@@ -1,4 +1,4 @@
-package org.mechservice.mechml.urdf;
+package org.mechservice.mechml.robot;
 
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -29,7 +29,7 @@ final class ImportLosses {
     found.add(
         new Diagnostic(
             Severity.WARNING,
-            MessageCode.URDF_LOST,
+            MessageCode.ROBOT_LOST,
             element.label() + ": " + what,
             file,
             position.line(),

@@ -1,4 +1,4 @@
-package org.mechservice.mechml.urdf;
+package org.mechservice.mechml.robot;
 
 import java.util.HashMap;
 import java.util.HashSet;
@@ -12,40 +12,48 @@ import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
-import org.mechservice.mechml.urdf.UrdfRobot.Joint;
-import org.mechservice.mechml.urdf.UrdfRobot.Link;
-import org.mechservice.mechml.urdf.UrdfRobot.Mimic;
-import org.mechservice.mechml.urdf.UrdfRobot.Range;
+import org.mechservice.mechml.robot.Robot.Joint;
+import org.mechservice.mechml.robot.Robot.Link;
+import org.mechservice.mechml.robot.Robot.Mimic;
+import org.mechservice.mechml.robot.Robot.Range;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * The tree of a robot's links.
  *
  * @param root the link that is no joint's child
+ * @param closing names of the joints that close loops: their child has another joint to the root
  * @param start start positions by joint name: the value nearest to zero within the limits; a mimic
  *     joint takes the value of the joint that it follows
  */
-record UrdfTree(String root, Map<String, Double> start) {
-  UrdfTree {
+record RobotTree(String root, Set<String> closing, Map<String, Double> start) {
+  RobotTree {
+    closing = Set.copyOf(closing);
     start = Map.copyOf(start);
   }
 
   /** Returns the tree; it is not usable if there is an error. */
-  static UrdfTree of(UrdfRobot robot, Diagnostics diagnostics) {
+  static RobotTree of(Robot robot, Diagnostics diagnostics) {
     Reader reader = new Reader(robot, diagnostics);
     reader.requireLinks();
     String root = diagnostics.hasErrors() ? "" : reader.root();
-    return new UrdfTree(root, reader.start());
+    return new RobotTree(root, reader.closing, reader.start());
+  }
+
+  /** Returns whether a joint closes a loop of the tree. */
+  boolean closes(Joint joint) {
+    return closing.contains(joint.name());
   }
 
   private static final class Reader {
-    private final UrdfRobot robot;
+    private final Robot robot;
     private final Diagnostics diagnostics;
     private final Map<String, Link> links = new LinkedHashMap<>();
     private final Map<String, Joint> joints = new LinkedHashMap<>();
     private final Map<String, Joint> above = new HashMap<>();
+    private final Set<String> closing = new HashSet<>();
 
-    Reader(UrdfRobot robot, Diagnostics diagnostics) {
+    Reader(Robot robot, Diagnostics diagnostics) {
       this.robot = robot;
       this.diagnostics = diagnostics;
       robot.links().forEach(link -> links.put(link.name(), link));
@@ -66,9 +74,11 @@ record UrdfTree(String root, Map<String, Double> start) {
     String root() {
       for (Joint joint : robot.joints()) {
         Joint other = above.putIfAbsent(joint.child(), joint);
-        if (other != null) {
+        if (other != null && robot.format().mayCloseLoops()) {
+          closing.add(joint.name());
+        } else if (other != null) {
           error(
-              MessageCode.URDF_TREE,
+              MessageCode.ROBOT_TREE,
               joint.element(),
               Phrase.of(
                   "link %s is already the child of joint %s; the links of a robot form a tree",
@@ -78,7 +88,7 @@ record UrdfTree(String root, Map<String, Double> start) {
       List<String> roots = links.keySet().stream().filter(l -> !above.containsKey(l)).toList();
       if (roots.size() > 1) {
         error(
-            MessageCode.URDF_TREE,
+            MessageCode.ROBOT_TREE,
             element(roots.get(1)),
             Phrase.of(
                 "neither it nor link %s is the child of a joint; a robot has one such link, its"
@@ -111,7 +121,7 @@ record UrdfTree(String root, Map<String, Double> start) {
       while (joint != null && seen.add(joint.parent())) {
         if (joint.parent().equals(link)) {
           error(
-              MessageCode.URDF_TREE,
+              MessageCode.ROBOT_TREE,
               joint.element(),
               Phrase.of(
                   "link %s is its own ancestor; the links of a robot form a tree",
@@ -132,14 +142,16 @@ record UrdfTree(String root, Map<String, Double> start) {
 
     private double position(Joint joint, Map<String, Double> known, Set<String> asked) {
       Double done = known.get(joint.name());
-      if (done != null || joint.mimic().isEmpty()) {
-        return done == null ? joint.limits().map(Range::nearestToZero).orElse(0.0) : done;
+      if (done != null || joint.coordinate().mimic().isEmpty()) {
+        return done == null
+            ? joint.coordinate().limits().map(Range::nearestToZero).orElse(0.0)
+            : done;
       }
-      Mimic mimic = joint.mimic().get();
+      Mimic mimic = joint.coordinate().mimic().get();
       Joint other = joints.get(mimic.joint());
       if (other == null || !other.type().isSingle()) {
         error(
-            MessageCode.URDF_JOINT,
+            MessageCode.ROBOT_JOINT,
             mimic.element(),
             Phrase.of(
                 "joint %s %s%s",
@@ -149,7 +161,7 @@ record UrdfTree(String root, Map<String, Double> start) {
         return 0;
       } else if (!asked.add(joint.name())) {
         error(
-            MessageCode.URDF_JOINT,
+            MessageCode.ROBOT_JOINT,
             mimic.element(),
             "the joint follows itself through other mimic joints");
         return 0;

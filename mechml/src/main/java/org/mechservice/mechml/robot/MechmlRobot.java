@@ -1,14 +1,14 @@
-package org.mechservice.mechml.urdf;
+package org.mechservice.mechml.robot;
 
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.mechml.document.Comment;
 import org.mechservice.mechml.document.Document;
 import org.mechservice.mechml.document.Element;
-import org.mechservice.mechml.urdf.UrdfRobot.Inertial;
-import org.mechservice.mechml.urdf.UrdfRobot.Joint;
-import org.mechservice.mechml.urdf.UrdfRobot.Link;
-import org.mechservice.mechml.urdf.UrdfRobot.Mimic;
+import org.mechservice.mechml.robot.Robot.Inertial;
+import org.mechservice.mechml.robot.Robot.Joint;
+import org.mechservice.mechml.robot.Robot.Link;
+import org.mechservice.mechml.robot.Robot.Mimic;
 import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
@@ -18,18 +18,15 @@ import org.mechservice.solver.spatial.Vector3;
  * have the joint's name on both bodies.
  */
 final class MechmlRobot {
-  /**
-   * Acceleration of free fall, m/s²; URDF leaves it to the simulator, and z points up by
-   * convention.
-   */
-  private static final String GRAVITY = "-9.81";
+  /** Acceleration of free fall where a format leaves it to the simulator, m/s²; z points up. */
+  private static final Vector3 GRAVITY = new Vector3(0, 0, -9.81);
 
-  private final UrdfRobot robot;
-  private final UrdfTree tree;
+  private final Robot robot;
+  private final RobotTree tree;
   private final String fileName;
   private final RobotJoints joints;
 
-  MechmlRobot(String fileName, UrdfRobot robot, UrdfTree tree) {
+  MechmlRobot(String fileName, Robot robot, RobotTree tree) {
     this.fileName = fileName;
     this.robot = robot;
     this.tree = tree;
@@ -43,7 +40,11 @@ final class MechmlRobot {
             new Comment(
                 " Made from "
                     + fileName.replaceAll("-{2,}|\\p{Cntrl}", "_")
-                    + ". URDF does not define gravity, the simulation, the stiffness of stops and"
+                    + ". "
+                    + robot.format().title()
+                    + " does not define "
+                    + (robot.gravity().isEmpty() ? "gravity, " : "")
+                    + "the simulation, the stiffness of stops and"
                     + " the transition speed of friction: the import has chosen these values. "));
     return new Document(Optional.of("mechml.dtd"), prolog, mechml.element(), List.of());
   }
@@ -61,6 +62,7 @@ final class MechmlRobot {
   }
 
   private Element model() {
+    Vector3 gravity = robot.gravity().orElse(GRAVITY);
     TagBuilder bodies = new TagBuilder("Bodies");
     TagBuilder all = new TagBuilder("Joints");
     TagBuilder couplings = new TagBuilder("Constraints");
@@ -68,7 +70,7 @@ final class MechmlRobot {
     robot.links().forEach(link -> bodies.add(body(link)));
     for (Joint joint : robot.joints()) {
       all.add(joints.joint(joint));
-      joint.mimic().ifPresent(mimic -> couplings.add(coupling(joint, mimic)));
+      joint.coordinate().mimic().ifPresent(mimic -> couplings.add(coupling(joint, mimic)));
       joints.start(joint).ifPresent(start::add);
     }
     TagBuilder model =
@@ -81,7 +83,11 @@ final class MechmlRobot {
         .addUnlessEmpty(couplings)
         .add(
             new TagBuilder("Forces")
-                .add(new TagBuilder("gravity").set("gx", "0").set("gy", "0").set("gz", GRAVITY)))
+                .add(
+                    new TagBuilder("gravity")
+                        .set("gx", gravity.x())
+                        .set("gy", gravity.y())
+                        .set("gz", gravity.z())))
         .add(
             new TagBuilder("topology")
                 .add(new TagBuilder("root").set("name", tree.root()))

@@ -1,20 +1,21 @@
-package org.mechservice.mechml.urdf;
+package org.mechservice.mechml.robot;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
-import java.util.stream.Stream;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
-import org.mechservice.mechml.urdf.UrdfRobot.Freedom;
-import org.mechservice.mechml.urdf.UrdfRobot.Joint;
-import org.mechservice.mechml.urdf.UrdfRobot.Mimic;
-import org.mechservice.mechml.urdf.UrdfRobot.Range;
+import org.mechservice.mechml.robot.Robot.Coordinate;
+import org.mechservice.mechml.robot.Robot.Freedom;
+import org.mechservice.mechml.robot.Robot.Joint;
+import org.mechservice.mechml.robot.Robot.Mimic;
+import org.mechservice.mechml.robot.Robot.Place;
+import org.mechservice.mechml.robot.Robot.Range;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.spatial.Vector3;
 
@@ -23,14 +24,14 @@ final class UrdfJointReader {
   private static final Set<String> KNOWN =
       Set.of("origin", "parent", "child", "axis", "limit", "dynamics", "mimic");
   private static final List<String> TYPES =
-      Stream.of(Freedom.values()).map(type -> type.name().toLowerCase(Locale.ROOT)).toList();
+      List.of("revolute", "continuous", "prismatic", "fixed", "floating", "planar");
   private static final Vector3 DEFAULT_AXIS = new Vector3(1, 0, 0);
 
-  private final UrdfNumbers numbers;
+  private final RobotNumbers numbers;
   private final Diagnostics diagnostics;
   private final ImportLosses losses;
 
-  UrdfJointReader(UrdfNumbers numbers, Diagnostics diagnostics, ImportLosses losses) {
+  UrdfJointReader(RobotNumbers numbers, Diagnostics diagnostics, ImportLosses losses) {
     this.numbers = numbers;
     this.diagnostics = diagnostics;
     this.losses = losses;
@@ -47,9 +48,7 @@ final class UrdfJointReader {
     element.children().stream()
         .filter(part -> !KNOWN.contains(part.name()))
         .forEach(part -> losses.add(part, "has no meaning in MechML and is left out"));
-    Element dynamics = element.child("dynamics").orElse(element);
-    boolean single = type.get().isSingle();
-    if (!single) {
+    if (!type.get().isSingle()) {
       loseAll(
           element,
           Set.of("limit", "dynamics", "mimic"),
@@ -58,15 +57,23 @@ final class UrdfJointReader {
     return Optional.of(
         new Joint(
             element,
+            element.required("name"),
             type.get(),
             parent.get(),
             child.get(),
-            numbers.origin(element),
-            type.get().hasAxis() ? axis(element) : DEFAULT_AXIS,
-            single ? limits(element, type.get()) : Optional.empty(),
-            single ? notNegative(dynamics, "damping") : 0,
-            single ? notNegative(dynamics, "friction") : 0,
-            single ? element.child("mimic").flatMap(this::mimic) : Optional.empty()));
+            Place.at(numbers.origin(element), type.get().hasAxis() ? axis(element) : DEFAULT_AXIS),
+            type.get().isSingle() ? coordinate(element, type.get()) : Coordinate.FREE));
+  }
+
+  private Coordinate coordinate(Element element, Freedom type) {
+    Element dynamics = element.child("dynamics").orElse(element);
+    return new Coordinate(
+        limits(element, type),
+        0,
+        0,
+        notNegative(dynamics, "damping"),
+        notNegative(dynamics, "friction"),
+        element.child("mimic").flatMap(this::mimic));
   }
 
   private void loseAll(Element element, Set<String> names, String why) {
@@ -82,9 +89,7 @@ final class UrdfJointReader {
       return Optional.empty();
     }
     Optional<Freedom> known =
-        Stream.of(Freedom.values())
-            .filter(type -> type.name().toLowerCase(Locale.ROOT).equals(name.get()))
-            .findFirst();
+        name.filter(TYPES::contains).map(type -> Freedom.valueOf(type.toUpperCase(Locale.ROOT)));
     if (known.isEmpty()) {
       diagnostics.error(
           MessageCode.VALUE_NOT_IN_LIST,
@@ -131,7 +136,7 @@ final class UrdfJointReader {
     double value = numbers.optional(dynamics, attribute, 0);
     if (value < 0) {
       diagnostics.error(
-          MessageCode.URDF_JOINT,
+          MessageCode.ROBOT_JOINT,
           dynamics.position(),
           Phrase.of("%s: %s is %s; it must not be negative", dynamics.label(), attribute, value));
     }
@@ -155,7 +160,7 @@ final class UrdfJointReader {
         new Range(numbers.optional(limit, "lower", 0), numbers.optional(limit, "upper", 0));
     if (range.lower() > range.upper()) {
       diagnostics.error(
-          MessageCode.URDF_JOINT,
+          MessageCode.ROBOT_JOINT,
           limit.position(),
           Phrase.of(
               "%s: lower is %s and upper %s; lower must not be above upper",

@@ -1,4 +1,4 @@
-package org.mechservice.mechml.urdf;
+package org.mechservice.mechml.robot;
 
 import java.util.ArrayList;
 import java.util.List;
