@@ -87,7 +87,12 @@ final class ModelAssembly {
     return assembled(data, none, Optional.empty(), reason, 0, List.of(), List.of());
   }
 
-  private void requireClosedLoops() {
+  /**
+   * Checks that the loops can be closed at the start.
+   *
+   * @throws ModelBuildException S-092 if they cannot
+   */
+  void requireClosedLoops() {
     ClosedStart start = model.closedStart(options.settings().tStart());
     if (!start.isAssembled()) {
       throw new ModelBuildException(
