@@ -96,7 +96,7 @@ class BrokenFileTest {
             d ->
                 d.code().compareTo(MessageCode.UNKNOWN_NAME) >= 0
                     && d.code() != MessageCode.MORE_MESSAGES)
-        .allMatch(d -> d.line() > 0 && d.column() > 0 && d.path().startsWith("MechML/"));
+        .allMatch(d -> d.line() > 0 && d.column() > 0 && d.path().matches("(MechML|subsystem)/.*"));
   }
 
   private static List<Diagnostic> diagnostics(String name) {

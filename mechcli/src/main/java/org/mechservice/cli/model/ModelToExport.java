@@ -24,7 +24,7 @@ import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.catalogue.MethodNames;
-import org.mechservice.solver.text.TableFiles;
+import org.mechservice.solver.text.ModelFiles;
 
 /**
  * A model that is read and generated here, without a server, for what leaves this program.
@@ -66,7 +66,7 @@ public record ModelToExport(MechmlModel model, BuildOptions options) {
 
   private static MechmlModel read(Path file, ReadOptions reading) throws IOException {
     try {
-      byte[] content = TableFiles.inlined(Files.readAllBytes(file), file);
+      byte[] content = ModelFiles.inlined(Files.readAllBytes(file), file);
       return MechmlReader.read(String.valueOf(file.getFileName()), content, reading);
     } catch (MechmlException e) {
       throw new UsageException(String.valueOf(e.getMessage()));

@@ -13,7 +13,7 @@ import org.mechservice.cli.shell.UsageException;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.ReadOptions;
 import org.mechservice.mechml.diagnosis.MechmlException;
-import org.mechservice.mechml.document.Document;
+import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.mechml.robot.RobotImport;
 import org.mechservice.sim.check.CheckReport;
@@ -21,7 +21,7 @@ import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.assembly.ClosedStart;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.text.TableFiles;
+import org.mechservice.solver.text.ModelFiles;
 import org.mechservice.view.scene.SceneDescription;
 import org.mechservice.view.scene.SceneVerdict;
 import org.mechservice.view.web.ModelReader;
@@ -43,7 +43,7 @@ public final class SceneReader {
    *     given for a robot, which has neither simulations nor parameters
    */
   public static SceneDescription read(Path file, ReadOptions options) throws IOException {
-    byte[] content = TableFiles.inlined(Files.readAllBytes(file), file);
+    byte[] content = ModelFiles.inlined(Files.readAllBytes(file), file);
     String fileName = String.valueOf(file.getFileName());
     try {
       if (ROBOTS.stream().anyMatch(fileName.toLowerCase(Locale.ROOT)::endsWith)) {
@@ -55,10 +55,10 @@ public final class SceneReader {
                   + " is a robot, which has no parameters and simulations to choose");
         }
         RobotImport robot = RobotImport.of(fileName, content);
-        return scene(robot.model(), geometries(robot.document()));
+        return scene(robot.model(), geometries(robot.document().root()));
       }
       MechmlModel model = MechmlReader.read(fileName, content, options);
-      return scene(model, geometries(MechmlReader.document(fileName, content)));
+      return scene(model, geometries(MechmlReader.whole(fileName, content)));
     } catch (MechmlException e) {
       throw new UsageException(String.valueOf(e.getMessage()));
     }
@@ -79,7 +79,7 @@ public final class SceneReader {
           MechmlReader.read(
               name, content, new ReadOptions(choice.simulation(), choice.parameters(), Set.of()));
       return new ModelReader.ReadModel(
-          scene(model, geometries(MechmlReader.document(name, content))),
+          scene(model, geometries(MechmlReader.whole(name, content))),
           model.parameters().stream()
               .map(one -> new ModelReader.Parameter(one.name(), one.unit(), one.value()))
               .toList(),
@@ -92,9 +92,9 @@ public final class SceneReader {
   }
 
   /** Returns the geometry files of the bodies that name one. */
-  private static Map<String, String> geometries(Document document) {
+  private static Map<String, String> geometries(Element root) {
     Map<String, String> geometries = new HashMap<>();
-    document.root().children("MBSmodel").stream()
+    root.children("MBSmodel").stream()
         .flatMap(model -> model.children("Bodies").stream())
         .flatMap(bodies -> bodies.children("body").stream())
         .forEach(

@@ -55,6 +55,10 @@ public final class DocumentWriter {
     }
     if (element.content().isEmpty()) {
       text.append("/>\n");
+    } else if (element.content().get(0) instanceof Text inner) {
+      // Nothing may stand beside a text. A section cannot hold its own end: two divide that.
+      text.append("><![CDATA[").append(inner.text().replace("]]>", "]]]]><![CDATA[>"));
+      text.append("]]></").append(element.name()).append(">\n");
     } else {
       text.append(">\n");
       contents(element.content(), indent + INDENT);

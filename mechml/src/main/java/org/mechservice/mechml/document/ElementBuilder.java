@@ -27,6 +27,9 @@ final class ElementBuilder extends DefaultHandler2 {
   private static final Set<String> NOT_OWNERS =
       Set.of("MechML", "MBSmodel", "robot", "sdf", "mujoco", "body1", "body2");
 
+  /** The element that holds the text of another file. */
+  private static final String FILE_HOLDER = "included";
+
   /**
    * An element whose end has not been read.
    *
@@ -46,6 +49,7 @@ final class ElementBuilder extends DefaultHandler2 {
   private final List<Comment> epilog = new ArrayList<>();
   private Optional<String> systemId = Optional.empty();
   private Optional<Element> root = Optional.empty();
+  private final StringBuilder held = new StringBuilder();
   private boolean inDtd;
   private boolean foreign;
   private final StringBuilder words = new StringBuilder();
@@ -154,6 +158,10 @@ final class ElementBuilder extends DefaultHandler2 {
 
   @Override
   public void endElement(String uri, String localName, String name) {
+    if (!foreign && name.equals(FILE_HOLDER)) {
+      open.element().content().add(new Text(held.toString()));
+      held.setLength(0);
+    }
     keepText();
     Element element = open.pop().close();
     Open parent = open.peek();
@@ -167,12 +175,15 @@ final class ElementBuilder extends DefaultHandler2 {
 
   @Override
   public void characters(char[] text, int start, int length) {
+    Open element = open.peek();
     if (foreign) {
       words.append(text, start, length);
+    } else if (element != null && element.head().name().equals(FILE_HOLDER)) {
+      held.append(text, start, length);
     } else {
       String content = new String(text, start, length).strip();
       if (!content.isEmpty() && !diagnostics.isFull()) {
-        innermost().ifPresent(element -> reportText(element, content));
+        innermost().ifPresent(around -> reportText(around, content));
       }
     }
     passed();
