@@ -58,13 +58,23 @@ class DocumentedCommandsIT {
     }
   }
 
+  private static boolean hasProgram(String name) {
+    return Stream.of(System.getenv().getOrDefault("PATH", "").split(File.pathSeparator, -1))
+        .anyMatch(folder -> new File(folder, name).canExecute());
+  }
+
   @Test
   void everyCommandOfThePageOnCWorks() throws IOException {
-    boolean hasCompiler =
-        Stream.of(System.getenv().getOrDefault("PATH", "").split(File.pathSeparator, -1))
-            .anyMatch(folder -> new File(folder, "cc").canExecute());
-    assumeTrue(hasCompiler, "this machine has no C compiler (cc)");
+    assumeTrue(hasProgram("cc"), "this machine has no C compiler (cc)");
     everyCommandOfThePageWorks("docs/c.md");
+  }
+
+  @Test
+  void everyCommandOfThePageOnWebAssemblyWorks() throws IOException {
+    assumeTrue(
+        hasProgram("zig") || (hasProgram("clang") && hasProgram("wasm-ld")),
+        "this machine has no compiler for WebAssembly (clang with lld, or zig)");
+    everyCommandOfThePageWorks("docs/wasm.md");
   }
 
   @Test

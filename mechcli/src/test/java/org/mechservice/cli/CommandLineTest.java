@@ -56,7 +56,8 @@ class CommandLineTest {
         "report --compare pom.xml pom.xml | S-041 --compare: pom.xml has no runs of a report",
         "stability -o r --limit x | S-041 --limit takes a number, not x (mech help stability lists"
             + " what there is)",
-        "build m.xml | S-041 -o FILE.jar is missing, or --c DIR for the model in C",
+        "build m.xml | S-041 -o FILE.jar is missing, or --c DIR for the model in C, or --wasm"
+            + " FILE.wasm for a module",
         "build m.xml --c d --standalone | S-041 -o FILE.jar is missing; --standalone needs it",
         "server --port 70000 | S-041 70000 is no port; there are ports from 0 (any free one) to"
             + " 65535",

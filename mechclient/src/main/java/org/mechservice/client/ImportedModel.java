@@ -12,7 +12,7 @@ import org.mechservice.solver.catalogue.MessageCode;
  *     the model
  */
 public record ImportedModel(String text, List<ModelMessage> messages) {
-  private static final String LOSS = MessageCode.URDF_LOST.code();
+  private static final String LOSS = MessageCode.ROBOT_LOST.code();
 
   public ImportedModel {
     messages = List.copyOf(messages);

@@ -227,7 +227,7 @@ public final class MechConnection implements AutoCloseable {
   /**
    * Lets the server translate a model of another format into MechML.
    *
-   * @param file a robot in URDF
+   * @param file a robot in URDF, SDF or MJCF
    * @throws IOException if the file cannot be read
    * @throws InvalidModelException if it cannot be used; the messages name the places
    * @throws NotAvailableException if the server does not support its format

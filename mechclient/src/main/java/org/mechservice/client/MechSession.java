@@ -43,7 +43,7 @@ import org.mechservice.idl.RunSetUp;
 import org.mechservice.idl.RuntimeInfo;
 import org.mechservice.orb.connection.LimitedBuffers;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.text.TableFiles;
+import org.mechservice.solver.text.ModelFiles;
 
 /**
  * One model at a server: load it once, then check it, run it at the server, fetch it and run it on
@@ -119,7 +119,7 @@ public final class MechSession implements AutoCloseable {
    * @throws InvalidModelException if the model cannot be used; the messages name the places
    */
   public List<ModelMessage> loadModel(Path file, Optional<Path> userCode) throws IOException {
-    byte[] content = TableFiles.inlined(NamedFile.of(file), file);
+    byte[] content = ModelFiles.inlined(NamedFile.of(file), file);
     String name = String.valueOf(file.getFileName());
     UserFiles classes = new UserFiles(file, userCode);
     while (true) {

@@ -16,7 +16,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.mechservice.mechml.diagnosis.Diagnostic;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.resolve.MechmlReader;
-import org.mechservice.mechml.urdf.UrdfImport;
+import org.mechservice.mechml.robot.RobotImport;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
@@ -63,7 +63,7 @@ class BrokenFileTest {
   private static List<Diagnostic> ofRobot(String name) {
     try {
       byte[] content = Resources.bytes("broken-urdf/" + name + ".urdf");
-      return UrdfImport.of(name + ".urdf", content).losses();
+      return RobotImport.of(name + ".urdf", content).losses();
     } catch (MechmlException e) {
       return e.diagnostics();
     } catch (IOException e) {
@@ -96,7 +96,7 @@ class BrokenFileTest {
             d ->
                 d.code().compareTo(MessageCode.UNKNOWN_NAME) >= 0
                     && d.code() != MessageCode.MORE_MESSAGES)
-        .allMatch(d -> d.line() > 0 && d.column() > 0 && d.path().startsWith("MechML/"));
+        .allMatch(d -> d.line() > 0 && d.column() > 0 && d.path().matches("(MechML|subsystem)/.*"));
   }
 
   private static List<Diagnostic> diagnostics(String name) {

@@ -102,7 +102,7 @@ class DocumentationTest {
     assertThat(files.keySet()).containsExactlyInAnyOrderElementsOf(declared.keySet());
     Map<String, Set<String>> used = new TreeMap<>();
     for (String file : new TreeSet<>(files.values().stream().flatMap(List::stream).toList())) {
-      if (file.endsWith(".xml")) {
+      if (file.endsWith(".xml") || file.endsWith(".part")) {
         collect(ExampleFile.parse(Files.newInputStream(ELEMENTS.resolve(file))), used);
       }
     }

@@ -52,6 +52,8 @@ record ExampleFile(String text) {
           Map.entry("root", "topology"),
           Map.entry("jointVal", "relCoorVals"),
           Map.entry("event", "dynamic"),
+          Map.entry("include", "MBSmodel"),
+          Map.entry("included", "MechML"),
           Map.entry("MBSsimulation", "MechML"));
 
   /** Returns the file with elements added, each in the place of one of the same kind and name. */
@@ -115,6 +117,8 @@ record ExampleFile(String text) {
       container.replaceChild(added, old);
     } else if (added.getTagName().equals("MBSsimulation")) {
       container.insertBefore(added, container(file, "MBSmodel"));
+    } else if (added.getTagName().equals("include")) {
+      container.insertBefore(added, container(file, "Bodies"));
     } else {
       container.appendChild(added);
     }

@@ -47,9 +47,9 @@ import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.simulation.RuntimeSolver;
 import org.mechservice.solver.system.LinearSystem;
+import org.mechservice.solver.text.ModelFiles;
 import org.mechservice.solver.text.ResultFile;
 import org.mechservice.solver.text.Sha256;
-import org.mechservice.solver.text.TableFiles;
 
 /**
  * A model with the settings of its run, to be changed, checked, simulated and analysed in this
@@ -122,7 +122,7 @@ public final class MechModel {
     return read(
         new Source(
             file.toString(),
-            TableFiles.inlined(Files.readAllBytes(file), file),
+            ModelFiles.inlined(Files.readAllBytes(file), file),
             List.copyOf(folders)),
         ReadOptions.NONE);
   }

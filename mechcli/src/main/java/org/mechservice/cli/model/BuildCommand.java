@@ -56,6 +56,14 @@ public final class BuildCommand implements Callable<Integer> {
   private Optional<Path> cFolder = Optional.empty();
 
   @Option(
+      names = "--wasm",
+      paramLabel = "FILE.wasm",
+      description =
+          "Compile the model, with its integrator, to a WebAssembly module that needs nothing"
+              + " around it; needs clang with lld, or zig.")
+  private Optional<Path> module = Optional.empty();
+
+  @Option(
       names = "--standalone",
       description = "Include the solver classes the model needs, so that java -jar runs it.")
   private boolean standalone;
@@ -97,11 +105,16 @@ public final class BuildCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException {
+    if (module.isPresent()) {
+      return buildModule(module.get());
+    }
     if (target.isEmpty() && (cFolder.isEmpty() || standalone)) {
       throw new UsageException(
           MessageCode.OPTION_UNUSABLE
               + " -o FILE.jar is missing"
-              + (standalone ? "; --standalone needs it" : ", or --c DIR for the model in C"));
+              + (standalone
+                  ? "; --standalone needs it"
+                  : ", or --c DIR for the model in C, or --wasm FILE.wasm for a module"));
     }
     if (target.isPresent()) {
       OutputFile.requireUsable(target.get());
@@ -136,13 +149,29 @@ public final class BuildCommand implements Callable<Integer> {
     }
   }
 
+  /** Refuses options that only a JAR has, for what is built here. */
+  private void refuseOptionsOfJar(String what) {
+    refuse(standalone, "--standalone", what);
+    refuse(compact, "--compact", what);
+    refuse(!code.isEmpty(), "--code", what);
+    refuse(sourceFolder.isPresent(), "--source", what);
+    refuse(cFolder.isPresent(), "--c", what);
+    refuse(!host.isEmpty(), "--host", what);
+  }
+
+  private Integer buildModule(Path file) throws IOException {
+    String what = "a WebAssembly module";
+    refuseOptionsOfJar(what);
+    refuse(target.isPresent(), "-o", what);
+    OutputFile.requireUsable(file);
+    byte[] bytes = ModelToExport.read(model, method.reading(parameters.values()), method).module();
+    OutputFile.write(file, bytes);
+    size(file.toString(), bytes.length);
+    return ExitStatus.DONE;
+  }
+
   private Integer buildUnit(Path file) throws IOException {
-    refuseForUnit(standalone, "--standalone");
-    refuseForUnit(compact, "--compact");
-    refuseForUnit(!code.isEmpty(), "--code");
-    refuseForUnit(sourceFolder.isPresent(), "--source");
-    refuseForUnit(cFolder.isPresent(), "--c");
-    refuseForUnit(!host.isEmpty(), "--host");
+    refuseOptionsOfJar("an FMU");
     FmuArchive archive =
         unit.build(ModelToExport.read(model, method.reading(parameters.values()), method));
     byte[] bytes = archive.bytes();
@@ -152,13 +181,15 @@ public final class BuildCommand implements Callable<Integer> {
     return ExitStatus.DONE;
   }
 
-  private static void refuseForUnit(boolean given, String option) {
+  private static void refuse(boolean given, String option, String what) {
     if (given) {
       throw new UsageException(
           MessageCode.OPTION_UNUSABLE
               + " "
               + option
-              + " is for a JAR, not for an FMU: leave it out, or write -o FILE.jar");
+              + " is for a JAR, not for "
+              + what
+              + ": leave it out, or write -o FILE.jar");
     }
   }
 

@@ -2,18 +2,13 @@ package org.mechservice.cli.model;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import org.mechservice.cli.shell.UsageException;
-import org.mechservice.sim.emit.c.CModel;
 import org.mechservice.sim.fmu.FmiVersion;
 import org.mechservice.sim.fmu.FmuArchive;
-import org.mechservice.sim.fmu.FmuModel;
 import org.mechservice.sim.fmu.FmuPlatform;
-import org.mechservice.sim.model.BuildOptions;
-import org.mechservice.sim.model.ModelFactory;
-import org.mechservice.sim.scene.FormulationChoice;
-import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Option;
 
@@ -37,6 +32,14 @@ public final class FmuOption {
               + " source for none; without it this machine's.")
   private String platforms = "";
 
+  @Option(
+      names = "--class-as-input",
+      paramLabel = "FORCE",
+      description =
+          "For a FILE.fmu: a force written as a Java class becomes inputs of the unit, its loads on"
+              + " every body and joint; may be given several times, and then is their sum.")
+  private List<String> asInputs = List.of();
+
   /**
    * Returns whether an FMU is asked for.
    *
@@ -44,10 +47,12 @@ public final class FmuOption {
    */
   boolean isAskedFor(Path target) {
     boolean unit = String.valueOf(target.getFileName()).toLowerCase(Locale.ROOT).endsWith(ENDING);
-    if (!unit && !(version.isEmpty() && platforms.isEmpty())) {
+    if (!unit && !(version.isEmpty() && platforms.isEmpty() && asInputs.isEmpty())) {
       throw new UsageException(
           MessageCode.OPTION_UNUSABLE
-              + (version.isEmpty() ? " --platforms" : " --fmi")
+              + (!version.isEmpty()
+                  ? " --fmi"
+                  : platforms.isEmpty() ? " --class-as-input" : " --platforms")
               + " is for an FMU, and "
               + target
               + " is none: write -o FILE.fmu");
@@ -65,23 +70,12 @@ public final class FmuOption {
     try {
       FmiVersion fmi = version.isEmpty() ? FmiVersion.FMI_2 : FmiVersion.of(version.strip());
       if (platforms.isEmpty()) {
-        return FmuArchive.build(printed(local), fmi);
+        return FmuArchive.build(local.inC(Set.copyOf(asInputs)), fmi);
       }
       Set<FmuPlatform> wanted = FmuPlatform.parse(platforms);
-      return FmuArchive.build(printed(local), fmi, wanted);
-    } catch (ModelBuildException e) {
-      throw new UsageException(String.valueOf(e.getMessage()));
+      return FmuArchive.build(local.inC(Set.copyOf(asInputs)), fmi, wanted);
     } catch (IllegalArgumentException e) {
       throw new UsageException(MessageCode.OPTION_UNUSABLE + " " + e.getMessage());
     }
-  }
-
-  private static FmuModel printed(ModelToExport local) {
-    BuildOptions options = local.options();
-    // Refuses names of formulations and closures that there are not; C has one formulation.
-    FormulationChoice.of(
-        options.formulation(), options.closure(), options.settings(), local.model());
-    CModel model = ModelFactory.inC(local.model(), local.options());
-    return FmuModel.of(model, local.options().settings());
   }
 }

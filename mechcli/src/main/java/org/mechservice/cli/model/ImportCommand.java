@@ -23,11 +23,13 @@ import picocli.CommandLine.Spec;
 /** {@code mech import}: a model of another format becomes MechML. */
 @Command(
     name = "import",
-    description = "Translates a robot from URDF to MechML and lists what is lost.",
+    description = "Translates a robot from URDF, SDF or MJCF to MechML and lists what is lost.",
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class ImportCommand implements Callable<Integer> {
-  @Parameters(paramLabel = "ROBOT.urdf", description = "The robot.")
+  @Parameters(
+      paramLabel = "ROBOT.urdf|.sdf|.mjcf",
+      description = "The robot; MJCF may also end in .xml.")
   private Path robot = Path.of("");
 
   @Option(

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.Set;
 import org.mechservice.cli.shell.UsageException;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.ReadOptions;
@@ -12,11 +13,18 @@ import org.mechservice.mechml.SimulationTask;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.sim.emit.plan.CodeForm;
+import org.mechservice.sim.fmu.FmuModel;
+import org.mechservice.sim.fmu.WebAssemblyModule;
 import org.mechservice.sim.model.BuildOptions;
 import org.mechservice.sim.model.ModelColumns;
+import org.mechservice.sim.model.ModelFactory;
+import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.scene.IntegratorSelection;
+import org.mechservice.sim.scene.ModelBuildException;
+import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.catalogue.MethodNames;
+import org.mechservice.solver.text.ModelFiles;
 
 /**
  * A model that is read and generated here, without a server, for what leaves this program.
@@ -24,7 +32,7 @@ import org.mechservice.solver.catalogue.MethodNames;
  * @param model the model of the file
  * @param options how it is generated
  */
-record ModelToExport(MechmlModel model, BuildOptions options) {
+public record ModelToExport(MechmlModel model, BuildOptions options) {
 
   /**
    * Reads a model.
@@ -37,17 +45,68 @@ record ModelToExport(MechmlModel model, BuildOptions options) {
    */
   static ModelToExport read(Path file, ReadOptions reading, ModelOptions method)
       throws IOException {
+    MechmlModel model = read(file, reading);
+    return new ModelToExport(
+        model, options(file, model, method.addTo(model.settings()), method.closure()));
+  }
+
+  /**
+   * Reads a model, to be exported with some groups of columns and as its file says else.
+   *
+   * @throws IOException if the file cannot be read
+   * @throws UsageException as above
+   */
+  public static ModelToExport read(Path file, ReadOptions reading, Set<ColumnGroup> columns)
+      throws IOException {
+    MechmlModel model = read(file, reading);
+    SimulationSettings settings =
+        model.settings().withColumns(columns.stream().map(ColumnGroup::label).toList());
+    return new ModelToExport(model, options(file, model, settings, ""));
+  }
+
+  private static MechmlModel read(Path file, ReadOptions reading) throws IOException {
     try {
-      MechmlModel model =
-          MechmlReader.read(String.valueOf(file.getFileName()), Files.readAllBytes(file), reading);
-      return new ModelToExport(model, options(file, model, method));
+      byte[] content = ModelFiles.inlined(Files.readAllBytes(file), file);
+      return MechmlReader.read(String.valueOf(file.getFileName()), content, reading);
     } catch (MechmlException e) {
       throw new UsageException(String.valueOf(e.getMessage()));
     }
   }
 
-  private static BuildOptions options(Path file, MechmlModel model, ModelOptions method) {
-    SimulationSettings asked = method.addTo(model.settings());
+  /**
+   * Derives the model's code in C.
+   *
+   * @param asInputs names of forces written as classes whose loads become inputs
+   * @throws UsageException if the model cannot be exported, or names a formulation or closure that
+   *     there is none of
+   */
+  public FmuModel inC(Set<String> asInputs) {
+    try {
+      // Refuses names of formulations and closures that there are not; C has one formulation.
+      FormulationChoice.of(options.formulation(), options.closure(), options.settings(), model);
+      return FmuModel.of(ModelFactory.inC(model, options, asInputs), options.settings());
+    } catch (ModelBuildException e) {
+      throw new UsageException(String.valueOf(e.getMessage()));
+    }
+  }
+
+  /**
+   * Compiles the model to a WebAssembly module.
+   *
+   * @throws UsageException as {@link #inC}, or if no compiler for WebAssembly is here
+   * @throws IOException if the compiler fails
+   */
+  public byte[] module() throws IOException {
+    FmuModel code = inC(Set.of());
+    try {
+      return WebAssemblyModule.of(code);
+    } catch (IllegalArgumentException e) {
+      throw new UsageException(MessageCode.OPTION_UNUSABLE + " " + e.getMessage());
+    }
+  }
+
+  private static BuildOptions options(
+      Path file, MechmlModel model, SimulationSettings asked, String givenClosure) {
     if (!(asked.task() instanceof SimulationTask.Dynamic)) {
       throw new UsageException(
           MessageCode.OPTION_UNUSABLE
@@ -58,7 +117,7 @@ record ModelToExport(MechmlModel model, BuildOptions options) {
               + ">, and only a motion, <dynamic>, can leave as a model: choose another with"
               + " --simulation");
     }
-    String closure = method.closure().isEmpty() ? asked.closure() : method.closure();
+    String closure = givenClosure.isEmpty() ? asked.closure() : givenClosure;
     IntegratorSelection chosen =
         asked.run().integrator().equals(MethodNames.AUTO)
             ? IntegratorSelection.of(asked.formulation(), model.mechanism(), asked.run())

@@ -5,6 +5,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
@@ -12,51 +13,52 @@ import org.mechservice.cli.shell.UsageException;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.ReadOptions;
 import org.mechservice.mechml.diagnosis.MechmlException;
-import org.mechservice.mechml.document.Document;
+import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.resolve.MechmlReader;
-import org.mechservice.mechml.urdf.UrdfImport;
+import org.mechservice.mechml.robot.RobotImport;
 import org.mechservice.sim.check.CheckReport;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.assembly.ClosedStart;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.text.TableFiles;
+import org.mechservice.solver.text.ModelFiles;
 import org.mechservice.view.scene.SceneDescription;
 import org.mechservice.view.scene.SceneVerdict;
 import org.mechservice.view.web.ModelReader;
 
 /** Reads model files as scenes for pictures: poses at the start, with closed loops. */
 public final class SceneReader {
-  private static final String ROBOT = ".urdf";
+  private static final List<String> ROBOTS = List.of(".urdf", ".sdf", ".mjcf");
 
   private SceneReader() {}
 
   /**
    * Reads a model file.
    *
-   * @param file a MechML file, or a robot in URDF if its name ends in {@code .urdf}
+   * @param file a MechML file, or a robot if its name ends in {@code .urdf}, {@code .sdf} or {@code
+   *     .mjcf}
    * @param options the simulation whose start is shown, and values of parameters
    * @throws IOException if the file cannot be read
    * @throws UsageException with the messages of the reader if it is no valid model; if options are
    *     given for a robot, which has neither simulations nor parameters
    */
   public static SceneDescription read(Path file, ReadOptions options) throws IOException {
-    byte[] content = TableFiles.inlined(Files.readAllBytes(file), file);
+    byte[] content = ModelFiles.inlined(Files.readAllBytes(file), file);
     String fileName = String.valueOf(file.getFileName());
     try {
-      if (fileName.toLowerCase(Locale.ROOT).endsWith(ROBOT)) {
+      if (ROBOTS.stream().anyMatch(fileName.toLowerCase(Locale.ROOT)::endsWith)) {
         if (!options.equals(ReadOptions.NONE)) {
           throw new UsageException(
               MessageCode.OPTION_UNUSABLE
                   + " "
                   + file
-                  + " is a robot in URDF, which has no parameters and simulations to choose");
+                  + " is a robot, which has no parameters and simulations to choose");
         }
-        UrdfImport robot = UrdfImport.of(fileName, content);
-        return scene(robot.model(), geometries(robot.document()));
+        RobotImport robot = RobotImport.of(fileName, content);
+        return scene(robot.model(), geometries(robot.document().root()));
       }
       MechmlModel model = MechmlReader.read(fileName, content, options);
-      return scene(model, geometries(MechmlReader.document(fileName, content)));
+      return scene(model, geometries(MechmlReader.whole(fileName, content)));
     } catch (MechmlException e) {
       throw new UsageException(String.valueOf(e.getMessage()));
     }
@@ -77,7 +79,7 @@ public final class SceneReader {
           MechmlReader.read(
               name, content, new ReadOptions(choice.simulation(), choice.parameters(), Set.of()));
       return new ModelReader.ReadModel(
-          scene(model, geometries(MechmlReader.document(name, content))),
+          scene(model, geometries(MechmlReader.whole(name, content))),
           model.parameters().stream()
               .map(one -> new ModelReader.Parameter(one.name(), one.unit(), one.value()))
               .toList(),
@@ -90,9 +92,9 @@ public final class SceneReader {
   }
 
   /** Returns the geometry files of the bodies that name one. */
-  private static Map<String, String> geometries(Document document) {
+  private static Map<String, String> geometries(Element root) {
     Map<String, String> geometries = new HashMap<>();
-    document.root().children("MBSmodel").stream()
+    root.children("MBSmodel").stream()
         .flatMap(model -> model.children("Bodies").stream())
         .flatMap(bodies -> bodies.children("body").stream())
         .forEach(

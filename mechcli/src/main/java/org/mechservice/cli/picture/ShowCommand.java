@@ -27,7 +27,7 @@ import picocli.CommandLine.Parameters;
 public final class ShowCommand implements Callable<Integer> {
   private static final List<String> FORMATS = List.of(PictureFile.SVG, PictureFile.PNG);
 
-  @Parameters(paramLabel = "MODEL.xml|urdf", description = "Model in MechML, or robot in URDF.")
+  @Parameters(paramLabel = "MODEL.xml|urdf|sdf|mjcf", description = "Model in MechML, or robot.")
   private Path model = Path.of("");
 
   @Option(

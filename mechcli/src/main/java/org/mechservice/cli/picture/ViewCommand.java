@@ -71,12 +71,27 @@ public final class ViewCommand implements Callable<Integer> {
 
   @Option(
       names = {"-o", "--output"},
-      required = true,
       paramLabel = "FILE.html|glb",
       description =
           "The page to write, with a player that needs no network, or an animated scene for other"
               + " programs; may be given several times.")
   private List<Path> targets = List.of();
+
+  @Option(
+      names = "--live",
+      paramLabel = "FILE.html",
+      description =
+          "The page to write with the model itself in it: sliders for parameters and start values"
+              + " run it again at once, without a network; needs clang with lld, or zig.")
+  private Optional<Path> live = Optional.empty();
+
+  @Option(
+      names = "--tunable",
+      paramLabel = "PARAMETER",
+      description =
+          "A parameter that gets a slider in the page of --live, beside those that the file says"
+              + " are tunable; may be given several times.")
+  private List<String> tunable = List.of();
 
   @Option(
       names = "--model",
@@ -106,6 +121,8 @@ public final class ViewCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException {
     targets.forEach(ViewCommand::requireFormat);
+    live.ifPresent(ViewCommand::requireFormat);
+    requireTarget();
     boolean results = ResultFormat.of(input).isPresent();
     if (!results && model.isPresent()) {
       throw new UsageException(
@@ -124,6 +141,13 @@ public final class ViewCommand implements Callable<Integer> {
                             + input
                             + " has no bodies: name the model it is of by --model MODEL.xml"))
             : input;
+    if (live.isPresent()) {
+      ReadOptions reading = new ReadOptions(simulation, parameters.values(), Set.copyOf(tunable));
+      LivePage.write(input, reading, live.get(), err());
+      if (targets.isEmpty()) {
+        return ExitStatus.DONE;
+      }
+    }
     SceneDescription scene =
         SceneReader.read(file, new ReadOptions(simulation, parameters.values(), Set.of()));
     Path folder = Optional.ofNullable(file.toAbsolutePath().getParent()).orElse(file);
@@ -137,6 +161,29 @@ public final class ViewCommand implements Callable<Integer> {
       }
     }
     return told.status();
+  }
+
+  private void requireTarget() {
+    if (live.isEmpty() && targets.isEmpty()) {
+      throw new UsageException(
+          MessageCode.OPTION_UNUSABLE
+              + " -o FILE.html is missing, or --live FILE.html for a page that simulates itself");
+    }
+    if (live.isPresent() && ResultFormat.of(input).isPresent()) {
+      throw new UsageException(
+          MessageCode.OPTION_UNUSABLE
+              + " --live needs a model; "
+              + input
+              + " holds results: name the model in its place");
+    }
+    if (live.isPresent() && !ending(live.get()).endsWith(PAGE)) {
+      throw new UsageException(
+          MessageCode.OPTION_UNUSABLE + " --live " + live.get() + ": the page is a .html file");
+    }
+    if (live.isEmpty() && !tunable.isEmpty()) {
+      throw new UsageException(
+          MessageCode.OPTION_UNUSABLE + " --tunable is for the page of --live FILE.html");
+    }
   }
 
   private static String ending(Path file) {

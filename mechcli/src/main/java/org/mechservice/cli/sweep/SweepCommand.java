@@ -42,7 +42,7 @@ import org.mechservice.client.sweep.UnknownParameterException;
 import org.mechservice.report.ProgressLine;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.text.TableFiles;
+import org.mechservice.solver.text.ModelFiles;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -166,7 +166,7 @@ public final class SweepCommand implements Callable<Integer> {
   private JsonObject identity(SimulationOptions options) throws IOException {
     JsonObject identity = new JsonObject();
     identity.addProperty("model", model.toString());
-    identity.addProperty("sha256", sha256(TableFiles.inlined(Files.readAllBytes(model), model)));
+    identity.addProperty("sha256", sha256(ModelFiles.inlined(Files.readAllBytes(model), model)));
     identity.addProperty("options", options.toString());
     JsonArray swept = new JsonArray();
     set.forEach(swept::add);

@@ -1,10 +1,12 @@
 package org.mechservice.cli.model;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -82,10 +84,38 @@ class FmuOptionTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"--fmi, 2", "--platforms, source"})
+  @CsvSource({"--fmi, 2", "--platforms, source", "--class-as-input, fBody"})
   void optionsOfUnitsAreRefusedForJars(String option, String value) {
     assertThat(build(PENDULUM, "p.jar", option, value)).isEqualTo(ExitStatus.BAD_INPUT);
     assertThat(err.toString()).startsWith("S-041").contains(option + " is for an FMU");
+    assertThat(folder).isEmptyDirectory();
+  }
+
+  private int buildModule(String model, String... more) {
+    List<String> words =
+        new ArrayList<>(List.of("build", model, "--wasm", folder.resolve("m.wasm").toString()));
+    words.addAll(List.of(more));
+    return Mech.run(new PrintWriter(out), new PrintWriter(err), words.toArray(new String[0]));
+  }
+
+  @Test
+  void modelBecomesAWebAssemblyModule() throws IOException {
+    int status = buildModule(PENDULUM);
+    assumeTrue(
+        !err.toString().contains("no compiler for WebAssembly"),
+        "no compiler for WebAssembly here");
+    assertThat(status).as(err.toString()).isEqualTo(ExitStatus.DONE);
+    assertThat(Files.readAllBytes(folder.resolve("m.wasm"))).startsWith(0, 'a', 's', 'm');
+  }
+
+  @ParameterizedTest
+  @CsvSource({"--standalone, ", "--compact, ", "--code, shared", "--source, x", "-o, x.jar"})
+  void optionsOfJarsAreRefusedForModules(String option, String value) {
+    String[] words = value == null ? new String[] {option} : new String[] {option, value};
+    assertThat(buildModule(PENDULUM, words)).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(err.toString()).startsWith("S-041").contains(option + " is for a JAR");
+    assertThat(buildModule(SUSPENSION)).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(err.toString()).contains("S-170");
     assertThat(folder).isEmptyDirectory();
   }
 
@@ -94,5 +124,29 @@ class FmuOptionTest {
     assertThat(build(SUSPENSION, "s.fmu")).isEqualTo(ExitStatus.BAD_INPUT);
     assertThat(err.toString()).startsWith("S-170");
     assertThat(folder).isEmptyDirectory();
+  }
+
+  @Test
+  void forcesWrittenAsClassesBecomeInputsIfAskedFor() throws IOException {
+    String[] both = {"--class-as-input", "fBody", "--class-as-input", "fFpsSpringDamper"};
+    assertThat(build(SUSPENSION, "s.fmu", "--class-as-input", "fBody"))
+        .isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(err.toString()).contains("S-170").contains("fFpsSpringDamper");
+    assertThat(build(SUSPENSION, "s.fmu", "--class-as-input", "fWheel"))
+        .isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(err.toString()).contains("--class-as-input fWheel");
+    assertThat(folder).isEmptyDirectory();
+    List<String> words = new ArrayList<>(List.of(both));
+    words.addAll(List.of("--platforms", "source"));
+    assertThat(build(SUSPENSION, "s.fmu", words.toArray(new String[0])))
+        .as(err.toString())
+        .isEqualTo(ExitStatus.DONE);
+    try (ZipFile file = new ZipFile(folder.resolve("s.fmu").toFile())) {
+      String description =
+          new String(
+              file.getInputStream(file.getEntry("modelDescription.xml")).readAllBytes(),
+              StandardCharsets.UTF_8);
+      assertThat(description).contains("\"fBody+fFpsSpringDamper.Wheel.fz\"");
+    }
   }
 }

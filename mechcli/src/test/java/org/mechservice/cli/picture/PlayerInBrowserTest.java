@@ -1,6 +1,7 @@
 package org.mechservice.cli.picture;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.offset;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.PrintWriter;
@@ -127,6 +128,42 @@ class PlayerInBrowserTest {
     browser.press("4");
     assertThat(browser.evaluate("document.querySelector('[data-view=top]').ariaPressed"))
         .hasToString("\"true\"");
+    requireQuiet(browser, page);
+  }
+
+  @Test
+  void pageWithTheModelInItRunsItAgainWhenASliderMoves() throws Exception {
+    Chromium browser = browser();
+    Path model = Path.of("..", "examples", "pendulum", "pendulum.xml");
+    Path page = folder.resolve("live.html");
+    StringWriter err = new StringWriter();
+    int status =
+        Mech.run(
+            new PrintWriter(new StringWriter()),
+            new PrintWriter(err),
+            "view",
+            model.toString(),
+            "--live",
+            page.toString());
+    assumeTrue(
+        !err.toString().contains("no compiler for WebAssembly"),
+        "no compiler for WebAssembly here: the page is not tried");
+    assertThat(status).as(err.toString()).isEqualTo(ExitStatus.DONE);
+    browser.open(page);
+    double[] fromFile = browser.numbers("[mechPlayer.last('t'), mechPlayer.last('j1.q')]");
+    assertThat(fromFile[0]).isEqualTo(3);
+    // what mech simulate gives at a tolerance of 1e-12, to ten tolerances of the file
+    assertThat(fromFile[1]).isCloseTo(1.8533808, offset(1e-4));
+    String slider = "document.querySelector('#live input[data-name=\"j2.v\"]')";
+    browser.evaluate(
+        "{ const s = " + slider + "; s.value = '0.5'; s.dispatchEvent(new Event('input')); }");
+    assertThat(browser.numbers("[mechPlayer.last('j1.q')]")[0])
+        .isNotCloseTo(fromFile[1], offset(0.01));
+    browser.evaluate("document.querySelector('#live button').click()");
+    assertThat(browser.numbers("[mechPlayer.last('j1.q')]")).containsExactly(fromFile[1]);
+    double[] times = browser.numbers("mechPlayer.runTimes()");
+    Arrays.sort(times);
+    System.out.printf("pendulum: 3 s simulated in the page in %.1f ms%n", times[0]);
     requireQuiet(browser, page);
   }
 

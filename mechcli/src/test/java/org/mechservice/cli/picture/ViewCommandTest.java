@@ -17,6 +17,9 @@ class ViewCommandTest {
   private static final String PENDULUM =
       Path.of("..", "examples", "pendulum", "pendulum.xml").toString();
 
+  private static final String SUSPENSION =
+      Path.of("..", "examples", "five-point-suspension", "five-point-suspension.xml").toString();
+
   private final StringWriter err = new StringWriter();
 
   @TempDir private Path folder = Path.of("");
@@ -61,6 +64,23 @@ class ViewCommandTest {
         .startsWith("S-041 " + file("r.csv") + " has no column \"bar1.x\"")
         .contains("mech simulate " + PENDULUM + " --columns bodies --out " + file("r.csv"));
     assertThat(folder.resolve("v.html")).doesNotExist();
+  }
+
+  @Test
+  void pageWithTheModelInItIsForModelsThatCExpresses() {
+    assertThat(mech("view", PENDULUM)).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(err.toString()).startsWith("S-041 -o FILE.html is missing");
+    assertThat(mech("view", file("r.csv"), "--model", PENDULUM, "--live", file("v.html")))
+        .isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(err.toString()).contains("--live needs a model");
+    assertThat(mech("view", PENDULUM, "--live", file("v.glb"))).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(err.toString()).contains("the page is a .html file");
+    assertThat(mech("view", PENDULUM, "--tunable", "g", "-o", file("v.html")))
+        .isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(err.toString()).contains("--tunable is for the page of --live");
+    assertThat(mech("view", SUSPENSION, "--live", file("v.html"))).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(err.toString()).contains("S-170").contains("fBody");
+    assertThat(folder).isEmptyDirectory();
   }
 
   @Test

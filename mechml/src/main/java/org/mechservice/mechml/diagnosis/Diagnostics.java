@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Set;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.catalogue.Severity;
+import org.mechservice.solver.text.Origin;
 
 /** Collects the diagnostics of one file; keeps only one of several equal ones. */
 public final class Diagnostics {
@@ -46,8 +47,33 @@ public final class Diagnostics {
     if (!isFull()) {
       found.add(
           new Diagnostic(
-              severity, code, message, file, position.line(), position.column(), position.path()));
+              severity,
+              code,
+              message,
+              fileOf(position),
+              position.line(),
+              position.column(),
+              position.path()));
     }
+  }
+
+  /** Adds the messages about a file that this one includes. */
+  public void addAll(List<Diagnostic> others) {
+    for (Diagnostic other : others) {
+      errors |= other.severity() == Severity.ERROR;
+      if (!isFull()) {
+        found.add(other);
+      }
+    }
+  }
+
+  /** Returns the place for messages of a run. */
+  public Origin origin(SourcePosition position) {
+    return new Origin(fileOf(position), position.line());
+  }
+
+  private String fileOf(SourcePosition position) {
+    return position.included().isEmpty() ? file : position.included();
   }
 
   /** Returns whether no further message is kept. */
@@ -60,10 +86,13 @@ public final class Diagnostics {
     return errors;
   }
 
-  /** Returns all diagnostics in file order. */
+  /** Returns all diagnostics in file order, those about included files last. */
   public List<Diagnostic> inFileOrder() {
     List<Diagnostic> ordered = new ArrayList<>(found);
-    ordered.sort(Comparator.comparingInt(Diagnostic::line).thenComparingInt(Diagnostic::column));
+    ordered.sort(
+        Comparator.comparing((Diagnostic one) -> one.file().equals(file) ? "" : one.file())
+            .thenComparingInt(Diagnostic::line)
+            .thenComparingInt(Diagnostic::column));
     if (isFull()) {
       ordered.add(
           new Diagnostic(

@@ -1,4 +1,4 @@
 package org.mechservice.mechml.document;
 
-/** Content of an element: child elements and comments. */
-public sealed interface Content permits Element, Comment {}
+/** Content of an element: child elements, comments, and the text of another file or language. */
+public sealed interface Content permits Element, Comment, Text {}

@@ -6,6 +6,8 @@ import java.util.StringTokenizer;
 
 /** Reads content models as the XML parser reports them: {@code (body1,body2)}, {@code EMPTY}. */
 final class ContentModelParser {
+  private static final String TEXT = "(#PCDATA)";
+
   private final StringTokenizer words;
   private String word;
 
@@ -18,10 +20,11 @@ final class ContentModelParser {
   /**
    * Reads a content model.
    *
-   * @throws IllegalArgumentException if the model is ANY or allows text, which MechML does not use
+   * @throws IllegalArgumentException if the model is ANY or mixes text and elements, which MechML
+   *     does not use
    */
   static ContentModel parse(String model) {
-    if (model.equals("EMPTY")) {
+    if (model.equals("EMPTY") || model.equals(TEXT)) {
       return ContentModel.EMPTY;
     }
     if (model.equals("ANY") || model.contains("#PCDATA")) {

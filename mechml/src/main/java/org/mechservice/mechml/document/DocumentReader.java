@@ -25,6 +25,7 @@ public final class DocumentReader {
   private static final String DECLARATIONS = "http://xml.org/sax/properties/declaration-handler";
   private static final String ROOT = "MechML";
 
+  private final String rootName;
   private final Diagnostics diagnostics;
   private final ParserPosition here = new ParserPosition();
   private final BundledDtd dtd = new BundledDtd(here);
@@ -32,7 +33,8 @@ public final class DocumentReader {
   private final ElementBuilder builder;
   private final ParserErrors errors;
 
-  private DocumentReader(Diagnostics diagnostics) {
+  private DocumentReader(String rootName, Diagnostics diagnostics) {
+    this.rootName = rootName;
     this.diagnostics = diagnostics;
     this.builder = new ElementBuilder(diagnostics, here);
     this.errors = new ParserErrors(builder);
@@ -47,12 +49,25 @@ public final class DocumentReader {
    * @throws MechmlException if the file is too large, not well-formed or not valid
    */
   public static Document read(byte[] content, Diagnostics diagnostics) throws MechmlException {
-    return new DocumentReader(diagnostics).read(content);
+    return new DocumentReader(ROOT, diagnostics).read(content);
+  }
+
+  /**
+   * Reads a file that a model includes.
+   *
+   * @param content the file's bytes; not modified
+   * @param diagnostics receives errors and warnings
+   * @return its outermost element, {@code subsystem}, which is valid
+   * @throws MechmlException if the file is too large, not well-formed or not valid
+   */
+  public static Element readSubsystem(byte[] content, Diagnostics diagnostics)
+      throws MechmlException {
+    return new DocumentReader("subsystem", diagnostics).read(content).root();
   }
 
   /**
    * Reads an XML file of another language without checking a grammar. The file may have no DOCTYPE
-   * and hence no entities; text between tags is ignored.
+   * and hence no entities.
    *
    * @param content the file's bytes; not modified
    * @param diagnostics receives errors and warnings
@@ -61,7 +76,7 @@ public final class DocumentReader {
    */
   public static Element readForeign(byte[] content, Diagnostics diagnostics)
       throws MechmlException {
-    DocumentReader reader = new DocumentReader(diagnostics);
+    DocumentReader reader = new DocumentReader(ROOT, diagnostics);
     reader.builder.takeForeign();
     return reader.read(content, false).root();
   }
@@ -126,13 +141,15 @@ public final class DocumentReader {
   }
 
   private void explainInvalidity(Element root) {
-    if (!root.name().equals(ROOT)) {
+    if (!root.name().equals(rootName)) {
       diagnostics.error(
           MessageCode.UNKNOWN_ELEMENT,
           root.position(),
           Phrase.of(
-              "the outermost element is <%s>; that of a model file is <%s>",
-              Quoted.plain(root.name()), ROOT));
+              "the outermost element is <%s>; that of %s is <%s>",
+              Quoted.plain(root.name()),
+              rootName.equals(ROOT) ? "a model file" : "an included file",
+              rootName));
       return;
     }
     if (errors.invalidity().isPresent()) {

@@ -38,8 +38,10 @@ public final class DocumentWriter {
     for (Content content : contents) {
       if (content instanceof Element element) {
         element(element, indent);
+      } else if (content instanceof Comment comment) {
+        text.append(indent).append("<!--").append(comment.text()).append("-->\n");
       } else {
-        text.append(indent).append("<!--").append(((Comment) content).text()).append("-->\n");
+        throw new IllegalArgumentException("a model file has no text between tags: " + content);
       }
     }
   }
@@ -53,6 +55,10 @@ public final class DocumentWriter {
     }
     if (element.content().isEmpty()) {
       text.append("/>\n");
+    } else if (element.content().get(0) instanceof Text inner) {
+      // Nothing may stand beside a text. A section cannot hold its own end: two divide that.
+      text.append("><![CDATA[").append(inner.text().replace("]]>", "]]]]><![CDATA[>"));
+      text.append("]]></").append(element.name()).append(">\n");
     } else {
       text.append(">\n");
       contents(element.content(), indent + INDENT);

@@ -11,7 +11,7 @@ import org.mechservice.mechml.diagnosis.SourcePosition;
  *
  * @param name name of the element, such as {@code joint}
  * @param attributes in file order
- * @param content elements and comments between its tags, in file order
+ * @param content elements, comments and text between its tags, in file order
  * @param position start of its tag
  * @param owner the nearest named element around it as {@link #label()} gives it, such as {@code
  *     body "bar1"}; empty if there is none
@@ -37,6 +37,17 @@ public record Element(
       }
     }
     return children;
+  }
+
+  /** Returns the text between its tags, without white space at its ends; model files have none. */
+  public String text() {
+    StringBuilder all = new StringBuilder();
+    for (Content part : content) {
+      if (part instanceof Text piece) {
+        all.append(all.isEmpty() ? "" : " ").append(piece.text());
+      }
+    }
+    return all.toString();
   }
 
   /** Returns the text of an attribute; empty if the element lacks it. */

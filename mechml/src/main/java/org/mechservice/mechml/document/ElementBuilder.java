@@ -25,7 +25,10 @@ import org.xml.sax.ext.DefaultHandler2;
 final class ElementBuilder extends DefaultHandler2 {
   /** Elements whose name messages do not repeat, since they stand for the whole file. */
   private static final Set<String> NOT_OWNERS =
-      Set.of("MechML", "MBSmodel", "robot", "body1", "body2");
+      Set.of("MechML", "MBSmodel", "robot", "sdf", "mujoco", "body1", "body2");
+
+  /** The element that holds the text of another file. */
+  private static final String FILE_HOLDER = "included";
 
   /**
    * An element whose end has not been read.
@@ -46,8 +49,10 @@ final class ElementBuilder extends DefaultHandler2 {
   private final List<Comment> epilog = new ArrayList<>();
   private Optional<String> systemId = Optional.empty();
   private Optional<Element> root = Optional.empty();
+  private final StringBuilder held = new StringBuilder();
   private boolean inDtd;
   private boolean foreign;
+  private final StringBuilder words = new StringBuilder();
   private int elements;
   private int line = 1;
   private int column = 1;
@@ -95,6 +100,7 @@ final class ElementBuilder extends DefaultHandler2 {
       line = here.line();
       column = Math.max(1, here.column() - name.length() - 2);
     }
+    keepText();
     List<Attribute> copy = copy(attributes);
     Element head = new Element(name, copy, List.of(), position(name, attributes), owner());
     checkLimits(head);
@@ -152,6 +158,11 @@ final class ElementBuilder extends DefaultHandler2 {
 
   @Override
   public void endElement(String uri, String localName, String name) {
+    if (!foreign && name.equals(FILE_HOLDER)) {
+      open.element().content().add(new Text(held.toString()));
+      held.setLength(0);
+    }
+    keepText();
     Element element = open.pop().close();
     Open parent = open.peek();
     if (parent == null) {
@@ -164,11 +175,28 @@ final class ElementBuilder extends DefaultHandler2 {
 
   @Override
   public void characters(char[] text, int start, int length) {
-    String content = new String(text, start, length).strip();
-    if (!foreign && !content.isEmpty() && !diagnostics.isFull()) {
-      innermost().ifPresent(element -> reportText(element, content));
+    Open element = open.peek();
+    if (foreign) {
+      words.append(text, start, length);
+    } else if (element != null && element.head().name().equals(FILE_HOLDER)) {
+      held.append(text, start, length);
+    } else {
+      String content = new String(text, start, length).strip();
+      if (!content.isEmpty() && !diagnostics.isFull()) {
+        innermost().ifPresent(around -> reportText(around, content));
+      }
     }
     passed();
+  }
+
+  /** Adds the text since the last tag to the innermost element; the parser gives it in pieces. */
+  private void keepText() {
+    String content = words.toString().strip();
+    words.setLength(0);
+    Open element = open.peek();
+    if (element != null && !content.isEmpty()) {
+      element.content().add(new Text(content));
+    }
   }
 
   private void reportText(Element element, String content) {

@@ -6,6 +6,8 @@ import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.document.Document;
 import org.mechservice.mechml.document.DocumentReader;
+import org.mechservice.mechml.document.Element;
+import org.mechservice.mechml.include.IncludedParts;
 
 /** Reads MechML files. */
 public final class MechmlReader {
@@ -35,7 +37,22 @@ public final class MechmlReader {
       throws MechmlException {
     Diagnostics diagnostics = new Diagnostics(fileName);
     Document document = DocumentReader.read(content, diagnostics);
-    return ModelResolver.resolve(document.root(), options, diagnostics);
+    Element whole = IncludedParts.put(document.root(), diagnostics);
+    return ModelResolver.resolve(whole, options, diagnostics);
+  }
+
+  /**
+   * Reads and validates a model file with the files that it includes, without resolving it.
+   *
+   * @param fileName name for messages
+   * @param content the file's bytes; not modified
+   * @return the element MechML, in which the parts of included files stand in place of {@code
+   *     include}
+   * @throws MechmlException if a file is not well-formed or not valid, or is not there
+   */
+  public static Element whole(String fileName, byte[] content) throws MechmlException {
+    Diagnostics diagnostics = new Diagnostics(fileName);
+    return IncludedParts.put(DocumentReader.read(content, diagnostics).root(), diagnostics);
   }
 
   /**

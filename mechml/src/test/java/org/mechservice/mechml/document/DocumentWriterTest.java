@@ -23,6 +23,8 @@ class DocumentWriterTest {
           .filter(f -> f.toString().endsWith(".xml") && !f.endsWith("pom.xml"))
           .filter(f -> !f.toString().contains("target"))
           .filter(f -> !f.toString().contains("study"))
+          // Its point is its few lines.
+          .filter(f -> !f.endsWith("four-bar.xml"))
           .toList()
           .stream();
     }

@@ -13,7 +13,7 @@ import java.util.Set;
 import java.util.stream.Stream;
 import org.mechservice.mechml.ReadOptions;
 import org.mechservice.mechml.resolve.MechmlReader;
-import org.mechservice.mechml.urdf.UrdfImport;
+import org.mechservice.mechml.robot.RobotImport;
 
 /** Files of one seed, by kind, and what became of them. */
 final class FuzzCampaign {
@@ -73,7 +73,7 @@ final class FuzzCampaign {
 
   void damagedRobots(int count) {
     for (int i = 0; i < count; i++) {
-      robots.with(damage.to(robot), file -> UrdfImport.of("x.urdf", file).model());
+      robots.with(damage.to(robot), file -> RobotImport.of("x.urdf", file).model());
     }
   }
 

@@ -138,7 +138,7 @@ final class RandomFile {
       text.append('<').append(name);
       attributes.getOrDefault(name, List.of()).forEach(a -> attribute(text, name, a));
       List<String> model = models.getOrDefault(name, List.of());
-      if (model.contains("EMPTY")) {
+      if (model.stream().anyMatch(token -> token.equals("EMPTY") || token.endsWith("PCDATA"))) {
         text.append("/>");
       } else {
         text.append(">\n");

@@ -25,7 +25,7 @@ final class AdjointRun {
   private static final double[] NONE = {};
 
   /** Places of the motion, last first, at which scales are taken. */
-  private static final int PLACES = 8;
+  private static final int PLACES = 64;
 
   private final GradientModel model;
   private final List<Wanted> wanted;
@@ -126,7 +126,7 @@ final class AdjointRun {
       } else {
         values[i] = one.ofIntegral(end[n + integralOf[i]], at - t0);
       }
-      slopes[i] = Double.isNaN(values[i]) ? filled() : back(i, at, side, way);
+      slopes[i] = Double.isNaN(values[i]) ? filled() : back(i, values[i], at, side, way);
     }
     recomputed = way.recomputed();
     return new Outcomes(values, slopes, way.steps());
@@ -178,7 +178,7 @@ final class AdjointRun {
     /** Weight of the integrand in the number; 0 for a number of one time. */
     final double share;
 
-    /** State where a stretch ends, before the event there. */
+    /** State where a stretch ends, on its side of the transition there. */
     double[] stretchEnd = {};
 
     double stretchEndTime = Double.NaN;
@@ -191,7 +191,7 @@ final class AdjointRun {
 
     /** The derivatives of λ and of the sums for the parameters. */
     void derivative(double t, double[] u, double[] uDot) {
-      if (t == stretchEndTime) {
+      if (t >= stretchEndTime) {
         System.arraycopy(stretchEnd, 0, y, 0, n);
       } else {
         way.at(t, y);
@@ -213,7 +213,7 @@ final class AdjointRun {
     }
 
     void jacobian(double t, double[] u, double[] fu) {
-      if (t == stretchEndTime) {
+      if (t >= stretchEndTime) {
         System.arraycopy(stretchEnd, 0, y, 0, n);
       } else {
         way.at(t, y);
@@ -243,7 +243,8 @@ final class AdjointRun {
   }
 
   /** Returns the derivatives of a number by all directions. */
-  private double[] back(int number, double at, Observation.Side side, SolutionSegments way) {
+  private double[] back(
+      int number, double value, double at, Observation.Side side, SolutionSegments way) {
     Wanted one = wanted.get(number);
     double t0 = motion.run.tStart();
     double end = way.end();
@@ -261,8 +262,8 @@ final class AdjointRun {
       addPoint(one, from, sides.before(), sides.rateBefore(), u);
       double gain = columnRate(one, from, sides.before(), sides.rateBefore());
       addTime(transition, from, sides, gain, u);
-      back.stretchEnd = sides.before();
-      back.stretchEndTime = from;
+      back.stretchEnd = sides.inside();
+      back.stretchEndTime = sides.insideTime();
     } else if (!one.isIntegral()) {
       way.at(from, y);
       model.derivative(from, y, rate);
@@ -284,7 +285,7 @@ final class AdjointRun {
                         || (event.time() == from && side != Observation.Side.BEFORE))
             .sorted(Comparator.comparingDouble(FoundEvent::time))
             .toList();
-    double[] tolerances = tolerancesBack(one, way);
+    double[] tolerances = tolerancesBack(one, value, way);
     double time = from;
     for (int e = events.size() - 1; e >= -1; e--) {
       double until = e >= 0 ? events.get(e).time() : t0;
@@ -303,8 +304,8 @@ final class AdjointRun {
         transition.carryBack(time, sides, lambda, byDirection, further);
         System.arraycopy(lambda, 0, u, 0, n);
         System.arraycopy(byDirection, 0, u, n, p);
-        back.stretchEnd = sides.before();
-        back.stretchEndTime = time;
+        back.stretchEnd = sides.inside();
+        back.stretchEndTime = sides.insideTime();
       }
     }
     double[] slopes = Arrays.copyOfRange(u, n, n + p);
@@ -400,7 +401,7 @@ final class AdjointRun {
    * as an error of the size of the tolerances in the state, or in a parameter as a part of its
    * size, relative to the number's own scale.
    */
-  private double[] tolerancesBack(Wanted one, SolutionSegments way) {
+  private double[] tolerancesBack(Wanted one, double number, SolutionSegments way) {
     double[] largest = new double[n];
     double scale = 0;
     double t0 = motion.run.tStart();
@@ -418,7 +419,10 @@ final class AdjointRun {
     } else if (one.kind() == Reduction.Kind.CROSSING) {
       scale = way.end() - t0;
     }
-    double error = SHARE * motion.run.relativeTolerance() * (scale > 0 ? scale : 1);
+    // a number may be zero by accident; below the tolerances of the state nothing is asked of it
+    double least = motion.run.absoluteTolerance() / motion.run.relativeTolerance();
+    double size = Math.max(Math.max(scale, Math.abs(number)), least);
+    double error = SHARE * motion.run.relativeTolerance() * size;
     double[] tolerances = new double[n + p];
     for (int i = 0; i < n; i++) {
       tolerances[i] = error / (largest[i] > 0 ? largest[i] : 1);

@@ -60,10 +60,19 @@ final class Transition {
    * @param rateBefore f⁻
    * @param rateAfter f⁺
    * @param speed g_t + g_y f⁻
+   * @param inside a state on the near side: that before an event, or one close before a switch,
+   *     whose equations still have their form of before
+   * @param insideTime its time, s: between it and the transition the form may be either
    */
   @SuppressWarnings("ArrayRecordComponent") // never compared
   record Sides(
-      double[] before, double[] after, double[] rateBefore, double[] rateAfter, double speed) {}
+      double[] before,
+      double[] after,
+      double[] rateBefore,
+      double[] rateAfter,
+      double speed,
+      double[] inside,
+      double insideTime) {}
 
   /**
    * Returns both sides.
@@ -78,6 +87,8 @@ final class Transition {
     double[] after = before.clone();
     double[] rateBefore = new double[n];
     double[] rateAfter = new double[n];
+    double[] inside = before;
+    double insideTime = t;
     if (part == Part.TRIGGERS) {
       double[] values = Part.ASSIGNMENTS.of(model.functions).values(t, before);
       for (int i = 0; i < assigned.length; i++) {
@@ -87,7 +98,8 @@ final class Transition {
       model.derivative(t, after, rateAfter);
     } else {
       model.derivative(t, before, rateAfter);
-      stepBack(t, before, rateAfter, rateBefore);
+      inside = new double[n];
+      insideTime = stepBack(t, before, rateAfter, rateBefore, inside);
     }
     double speed = model.along(part, t, before, rateBefore, 1, -1)[index];
     double size = 0;
@@ -103,13 +115,18 @@ final class Transition {
               + t
               + " s, not crossed: its time has no derivative there");
     }
-    return new Sides(before, after, rateBefore, rateAfter, speed);
+    return new Sides(before, after, rateBefore, rateAfter, speed, inside, insideTime);
   }
 
-  /** Evaluates f before a switch, extrapolated from two states on the way to it. */
-  private void stepBack(double t, double[] at, double[] rateAfter, double[] rateBefore) {
+  /**
+   * Evaluates f before a switch, extrapolated from two states on the way to it.
+   *
+   * @param near overwritten with the nearer state
+   * @return its time
+   */
+  private double stepBack(
+      double t, double[] at, double[] rateAfter, double[] rateBefore, double[] near) {
     int n = model.n;
-    double[] near = new double[n];
     double[] far = new double[n];
     double[] rateFar = new double[n];
     double sign = Math.signum(value(t, at));
@@ -126,7 +143,7 @@ final class Transition {
         for (int i = 0; i < n; i++) {
           rateBefore[i] = 2 * rateBefore[i] - rateFar[i];
         }
-        return;
+        return t - back;
       }
       back *= 4;
     }

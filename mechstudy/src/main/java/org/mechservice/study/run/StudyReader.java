@@ -29,8 +29,8 @@ import org.mechservice.mechml.unit.UnitException;
 import org.mechservice.mechml.unit.UnitParser;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.simulation.SolverVersion;
+import org.mechservice.solver.text.ModelFiles;
 import org.mechservice.solver.text.Sha256;
-import org.mechservice.solver.text.TableFiles;
 import org.mechservice.study.PointModel;
 import org.mechservice.study.Reduction;
 import org.mechservice.study.design.Design;
@@ -642,7 +642,7 @@ public final class StudyReader {
     }
     identity.add("tablesSha256", tables);
     identity.addProperty("model", root.attribute("model").orElse(""));
-    byte[] model = TableFiles.inlined(Files.readAllBytes(modelFile), modelFile);
+    byte[] model = ModelFiles.inlined(Files.readAllBytes(modelFile), modelFile);
     identity.addProperty("modelSha256", Sha256.of(model));
     identity.addProperty("codeSha256", points.model().sha256());
     identity.addProperty("version", SolverVersion.CURRENT);

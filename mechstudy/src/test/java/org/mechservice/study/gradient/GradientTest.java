@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -168,6 +169,21 @@ final class GradientTest {
     // behind the turn: x = −c/k + (−x0 + 3c/k) cos(ω(t − π/ω))
     double c = Math.cos(1.5 * OMEGA - Math.PI);
     assertClose(found, 1, -0.2 / K + (-X0 + 3 * 0.2 / K) * c, -1 / K + 3 / K * c, -c);
+  }
+
+  /**
+   * A joint meets an elastic stop at speed v and leaves it after half a period of 0.1 s: the
+   * integral of its energy is v²/2 · 0.05 s.
+   */
+  @ParameterizedTest
+  @EnumSource(names = {"FORWARD", "ADJOINT"})
+  void derivativesCrossTheStopOfAJoint(GradientMethod method) throws Exception {
+    MechModel model = MechModel.read(Path.of("..", "examples", "elements", "joint-P.xml"));
+    Gradient found =
+        Gradients.of(
+                model, List.of("slide.v"), List.of(Reduction.parse("integral(energy.potential)")))
+            .compute(method);
+    assertClose(found, 0, 0.025, 0.05);
   }
 
   @Test

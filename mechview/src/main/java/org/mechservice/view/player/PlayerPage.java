@@ -17,6 +17,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.OptionalInt;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.view.mesh.Mesh;
 import org.mechservice.view.scene.Anchor;
@@ -31,6 +32,11 @@ public final class PlayerPage {
   /** The page's program, each module after those that it needs. */
   private static final List<String> MODULES =
       List.of("space", "recording", "camera", "canvas3d", "curves", "player");
+
+  /** What begins the program: with a recorded run, or with a model in the page. */
+  private static final String RECORDED = "main";
+
+  private static final String LIVE = "live";
 
   /** Escapes {@code < > & = '}, so that no text of a model can end the element that holds it. */
   private static final Gson JSON = new GsonBuilder().serializeSpecialFloatingPointValues().create();
@@ -63,7 +69,27 @@ public final class PlayerPage {
       Recording recording,
       Map<String, String> facts,
       List<Event> events) {
-    return new PlayerPage(scene, stage, recording).page(facts, events);
+    PlayerPage page = new PlayerPage(scene, stage, recording);
+    return page.page(page.data(facts, events), RECORDED, "");
+  }
+
+  /**
+   * Writes a page that simulates the model itself, again with every move of a slider.
+   *
+   * @param live the model; its first row of results is time, states and outputs
+   * @param facts what the page tells about the model: label and text, in order
+   * @return the page in UTF-8
+   */
+  public static byte[] writeLive(
+      SceneDescription scene, Stage stage, LiveModel live, Map<String, String> facts) {
+    Recording recording = new Recording();
+    recording.begin(live.columns());
+    // the page's own first run takes the place of this row
+    recording.row(new double[live.columns().size()]);
+    PlayerPage page = new PlayerPage(scene, stage, recording);
+    JsonObject data = page.data(facts, List.of());
+    data.add("live", live.json());
+    return page.page(data, LIVE, " 'wasm-unsafe-eval'");
   }
 
   /**
@@ -84,23 +110,32 @@ public final class PlayerPage {
    */
   public record Event(double time, String name) {}
 
-  private byte[] page(Map<String, String> facts, List<Event> events) {
+  /**
+   * @param begin module that begins the program
+   * @param allowed what the program may do besides, as words of the page's policy
+   */
+  private byte[] page(JsonObject data, String begin, String allowed) {
     String style = resource("player.css");
-    String script = MODULES.stream().map(PlayerPage::module).collect(Collectors.joining("\n"));
+    String script =
+        Stream.concat(MODULES.stream(), Stream.of(begin))
+            .map(PlayerPage::module)
+            .collect(Collectors.joining("\n"));
     String page =
         resource("player.html")
-            .replace("{{policy}}", policy(style, script))
+            .replace("{{policy}}", policy(style, script, allowed))
             .replace("{{style}}", style)
             .replace("{{script}}", script)
             // last: what it holds is not looked through
-            .replace("{{data}}", JSON.toJson(data(facts, events)));
+            .replace("{{data}}", JSON.toJson(data));
     return page.getBytes(StandardCharsets.UTF_8);
   }
 
-  private static String policy(String style, String script) {
+  private static String policy(String style, String script, String allowed) {
     return "default-src 'none'; script-src '"
         + hash(script)
-        + "'; style-src '"
+        + "'"
+        + allowed
+        + "; style-src '"
         + hash(style)
         + "'; base-uri 'none'; form-action 'none'";
   }

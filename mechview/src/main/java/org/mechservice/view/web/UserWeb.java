@@ -37,6 +37,8 @@ import org.mechservice.view.sketch.ViewPlane;
 
 /** Serves the page for users on the loopback interface. */
 public final class UserWeb implements AutoCloseable {
+  private static final List<String> ROBOTS = List.of(".urdf", ".sdf", ".mjcf");
+
   /** Streams to pages at once. */
   private static final int STREAMS = 60;
 
@@ -241,7 +243,8 @@ public final class UserWeb implements AutoCloseable {
     JsonObject answer = new JsonObject();
     String model = text(body, "text");
     try {
-      if (text(body, "name").endsWith(".urdf")) {
+      String name = text(body, "name");
+      if (ROBOTS.stream().anyMatch(name::endsWith)) {
         ImportedModel imported = translated(model);
         model = imported.text();
         answer.addProperty("translated", model);
@@ -262,6 +265,7 @@ public final class UserWeb implements AutoCloseable {
     return answer;
   }
 
+  /** Translates a robot; the outermost element of its text tells the format. */
   private ImportedModel translated(String robot) throws IOException {
     Path folder = Files.createTempDirectory("mechweb");
     Path file = folder.resolve("model.urdf");

@@ -45,7 +45,7 @@ function roundSurface(outline) {
   return [new Float32Array(corners), new Uint32Array(triangles)];
 }
 
-class Player {
+export class Player {
   constructor(data) {
     this.data = data;
     this.motion = new Motion(data);
@@ -405,7 +405,7 @@ class Player {
           points.push(add(pose.p, turned(pose.q, body.centre)));
         }
         const lines = points.slice(1).flatMap((point, i) => [...points[i], ...point]);
-        return this.picture.segments(lines);
+        return this.picture.segments(lines, this.stalePaths?.[index]);
       });
     }
     this.data.bodies.forEach((body, index) => {
@@ -662,11 +662,26 @@ class Player {
         this.play(false);
         this.seek(time);
       });
-      chart.show(this.motion.times, shown.map((one, i) =>
-        ({ values: this.motion.column(one.column), offset: one.offset, colour: SERIES[i] })));
+      chart.show(this.motion.times, shown.map((one, i) => ({
+        values: this.motion.column(one.column), column: one.column, offset: one.offset, colour: SERIES[i],
+      })));
       this.charts.push(chart);
     }
     this.tell();
+  }
+
+  // Shows another motion of the same mechanism: numbers column after column.
+  replace(numbers, frames) {
+    this.data.numbers = numbers;
+    this.data.frames = frames;
+    this.motion = new Motion(this.data);
+    this.stalePaths = this.paths || this.stalePaths;
+    this.paths = undefined;
+    element('time').min = String(this.motion.start);
+    element('time').max = String(this.motion.end);
+    this.charts.forEach(chart => chart.show(this.motion.times, chart.series.map(one =>
+      ({ ...one, values: this.motion.column(one.column) }))));
+    this.seek(this.time);
   }
 
   select(body) {
@@ -905,8 +920,3 @@ function nearestHit(part, from, along) {
   }
   return nearest;
 }
-
-const player = new Player(JSON.parse(element('data').textContent));
-globalThis.mechPlayer = {
-  frameTimes: () => player.frameTimes.slice(),
-};

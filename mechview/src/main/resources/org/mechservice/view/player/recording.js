@@ -14,7 +14,7 @@ export class Motion {
   constructor(data) {
     this.data = data;
     this.count = data.frames;
-    this.numbers = new Float32Array(bytesOf(data.values));
+    this.numbers = data.numbers || new Float32Array(bytesOf(data.values));
     this.times = this.column(0);
     this.start = this.times[0];
     this.end = this.times[this.count - 1];

@@ -16,11 +16,10 @@ import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Vector3;
-import org.mechservice.solver.text.Origin;
 
 /** Reads {@code body}. */
 public final class BodyReader {
-  private static final Set<String> SHAPES = Set.of("box", "cylinder", "cone", "sphere");
+  private static final Set<String> SHAPES = Set.of("box", "cylinder", "cone", "sphere", "mesh");
 
   private final ValueReader values;
   private final DirectionReader directions;
@@ -59,7 +58,7 @@ public final class BodyReader {
                     of.mass(),
                     of.center(),
                     of.inertia(),
-                    new Origin(diagnostics.file(), element.position().line())));
+                    diagnostics.origin(element.position())));
   }
 
   /** The grammar allows shapes or numbers, not both. */

@@ -1,5 +1,7 @@
 package org.mechservice.mechml.resolve.body;
 
+import java.util.Collections;
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.mechservice.mechml.diagnosis.Diagnostics;
@@ -9,14 +11,15 @@ import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.resolve.value.NameTable;
 import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.mechml.unit.Quantity;
+import org.mechservice.mechml.unit.Unit;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * Reads {@code box}, {@code cylinder}, {@code cone} and {@code sphere}: homogeneous solids with a
- * density or a mass. Volumes and moments of inertia are those of every handbook, such as Beer and
- * Johnston, <i>Vector Mechanics for Engineers</i>, appendix on mass moments of inertia.
+ * Reads {@code box}, {@code cylinder}, {@code cone}, {@code sphere} and {@code mesh}: homogeneous
+ * solids with a density or a mass. Volumes and moments of inertia are those of every handbook, such
+ * as Beer and Johnston, <i>Vector Mechanics for Engineers</i>, appendix on mass moments of inertia.
  */
 final class ShapeReader {
   private static final String SAME_PLACE =
@@ -40,6 +43,7 @@ final class ShapeReader {
       case "box" -> box(shape, points);
       case "cylinder" -> cylinder(shape, points);
       case "cone" -> cone(shape, points);
+      case "mesh" -> mesh(shape, points);
       default -> sphere(shape, points);
     };
   }
@@ -118,6 +122,50 @@ final class ShapeReader {
             from.get().plus(along.times(0.5)),
             mass.getAsDouble() * square / 2,
             mass.getAsDouble() * (3 * square + length * length) / 12));
+  }
+
+  /**
+   * A surface from a file, whose volume and moments at density 1 stand beside its name in the
+   * file's unit, along the axes of the body.
+   */
+  private Optional<MassProperties> mesh(Element mesh, NameTable<Vector3> points) {
+    if (mesh.attribute("volume").isEmpty()
+        || mesh.attribute("center").isEmpty()
+        || mesh.attribute("moments").isEmpty()) {
+      return wrong(
+          mesh,
+          "its file was not read, because this model is not read from a folder; write volume,"
+              + " center and moments");
+    }
+    Optional<Unit> unit = values.unit(mesh, "length", Quantity.LENGTH);
+    Optional<Vector3> origin = point(mesh, points);
+    OptionalDouble volume = values.number(mesh, "volume");
+    Optional<List<Double>> center =
+        unit.flatMap(length -> values.list(mesh, "center", Collections.nCopies(3, length)));
+    Optional<List<Double>> moments = values.list(mesh, "moments", Collections.nCopies(6, Unit.ONE));
+    if (unit.isEmpty()
+        || origin.isEmpty()
+        || volume.isEmpty()
+        || center.isEmpty()
+        || moments.isEmpty()) {
+      return Optional.empty();
+    }
+    if (!(volume.getAsDouble() > 0)) {
+      return wrong(mesh, "volume must be positive");
+    }
+    double scale = unit.get().toSi(1);
+    OptionalDouble mass = mass(mesh, volume.getAsDouble() * scale * scale * scale);
+    if (mass.isEmpty()) {
+      return Optional.empty();
+    }
+    List<Double> c = center.get();
+    double factor = mass.getAsDouble() / volume.getAsDouble() * scale * scale;
+    List<Double> m = moments.get().stream().map(moment -> moment * factor).toList();
+    return Optional.of(
+        new MassProperties(
+            mass.getAsDouble(),
+            origin.get().plus(new Vector3(c.get(0), c.get(1), c.get(2))),
+            new InertiaTensor(m.get(0), m.get(1), m.get(2), m.get(3), m.get(4), m.get(5))));
   }
 
   private Optional<Vector3> point(Element shape, NameTable<Vector3> points) {

@@ -13,6 +13,7 @@ import org.mechservice.mechml.expression.Scope;
 import org.mechservice.mechml.resolve.body.BodyDefinition;
 import org.mechservice.mechml.resolve.value.ParameterTable;
 import org.mechservice.mechml.resolve.value.ResolvedParameter;
+import org.mechservice.mechml.unit.Dimension;
 import org.mechservice.mechml.unit.Unit;
 import org.mechservice.mechml.unit.UnitSystem;
 import org.mechservice.solver.catalogue.MessageCode;
@@ -72,6 +73,37 @@ final class FormulaNames {
     known.addAll(names.signalNames());
     known.add("t");
     return new Expression.Constant(Scope.constant(name, known));
+  }
+
+  /**
+   * Returns the dimension of a name that is no parameter and that {@link #leaf} knows; empty if it
+   * may be any, as that of a state.
+   */
+  Optional<Dimension> dimension(ParsedExpression.Reference name) {
+    if (name.text().equals("t")) {
+      return Optional.of(Dimension.TIME);
+    }
+    if (names.signal(String.join(".", name.names())).isPresent()) {
+      return Optional.empty();
+    }
+    Dimension perTime = Dimension.TIME.power(-1);
+    String last = name.names().get(name.names().size() - 1);
+    if (name.names().size() == 3) {
+      return Optional.of(last.startsWith("v") ? Dimension.LENGTH.times(perTime) : Dimension.LENGTH);
+    }
+    if (name.names().size() == 2) {
+      return names
+          .joint(name.names().get(0))
+          .map(joint -> dimension(joint, name.index().orElse(0), last.equals("v")));
+    }
+    return Optional.empty();
+  }
+
+  private static Dimension dimension(ResolvedJoint joint, int component, boolean velocity) {
+    String unit =
+        velocity ? joint.type().velocityUnit(component) : joint.type().positionUnit(component);
+    Dimension length = unit.startsWith("m") ? Dimension.LENGTH : Dimension.NONE;
+    return velocity ? length.times(Dimension.TIME.power(-1)) : length;
   }
 
   /** Returns the tables by name. */

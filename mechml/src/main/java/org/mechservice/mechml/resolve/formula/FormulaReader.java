@@ -11,6 +11,7 @@ import org.mechservice.mechml.expression.ExpressionException;
 import org.mechservice.mechml.expression.ExpressionParser;
 import org.mechservice.mechml.expression.ParsedExpression;
 import org.mechservice.mechml.resolve.value.AttributeText;
+import org.mechservice.mechml.resolve.value.DimensionCheck;
 import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.mechml.unit.Quantity;
 import org.mechservice.mechml.unit.Unit;
@@ -45,6 +46,7 @@ public final class FormulaReader {
         throw new ExpressionException(MessageCode.EXPRESSION_VALUE, 0, "too large in SI units");
       }
       values.warnOfDegrees(text, parsed, unit);
+      DimensionCheck.check(text, parsed, unit, values.parameters(), names::dimension, diagnostics);
       return Optional.of(FormulaNames.toSi(formula, unit));
     } catch (ExpressionException e) {
       values.report(text, e);

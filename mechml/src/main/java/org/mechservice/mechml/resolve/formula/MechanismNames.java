@@ -147,6 +147,6 @@ public final class MechanismNames {
 
   /** Returns the position of an element in the file. */
   public Origin origin(Element element) {
-    return new Origin(diagnostics.file(), element.position().line());
+    return diagnostics.origin(element.position());
   }
 }

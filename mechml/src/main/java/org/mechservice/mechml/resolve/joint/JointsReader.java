@@ -15,7 +15,6 @@ import org.mechservice.mechml.resolve.value.NameTable;
 import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.Root;
-import org.mechservice.solver.text.Origin;
 
 /** Reads {@code Joints} with the starts that {@code relCoorVals} gives them. */
 public final class JointsReader {
@@ -59,8 +58,8 @@ public final class JointsReader {
             MessageCode.DUPLICATE_NAME,
             jointVal.position(),
             Phrase.of(
-                "%s: line %d already gives the start of this joint",
-                jointVal.label(), first.position().line()));
+                "%s: %s already gives the start of this joint",
+                jointVal.label(), first.position().inWords()));
       } else {
         joints.find(jointVal, name);
       }
@@ -103,13 +102,9 @@ public final class JointsReader {
             link.element(),
             link.type(),
             link.start(),
-            origin(link.element()),
+            diagnostics.origin(link.element().position()),
             world.placement(
                 link.element(), Map.entry(link.body1(), pose1), Map.entry(link.body2(), pose2))));
-  }
-
-  private Origin origin(Element element) {
-    return new Origin(diagnostics.file(), element.position().line());
   }
 
   /** Returns a joint that is placed in the world, as yet unread; reports unknown bodies. */
@@ -167,7 +162,7 @@ public final class JointsReader {
             index.of(end1.get().body()),
             index.of(end2.get().body()),
             start,
-            origin(element));
+            diagnostics.origin(element.position()));
     return Optional.of(
         new JointLink(element, start, input.body1(), input.body2(), reader.read(input)));
   }

@@ -57,9 +57,9 @@ public final class NameTable<T> {
           MessageCode.DUPLICATE_NAME,
           element.position(),
           Phrase.of(
-              "%s: line %d has %s %s with this name",
+              "%s: %s has %s %s with this name",
               element.label(),
-              first.element().position().line(),
+              first.element().position().inWords(),
               "aeiou".indexOf(kind.charAt(0)) < 0 ? "a" : "an",
               kind));
     }

@@ -175,6 +175,15 @@ public final class ParametersReader {
       if (!Double.isFinite(inExpressions)) {
         throw new ExpressionException(MessageCode.EXPRESSION_VALUE, 0, "too large");
       }
+      if (!options.values().containsKey(name)) {
+        DimensionCheck.check(
+            AttributeText.of(parameter.element(), "value"),
+            parameter.expression(),
+            unit,
+            table,
+            other -> Optional.empty(),
+            diagnostics);
+      }
       table.add(
           new ResolvedParameter(
               parameter.element(), value, unit, inExpressions, isTunable(parameter)));

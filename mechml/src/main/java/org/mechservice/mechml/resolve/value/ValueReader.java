@@ -182,6 +182,8 @@ public final class ValueReader {
         throw new ExpressionException(MessageCode.EXPRESSION_VALUE, 0, "too large in SI units");
       }
       warnOfDegrees(text, expression, unit);
+      DimensionCheck.check(
+          text, expression, unit, parameters, name -> Optional.empty(), diagnostics);
       return OptionalDouble.of(value + 0.0);
     } catch (ExpressionException e) {
       report(text, e);

@@ -24,30 +24,73 @@ final class CCompiler {
   private static final List<String> OPTIONS =
       List.of("-std=c99", "-O2", "-ffp-contract=off", "-fvisibility=hidden", "-shared");
 
-  private final List<String> command;
-  private final boolean windows;
+  /** Options of a WebAssembly module: no C library, no imports, a stack of 1 MB. */
+  private static final List<String> MODULE_OPTIONS =
+      List.of(
+          "-std=c99",
+          "-O2",
+          "-ffp-contract=off",
+          "-fno-math-errno",
+          "-nostdlib",
+          "-nostdlibinc",
+          "-mbulk-memory",
+          "-I.",
+          "-Wl,--no-entry",
+          "-Wl,-z,stack-size=1048576",
+          "-Wl,--strip-all");
 
-  private CCompiler(List<String> command, boolean windows) {
+  private final List<String> command;
+  private final List<String> options;
+  private final List<String> libraries;
+
+  private CCompiler(List<String> command, List<String> options, List<String> libraries) {
     this.command = command;
-    this.windows = windows;
+    this.options = options;
+    this.libraries = libraries;
+  }
+
+  private static CCompiler ofUnits(List<String> command, FmuPlatform platform) {
+    if (platform == FmuPlatform.WIN64) {
+      return new CCompiler(command, OPTIONS, List.of());
+    }
+    List<String> options = new ArrayList<>(OPTIONS);
+    options.add("-fPIC");
+    return new CCompiler(command, options, List.of("-lm"));
+  }
+
+  /** Returns a compiler for WebAssembly: clang with lld, or zig; empty if this machine has none. */
+  static Optional<CCompiler> forWebAssembly() {
+    Optional<Path> clang = onPath("clang");
+    if (clang.isPresent() && onPath("wasm-ld").isPresent()) {
+      return Optional.of(
+          new CCompiler(
+              List.of(clang.get().toString(), "--target=wasm32"), MODULE_OPTIONS, List.of()));
+    }
+    return onPath("zig")
+        .map(
+            zig ->
+                new CCompiler(
+                    List.of(zig.toString(), "cc", "-target", "wasm32-freestanding"),
+                    MODULE_OPTIONS,
+                    List.of()));
   }
 
   /** Returns a compiler for a platform; empty if this machine has none. */
   static Optional<CCompiler> forPlatform(FmuPlatform platform) {
-    boolean windows = platform == FmuPlatform.WIN64;
     if (FmuPlatform.ofThisMachine().equals(Optional.of(platform))) {
       for (String name : List.of("cc", "gcc", "clang")) {
         Optional<Path> found = onPath(name);
         if (found.isPresent()) {
-          return Optional.of(new CCompiler(List.of(found.get().toString()), windows));
+          return Optional.of(ofUnits(List.of(found.get().toString()), platform));
         }
       }
     }
     return onPath("zig")
         .map(
             zig ->
-                new CCompiler(
-                    List.of(zig.toString(), "cc", "-target", platform.zigTarget(), "-s"), windows));
+                ofUnits(
+                    List.of(zig.toString(), "cc", "-target", platform.zigTarget(), "-s"),
+                    platform));
   }
 
   private static Optional<Path> onPath(String name) {
@@ -62,7 +105,7 @@ final class CCompiler {
   }
 
   /**
-   * Compiles a shared library.
+   * Compiles a shared library or a module.
    *
    * @param files sources and headers by name
    * @throws IOException if it cannot be done; the message has the compiler's words
@@ -75,16 +118,11 @@ final class CCompiler {
       }
       Path library = folder.resolve("library.bin");
       List<String> words = new ArrayList<>(command);
-      words.addAll(OPTIONS);
-      if (!windows) {
-        words.add("-fPIC");
-      }
+      words.addAll(options);
       words.add("-o");
       words.add(library.getFileName().toString());
       words.addAll(FmuSources.compiled(files));
-      if (!windows) {
-        words.add("-lm");
-      }
+      words.addAll(libraries);
       run(words, folder);
       return Files.readAllBytes(library);
     } finally {

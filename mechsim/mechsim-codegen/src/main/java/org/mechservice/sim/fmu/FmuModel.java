@@ -6,6 +6,7 @@ import java.util.TreeMap;
 import org.mechservice.sim.emit.c.CModel;
 import org.mechservice.sim.emit.c.CVariable;
 import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.catalogue.IntegrationMethod;
 
 /**
  * A model in C with what an FMU says about it.
@@ -59,16 +60,17 @@ public record FmuModel(
         model.name(),
         variables(model.states()),
         variables(model.parameters()),
-        List.of(),
+        variables(model.inputs().variables()),
         variables(model.outputs()),
-        List.of(),
+        model.events().names(),
         new Experiment(
             run.tStart(),
             run.tEnd(),
             run.tStep(),
             run.relativeTolerance(),
             run.absoluteTolerance(),
-            run.maxStep()),
+            run.maxStep(),
+            IntegrationMethod.of(run.integrator()).family() == IntegrationMethod.Family.BACKWARD),
         files);
   }
 
@@ -90,6 +92,7 @@ public record FmuModel(
    * @param relativeTolerance of the integrator
    * @param absoluteTolerance of the integrator
    * @param maxStep longest step, s; may be infinite
+   * @param stiff whether its integrator is one for stiff models
    */
   public record Experiment(
       double start,
@@ -97,5 +100,6 @@ public record FmuModel(
       double step,
       double relativeTolerance,
       double absoluteTolerance,
-      double maxStep) {}
+      double maxStep,
+      boolean stiff) {}
 }

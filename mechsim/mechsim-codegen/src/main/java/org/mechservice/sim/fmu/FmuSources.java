@@ -15,6 +15,16 @@ import org.mechservice.solver.text.ShortestDecimal;
 final class FmuSources {
   private static final String MODEL_HEADER = "mech_fmu_model.h";
 
+  private static final List<String> METHODS =
+      List.of(
+          "mech_adams.c",
+          "mech_adams.h",
+          "mech_backward.c",
+          "mech_backward.h",
+          "mech_fmu.c",
+          "mech_fmu.h",
+          "mech_steps.h");
+
   private static final List<String> FUNCTIONS =
       List.of(
           "init",
@@ -24,6 +34,10 @@ final class FmuSources {
           "event_values",
           "event",
           "project",
+          "close",
+          "accepted",
+          "next_jump",
+          "go_on",
           "jacobian",
           "failure");
 
@@ -31,8 +45,12 @@ final class FmuSources {
   private static final Map<String, String> WITHOUT =
       Map.of(
           "event_values", "(m, t, x, g) 0",
-          "event", "(m, i, direction, t, x) ((void)(direction), 0)",
+          "event", "(m, occurred, t, x) ((void)(occurred), 0)",
           "project", "(m, t, x) 0",
+          "close", "(m, t, x, set) MODEL_project(m, t, x)",
+          "accepted", "(m, t, x) ((void)0)",
+          "next_jump", "(m, t) HUGE_VAL",
+          "go_on", "(m, t) ((void)0)",
           "outputs", "(m, t, x, y) 0",
           "jacobian", "(m, t, x, J) ((void)(J), -1)",
           "failure", "(m) \"\"");
@@ -52,10 +70,30 @@ final class FmuSources {
 
   /** Returns the files that do not depend on the token. */
   static SortedMap<String, String> withoutHeader(FmuModel model, FmiVersion version) {
+    SortedMap<String, String> files = unit(model);
+    files.put(version.source(), resource(version.source()));
+    return files;
+  }
+
+  /** Returns the files of a model and its integrator, without an interface. */
+  private static SortedMap<String, String> unit(FmuModel model) {
     SortedMap<String, String> files = new TreeMap<>(model.sources());
-    for (String name :
-        List.of("mech_adams.c", "mech_adams.h", "mech_fmu.c", "mech_fmu.h", version.source())) {
+    for (String name : METHODS) {
       files.put(name, resource(name));
+    }
+    for (String name : List.of("mech_math.c", "mech_math.h")) {
+      files.putIfAbsent(name, resource("/org/mechservice/sim/emit/c/" + name));
+    }
+    return files;
+  }
+
+  /** Returns the files of a model as a WebAssembly module, with what it needs of a C library. */
+  static SortedMap<String, String> ofModule(FmuModel model) {
+    SortedMap<String, String> files = unit(model);
+    files.put(MODEL_HEADER, header(model, ""));
+    files.put("mech_wasm.c", resource("wasm/mech_wasm.c"));
+    for (String name : List.of("math.h", "stdio.h", "stdlib.h", "string.h")) {
+      files.put(name, resource("wasm/" + name));
     }
     return files;
   }
@@ -106,6 +144,7 @@ final class FmuSources {
       }
     }
     define(text, "TOKEN", "\"" + token + "\"");
+    define(text, "STIFF", run.stiff() ? "1" : "0");
     define(text, "START", number(run.start()));
     define(text, "INTERVAL", number(run.end() - run.start()));
     define(text, "RTOL", number(run.relativeTolerance()));

@@ -18,6 +18,9 @@
  * step. A unit allocates nothing after it was instantiated, and refuses wrong orders of calls,
  * wrong value references and values that are not finite with an error and a message.
  *
+ * <p>{@link org.mechservice.sim.fmu.WebAssemblyModule} compiles the same sources, without the
+ * interface of FMI, to a module that browsers run.
+ *
  * <p>Value references follow the layout that {@link org.mechservice.sim.fmu.ValueReferences} and
  * {@code mech_fmu.h} state. The bytes of an FMU of sources depend only on the model: entries in
  * order of their names, one date, and a token that is the hash of its content.

@@ -40,7 +40,6 @@ final class ClosedVariations extends VariationalEquations {
   private final int[] rows;
   private final int m;
   private final ProgramCode terms;
-  private final Program termsProgram;
   private final double[] term;
   private final DifferentiableFunction residual;
   private final DifferentiableFunction rates;
@@ -75,7 +74,7 @@ final class ClosedVariations extends VariationalEquations {
     nq = mechanism.positionCount();
     nv = mechanism.velocityCount();
     all = new LoopEquations(new TreeGeometry(mechanism)).count();
-    termsProgram = LoopCode.equations(links, all);
+    Program termsProgram = LoopCode.equations(links, all);
     terms = ProgramCode.of(termsProgram, states(), parameters);
     term = new double[LoopTerms.count(all, nv)];
     terms.run(time, start, NONE, term);
@@ -376,6 +375,7 @@ final class ClosedVariations extends VariationalEquations {
 
   @Override
   Iterable<Program> programs() {
-    return List.of(termsProgram, rates.program());
+    // Φ itself, with its nearest turns, is in neither
+    return List.of(residual.program(), rates.program());
   }
 }

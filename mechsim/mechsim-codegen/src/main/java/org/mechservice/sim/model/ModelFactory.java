@@ -1,6 +1,7 @@
 package org.mechservice.sim.model;
 
 import java.util.Optional;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.mechservice.mechml.MechmlModel;
@@ -74,13 +75,24 @@ public final class ModelFactory {
 
   /**
    * Derives a model's code in C. Options that belong to Java, such as the layout, do not matter;
-   * the formulation is DSR if asked for, else DTR.
+   * the formulation of an open chain is DSR if asked for, else DTR; loops are closed by penalty.
    *
    * @throws org.mechservice.sim.scene.ModelBuildException S-170 if C code cannot express the model;
    *     the message names each part and the remedy
    */
   public static CModel inC(MechmlModel model, BuildOptions options) {
-    return TreeInC.derive(model, options);
+    return inC(model, options, Set.of());
+  }
+
+  /**
+   * Derives a model's code in C, in which the loads of forces written as classes are inputs.
+   *
+   * @param asInputs names of these forces
+   * @throws org.mechservice.sim.scene.ModelBuildException as above; also if no force written as a
+   *     class has one of the names
+   */
+  public static CModel inC(MechmlModel model, BuildOptions options, Set<String> asInputs) {
+    return MechanismInC.derive(model, options, asInputs);
   }
 
   /**

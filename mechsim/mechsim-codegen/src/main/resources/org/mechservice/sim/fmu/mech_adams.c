@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "mech_math.h"
+
 static const double GAMMA_STAR[] = {1,      0.5,    0.0833,  0.0417,  0.0264,  0.0188,  0.0143,
                                     0.0114, 0.00936, 0.00789, 0.00679, 0.00592, 0.00524, 0.00468};
 
@@ -197,7 +199,7 @@ static double step_factor(const mech_adams *a) {
   if (a->here <= 0.5) {
     return 1;
   }
-  return greater(0.5, smaller(0.9, exp(log(0.5 / a->here) / (a->order + 1))));
+  return greater(0.5, smaller(0.9, mech_exp(mech_log(0.5 / a->here) / (a->order + 1))));
 }
 
 /* Order of the next step and the factor for its size. */
@@ -229,7 +231,7 @@ static double choose(mech_adams *a, double size) {
 /* Stiff if 30 of the last 50 steps were at the limit of stability: Shampine 1980. */
 static void look_at_stability(mech_adams *a, double g, const double *change) {
   double product = 0, correction = 0, reaction = 0, ratio, cosine;
-  double unit = ldexp(1.0, (int)floor(log(a->size) / log(2.0)));
+  double unit = ldexp(1.0, (int)floor(mech_log(a->size) / mech_log(2.0)));
   int l, at_limit;
   for (l = 0; l < MODEL_NX; l++) {
     double weight = unit * a->weight[l];

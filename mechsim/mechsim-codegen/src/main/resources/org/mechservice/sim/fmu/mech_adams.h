@@ -4,18 +4,9 @@
 #ifndef MECH_ADAMS_H
 #define MECH_ADAMS_H
 
-#include "mech_fmu_model.h"
+#include "mech_steps.h"
 
-#define MECH_N (MODEL_NX > 0 ? MODEL_NX : 1)
 enum { MECH_HIGHEST_ORDER = 12, MECH_LENGTH = 15, MECH_WINDOW = 50 };
-
-typedef enum {
-  MECH_STEP_DONE,
-  MECH_STEP_NOT_FINITE,
-  MECH_STEP_TOO_SMALL,
-  MECH_STEP_TOO_ACCURATE,
-  MECH_STEP_TOO_MANY
-} mech_step_result;
 
 typedef struct {
   /* Problem: tolerances, the longest step, the end that no step passes (HUGE_VAL: none). */

@@ -1,5 +1,6 @@
 /* The functions of FMI 2.0 (Functional Mock-up Interface for Model Exchange and Co-Simulation,
  * version 2.0.5), declared after the tables of the standard. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -305,6 +306,10 @@ EXPORT fmi2Status FMI2(fmi2NewDiscreteStates)(fmi2Component component, fmi2Event
   memset(info, 0, sizeof *info);
   info->valuesOfContinuousStatesChanged = changed;
   info->terminateSimulation = c->s.terminate;
+  if (mech_next_jump(c) < HUGE_VAL) {
+    info->nextEventTimeDefined = 1;
+    info->nextEventTime = mech_next_jump(c);
+  }
   return (fmi2Status)status;
 }
 

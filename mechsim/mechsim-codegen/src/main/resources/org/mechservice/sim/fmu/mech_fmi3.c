@@ -2,6 +2,7 @@
  * of the standard. */
 #include <stdbool.h>
 #include <stdint.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -501,8 +502,8 @@ EXPORT fmi3Status FMI3(fmi3UpdateDiscreteStates)(fmi3Instance instance, fmi3Bool
   *terminate = c->s.terminate != 0;
   *nominals = false;
   *values = changed != 0;
-  *next = false;
-  *nextTime = 0;
+  *next = mech_next_jump(c) < HUGE_VAL;
+  *nextTime = *next ? mech_next_jump(c) : 0;
   return (fmi3Status)status;
 }
 

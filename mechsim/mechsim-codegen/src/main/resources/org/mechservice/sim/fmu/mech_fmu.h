@@ -10,6 +10,20 @@
 #include <stddef.h>
 
 #include "mech_adams.h"
+#include "mech_backward.h"
+
+/* The method of Co-Simulation: for stiff models the backward formulas, else the Adams method. */
+#if MODEL_STIFF
+typedef mech_backward mech_method;
+#define mech_method_begin mech_backward_begin
+#define mech_method_step mech_backward_step
+#define mech_method_interpolate mech_backward_interpolate
+#else
+typedef mech_adams mech_method;
+#define mech_method_begin mech_adams_begin
+#define mech_method_step mech_adams_step
+#define mech_method_interpolate mech_adams_interpolate
+#endif
 
 enum {
   MECH_TIME = 0,
@@ -55,9 +69,10 @@ typedef struct {
   int terminate;
   /* Co-Simulation: the polynomial of the last step holds until the horizon; an event may wait
    * there. */
-  mech_adams adams;
+  mech_method method;
   int begun, waiting, told_stiff;
-  double horizon;
+  /* The next time at which the equations jump. */
+  double horizon, jump;
 } mech_state;
 
 typedef struct mech_instance mech_instance;
@@ -101,8 +116,10 @@ mech_status mech_get_indicators(mech_instance *c, const char *function, double *
 
 /* Whether the state has left the constraints by more than the tolerance. */
 mech_status mech_step_completed(mech_instance *c, int *event_needed);
-/* Applies the events whose sign changed, then projects. */
+/* Applies the events whose sign changed and goes on behind a jump at this time, then projects. */
 mech_status mech_update(mech_instance *c, int *changed);
+/* The next time at which the equations jump; HUGE_VAL if there is none. */
+double mech_next_jump(const mech_instance *c);
 /* Takes the signs of the event functions for those of the continuous phase that begins. */
 mech_status mech_begin_continuous(mech_instance *c);
 

@@ -39,6 +39,28 @@ final class CModels {
         List.of());
   }
 
+  /** The same model, integrated in Co-Simulation by the method for stiff models. */
+  static FmuModel stiff(FmuModel model) {
+    FmuModel.Experiment run = model.experiment();
+    return new FmuModel(
+        model.name(),
+        model.identifier(),
+        model.states(),
+        model.parameters(),
+        model.inputs(),
+        model.outputs(),
+        model.events(),
+        new FmuModel.Experiment(
+            run.start(),
+            run.end(),
+            run.step(),
+            run.relativeTolerance(),
+            run.absoluteTolerance(),
+            run.maxStep(),
+            true),
+        model.sources());
+  }
+
   private static FmuModel model(
       String name,
       List<FmuVariable> states,
@@ -51,7 +73,7 @@ final class CModels {
       sources.put(file, resource(file));
     }
     FmuModel.Experiment run =
-        new FmuModel.Experiment(0, 2, 0.01, 1e-8, 1e-10, Double.POSITIVE_INFINITY);
+        new FmuModel.Experiment(0, 2, 0.01, 1e-8, 1e-10, Double.POSITIVE_INFINITY, false);
     return new FmuModel(name, name, states, parameters, inputs, outputs, events, run, sources);
   }
 

@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
 import org.assertj.core.data.Offset;
@@ -74,6 +75,44 @@ class FmuRunTest {
     assertThat(said.toString()).contains("The equations are stiff");
   }
 
+  /** Robertson's reaction: the error follows the tolerance over six decades, in few evaluations. */
+  @Test
+  void methodForStiffModelsSolvesRobertsonsReaction() throws Exception {
+    requireCompiler();
+    SortedMap<String, String> files = FmuSources.of(CModels.ball(), FmiVersion.FMI_2, "{token}");
+    for (String name :
+        List.of(
+            "mech_backward.c", "mech_backward.h", "mech_steps.h", "mech_math.c", "mech_math.h")) {
+      Files.writeString(folder.resolve(name), files.getOrDefault(name, ""));
+    }
+    Files.writeString(folder.resolve("mech_fmu_model.h"), CModels.resource("robertson.h"));
+    Files.writeString(folder.resolve("robertson.c"), CModels.resource("robertson.c"));
+    List<String> strict = List.of("-std=c99", "-Wall", "-Wextra", "-Werror", "-O1", "-o", "run");
+    List<String> sources = List.of("robertson.c", "mech_backward.c", "mech_math.c", "-lm");
+    assertThat(execute(compiler(strict, sources), false)).isEqualTo("0\n");
+    List<String> lines = execute(List.of(folder.resolve("run").toString()), false).lines().toList();
+    assertThat(lines).hasSize(5);
+    for (String line : lines.subList(0, 4)) {
+      String[] numbers = line.split(" ", -1);
+      assertThat(Double.parseDouble(numbers[0])).isLessThan(10);
+      // An explicit method needs some 1e5: the stiffest eigenvalue is -2.2e3 1/s, for 40 s.
+      assertThat(Integer.parseInt(numbers[1])).isLessThan(2000);
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void methodForStiffModelsKeepsLoopsAndEventsToo(FmiVersion version) throws Exception {
+    Map<String, String> ball = fmpy(CModels.stiff(CModels.ball()), version, "ball,resumed");
+    assertThat(ball).containsEntry("findings", "[]").containsEntry("serialised", "True");
+    // Relative tolerance 1e-9: ten of them.
+    assertThat(number(ball, "CoSimulation", 0)).isLessThan(10 * 1e-9);
+    Map<String, String> circle = fmpy(CModels.stiff(CModels.circle()), version, "circle");
+    assertThat(number(circle, "CoSimulation", 0)).isLessThan(10 * 1e-8 * GRAVITY);
+    assertThat(number(circle, "CoSimulation", 1)).isLessThan(1e-8);
+    assertThat(number(circle, "CoSimulation", 2)).isLessThan(10 * 1e-8);
+  }
+
   @Tag("soak")
   @ParameterizedTest
   @EnumSource
@@ -95,7 +134,15 @@ class FmuRunTest {
     List<String> sanitizers = List.of("-fsanitize=address,undefined", "-fno-sanitize-recover=all");
     List<String> strict = new ArrayList<>(sanitizers);
     strict.addAll(List.of("-std=c99", "-Wall", "-Wextra", "-Werror", "-O1", "-g", "-o", "hostile"));
-    List<String> sources = List.of("hostile.c", "mech_fmu.c", "mech_adams.c", "ball.c", "-lm");
+    List<String> sources =
+        List.of(
+            "hostile.c",
+            "mech_fmu.c",
+            "mech_adams.c",
+            "mech_backward.c",
+            "mech_math.c",
+            "ball.c",
+            "-lm");
     assumeTrue(
         execute(compiler(sanitizers, List.of("-xc", "-", "-o", "probe")), true).equals("0\n"),
         "this compiler has no sanitizers");

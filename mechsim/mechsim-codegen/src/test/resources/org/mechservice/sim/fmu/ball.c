@@ -32,10 +32,9 @@ int ball_event_values(ball_t *m, double t, const double *x, double *g) {
   g[0] = x[0];
   return 0;
 }
-int ball_event(ball_t *m, int event, int direction, double t, double *x) {
-  (void)event;
+int ball_event(ball_t *m, const signed char *occurred, double t, double *x) {
   (void)t;
-  if (direction > 0) {
+  if (occurred[0] > 0) {
     return 0;
   }
   x[1] = -m->p[0] * x[1];

@@ -10,7 +10,7 @@ int ball_start(ball_t *m, double t0, double *x);
 int ball_derivatives(ball_t *m, double t, const double *x, double *dx);
 int ball_outputs(ball_t *m, double t, const double *x, double *y);
 int ball_event_values(ball_t *m, double t, const double *x, double *g);
-int ball_event(ball_t *m, int event, int direction, double t, double *x);
+int ball_event(ball_t *m, const signed char *occurred, double t, double *x);
 int ball_project(ball_t *m, double t, double *x);
 int ball_jacobian(ball_t *m, double t, const double *x, double *J);
 const char *ball_failure(const ball_t *m);

@@ -44,10 +44,9 @@ int circle_event_values(circle_t *m, double t, const double *x, double *g) {
   (void)g;
   return 0;
 }
-int circle_event(circle_t *m, int event, int direction, double t, double *x) {
+int circle_event(circle_t *m, const signed char *occurred, double t, double *x) {
   (void)m;
-  (void)event;
-  (void)direction;
+  (void)occurred;
   (void)t;
   (void)x;
   return 0;

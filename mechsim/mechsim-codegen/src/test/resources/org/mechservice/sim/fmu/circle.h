@@ -10,7 +10,7 @@ int circle_start(circle_t *m, double t0, double *x);
 int circle_derivatives(circle_t *m, double t, const double *x, double *dx);
 int circle_outputs(circle_t *m, double t, const double *x, double *y);
 int circle_event_values(circle_t *m, double t, const double *x, double *g);
-int circle_event(circle_t *m, int event, int direction, double t, double *x);
+int circle_event(circle_t *m, const signed char *occurred, double t, double *x);
 int circle_project(circle_t *m, double t, double *x);
 int circle_jacobian(circle_t *m, double t, const double *x, double *J);
 const char *circle_failure(const circle_t *m);

@@ -10,8 +10,10 @@
  * module {@code mechresult}. {@link org.mechservice.solver.text.ResultFile} writes to a temporary
  * file and renames it at the end, so a file of the requested name is always complete.
  *
- * <p>{@link org.mechservice.solver.text.TableFiles} writes the numbers of CSV files that a model
- * names into the text of the model before it travels. {@link org.mechservice.solver.text.Origin} is
- * the file and line that every later message about a part of a mechanism quotes.
+ * <p>{@link org.mechservice.solver.text.ModelFiles} writes what the files hold that a model names
+ * into the text of the model before it travels: {@link org.mechservice.solver.text.TableNumbers}
+ * reads CSV, {@link org.mechservice.solver.text.ClosedSurface} STL. {@link
+ * org.mechservice.solver.text.Origin} is the file and line that every later message about a part of
+ * a mechanism quotes.
  */
 package org.mechservice.solver.text;

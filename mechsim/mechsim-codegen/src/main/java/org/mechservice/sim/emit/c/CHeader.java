@@ -29,18 +29,31 @@ final class CHeader {
     line(" *");
     list("States x = [q; v; further states]", "x", model.states());
     list("Tunable parameters", "p", model.parameters());
+    if (!model.inputs().variables().isEmpty()) {
+      list("Inputs", "u", model.inputs().variables());
+    }
     list("Outputs", "y", model.outputs());
+    list(
+        "Event functions, whose changes of sign are events",
+        "g",
+        model.events().names().stream()
+            .map(event -> new CVariable(event, "", "event function", 0))
+            .toList());
     line(" */");
     line("#ifndef " + guard);
     line("#define " + guard);
     line("");
+    if (model.motion() instanceof CLoops) {
+      line("#include \"mech_loops.h\"");
+      line("");
+    }
     line("/* Sizes: states, tunable parameters, inputs, outputs, event functions. */");
     line("enum {");
     line("  " + name + "_NX = " + model.states().size() + ",");
     line("  " + name + "_NP = " + model.parameters().size() + ",");
-    line("  " + name + "_NU = 0,");
+    line("  " + name + "_NU = " + model.inputs().variables().size() + ",");
     line("  " + name + "_NY = " + model.outputs().size() + ",");
-    line("  " + name + "_NG = 0");
+    line("  " + name + "_NG = " + model.events().kinds().size());
     line("};");
     line("");
     line("/* An element of an array: its name, SI unit, what it is, its value at the start. */");
@@ -58,12 +71,26 @@ final class CHeader {
     line("/*");
     line(
         " * An instance. It holds no pointers: a copy of the structure is a copy of the instance.");
-    line(" * Set p before the start; the other members are the model's own.");
+    line(
+        " * Set p before the start, and u, if there are inputs; the other members are the"
+            + " model's.");
     line(" */");
     line("typedef struct {");
-    line("  double p[" + Math.max(1, model.parameters().size()) + "];");
-    line("  double u[1];");
+    int loads = model.inputs().loads();
+    line("  double p[" + Math.max(1, model.parameters().size() + loads) + "];");
+    line("  double u[" + Math.max(1, model.inputs().variables().size()) + "];");
     line("  double w[" + Math.max(1, slots) + "];");
+    if (model.motion() instanceof CLoops loops) {
+      int velocities = model.description().velocityCount();
+      line(
+          "  double loop[MECH_LOOPS_WORK(%d, %d, %d, %d)];"
+              .formatted(
+                  loops.rows(),
+                  velocities,
+                  loops.column().size(),
+                  model.states().size() + 2 * loops.angleStarts().size()));
+    }
+    line("  double went_on;");
     line("  int failure;");
     line("} " + name + "_t;");
     line("");
@@ -85,15 +112,33 @@ final class CHeader {
     function(
         "int",
         "project(@ *m, double t, double *x)",
-        "Normalises Euler parameters. Returns 1 if the state has any, else 0.");
+        "Moves the state onto the constraints after a step: Euler parameters, closed loops."
+            + " Returns 0 if the model has none, 1, or -1 if the loops cannot be closed.");
+    function(
+        "int",
+        "close(@ *m, double t, double *x, const unsigned char *set)",
+        "Closes loops of a state that may be far from them, such as changed start values; what is"
+            + " marked in set (NULL: nothing) is kept as far as possible. Returns as project.");
+    function(
+        "void",
+        "accepted(@ *m, double t, const double *x)",
+        "Records an accepted step, from which angles of cut joints are counted on.");
     function(
         "int",
         "event_values(@ *m, double t, const double *x, double *g)",
-        "Evaluates the event functions, of which this model has none. Returns 0.");
+        "Evaluates the event functions. Returns 0.");
     function(
         "int",
-        "event(@ *m, int event, int direction, double t, double *x)",
-        "Changes the state at an event. Returns 0: nothing changed.");
+        "event(@ *m, const signed char *occurred, double t, double *x)",
+        "Changes the state at events: +1 for those whose functions have risen through zero, -1"
+            + " for those that have fallen, else 0. Returns 1 if the state changed, plus 2 if the"
+            + " run ends; or -1.");
+    function(
+        "double",
+        "next_jump(const @ *m, double t)",
+        "Returns the next time at which the equations jump, s; HUGE_VAL if there is none. No step"
+            + " may pass it.");
+    function("void", "go_on(@ *m, double t)", "Records that the run goes on behind the jump at t.");
     function("const char *", "failure(const @ *m)", "Returns why the last evaluation failed.");
     line("#endif");
     return text.toString();

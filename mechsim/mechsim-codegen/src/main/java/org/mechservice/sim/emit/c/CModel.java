@@ -20,12 +20,14 @@ import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Parameter;
 
 /**
- * The equations of motion of a tree as C99: the same operations in the same order as in the class
- * of the model, so that both compute the same bits. The code depends on no library, and allocates
+ * The equations of motion of a mechanism as C99: the same operations in the same order as on the
+ * Java machine, so that both compute the same bits. The code depends on no library, and allocates
  * nothing.
  */
 public final class CModel {
   private static final List<String> COPIED = List.of("mech_math.h", "mech_math.c");
+
+  private static final List<String> COPIED_WITH_LOOPS = List.of("mech_loops.h", "mech_loops.c");
 
   /** Names with whose ending {@code _t} C declares types, and names of other files. */
   private static final Set<String> TAKEN =
@@ -54,27 +56,37 @@ public final class CModel {
   private final String name;
   private final Mechanism mechanism;
   private final ModelDescription description;
-  private final Program derivative;
+  private final double[] start;
+  private final CMotion motion;
   private final Program energy;
   private final List<COutputs> outputs;
+  private final CEvents events;
+  private final CInputs inputs;
 
   /**
-   * @param derivative program from [q; v; s] to its derivative
+   * @param start state [q; v; s] at the start, loops closed
+   * @param motion what gives the derivative of the state
    * @param energy program from [q; v; s] to kinetic and potential energy
    * @param outputs what the model puts out, in order
    */
   public CModel(
       Mechanism mechanism,
       ModelDescription description,
-      Program derivative,
+      double[] start,
+      CMotion motion,
       Program energy,
-      List<COutputs> outputs) {
+      List<COutputs> outputs,
+      CEvents events,
+      CInputs inputs) {
     this.name = identifier(mechanism.name());
     this.mechanism = mechanism;
     this.description = description;
-    this.derivative = derivative;
+    this.start = start.clone();
+    this.motion = motion;
     this.energy = energy;
     this.outputs = List.copyOf(outputs);
+    this.events = events;
+    this.inputs = inputs;
   }
 
   private static String identifier(String modelName) {
@@ -96,7 +108,6 @@ public final class CModel {
 
   /** Returns the states x = [q; v; s] in order. */
   public List<CVariable> states() {
-    double[] start = start();
     List<CVariable> states = new ArrayList<>();
     for (Variable state : description.states()) {
       int i = states.size();
@@ -111,9 +122,7 @@ public final class CModel {
 
   /** Returns the start state. */
   double[] start() {
-    double[] start = new double[description.stateCount()];
-    mechanism.initialState(start);
-    return start;
+    return start.clone();
   }
 
   /** Returns the tunable parameters in order. */
@@ -144,8 +153,18 @@ public final class CModel {
     return description;
   }
 
-  Program derivative() {
-    return derivative;
+  CMotion motion() {
+    return motion;
+  }
+
+  /** Returns the inputs. */
+  public CInputs inputs() {
+    return inputs;
+  }
+
+  /** Returns the events and the times of jumps. */
+  public CEvents events() {
+    return events;
   }
 
   Program energy() {
@@ -171,9 +190,11 @@ public final class CModel {
     CSource source = new CSource(this);
     files.put(name + ".h", new CHeader(this, source.slots()).text());
     files.put(name + ".c", source.text());
-    for (String copied : COPIED) {
-      files.put(copied, resource(copied));
+    List<String> copied = new ArrayList<>(COPIED);
+    if (motion instanceof CLoops) {
+      copied.addAll(COPIED_WITH_LOOPS);
     }
+    copied.forEach(file -> files.put(file, resource(file)));
     files.put("example.c", resource("example.c").replace("MODEL", name));
     return files;
   }

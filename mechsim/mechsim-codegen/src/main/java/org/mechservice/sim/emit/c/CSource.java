@@ -3,6 +3,7 @@ package org.mechservice.sim.emit.c;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.mechservice.sim.emit.method.ConstantTable;
 import org.mechservice.sim.emit.method.MethodSignature;
 import org.mechservice.sim.emit.method.NumberText;
@@ -16,11 +17,23 @@ import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.capability.BodyPoses;
 import org.mechservice.solver.api.capability.DirectedForces;
 import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.capability.ModelEvents;
+import org.mechservice.solver.closure.PenaltySettings;
+import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.mechanism.force.ForceElement;
 
 /** Writes the code of a model in C. */
 final class CSource {
+  private static final int NUMBERS_PER_LINE = 12;
+
   private record Part(MethodSignature head, ProgramPlan plan) {}
+
+  /**
+   * Failure of a model whose loops cannot be closed, and the first of velocities without inertia.
+   */
+  private static final int LOOPS_OPEN = 2_000_000;
+
+  private static final int WITHOUT_INERTIA = 1_000_000;
 
   private final CModel model;
   private final String name;
@@ -32,7 +45,22 @@ final class CSource {
   CSource(CModel model) {
     this.model = model;
     this.name = model.name();
-    add("derivative", "dx", true, model.derivative());
+    if (model.motion() instanceof CMotion.Tree tree) {
+      add("derivative", "dx", true, tree.derivative());
+    } else if (model.motion() instanceof CLoops loops) {
+      add("loop_terms", "terms", false, loops.loops());
+      add("all_terms", "terms", true, loops.equations());
+      add("mass_matrix", "terms", false, loops.mass());
+      loops.further().ifPresent(program -> add("further_rates", "rates", false, program));
+      loops.angles().ifPresent(program -> add("cut_angles", "angles", false, program));
+    }
+    CEvents events = model.events();
+    if (!events.kinds().isEmpty()) {
+      add("triggers", "values", false, events.triggers());
+    }
+    if (!events.assignments().isEmpty()) {
+      add("assigned", "values", false, events.assigned());
+    }
     add(COutputs.ENERGIES, "energy", false, model.energy());
     for (COutputs group : model.groups()) {
       if (!group.name().equals(COutputs.ENERGIES)) {
@@ -57,13 +85,14 @@ final class CSource {
 
   String text() {
     source.line("#include \"" + name + ".h\"").blank();
-    source.line("#include <math.h>");
+    source.line("#include <float.h>").line("#include <math.h>");
     source.line("#include <string.h>").blank();
     source.line("#include \"mech_math.h\"").blank();
+    source.line("enum { LOOPS_OPEN = " + LOOPS_OPEN + " };");
     source.line("enum { REGULAR = " + ExplicitModel.REGULAR + " };").blank();
     table("states", model.states());
     table("parameters", model.parameters());
-    table("inputs", List.of());
+    table("inputs", model.inputs().variables());
     table("output_variables", model.outputs());
     if (!constants.isEmpty()) {
       source.line("static const double " + ConstantTable.FIELD + "[] = {");
@@ -73,10 +102,14 @@ final class CSource {
       source.line("};").blank();
     }
     programs();
+    inputs();
+    loops();
+    jumps();
     start();
     derivatives();
     outputs();
     project();
+    close();
     events();
     failure();
     return source.toString();
@@ -130,12 +163,151 @@ final class CSource {
     return name + "_t *m";
   }
 
+  /** Writes the layout of closed loops, which the functions of {@code mech_loops.c} solve. */
+  private void loops() {
+    if (!(model.motion() instanceof CLoops loops)) {
+      return;
+    }
+    callback("void", "loop_terms", "terms");
+    callback("int", "all_terms", "terms");
+    callback("void", "mass_matrix", "terms");
+    loops.further().ifPresent(program -> callback("void", "further_rates", "rates"));
+    loops.angles().ifPresent(program -> callback("void", "cut_angles", "angles"));
+    StateCoordinates coordinates = new StateCoordinates(model.mechanism());
+    int nq = coordinates.positionCount();
+    int nv = coordinates.velocityCount();
+    int balls = coordinates.ballCount();
+    integers("LOOP_START", loops.rowStart());
+    integers("LOOP_COLUMN", loops.column());
+    integers("VELOCITY_OF", IntStream.range(0, nq).map(coordinates::velocityOf).boxed().toList());
+    integers("POSITION_OF", IntStream.range(0, nv).map(coordinates::positionOf).boxed().toList());
+    integers("BALL_Q", IntStream.range(0, balls).map(coordinates::ballPosition).boxed().toList());
+    integers("BALL_V", IntStream.range(0, balls).map(coordinates::ballVelocity).boxed().toList());
+    doubles("UNIT", loops.unit());
+    doubles("SIZE", loops.size());
+    doubles("PLACE_ROUNDING", loops.placeRounding());
+    if (loops.angles().isPresent()) {
+      doubles("ANGLE_STARTS", loops.angleStarts());
+    }
+    source.line("static const mech_loops LOOPS = {");
+    int further = model.states().size() - nq - nv;
+    source.line(
+        "    %d, %d, %d, %d, %d, %d, LOOP_START, LOOP_COLUMN, VELOCITY_OF, POSITION_OF,"
+            .formatted(
+                nq, nv, further, loops.angleStarts().size(), loops.rows(), loops.column().size()));
+    PenaltySettings penalty = loops.penalty();
+    source.line(
+        "    %d, BALL_Q, BALL_V, UNIT, SIZE, PLACE_ROUNDING, %s, %s, %s, REGULAR,"
+            .formatted(
+                balls,
+                numbers.of(penalty.stiffness()),
+                numbers.of(penalty.frequency()),
+                numbers.of(penalty.damping())));
+    source.line(
+        "    loop_terms_of, all_terms_of, mass_matrix_of, %s, %s"
+            .formatted(
+                loops.further().isPresent() ? "further_rates_of" : "NULL",
+                loops.angles().isPresent() ? "cut_angles_of" : "NULL"));
+    source.line("};").blank();
+  }
+
+  private void callback(String result, String function, String output) {
+    source.open(
+        "static %s %s_of(void *model, double t, const double *y, double *%s)"
+            .formatted(result, function, output));
+    String call = "%s((%s_t *)model, t, y, %s);".formatted(function, name, output);
+    source.line(result.equals("void") ? call : "return " + call);
+    source.close().blank();
+  }
+
+  private void integers(String array, List<Integer> values) {
+    array("int", array, values.stream().map(String::valueOf).toList());
+  }
+
+  private void doubles(String array, List<Double> values) {
+    array("double", array, values.stream().map(numbers::of).toList());
+  }
+
+  /** Writes an array, which has a zero where there is nothing to hold. */
+  private void array(String type, String array, List<String> texts) {
+    source.line("static const " + type + " " + array + "[] = {");
+    if (texts.isEmpty()) {
+      source.line("    0,");
+    }
+    for (int i = 0; i < texts.size(); i += NUMBERS_PER_LINE) {
+      List<String> part = texts.subList(i, Math.min(texts.size(), i + NUMBERS_PER_LINE));
+      source.line("    " + String.join(", ", part) + ",");
+    }
+    source.line("};");
+  }
+
+  /** Writes the times at which the equations jump, and on which side of them they are evaluated. */
+  private void jumps() {
+    List<Double> times = model.events().jumpTimes();
+    if (!times.isEmpty()) {
+      doubles("JUMPS", times);
+      source.line("enum { JUMP_COUNT = " + times.size() + " };").blank();
+      source.line("/* Time on the side of a jump on which the run is: at the jump both meet. */");
+      source.open("static double beside(const " + instance() + ", double t)");
+      source.open("for (int i = 0; i < JUMP_COUNT; i++)");
+      source.line("double margin = 4 * DBL_EPSILON * fabs(JUMPS[i]) + DBL_MIN;");
+      source.open("if (fabs(t - JUMPS[i]) < margin)");
+      source.line("return m->went_on >= JUMPS[i] ? JUMPS[i] + margin : JUMPS[i] - margin;");
+      source.close().close();
+      source.line("return t;").close().blank();
+    }
+    open("double ", "next_jump", "const " + instance() + ", double t");
+    if (times.isEmpty()) {
+      source.line("(void)m;").line("(void)t;");
+    } else {
+      source.open("for (int i = 0; i < JUMP_COUNT; i++)");
+      source.open("if (JUMPS[i] > t && JUMPS[i] > m->went_on)");
+      source.line("return JUMPS[i];").close().close();
+    }
+    source.line("return HUGE_VAL;").close();
+    open("void ", "go_on", instance() + ", double t");
+    source.line("m->went_on = t;").close();
+  }
+
+  /** Writes where the programs read the inputs. */
+  private void inputs() {
+    if (!model.inputs().variables().isEmpty()) {
+      integers("LOAD_OF", model.inputs().places());
+      source.blank().open("static void take_inputs(" + instance() + ")");
+      source.open("for (int i = 0; i < " + name + "_NU; i++)");
+      source.line("m->p[" + name + "_NP + LOAD_OF[i]] = m->u[i];");
+      source.close().close().blank();
+    }
+  }
+
+  /** Writes that a function evaluates with the present inputs, beside a jump. */
+  private void beside() {
+    if (!model.inputs().variables().isEmpty()) {
+      source.line("take_inputs(m);");
+    }
+    if (!model.events().jumpTimes().isEmpty()) {
+      source.line("t = beside(m, t);");
+    }
+  }
+
+  /** Writes that a function evaluates programs of a state with unwrapped angles behind it. */
+  private void behind() {
+    if (model.motion() instanceof CLoops loops && loops.angles().isPresent()) {
+      source.line("x = mech_loops_state(&LOOPS, m->loop, x);");
+    }
+  }
+
   private void start() {
     open("void ", "init", instance());
     source.line("memset(m, 0, sizeof *m);");
+    source.line("m->failure = REGULAR;");
+    source.line("m->went_on = -HUGE_VAL;");
     List<CVariable> parameters = model.parameters();
     for (int i = 0; i < parameters.size(); i++) {
       source.line("m->p[" + i + "] = " + numbers.of(parameters.get(i).start()) + ";");
+    }
+    if (model.motion() instanceof CLoops loops && loops.angles().isPresent()) {
+      source.line("memcpy(m->loop, ANGLE_STARTS, sizeof ANGLE_STARTS);");
     }
     source.close();
     open("int ", "start", instance() + ", double t0, double *x");
@@ -152,15 +324,27 @@ final class CSource {
 
   private void derivatives() {
     open("int ", "derivatives", instance() + ", double t, const double *x, double *dx");
-    source.line("m->failure = derivative(m, t, x, dx);");
-    source.line("return m->failure == REGULAR ? 0 : -1;").close();
+    beside();
+    if (model.motion() instanceof CLoops) {
+      source.line("return mech_loops_derivatives(&LOOPS, m, m->loop, t, x, dx, &m->failure);");
+    } else {
+      source.line("m->failure = derivative(m, t, x, dx);");
+      source.line("return m->failure == REGULAR ? 0 : -1;");
+    }
+    source.close();
     open("int ", "energy", instance() + ", double t, const double *x, double *energy");
+    beside();
+    behind();
     source.line(COutputs.ENERGIES + "(m, t, x, energy);");
     source.line("return 0;").close();
   }
 
   private void outputs() {
     open("int ", "outputs", instance() + ", double t, const double *x, double *y");
+    beside();
+    if (!model.outputs().isEmpty()) {
+      behind();
+    }
     int at = 0;
     for (COutputs group : model.groups()) {
       source.line(group.name() + "(m, t, x, y + " + at + ");");
@@ -188,19 +372,59 @@ final class CSource {
 
   private void project() {
     List<Integer> sets = model.eulerParameters();
+    if (!sets.isEmpty()) {
+      open("static void ", "normalize", "double *x");
+      for (int first : sets) {
+        source.line("mech_normalize(x + " + first + ");");
+      }
+      source.close();
+    }
     open("int ", "project", instance() + ", double t, double *x");
     source.line("(void)m;").line("(void)t;");
-    if (sets.isEmpty()) {
-      source.line("(void)x;").line("return 0;").close();
-      return;
+    if (model.motion() instanceof CLoops) {
+      beside();
+      normalizeSets();
+      closed("mech_loops_project(&LOOPS, m, m->loop, t, x, &m->failure)");
+    } else if (sets.isEmpty()) {
+      source.line("(void)x;").line("return 0;");
+    } else {
+      normalizeSets();
+      source.line("return 1;");
     }
-    source.line("static const int FIRST[] = {" + joined(sets) + "};");
-    source.open("for (int i = 0; i < " + sets.size() + "; i++)");
-    source.line("double *e = x + FIRST[i];");
-    source.line("double norm = sqrt(e[0] * e[0] + e[1] * e[1] + e[2] * e[2] + e[3] * e[3]);");
-    source.open("for (int j = 0; j < 4; j++)").line("e[j] /= norm;").close();
     source.close();
-    source.line("return 1;").close();
+    open("void ", "accepted", instance() + ", double t, const double *x");
+    if (model.motion() instanceof CLoops) {
+      beside();
+      source.line("mech_loops_accepted(&LOOPS, m, m->loop, t, x);");
+    } else {
+      source.line("(void)m;").line("(void)t;").line("(void)x;");
+    }
+    source.close();
+  }
+
+  private void normalizeSets() {
+    if (!model.eulerParameters().isEmpty()) {
+      source.line(name + "_normalize(x);");
+    }
+  }
+
+  /** Writes a return with the result of closing loops. */
+  private void closed(String call) {
+    source.line("m->failure = LOOPS_OPEN;");
+    source.open("if (" + call + " < 0)").line("return -1;").close();
+    source.line("m->failure = REGULAR;").line("return 1;");
+  }
+
+  private void close() {
+    open("int ", "close", instance() + ", double t, double *x, const unsigned char *set");
+    if (model.motion() instanceof CLoops) {
+      beside();
+      normalizeSets();
+      closed("mech_loops_close(&LOOPS, m, m->loop, t, x, set, &m->failure)");
+    } else {
+      source.line("(void)set;").line("return " + name + "_project(m, t, x);");
+    }
+    source.close();
   }
 
   private static String joined(List<Integer> numbers) {
@@ -208,13 +432,82 @@ final class CSource {
   }
 
   private void events() {
+    CEvents events = model.events();
     open("int ", "event_values", instance() + ", double t, const double *x, double *g");
-    source.line("(void)m;").line("(void)t;").line("(void)x;").line("(void)g;");
+    if (events.kinds().isEmpty()) {
+      source.line("(void)m;").line("(void)t;").line("(void)x;").line("(void)g;");
+    } else {
+      beside();
+      behind();
+      source.line("triggers(m, t, x, g);");
+    }
     source.line("return 0;").close();
-    open("int ", "event", instance() + ", int event, int direction, double t, double *x");
-    source.line("(void)m;").line("(void)event;").line("(void)direction;");
-    source.line("(void)t;").line("(void)x;");
-    source.line("return 0;").close();
+    open("int ", "event", instance() + ", const signed char *occurred, double t, double *x");
+    if (events.kinds().isEmpty()) {
+      source.line("(void)m;").line("(void)occurred;").line("(void)t;").line("(void)x;");
+      source.line("return 0;").close();
+      return;
+    }
+    int count = events.kinds().size();
+    source.line("/* Sense of the crossings that count: +1 rising, -1 falling, 0 both. */");
+    source.line(
+        "static const signed char SENSE[] = {"
+            + joined(events.kinds().stream().map(CSource::sense).toList())
+            + "};");
+    source.line(
+        "static const unsigned char ENDS[] = {"
+            + joined(
+                events.kinds().stream()
+                    .map(kind -> kind.action() == ModelEvents.Action.STOP ? 1 : 0)
+                    .toList())
+            + "};");
+    source.line("int counts[" + count + "], ends = 0;");
+    source.open("for (int i = 0; i < " + count + "; i++)");
+    source.line("counts[i] = occurred[i] != 0 && SENSE[i] * occurred[i] >= 0;");
+    source.line("ends |= counts[i] && ENDS[i];").close();
+    if (events.assignments().isEmpty()) {
+      source.line("(void)m;").line("(void)t;").line("(void)x;");
+      source.line("return ends ? 2 : 0;").close();
+      return;
+    }
+    changes(events);
+    source.close();
+  }
+
+  private static int sense(ModelEvents.Kind kind) {
+    return switch (kind.direction()) {
+      case RISING -> 1;
+      case FALLING -> -1;
+      case BOTH -> 0;
+    };
+  }
+
+  /** Writes the changes of the state, the values being those before all of them. */
+  private void changes(CEvents events) {
+    int count = events.assignments().size();
+    source.line(
+        "static const int EVENT[] = {"
+            + joined(events.assignments().stream().map(CEvents.Assignment::event).toList())
+            + "};");
+    source.line(
+        "static const int COMPONENT[] = {"
+            + joined(events.assignments().stream().map(CEvents.Assignment::component).toList())
+            + "};");
+    source.line("double values[" + count + "];");
+    source.line("unsigned char set[" + name + "_NX] = {0};");
+    source.line("int changed = 0;");
+    boolean angles = model.motion() instanceof CLoops loops && loops.angles().isPresent();
+    beside();
+    source.line(
+        "assigned(m, t, " + (angles ? "mech_loops_state(&LOOPS, m->loop, x)" : "x") + ", values);");
+    source.open("for (int i = 0; i < " + count + "; i++)");
+    source.open("if (counts[EVENT[i]])");
+    source.line("x[COMPONENT[i]] = values[i];");
+    source.line("set[COMPONENT[i]] = 1;");
+    source.line("changed = 1;").close().close();
+    source.open("if (changed && " + name + "_close(m, t, x, set) < 0)");
+    source.line("return -1;").close();
+    source.line("return (ends ? 2 : 0) + changed;");
   }
 
   private void failure() {
@@ -229,10 +522,26 @@ final class CSource {
     }
     texts("JOINTS", joints);
     texts("FORCES", forces);
+    source.open("if (m->failure == LOOPS_OPEN)");
+    source.line("return \"the closed loops cannot be closed, as near a singular position\";");
+    source.close();
+    if (model.motion() instanceof CLoops) {
+      integers("JOINT_OF", jointsOfVelocities());
+      source.open("if (m->failure >= " + WITHOUT_INERTIA + ")");
+      source.line("return JOINTS[JOINT_OF[m->failure - " + WITHOUT_INERTIA + "]];").close();
+    }
     source.open("if (m->failure >= 0)").line("return JOINTS[m->failure];").close();
     source.open("if (m->failure <= " + DirectedForces.FIRST + ")");
     source.line("return FORCES[" + DirectedForces.FIRST + " - m->failure];").close();
     source.line("return \"nothing has failed\";").close();
+  }
+
+  private List<Integer> jointsOfVelocities() {
+    List<JointVariables> joints = model.description().joints();
+    return IntStream.range(0, joints.size())
+        .flatMap(j -> IntStream.generate(() -> j).limit(joints.get(j).type().velocityCount()))
+        .boxed()
+        .toList();
   }
 
   private void texts(String array, List<String> texts) {

@@ -69,6 +69,13 @@ public final class LoopCode {
     return code.program;
   }
 
+  /** Derives the program from [q; v] to M, which no force enters, at its place among all terms. */
+  public static Program mass(Links mechanism, int equations) {
+    LoopCode code = atRest(mechanism, equations);
+    code.putOutMass();
+    return code.program;
+  }
+
   /** Derives the program from [q; v] to γ. */
   public static Program offset(Links mechanism, int equations) {
     LoopCode code = atRest(mechanism, equations);

@@ -1074,3 +1074,11 @@ void mech_sin_cos(double angle, double *out) {
   out[0] = quadrant >= 2 ? -s : s;
   out[1] = quadrant == 1 || quadrant == 2 ? -c : c;
 }
+
+void mech_normalize(double *e) {
+  double norm = sqrt(e[0] * e[0] + e[1] * e[1] + e[2] * e[2] + e[3] * e[3]);
+  int i;
+  for (i = 0; i < 4; i++) {
+    e[i] /= norm;
+  }
+}

@@ -49,6 +49,9 @@ double mech_product(double a, double b);
 /* Writes sine and cosine of one angle to out[0] and out[1], error below 1 ulp. */
 void mech_sin_cos(double angle, double *out);
 
+/* Normalises a set of four Euler parameters. */
+void mech_normalize(double *e);
+
 #ifdef __cplusplus
 }
 #endif

@@ -239,14 +239,14 @@ class SameBitsInCTest {
   }
 
   @Test
-  void closedLoopsAreRefusedByName() throws Exception {
+  void forcesWrittenAsClassesAreRefusedByName() throws Exception {
     Path file =
         Path.of("..", "..", "examples", "five-point-suspension", "five-point-suspension.xml");
     MechmlModel model = MechmlReader.read("suspension.xml", Files.readAllBytes(file));
     assertThatThrownBy(() -> ModelFactory.inC(model, options(1)))
         .isInstanceOf(ModelBuildException.class)
         .hasMessageContaining(MessageCode.NO_C_CODE.code())
-        .hasMessageContaining("closed loops")
+        .hasMessageContaining("fBody")
         .hasMessageContaining("mech build -o FILE.jar");
   }
 

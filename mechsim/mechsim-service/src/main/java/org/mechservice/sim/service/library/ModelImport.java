@@ -13,7 +13,7 @@ import org.mechservice.idl.NotAvailable;
 import org.mechservice.mechml.diagnosis.Diagnostic;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.document.DocumentWriter;
-import org.mechservice.mechml.urdf.UrdfImport;
+import org.mechservice.mechml.robot.RobotImport;
 import org.mechservice.sim.service.contract.ContractErrors;
 import org.mechservice.sim.service.contract.ContractTypes;
 import org.mechservice.sim.service.limits.HostLimit;
@@ -21,7 +21,9 @@ import org.mechservice.sim.service.limits.HostLimits;
 
 /** Translates models of other formats. */
 public final class ModelImport {
-  private static final String URDF = ".urdf";
+  /** Endings of the names of robots; MJCF is also written as .xml. */
+  private static final List<String> ROBOTS = List.of(".urdf", ".sdf", ".mjcf", ".xml");
+
   private static final Pattern ENDING = Pattern.compile("\\.[^./\\\\]*$");
 
   private ModelImport() {}
@@ -45,12 +47,15 @@ public final class ModelImport {
       throw HostLimit.MODEL_BYTES.refusal(
           most, bytes, "the file has " + bytes + " bytes; this server takes at most " + most);
     }
-    if (!foreign.fileName.toLowerCase(Locale.ROOT).endsWith(URDF)) {
+    String name = foreign.fileName.toLowerCase(Locale.ROOT);
+    if (ROBOTS.stream().noneMatch(name::endsWith)) {
       throw ContractErrors.notAvailable(
-          "files are imported from URDF, whose names end in .urdf; this is " + foreign.fileName);
+          "robots are imported from URDF, SDF and MJCF, whose names end in .urdf, .sdf, .mjcf or"
+              + " .xml; this is "
+              + foreign.fileName);
     }
     try {
-      UrdfImport imported = UrdfImport.of(foreign.fileName, foreign.content);
+      RobotImport imported = RobotImport.of(foreign.fileName, foreign.content);
       List<Diagnostic> said = new ArrayList<>(imported.losses());
       said.addAll(ModelWarnings.of(imported.model()));
       losses.value = ContractTypes.diagnostics(said);

@@ -66,7 +66,12 @@ public final class LoopRounding {
         sum += Math.abs(jacobian.value[e]) * OF_ROTATION;
       }
     }
-    return ROUNDINGS * (sum / loops.size(row) + (loops.unit(row).equals("rad") ? 0 : ofPlaces));
+    return ROUNDINGS * (sum / loops.size(row) + ofPlace(row));
+  }
+
+  /** Returns the rounding error of fixed places in an equation, relative to its size. */
+  public double ofPlace(int row) {
+    return loops.unit(row).equals("rad") ? 0 : ofPlaces;
   }
 
   private boolean isOfState(int velocity) {

@@ -67,6 +67,13 @@ public final class StateEvents implements ModelEvents {
     return assignments(mechanism).stream().map(Assignment::value).toList();
   }
 
+  /** Returns event and component of the state of each expression of {@link #assigned}. */
+  public static List<int[]> assignedComponents(Mechanism mechanism) {
+    return assignments(mechanism).stream()
+        .map(one -> new int[] {one.event(), one.component()})
+        .toList();
+  }
+
   private static List<Assignment> assignments(Mechanism mechanism) {
     List<Assignment> all = new ArrayList<>();
     List<Event> events = mechanism.events();

@@ -344,7 +344,7 @@ abstract class AdamsPece extends SteppingIntegrator {
     if (!wanted) {
       return 1;
     }
-    pulses.place(h, history.state(), history.corrected());
+    pulses.place(h, history.state(), history.corrected(), norm);
     if (!pulses.straight(h, history.difference(1), norm)
         || !pulses.straight(h, history.derivative, norm)) {
       return 1;

@@ -51,6 +51,12 @@ public final class JumpSearch {
 
   private static final int FEW = 5;
 
+  /** Part of a try that failed to which steps fall in front of a jump. */
+  private static final double NARROW = 0.05;
+
+  /** Distance, over a try that failed, within which a jump is one that was crossed before. */
+  private static final double SAME_PLACE = 2;
+
   /** How long jumps are expected to follow each other, in longest distances between them. */
   private static final double PATIENCE = 2;
 
@@ -60,6 +66,12 @@ public final class JumpSearch {
   private boolean active;
   private boolean crossing;
   private int failuresInARow;
+
+  /** First try since the last jump that failed, and whether steps far shorter followed it. */
+  private double firstFailed;
+
+  private double firstBehind;
+  private boolean narrow;
 
   /**
    * The last try that missed by far, 0 if there is none, and whether a shorter one had no error.
@@ -99,6 +111,7 @@ public final class JumpSearch {
     shortest = 0;
     longest = 0;
     distances = 0;
+    noticed();
     forget();
   }
 
@@ -135,6 +148,10 @@ public final class JumpSearch {
    * @param discrepancy norm of the difference of the right-hand side from its extrapolation
    */
   public void rejected(double h, int k, double end, double error, double discrepancy) {
+    if (firstFailed == 0) {
+      firstFailed = Math.abs(h);
+      firstBehind = end;
+    }
     active |= suspected ? error >= FAR_OFF : k == failedOrder && error > notSmooth(h);
     if (active) {
       failuresInARow++;
@@ -189,6 +206,7 @@ public final class JumpSearch {
    */
   public boolean accepted(double h, double end, double error) {
     failuresInARow = 0;
+    notice(Math.abs(h), end, Math.copySign(1, h));
     if (failedError == 0) {
       return false;
     }
@@ -201,10 +219,34 @@ public final class JumpSearch {
     if (across && crossings++ == 0) {
       since = end;
     }
-    if (across) {
+    if (across && end != crossed) {
       measure(end);
+      noticed();
     }
     return across;
+  }
+
+  /**
+   * Notices a jump that the error test alone has narrowed down: where tolerances are loose it is
+   * not so far off that it would be searched for.
+   */
+  private void notice(double size, double end, double forward) {
+    if (firstFailed == 0) {
+      return;
+    }
+    narrow |= size < NARROW * firstFailed;
+    if (forward * (end - firstBehind) < 0) {
+      return;
+    }
+    if (narrow && !(Math.abs(end - crossed) <= SAME_PLACE * firstFailed)) {
+      measure(end);
+    }
+    noticed();
+  }
+
+  private void noticed() {
+    firstFailed = 0;
+    narrow = false;
   }
 
   private void measure(double end) {
@@ -225,7 +267,7 @@ public final class JumpSearch {
 
   /** Returns the longest step from {@code t} that does not go over two jumps unawares. */
   public double longestStep(double t) {
-    boolean expected = Math.abs(t - crossed) <= PATIENCE * longest;
+    boolean expected = distances > 0 && Math.abs(t - crossed) <= PATIENCE * longest;
     double part = distances < FEW ? PART_AT_FIRST : PART;
     return expected ? part * shortest : Double.POSITIVE_INFINITY;
   }
@@ -280,6 +322,9 @@ public final class JumpSearch {
     active = state.flag(active);
     crossing = state.flag(crossing);
     failuresInARow = state.integer(failuresInARow);
+    firstFailed = state.number(firstFailed);
+    firstBehind = state.number(firstBehind);
+    narrow = state.flag(narrow);
     failedError = state.number(failedError);
     failedSize = state.number(failedSize);
     failedOrder = state.integer(failedOrder);

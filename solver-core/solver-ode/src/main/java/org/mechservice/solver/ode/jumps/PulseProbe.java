@@ -36,6 +36,11 @@ public final class PulseProbe {
    */
   private static final double ROUNDING = 1e-6;
 
+  /**
+   * The same, relative to the state: what rounding makes of the line's slope at tight tolerances.
+   */
+  private static final double ROUNDING_OF_STATE = 16 * Math.ulp(1.0);
+
   /** Smallest change over half the step, in allowed errors, that a pulse is noticed by. */
   private static final double NOTICED = 1;
 
@@ -46,6 +51,9 @@ public final class PulseProbe {
   private int parts = FEWEST;
 
   private boolean line;
+
+  /** Change over half the step that counts as rounding, in allowed errors, where a step ends. */
+  private double rounding;
 
   private final double[] chord;
   private final double[] state;
@@ -90,8 +98,9 @@ public final class PulseProbe {
   }
 
   /** Takes the straight line of a step. */
-  public void place(double h, double[] from, double[] to) {
+  public void place(double h, double[] from, double[] to, ErrorNorm norm) {
     line = false;
+    rounding = Math.max(ROUNDING, ROUNDING_OF_STATE * norm.of(to));
     for (int l = 0; l < chord.length; l++) {
       chord[l] = (to[l] - from[l]) / h;
     }
@@ -103,7 +112,7 @@ public final class PulseProbe {
    * @param derivative not modified
    */
   public boolean straight(double h, double[] derivative, ErrorNorm norm) {
-    line = difference(h, derivative, norm) <= ROUNDING;
+    line = difference(h, derivative, norm) <= rounding;
     return line;
   }
 

@@ -62,6 +62,11 @@ public final class ExplicitEquations extends StepEquations {
 
   private int notFiniteComponent;
 
+  /** Whether f at a prediction is known from differencing there, and for which time. */
+  private boolean predictionKnown;
+
+  private double predictionTime;
+
   /**
    * @param smallSizes size below which a component is negligible; not modified
    * @param condensing whether equations like q' = v are put into the others before these are solved
@@ -108,6 +113,7 @@ public final class ExplicitEquations extends StepEquations {
   @Override
   void abandon() {
     differencing.abandon();
+    predictionKnown = false;
   }
 
   @Override
@@ -137,7 +143,7 @@ public final class ExplicitEquations extends StepEquations {
     for (int l = 0; l < slope.length; l++) {
       slope[l] = (differences.psi[l] + differences.correction[l]) / hGamma;
     }
-    probe.place(h, differences.state(), differences.corrected());
+    probe.place(h, differences.state(), differences.corrected(), norm);
     return probe.straight(h, slope, norm)
         ? probe.partToPulse(rightHandSide, t, h, differences.state(), norm)
         : 1;
@@ -193,7 +199,16 @@ public final class ExplicitEquations extends StepEquations {
 
   @Override
   TrialOutcome formAhead(double t, double hGamma, BackwardDifferences differences) {
-    return formDerivatives(t, differences.predicted);
+    if (manifold().completes()) {
+      System.arraycopy(differences.predicted, 0, moved, 0, moved.length);
+      if (!manifold().complete(t, moved)) {
+        return TrialOutcome.NOT_COMPLETED;
+      }
+    }
+    TrialOutcome attempt = formDerivatives(t, differences.predicted);
+    predictionKnown = attempt == TrialOutcome.PASSED && known.isEmpty();
+    predictionTime = t;
+    return attempt;
   }
 
   @Override
@@ -214,7 +229,9 @@ public final class ExplicitEquations extends StepEquations {
   @Override
   boolean evaluate(double t, double hGamma, BackwardDifferences differences, double[] residual) {
     evaluatedTime = t;
-    if (!rightHandSide.evaluate(t, differences.corrected(), derivative)) {
+    if (knownFromDifferencing(t, differences)) {
+      System.arraycopy(differencing.value(), 0, derivative, 0, derivative.length);
+    } else if (!rightHandSide.evaluate(t, differences.corrected(), derivative)) {
       return false;
     }
     double[] psi = differences.psi;
@@ -226,6 +243,16 @@ public final class ExplicitEquations extends StepEquations {
       manifold().clearPassive(residual);
     }
     return true;
+  }
+
+  /** Returns, once, whether f was evaluated for the same state before. */
+  private boolean knownFromDifferencing(double t, BackwardDifferences differences) {
+    boolean same =
+        predictionKnown
+            && t == predictionTime
+            && Arrays.equals(differences.corrected(), differences.predicted);
+    predictionKnown = false;
+    return same;
   }
 
   @Override
@@ -333,6 +360,11 @@ public final class ExplicitEquations extends StepEquations {
   @Override
   public boolean fastestIsExponential() {
     return jacobian.fastestIsExponential();
+  }
+
+  @Override
+  double costOfDerivatives() {
+    return differencing.evaluations();
   }
 
   @Override

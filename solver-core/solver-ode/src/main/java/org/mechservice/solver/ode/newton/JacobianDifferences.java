@@ -129,6 +129,11 @@ final class JacobianDifferences {
     group = 0;
   }
 
+  /** Returns how many evaluations a Jacobian takes, but for those of its point. */
+  int evaluations() {
+    return groups.count();
+  }
+
   /** Forgets a Jacobian that was stopped half way. */
   void abandon() {
     baseKnown = false;

@@ -101,6 +101,11 @@ final class NewtonIteration {
     return seen;
   }
 
+  /** Returns how many changes the last iteration took. */
+  int changes() {
+    return iteration;
+  }
+
   /** Forgets the rate: the matrix was factored anew. */
   void forgetRate() {
     rateKnown = false;

@@ -10,7 +10,7 @@ import org.mechservice.solver.ode.TrialOutcome;
 public final class NewtonMatrixFactors {
   private final StepEquations equations;
 
-  private double closeRatio = IterationRules.PUBLISHED.closeRatio();
+  private IterationRules rules = IterationRules.PUBLISHED;
 
   /** Whether there are factors with the present derivatives, and whether h or k has changed. */
   private boolean formed;
@@ -29,7 +29,7 @@ public final class NewtonMatrixFactors {
 
   /** Goes by these rules from now on. */
   void follow(IterationRules rules) {
-    closeRatio = rules.closeRatio();
+    this.rules = rules;
   }
 
   /** Takes note that the derivatives are others now. */
@@ -56,7 +56,12 @@ public final class NewtonMatrixFactors {
       return TrialOutcome.PASSED;
     }
     stepChanged = false;
-    newton.forgetRate();
+    if (formed && rules.keepsRate()) {
+      // With the same derivatives, the iteration errs by hγ times what they are off.
+      newton.expectGrowth(Math.max(1, hGamma / formedHGamma));
+    } else {
+      newton.forgetRate();
+    }
     formed = factorAnew(hGamma);
     return formed ? TrialOutcome.PASSED : TrialOutcome.SINGULAR_MATRIX;
   }
@@ -64,7 +69,7 @@ public final class NewtonMatrixFactors {
   /** Returns whether the matrix has hardly changed; then the iteration is the slower for it. */
   private boolean close(double hGamma, NewtonIteration newton) {
     double change = Math.abs(hGamma / formedHGamma - 1);
-    if (!(change <= closeRatio)) {
+    if (!(change <= rules.closeRatio())) {
       return false;
     }
     newton.expectRate(change / (1 + hGamma / formedHGamma));

@@ -105,6 +105,14 @@ public abstract class StepEquations {
   /** Evaluates the derivatives at the start of the step. */
   abstract TrialOutcome formDerivatives(double t, double[] y);
 
+  /**
+   * Returns the iterations that cost as much as new derivatives; infinite if these are kept until
+   * an iteration fails.
+   */
+  double costOfDerivatives() {
+    return Double.POSITIVE_INFINITY;
+  }
+
   /** Evaluates the derivatives at the prediction of a step that ends at {@code t}. */
   abstract TrialOutcome formAhead(double t, double hGamma, BackwardDifferences differences);
 

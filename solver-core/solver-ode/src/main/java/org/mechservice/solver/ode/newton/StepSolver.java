@@ -57,6 +57,7 @@ public final class StepSolver {
     factors = equations.factors();
     rules = equations.rules(mode);
     factors.follow(rules);
+    derivatives.follow(rules);
     newton = new NewtonIteration(manifold.dimension(), rules);
     checked = new double[manifold.dimension()];
   }
@@ -138,6 +139,7 @@ public final class StepSolver {
     TrialOutcome attempt = newton.iterate(equations, t, hGamma, differences, norm);
     if (newton.rateSeen() > 0 && attempt != TrialOutcome.STOPPED) {
       drift.learn(newton.rateSeen());
+      derivatives.iterated(newton.changes(), newton.rateSeen());
     }
     if (attempt == TrialOutcome.NOT_FINITE) {
       notFiniteComponent = newton.notFiniteComponent(equations);

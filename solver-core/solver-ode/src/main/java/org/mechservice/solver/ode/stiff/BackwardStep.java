@@ -383,5 +383,9 @@ final class BackwardStep {
     slide.transfer(state);
     triedTime = state.number(triedTime);
     step.transfer(state);
+    if (state.restoring()) {
+      norm.allow(1);
+      norm.weigh(differences.state());
+    }
   }
 }

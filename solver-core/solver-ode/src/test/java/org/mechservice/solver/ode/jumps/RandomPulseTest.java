@@ -24,23 +24,29 @@ class RandomPulseTest {
   /** A pair of jumps that is missed changes the end by twice its distance, all but a bit. */
   private static final double LEAST_MISSED = 1.8 * SHORTEST;
 
-  /** y' = 1 and −1 in turns. */
+  /** y' = 1 and −1, in turns or as it happens. */
   private static final class Turns implements OdeFunction {
     private final double[] places;
+    private final double[] slopes;
 
-    Turns(double[] places) {
+    Turns(double[] places, double[] slopes) {
       this.places = places;
+      this.slopes = slopes;
     }
 
-    static Turns random(long seed) {
+    static Turns random(long seed, boolean inTurns) {
       Random random = new Random(seed);
       double[] places = new double[300];
+      double[] slopes = new double[places.length + 1];
+      for (int i = 0; i < slopes.length; i++) {
+        slopes[i] = (inTurns ? i % 2 == 0 : random.nextBoolean()) ? 1 : -1;
+      }
       double t = 0;
       for (int i = 0; i < places.length; i++) {
         t += SHORTEST + (LONGEST - SHORTEST) * random.nextDouble();
         places[i] = t;
       }
-      return new Turns(places);
+      return new Turns(places, slopes);
     }
 
     private int before(double t) {
@@ -50,7 +56,7 @@ class RandomPulseTest {
 
     @Override
     public void evaluate(double t, double[] y, double[] yDot) {
-      yDot[0] = before(t) % 2 == 0 ? 1 : -1;
+      yDot[0] = slopes[before(t)];
     }
 
     double integral(double end) {
@@ -58,7 +64,7 @@ class RandomPulseTest {
       double from = 0;
       for (int i = 0; from < end; i++) {
         double to = Math.min(end, places[i]);
-        sum += (i % 2 == 0 ? 1 : -1) * (to - from);
+        sum += slopes[i] * (to - from);
         from = to;
       }
       return sum;
@@ -68,14 +74,25 @@ class RandomPulseTest {
   @ParameterizedTest
   @EnumSource(names = {"ODE113", "DE", "ODE15S", "AUTO"})
   void jumpsToAndFroAtRandomTimesAreAllSeen(OdeMethod method) {
-    for (double tolerance : new double[] {1e-3, 1e-4, 1e-6}) {
+    count(method, true, 10);
+  }
+
+  @ParameterizedTest
+  @EnumSource(names = {"ODE113", "DE", "ODE15S", "AUTO"})
+  void jumpsOfAnySignAreAllSeenInShortRunsAndLongOnes(OdeMethod method) {
+    count(method, false, 2);
+    count(method, false, 10);
+  }
+
+  private static void count(OdeMethod method, boolean inTurns, double tEnd) {
+    for (double tolerance : new double[] {1e-3, 1e-4, 1e-6, 1e-9}) {
       OdeOptions options = OdeOptions.standard().rtol(tolerance).atol(tolerance).method(method);
       int wrong = 0;
       for (int seed = 0; seed < RUNS; seed++) {
-        Turns turns = Turns.random(seed);
-        double end = Ode.solve(turns, 0, new double[] {0}, 10, options).endState()[0];
+        Turns turns = Turns.random(seed, inTurns);
+        double end = Ode.solve(turns, 0, new double[] {0}, tEnd, options).endState()[0];
         wrong +=
-            Math.abs(end - turns.integral(10)) > Math.min(LEAST_MISSED, 1000 * tolerance) ? 1 : 0;
+            Math.abs(end - turns.integral(tEnd)) > Math.min(LEAST_MISSED, 1000 * tolerance) ? 1 : 0;
       }
       assertThat(wrong).as("tolerance %s", tolerance).isLessThanOrEqualTo(MOST_WRONG);
     }

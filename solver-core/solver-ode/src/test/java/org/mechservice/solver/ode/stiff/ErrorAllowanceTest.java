@@ -62,13 +62,13 @@ class ErrorAllowanceTest {
               slope[0] = -9e4 * y[0];
               slope[1] = -1e4 * y[1];
             });
-    assertThat(steps(Mode.STANDARD, decays)).isLessThanOrEqualTo(steps(Mode.FAITHFUL, decays));
+    assertThat(cost(Mode.STANDARD, decays)).isLessThanOrEqualTo(cost(Mode.FAITHFUL, decays));
   }
 
-  private static long steps(Mode mode, OdeSystem system) {
+  private static long cost(Mode mode, OdeSystem system) {
     IntegratorSettings settings = new IntegratorSettings(1e-8, 1e-8).withMode(mode);
     Integrator integrator = new Ode15s(settings);
-    return Run.of(integrator, system, 0, new double[] {1, 1}, 0.01).statistics().steps();
+    return Run.of(integrator, system, 0, new double[] {1, 1}, 0.01).statistics().evaluations();
   }
 
   private static JacobianMatrix kept(double[][] rows) {

@@ -212,8 +212,10 @@ class Ode15sTest extends IntegratorContract {
   @Test
   void bandTakesTheSameStepsWithFewerEvaluations() {
     SuiteProblem full = new Brusselator();
-    Run dense = Run.of(create(Run.settings(full, 1e-6)), full);
-    Run banded = Run.of(create(Run.settings(full, 1e-6)), new Banded(full, 2, 2));
+    // Elsewhere derivatives that are cheap are renewed earlier.
+    IntegratorSettings settings = Run.settings(full, 1e-6).withMode(Mode.FAITHFUL);
+    Run dense = Run.of(create(settings), full);
+    Run banded = Run.of(create(settings), new Banded(full, 2, 2));
     long jacobians = dense.statistics().jacobians();
     assertThat(banded.atEnd()).isEqualTo(dense.atEnd());
     // 5 groups of columns instead of 40 columns.
@@ -242,8 +244,9 @@ class Ode15sTest extends IntegratorContract {
   @Test
   void patternTakesTheSameStepsWithFewerEvaluations() {
     SuiteProblem full = new Brusselator();
-    Run dense = Run.of(create(Run.settings(full, 1e-6)), full);
-    Run sparse = Run.of(create(Run.settings(full, 1e-6)), new Patterned(full));
+    IntegratorSettings settings = Run.settings(full, 1e-6).withMode(Mode.FAITHFUL);
+    Run dense = Run.of(create(settings), full);
+    Run sparse = Run.of(create(settings), new Patterned(full));
     long jacobians = dense.statistics().jacobians();
     assertThat(sparse.atEnd()).isEqualTo(dense.atEnd());
     // 4 groups of columns, one fewer than as a band.

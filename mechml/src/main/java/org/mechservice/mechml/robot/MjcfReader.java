@@ -1,0 +1,518 @@
+package org.mechservice.mechml.robot;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Function;
+import org.mechservice.mechml.diagnosis.Diagnostics;
+import org.mechservice.mechml.diagnosis.Phrase;
+import org.mechservice.mechml.diagnosis.Quoted;
+import org.mechservice.mechml.document.Element;
+import org.mechservice.mechml.robot.Robot.Coordinate;
+import org.mechservice.mechml.robot.Robot.Frame;
+import org.mechservice.mechml.robot.Robot.Freedom;
+import org.mechservice.mechml.robot.Robot.Inertial;
+import org.mechservice.mechml.robot.Robot.Joint;
+import org.mechservice.mechml.robot.Robot.Link;
+import org.mechservice.mechml.robot.Robot.Mimic;
+import org.mechservice.mechml.robot.Robot.Place;
+import org.mechservice.mechml.robot.Robot.Range;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.spatial.Vector3;
+
+/**
+ * Reads a model of MuJoCo: nested bodies, each with the joints to the body around it. Several
+ * joints of one body become links without mass between them. Positions count from the pose that the
+ * file gives, as MuJoCo's do where {@code ref} is zero.
+ *
+ * <p>Source: MuJoCo documentation, XML reference.
+ */
+final class MjcfReader {
+  private static final String WORLD = "world";
+
+  /** Sections that say nothing about the motion of the mechanism itself. */
+  private static final Set<String> SILENT =
+      Set.of(
+          "compiler",
+          "default",
+          "worldbody",
+          "option",
+          "size",
+          "statistic",
+          "visual",
+          "asset",
+          "custom",
+          "equality");
+
+  private static final Set<String> OF_BODY =
+      Set.of("body", "joint", "freejoint", "inertial", "geom", "frame", "site", "camera", "light");
+  private static final Vector3 AXIS = new Vector3(0, 0, 1);
+
+  private final Diagnostics diagnostics;
+  private final ImportLosses losses;
+  private final RobotNumbers numbers;
+  private final List<Link> links = new ArrayList<>();
+  private final List<Joint> joints = new ArrayList<>();
+  private final Set<String> linkNames = new HashSet<>();
+  private final Set<String> jointNames = new HashSet<>();
+  private final Map<String, Element> followers = new LinkedHashMap<>();
+  private Optional<Element> shape = Optional.empty();
+
+  /**
+   * @param diagnostics receives errors and warnings
+   * @param losses receives the parts that MechML cannot express
+   */
+  MjcfReader(Diagnostics diagnostics, ImportLosses losses) {
+    this.diagnostics = diagnostics;
+    this.losses = losses;
+    numbers = new RobotNumbers(diagnostics);
+  }
+
+  /** Returns the robot without the elements in error. */
+  Robot read(Element mujoco) {
+    mujoco.children().stream()
+        .filter(section -> !SILENT.contains(section.name()))
+        .forEach(section -> losses.add(section, "has no meaning in MechML and is left out"));
+    noteSettings(mujoco);
+    readEqualities(mujoco);
+    Optional<Element> world = mujoco.child("worldbody");
+    if (world.isEmpty()) {
+      numbers.missing(mujoco, "worldbody");
+    }
+    links.add(new Link(world.orElse(mujoco), WORLD, Optional.empty(), Optional.empty()));
+    linkNames.add(WORLD);
+    Bodies bodies = new Bodies(mujoco);
+    world.ifPresent(bodies::readWorld);
+    shape.ifPresent(
+        geometry ->
+            losses.add(geometry, "contacts between shapes are left out, here and elsewhere"));
+    return new Robot(
+        RobotFormat.MJCF,
+        mujoco.attribute("model").orElse("robot"),
+        Optional.of(gravity(mujoco)),
+        scaled(mujoco),
+        joints.stream().map(this::following).toList());
+  }
+
+  /** Returns the links with the total mass that {@code settotalmass} asks for, if any. */
+  private List<Link> scaled(Element mujoco) {
+    double wished = 0;
+    for (Element compiler : mujoco.children("compiler")) {
+      wished = numbers.optional(compiler, "settotalmass", wished);
+    }
+    double total =
+        links.stream().flatMap(link -> link.inertial().stream()).mapToDouble(Inertial::mass).sum();
+    if (!(wished > 0) || !(total > 0)) {
+      return links;
+    }
+    double factor = wished / total;
+    return links.stream()
+        .map(
+            link ->
+                new Link(
+                    link.element(),
+                    link.name(),
+                    link.inertial()
+                        .map(
+                            inertial ->
+                                new Inertial(
+                                    inertial.element(),
+                                    inertial.frame(),
+                                    factor * inertial.mass(),
+                                    inertial.moments().stream().map(m -> factor * m).toList())),
+                    link.mesh()))
+        .toList();
+  }
+
+  private Vector3 gravity(Element mujoco) {
+    Vector3 gravity = new Vector3(0, 0, -9.81);
+    for (Element option : mujoco.children("option")) {
+      gravity = numbers.vector(option, "gravity", gravity);
+      for (Element flag : option.children("flag")) {
+        if (flag.attribute("gravity").filter("disable"::equals).isPresent()) {
+          gravity = Vector3.ZERO;
+        }
+      }
+    }
+    return gravity;
+  }
+
+  private void noteSettings(Element mujoco) {
+    for (Element option : mujoco.children("option")) {
+      for (String name : List.of("density", "viscosity", "wind")) {
+        option
+            .attribute(name)
+            .filter(value -> !value.matches("[\\s+\\-0.]*"))
+            .ifPresent(value -> losses.add(option, name + " of the medium is left out"));
+      }
+    }
+    for (Element compiler : mujoco.children("compiler")) {
+      for (String name : List.of("balanceinertia", "boundmass", "boundinertia")) {
+        compiler
+            .attribute(name)
+            .filter(value -> !value.equals("false") && !value.matches("-1|0+(\\.0*)?"))
+            .ifPresent(value -> losses.add(compiler, name + " changes masses and is left out"));
+      }
+      compiler
+          .attribute("coordinate")
+          .filter("global"::equals)
+          .ifPresent(
+              value ->
+                  diagnostics.error(
+                      MessageCode.NOT_A_ROBOT,
+                      compiler.position(),
+                      "global coordinates are of MuJoCo before 2.3.4; save the model from MuJoCo"));
+    }
+  }
+
+  /** Keeps the equations between joints; other equations are lost. */
+  private void readEqualities(Element mujoco) {
+    for (Element section : mujoco.children("equality")) {
+      for (Element equality : section.children()) {
+        Optional<String> follower = equality.attribute("joint1");
+        if (equality.name().equals("joint") && follower.isPresent()) {
+          followers.put(follower.get(), equality);
+        } else {
+          losses.add(equality, "is left out; close the loop in MechML, with Constraints");
+        }
+      }
+    }
+  }
+
+  /** Returns a joint with the equation that binds it to another: q1 = c0 + c1 q2. */
+  private Joint following(Joint joint) {
+    Element equality = followers.get(joint.name());
+    if (equality == null || !joint.type().isSingle()) {
+      return joint;
+    }
+    List<Double> c =
+        numbers.read(
+            equality, "polycoef", equality.attribute("polycoef").orElse("0 1 0 0 0"), 1, 5);
+    if (c.stream().skip(2).anyMatch(x -> x != 0)) {
+      losses.add(equality, "a polynomial of degree 2 or more between joints is left out");
+      return joint;
+    }
+    Optional<String> other = equality.attribute("joint2");
+    if (other.isEmpty()) {
+      losses.add(equality, "a joint held at a position is left out; use a jointVal with driven");
+      return joint;
+    }
+    Coordinate own = joint.coordinate();
+    // MuJoCo's polynomial is of deviations from the references, as coordinates are here.
+    Mimic mimic = new Mimic(equality, other.get(), c.size() > 1 ? c.get(1) : 0, c.get(0));
+    return new Joint(
+        joint.element(),
+        joint.name(),
+        joint.type(),
+        joint.parent(),
+        joint.child(),
+        joint.place(),
+        new Coordinate(
+            own.limits(),
+            own.stiffness(),
+            own.freePosition(),
+            own.damping(),
+            own.friction(),
+            Optional.of(mimic)));
+  }
+
+  /** The bodies of one file. */
+  private final class Bodies {
+    private final MjcfDefaults defaults;
+    private final MjcfCompiler compiler;
+
+    Bodies(Element mujoco) {
+      defaults = new MjcfDefaults(mujoco);
+      compiler = new MjcfCompiler(mujoco, numbers);
+    }
+
+    void readWorld(Element world) {
+      readInside(world, WORLD, Frame.SAME, childClass(world, Optional.empty()));
+    }
+
+    /** Reads the bodies in a body or in a frame of it. */
+    private void readInside(
+        Element around, String parent, Frame outer, Optional<String> childClass) {
+      for (Element part : around.children()) {
+        switch (part.name()) {
+          case "body" -> readBody(part, parent, outer, childClass);
+          case "frame" ->
+              readInside(
+                  part,
+                  parent,
+                  outer.times(compiler.frame(part, part::attribute)),
+                  childClass(part, childClass));
+          default -> {
+            if (!OF_BODY.contains(part.name())) {
+              losses.add(part, "has no meaning in MechML and is left out");
+            }
+          }
+        }
+      }
+    }
+
+    private Optional<String> childClass(Element element, Optional<String> outer) {
+      Optional<String> own = element.attribute("childclass");
+      own.filter(name -> !defaults.has(name))
+          .ifPresent(
+              name ->
+                  diagnostics.error(
+                      MessageCode.UNKNOWN_NAME,
+                      element.position(),
+                      Phrase.of(
+                          "%s: default class %s does not exist",
+                          element.label(), Quoted.of(name))));
+      return own.or(() -> outer);
+    }
+
+    private Function<String, Optional<String>> attributes(
+        Element element, Optional<String> childClass) {
+      return name -> defaults.attribute(element, name, childClass);
+    }
+
+    private void readBody(Element body, String parent, Frame outer, Optional<String> inherited) {
+      Optional<String> childClass = childClass(body, inherited);
+      String name = free(body.attribute("name").orElse("body" + links.size()), linkNames, body);
+      Frame frame = outer.times(compiler.frame(body, body::attribute));
+      if (body.attribute("mocap").filter("true"::equals).isPresent()) {
+        losses.add(body, "it is moved from outside (mocap); in MechML it rests");
+      }
+      if (body.attribute("gravcomp").filter(g -> !g.matches("0*(\\.0*)?")).isPresent()) {
+        losses.add(body, "gravcomp is left out: in MechML gravity acts on every body");
+      }
+      List<Held> held = new ArrayList<>();
+      MjcfShapes shapes = new MjcfShapes(compiler, numbers, losses);
+      collect(body, Frame.SAME, childClass, held, shapes);
+      connect(body, name, parent, frame, held);
+      Optional<Element> given = body.child("inertial");
+      Optional<Inertial> inertial =
+          compiler.takesInertiaOfShapes(given.isPresent())
+              ? shapes.inertial(body)
+              : given.flatMap(this::inertial);
+      links.add(new Link(body, name, inertial, Optional.empty()));
+      readInside(body, name, Frame.SAME, childClass);
+    }
+
+    /**
+     * A joint of a body.
+     *
+     * @param frame the frame in the body that its pose is in
+     */
+    private record Held(
+        Element element, Frame frame, Function<String, Optional<String>> attribute) {}
+
+    /** Collects the joints and shapes of a body, also those in frames. */
+    private void collect(
+        Element around,
+        Frame frame,
+        Optional<String> childClass,
+        List<Held> held,
+        MjcfShapes shapes) {
+      for (Element part : around.children()) {
+        Function<String, Optional<String>> attribute = attributes(part, childClass);
+        switch (part.name()) {
+          case "joint", "freejoint" -> held.add(new Held(part, frame, attribute));
+          case "geom" -> {
+            shape = shape.or(() -> Optional.of(part));
+            shapes.add(part, frame, attribute);
+          }
+          case "frame" ->
+              collect(
+                  part,
+                  frame.times(compiler.frame(part, part::attribute)),
+                  childClass(part, childClass),
+                  held,
+                  shapes);
+          default -> {
+            // Bodies are read after their parent; sites and cameras do not move anything.
+          }
+        }
+      }
+    }
+
+    private void connect(Element body, String name, String parent, Frame frame, List<Held> held) {
+      if (held.isEmpty()) {
+        joints.add(
+            new Joint(
+                body,
+                free(name + "_rest", jointNames, body),
+                Freedom.FIXED,
+                parent,
+                name,
+                Place.at(frame, AXIS),
+                Coordinate.FREE));
+      }
+      String above = parent;
+      Frame step = frame;
+      for (int i = 0; i < held.size(); i++) {
+        boolean last = i == held.size() - 1;
+        String below = last ? name : free(name + "_" + (i + 1), linkNames, body);
+        if (!last) {
+          links.add(new Link(body, below, Optional.empty(), Optional.empty()));
+        }
+        joints.add(joint(held.get(i), i, name, above, below, step));
+        above = below;
+        step = Frame.SAME;
+      }
+    }
+
+    private Joint joint(
+        Held held, int number, String body, String parent, String child, Frame frame) {
+      Element element = held.element();
+      Function<String, Optional<String>> attribute = held.attribute();
+      String type =
+          element.name().equals("freejoint") ? "free" : attribute.apply("type").orElse("hinge");
+      String name =
+          free(
+              element.attribute("name").orElse(body + "_joint" + (number == 0 ? "" : number)),
+              jointNames,
+              element);
+      Freedom freedom =
+          switch (type) {
+            case "free" -> Freedom.FLOATING;
+            case "ball" -> Freedom.SPHERICAL;
+            case "slide" -> Freedom.PRISMATIC;
+            default -> Freedom.REVOLUTE;
+          };
+      if (!Set.of("free", "ball", "slide", "hinge").contains(type)) {
+        diagnostics.error(
+            MessageCode.VALUE_NOT_IN_LIST,
+            element.position(),
+            Phrase.of(
+                "%s: type is %s; a joint of MJCF is free, ball, slide, hinge",
+                element.label(), Quoted.of(type)));
+      }
+      loseMotor(element, attribute, freedom);
+      Vector3 point =
+          freedom == Freedom.FLOATING
+              ? Vector3.ZERO
+              : held.frame().times(compiler.frame(element, position(attribute))).at();
+      Vector3 axis = held.frame().turn().apply(axis(element, attribute));
+      return new Joint(
+          element,
+          name,
+          freedom,
+          parent,
+          child,
+          Place.along(frame, point, axis),
+          freedom.isSingle() ? coordinate(element, attribute, freedom) : Coordinate.FREE);
+    }
+
+    private static Function<String, Optional<String>> position(
+        Function<String, Optional<String>> attribute) {
+      return name -> name.equals("pos") ? attribute.apply(name) : Optional.empty();
+    }
+
+    private Vector3 axis(Element element, Function<String, Optional<String>> attribute) {
+      List<Double> xyz =
+          attribute
+              .apply("axis")
+              .map(text -> numbers.read(element, "axis", text, 3, 3))
+              .orElse(List.of(0.0, 0.0, 1.0));
+      Vector3 axis = new Vector3(xyz.get(0), xyz.get(1), xyz.get(2));
+      if (!(axis.norm() > 0)) {
+        diagnostics.error(
+            MessageCode.ZERO_VECTOR,
+            element.position(),
+            Phrase.of("%s: its axis is zero and has no direction", element.label()));
+        return AXIS;
+      }
+      return axis.normalized();
+    }
+
+    private void loseMotor(
+        Element element, Function<String, Optional<String>> attribute, Freedom freedom) {
+      if (number(element, attribute, "armature", 0) != 0) {
+        losses.add(element, "armature, the inertia of its motor, is left out");
+      }
+      if (!freedom.isSingle()) {
+        for (String name : List.of("stiffness", "damping", "frictionloss")) {
+          if (number(element, attribute, name, 0) != 0) {
+            losses.add(element, name + " applies only to joints with one coordinate here");
+          }
+        }
+      }
+    }
+
+    private double number(
+        Element element,
+        Function<String, Optional<String>> attribute,
+        String name,
+        double otherwise) {
+      Optional<List<Double>> read =
+          attribute.apply(name).map(text -> numbers.read(element, name, text, 1, 3));
+      if (read.isPresent() && read.get().stream().skip(1).anyMatch(x -> x != 0)) {
+        losses.add(element, "the higher powers of " + name + " are left out");
+      }
+      return read.map(list -> list.get(0)).orElse(otherwise);
+    }
+
+    private Coordinate coordinate(
+        Element element, Function<String, Optional<String>> attribute, Freedom freedom) {
+      double unit = freedom == Freedom.PRISMATIC ? 1 : compiler.angle();
+      double reference = number(element, attribute, "ref", 0) * unit;
+      if (reference != 0) {
+        losses.add(element, "ref is left out: the position counts from the pose of the file");
+      }
+      Optional<Range> limits = Optional.empty();
+      Optional<String> range = attribute.apply("range");
+      String limited = attribute.apply("limited").orElse("auto");
+      if (limited.equals("true")
+          || limited.equals("auto") && compiler.autolimits() && range.isPresent()) {
+        List<Double> ends =
+            range.map(text -> numbers.read(element, "range", text, 2, 2)).orElse(List.of(0.0, 0.0));
+        if (ends.get(0) > ends.get(1)) {
+          numbers.contradiction(element, "its range is reversed; write the lower end first");
+        }
+        limits =
+            Optional.of(new Range(ends.get(0) * unit - reference, ends.get(1) * unit - reference));
+      }
+      return new Coordinate(
+          limits,
+          number(element, attribute, "stiffness", 0),
+          number(element, attribute, "springref", 0) * unit - reference,
+          number(element, attribute, "damping", 0),
+          number(element, attribute, "frictionloss", 0),
+          Optional.empty());
+    }
+
+    private Optional<Inertial> inertial(Element inertial) {
+      if (inertial.attribute("mass").isEmpty()) {
+        numbers.missing(inertial, "attribute mass");
+        return Optional.empty();
+      }
+      Optional<String> diagonal = inertial.attribute("diaginertia");
+      Optional<String> full = inertial.attribute("fullinertia");
+      List<Double> moments = new ArrayList<>();
+      if (full.isPresent()) {
+        moments.addAll(numbers.read(inertial, "fullinertia", full.get(), 6, 6));
+      } else if (diagonal.isPresent()) {
+        moments.addAll(numbers.read(inertial, "diaginertia", diagonal.get(), 3, 3));
+        moments.addAll(List.of(0.0, 0.0, 0.0));
+      } else {
+        numbers.missing(inertial, "attribute diaginertia or fullinertia");
+        return Optional.empty();
+      }
+      return Optional.of(
+          new Inertial(
+              inertial,
+              compiler.frame(inertial, inertial::attribute),
+              numbers.required(inertial, "mass"),
+              moments));
+    }
+
+    private String free(String wished, Set<String> taken, Element element) {
+      if (!taken.add(wished)) {
+        diagnostics.error(
+            MessageCode.DUPLICATE_NAME,
+            element.position(),
+            Phrase.of("another %s has the name %s", element.name(), Quoted.of(wished)));
+      }
+      return wished;
+    }
+  }
+}

@@ -1,0 +1,13 @@
+package org.mechservice.sim.emit.c;
+
+import org.mechservice.sim.symbolic.Program;
+
+/** What gives the derivative of the state of a model in C. */
+public sealed interface CMotion permits CMotion.Tree, CLoops {
+  /**
+   * An open chain.
+   *
+   * @param derivative program from [q; v; s] to its derivative
+   */
+  record Tree(Program derivative) implements CMotion {}
+}
