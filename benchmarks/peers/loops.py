@@ -4,7 +4,7 @@
     benchmarks/peers/loops.py            # everything; writes docs/reports/loops-at-scale.md
     benchmarks/peers/loops.py --short    # a trial: nothing is written
 
-Needs ./mech built and a network for the first run: Exudyn and MuJoCo are taken from PyPI into
+Needs ./mech and benchmarks/target/benchmarks.jar built, and a network for the first run: Exudyn and MuJoCo are taken from PyPI into
 benchmarks/target/peers.
 """
 import argparse
@@ -308,6 +308,25 @@ def chains(lengths, repetitions):
     return table(["links", "open, µs", "one loop, µs", "ratio"], rows)
 
 
+def evaluations(lengths):
+    """Processor time of warm evaluations, of chains open and with a loop, by code and from data."""
+    files = []
+    for n in lengths:
+        for closed in (False, True):
+            file = WORK / f"warm{n}{closed}.xml"
+            file.write_text(chain(n, closed))
+            files.append(file)
+    out, _, _ = process("java", "-XX:+UseSerialGC", "-cp", ROOT / "benchmarks/target/benchmarks.jar",
+                        "org.mechservice.benchmarks.study.ChainWithLoop", *files)
+    rows = []
+    for n, line in zip(lengths, out.splitlines()):
+        open_code, open_data, code, data = (float(cost) for cost in line.split())
+        rows.append([str(n), short(open_code), short(code), f"{code / open_code:.1f}",
+                     short(open_data), short(data), f"{data / open_data:.1f}"])
+    return table(["links", "open, code, µs", "one loop, code, µs", "ratio",
+                  "open, data, µs", "one loop, data, µs", "ratio"], rows)
+
+
 def others(repetitions):
     rows = []
     for name, text in (("track of 100 shoes", track(100)), ("net of 10 x 10 plates", net(10)),
@@ -352,6 +371,7 @@ def main():
         date=time.strftime("%Y-%m-%d"), machine=machine(),
         fourbars=four_bars(python, sizes, peers, repetitions),
         chains=chains([50] if given.short else [50, 100, 200, 400, 1000], repetitions),
+        evaluations=evaluations([200] if given.short else [200, 400, 1000]),
         others=others(repetitions))
     if given.short:
         print(text)

@@ -10,6 +10,7 @@ import org.mechservice.sim.symbolic.Program;
  *
  * @param modelName the model's name in its file
  * @param hasUserForces whether the class receives loads of user forces
+ * @param recursive whether it is for a large mechanism: the equations give accelerations
  * @param stateCount number of states [q; v; s] and counted angles
  * @param velocityCount number of v among them
  * @param loops program of the method of that name
@@ -24,6 +25,7 @@ import org.mechservice.sim.symbolic.Program;
 public record TermsClass(
     String modelName,
     boolean hasUserForces,
+    boolean recursive,
     int stateCount,
     int velocityCount,
     Program loops,
@@ -44,6 +46,7 @@ public record TermsClass(
     return new TermsClass(
         modelName,
         hasUserForces,
+        recursive,
         stateCount,
         velocityCount,
         loops,

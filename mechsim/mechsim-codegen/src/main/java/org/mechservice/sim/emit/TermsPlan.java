@@ -27,7 +27,9 @@ public final class TermsPlan {
             content.hasUserForces(),
             form);
     programs.add(ofState("loops", TERMS, false), content.loops());
-    programs.add(ofState("equations", TERMS, true), content.equations());
+    programs.add(
+        ofState("equations", content.recursive() ? "accelerations" : TERMS, true),
+        content.equations());
     programs.add(ofState("energy", "energy", false), content.energy());
     programs.add(ofState("power", "power", false), content.power());
     content.poses().ifPresent(program -> programs.add(ofState("poses", "poses", false), program));
@@ -75,7 +77,7 @@ public final class TermsPlan {
                     programs.derivatives().isPresent()
                         ? LoopTerms.OfDerivatives.class
                         : LoopTerms.OfResidual.class)
-            .orElse(LoopTerms.class));
+            .orElse(content.recursive() ? LoopTerms.Recursive.class : LoopTerms.class));
     content.poses().ifPresent(program -> interfaces.add(LoopTerms.OfPoses.class));
     return interfaces;
   }

@@ -11,6 +11,7 @@ import org.mechservice.sim.equations.links.Link;
 import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.equations.links.Wrench;
 import org.mechservice.sim.equations.recursion.AccelerationSweep;
+import org.mechservice.sim.equations.recursion.CarriedEquations;
 import org.mechservice.sim.equations.recursion.ForceSweep;
 import org.mechservice.sim.equations.recursion.InertiaSweep;
 import org.mechservice.sim.equations.recursion.JointForces;
@@ -117,7 +118,8 @@ public final class ArticulatedBodyEquations {
     Wrench[] needed = new ForceSweep(program, mechanism, coordinates).sweep();
     JointForces inJoints = forces.apply(needed);
     InertiaSweep inertias =
-        new InertiaSweep(program, mechanism, coordinates, needed, inJoints, putOut);
+        new InertiaSweep(
+            program, mechanism, coordinates, needed, inJoints, CarriedEquations.NONE, putOut);
     AccelerationSweep accelerations =
         new AccelerationSweep(program, mechanism, coordinates, inertias, putOut);
     if (inertias.sweep()) {

@@ -3,6 +3,7 @@ package org.mechservice.sim.model;
 import java.util.List;
 import java.util.Set;
 import org.mechservice.mechml.MechmlModel;
+import org.mechservice.sim.emit.TermsClass;
 import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.scene.GenerationLimits;
@@ -33,18 +34,26 @@ public record CodeForecast(FormulationChoice choice, int operations, List<Omissi
             model.settings().closure(),
             model.settings().run(),
             model);
-    List<String> notGenerated = GenerationLimits.notGenerated(model.watchedMechanism(), choice);
+    List<String> notGenerated =
+        GenerationLimits.notGenerated(
+            model.watchedMechanism(),
+            choice,
+            () -> model.closedStart(model.settings().run().tStart()).rank());
     if (!notGenerated.isEmpty()) {
       return data(choice, notGenerated);
     }
     BuildOptions options = new BuildOptions(choice.formulation(), Set.of(), model.settings().run());
     Links links = Links.of(model.mechanism());
-    Program derivative =
-        model.mechanism().closures().isEmpty()
-            ? TreeClass.derivative(links, choice)
-            : LoopTermsClass.derive(model, links, options, choice).equations();
-    List<String> noFaster =
-        GenerationLimits.noFaster(choice.formulation(), derivative.operationCount());
+    Program derivative;
+    List<String> noFaster;
+    if (model.mechanism().closures().isEmpty()) {
+      derivative = TreeClass.derivative(links, choice);
+      noFaster = GenerationLimits.noFaster(choice.formulation(), derivative.operationCount());
+    } else {
+      TermsClass terms = LoopTermsClass.derive(model, links, options, choice);
+      derivative = terms.equations();
+      noFaster = LoopTermsClass.noFaster(terms, choice);
+    }
     if (!noFaster.isEmpty()) {
       return data(choice, noFaster);
     }

@@ -12,7 +12,9 @@ import org.mechservice.sim.equations.PowerEquations;
 import org.mechservice.sim.equations.derivatives.ResidualDerivatives;
 import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.equations.loop.LoopCode;
+import org.mechservice.sim.equations.loop.LoopRecursion;
 import org.mechservice.sim.scene.FormulationChoice;
+import org.mechservice.sim.scene.GenerationLimits;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.catalogue.Formulation;
@@ -33,8 +35,10 @@ final class LoopTermsClass {
       MechmlModel model, Links links, BuildOptions options, FormulationChoice choice) {
     Mechanism mechanism = links.mechanism();
     int rows = new LoopEquations(new TreeGeometry(mechanism)).count();
-    Program loops = LoopCode.loops(links, rows);
-    Program equations = LoopCode.equations(links, rows);
+    boolean recursive = GenerationLimits.isRecursive(mechanism);
+    Program loops = recursive ? LoopRecursion.loops(links, rows) : LoopCode.loops(links, rows);
+    Program equations =
+        recursive ? LoopRecursion.accelerations(links, rows) : LoopCode.equations(links, rows);
     Optional<TermsClass.OfResidual> ofResidual =
         Formulation.of(choice.formulation()).isResidual()
             ? Optional.of(
@@ -46,6 +50,7 @@ final class LoopTermsClass {
     return new TermsClass(
         mechanism.name(),
         ModelClass.hasUserForces(mechanism),
+        recursive,
         mechanism.stateCount() + UnwrappedAngles.of(mechanism).size(),
         links.velocityCount(),
         loops,
@@ -61,10 +66,21 @@ final class LoopTermsClass {
         ofResidual,
         notes(
             choice,
+            recursive,
             loops,
             equations,
             ofResidual,
             Omissions.unneeded(model, links, options, equations)));
+  }
+
+  /** Returns the part that data evaluate at least as fast as code, if there is one. */
+  static List<String> noFaster(TermsClass terms, FormulationChoice choice) {
+    if (!terms.recursive()) {
+      return GenerationLimits.noFaster(choice.formulation(), terms.equations().operationCount());
+    }
+    return terms.equations().hasOutputs()
+        ? List.of()
+        : List.of("large loops with a joint that moves no inertia while the loops are open");
   }
 
   /** Derives the program of the derivatives; user force classes add their own. */
@@ -76,6 +92,7 @@ final class LoopTermsClass {
 
   private static List<String> notes(
       FormulationChoice choice,
+      boolean recursive,
       Program loops,
       Program equations,
       Optional<TermsClass.OfResidual> ofResidual,
@@ -84,8 +101,8 @@ final class LoopTermsClass {
     notes.add("Formulation " + choice.formulation() + " (" + choice.reason() + ").");
     notes.add(
         equations.operationCount()
-            + " additions, multiplications and divisions give the terms of the equations of"
-            + " motion, "
+            + " additions, multiplications and divisions give the "
+            + (recursive ? "accelerations, " : "terms of the equations of motion, ")
             + loops.operationCount()
             + " those of the loops alone.");
     ofResidual.ifPresent(

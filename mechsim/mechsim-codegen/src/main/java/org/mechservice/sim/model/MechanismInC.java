@@ -163,7 +163,15 @@ final class MechanismInC {
             ColumnGroup.OUTPUTS));
     columns.forEach(group -> beyond.add("the columns \"" + group.label() + "\""));
     if (beyond.isEmpty()) {
-      beyond.addAll(GenerationLimits.notGenerated(mechanism, choice));
+      beyond.addAll(
+          GenerationLimits.isRecursive(mechanism)
+              ? List.of(
+                  "loops of more than "
+                      + LoopEquations.LARGE
+                      + " velocities (it has "
+                      + mechanism.velocityCount()
+                      + ")")
+              : GenerationLimits.notGenerated(mechanism, choice, () -> 0));
     }
     refuse(beyond);
   }

@@ -55,7 +55,11 @@ final class ModelAssembly {
    * @throws ModelBuildException S-092 if the loops cannot be closed at the start
    */
   GeneratedModel generated() {
-    List<String> beyond = GenerationLimits.notGenerated(model.watchedMechanism(), choice);
+    List<String> beyond =
+        GenerationLimits.notGenerated(
+            model.watchedMechanism(),
+            choice,
+            () -> model.closedStart(options.settings().tStart()).rank());
     boolean open = mechanism.closures().isEmpty();
     if (!open) {
       requireClosedLoops();
@@ -218,8 +222,7 @@ final class ModelAssembly {
   private GeneratedModel looped() {
     Links links = Links.of(mechanism);
     TermsClass terms = LoopTermsClass.derive(model, links, options, choice);
-    int operations = terms.equations().operationCount();
-    List<String> noFaster = GenerationLimits.noFaster(choice.formulation(), operations);
+    List<String> noFaster = LoopTermsClass.noFaster(terms, choice);
     if (!noFaster.isEmpty()) {
       return compact(noFaster);
     }

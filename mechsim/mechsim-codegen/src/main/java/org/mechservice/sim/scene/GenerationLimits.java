@@ -4,17 +4,26 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.IntSupplier;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.mechservice.solver.catalogue.Formulation;
+import org.mechservice.solver.closure.PenaltySettings;
 import org.mechservice.solver.closure.equations.LoopEquations;
+import org.mechservice.solver.closure.equations.UnwrappedAngles;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.closure.CoordinateClosure;
+import org.mechservice.solver.mechanism.closure.DistanceClosure;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
+import org.mechservice.solver.mechanism.closure.PointOnLineClosure;
+import org.mechservice.solver.mechanism.closure.PointOnPlaneClosure;
+import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.mechanism.joint.Joint;
 
 /** Limits beyond which a scene is simulated from data instead of generated code. */
@@ -59,6 +68,12 @@ public final class GenerationLimits {
    * (0.4, 0.6, 0.2) at 20 000.
    */
   private static final int MOST_OF_LOOP_DERIVATIVES = 50_000;
+
+  /**
+   * Largest number of equations of large loops for which code is generated. Few equations leave
+   * links with the same operations, which share their code.
+   */
+  private static final int MOST_EQUATIONS = 20;
 
   /** Largest number of points of a table for which code is generated, five choices for each. */
   private static final int MOST_POINTS = 40;
@@ -112,12 +127,26 @@ public final class GenerationLimits {
                 + ")");
   }
 
-  /** Returns the parts for which no code is generated, such as {@code forces "f1", "f2"}. */
-  public static List<String> notGenerated(Mechanism mechanism, FormulationChoice choice) {
+  /**
+   * Returns whether the code of a mechanism is that of large loops, which forms no mass matrix:
+   * accelerations by recursion.
+   */
+  public static boolean isRecursive(Mechanism mechanism) {
+    return !mechanism.closures().isEmpty() && mechanism.velocityCount() > LoopEquations.LARGE;
+  }
+
+  /**
+   * Returns the parts for which no code is generated, such as {@code forces "f1", "f2"}.
+   *
+   * @param independent returns the number of independent equations of the loops
+   */
+  public static List<String> notGenerated(
+      Mechanism mechanism, FormulationChoice choice, IntSupplier independent) {
     List<String> beyond = new ArrayList<>();
     boolean loops = !mechanism.closures().isEmpty();
+    boolean recursive = isRecursive(mechanism);
     int elements =
-        Formulation.of(choice.formulation()).hasRecursiveJacobian() || loops
+        Formulation.of(choice.formulation()).hasRecursiveJacobian() || (loops && !recursive)
             ? elements(mechanism)
             : 0;
     if (elements > MOST_ELEMENTS) {
@@ -129,13 +158,17 @@ public final class GenerationLimits {
               + elements
               + ")");
     }
-    if (loops && mechanism.velocityCount() > LoopEquations.LARGE) {
-      beyond.add(
-          "loops of more than "
-              + LoopEquations.LARGE
-              + " velocities (it has "
-              + mechanism.velocityCount()
-              + "), which data evaluate faster");
+    if (recursive) {
+      largeLoops(mechanism, choice, independent)
+          .ifPresent(
+              which ->
+                  beyond.add(
+                      "loops of more than "
+                          + LoopEquations.LARGE
+                          + " velocities (it has "
+                          + mechanism.velocityCount()
+                          + ") "
+                          + which));
     }
     if (!loops) {
       // checked before the equations are derived, because deriving those of a long chain takes too
@@ -149,6 +182,46 @@ public final class GenerationLimits {
         "tunable parameters in coefficients of forces",
         SettledCoefficients.withParameters(mechanism).stream());
     return beyond;
+  }
+
+  /** Returns what keeps large loops from being code, to follow "loops of ... velocities". */
+  private static Optional<String> largeLoops(
+      Mechanism mechanism, FormulationChoice choice, IntSupplier independent) {
+    if (!choice.formulation().equals(Formulation.DSR.label())
+        || PenaltySettings.isPenalty(choice.closure())) {
+      return Optional.of("by another method than DSR with projection");
+    }
+    if (mechanism.closures().stream().anyMatch(GenerationLimits::isOfAnotherKind)) {
+      return Optional.of("with couplings, rolling, knife edges or rods that have mass");
+    }
+    if (!UnwrappedAngles.of(mechanism).isEmpty()) {
+      return Optional.of("whose turns are counted");
+    }
+    if (mechanism.forces().stream().anyMatch(UserForceElement.class::isInstance)) {
+      return Optional.of("with forces given as classes");
+    }
+    int equations = new LoopEquations(new TreeGeometry(mechanism)).count();
+    if (equations > MOST_EQUATIONS) {
+      return Optional.of(
+          "and more than "
+              + MOST_EQUATIONS
+              + " equations (it has "
+              + equations
+              + "), which data evaluate sooner");
+    }
+    return independent.getAsInt() < equations
+        ? Optional.of("of whose equations some follow from the others")
+        : Optional.empty();
+  }
+
+  /** Returns whether an equation is no function of the pose of two bodies alone. */
+  private static boolean isOfAnotherKind(LoopClosure closure) {
+    boolean ofTwoBodies =
+        closure instanceof JointClosure
+            || closure instanceof PointOnPlaneClosure
+            || closure instanceof PointOnLineClosure
+            || (closure instanceof DistanceClosure distance && !distance.hasRod());
+    return !ofTwoBodies;
   }
 
   private static List<Expression> formulas(Mechanism mechanism) {

@@ -161,6 +161,11 @@ public final class Program {
     return Collections.unmodifiableList(sections);
   }
 
+  /** Returns whether it puts anything out. */
+  public boolean hasOutputs() {
+    return sections.stream().anyMatch(section -> !section.outputs().isEmpty());
+  }
+
   /** Returns the name of a value, if it has one. */
   public Optional<String> nameOf(Scalar value) {
     return Optional.ofNullable(names.get(value));

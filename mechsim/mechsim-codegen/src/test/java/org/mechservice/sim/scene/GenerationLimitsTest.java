@@ -34,7 +34,8 @@ class GenerationLimitsTest {
     Path file = Path.of("..", "..", "examples", "extremes", "chain_1000.xml");
     Mechanism chain = MechmlReader.read("chain_1000.xml", Files.readAllBytes(file)).mechanism();
     assertThat(
-            GenerationLimits.notGenerated(chain, new FormulationChoice("DSR", "none", "asked for")))
+            GenerationLimits.notGenerated(
+                chain, new FormulationChoice("DSR", "none", "asked for"), () -> 0))
         .containsExactly(
             "DSR of more than 30000 operations (its factors alone take 333832500), which data"
                 + " evaluate as fast");

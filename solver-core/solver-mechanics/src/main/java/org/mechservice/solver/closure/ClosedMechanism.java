@@ -93,7 +93,11 @@ public final class ClosedMechanism {
   /** Returns a workspace of its equations, evaluated by generated code where there is any. */
   public ClosedTree newEquations(UserForceSource userForces) {
     return terms
-        .<ClosedTree>map(code -> new GeneratedTreeTerms(this, userForces, code))
+        .<ClosedTree>map(
+            code ->
+                code instanceof LoopTerms.Recursive recursive
+                    ? new GeneratedRecursion(this, userForces, recursive)
+                    : new GeneratedTreeTerms(this, userForces, code))
         .orElseGet(() -> new ClosedTree(tree(), userForces));
   }
 

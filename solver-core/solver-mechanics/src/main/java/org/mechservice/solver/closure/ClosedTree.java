@@ -116,6 +116,17 @@ public class ClosedTree {
     place(t, y);
   }
 
+  /**
+   * Writes the accelerations at a state that closes the loops, if generated code evaluates them
+   * there. The equations must all be independent. Nothing is placed.
+   *
+   * @param a one number per velocity from {@code at}; overwritten
+   * @return whether there are such code and values
+   */
+  public boolean accelerations(double t, double[] y, double[] a, int at) {
+    return false;
+  }
+
   /** Forms M at the state last placed. */
   public void formMass() {
     open.formMassMatrix();

@@ -92,9 +92,14 @@ public final class SparseMatrix {
     }
   }
 
+  /** Returns the index of an element in {@link #value}, negative if it is not of the pattern. */
+  public int elementAt(int row, int j) {
+    return Arrays.binarySearch(column, start[row], start[row + 1], j);
+  }
+
   /** Returns an element, zero if it is not of the pattern. */
   public double get(int row, int j) {
-    int e = Arrays.binarySearch(column, start[row], start[row + 1], j);
+    int e = elementAt(row, j);
     return e < 0 ? 0 : value[e];
   }
 

@@ -69,7 +69,7 @@ public final class DataDrivenLoops {
       ClosedMechanism closed, CompactModel data, UserForceSource userForces) {
     return switch (data.knownFormulation()) {
       case DSR -> new ProjectionModel(closed, userForces);
-      case RR -> new ResidualProjectionModel(closed, userForces);
+      case RR -> ResidualProjectionModel.of(closed, userForces);
       case RR_JF -> new LinearisedProjectionModel(closed, userForces);
       case DTR -> throw data.unknownFormulation();
     };

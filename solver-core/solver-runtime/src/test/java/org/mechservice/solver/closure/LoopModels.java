@@ -26,7 +26,7 @@ final class LoopModels {
     UserForceSource none = UserForceSource.NONE;
     return switch (formulation) {
       case "DSR" -> new ProjectionModel(closed, none);
-      case "RR" -> new ResidualProjectionModel(closed, none);
+      case "RR" -> ResidualProjectionModel.of(closed, none);
       case "RR-JF" -> new LinearisedProjectionModel(closed, none);
       case "RR penalty" ->
           new ResidualPenaltyModel(closed, none, PenaltySettings.DEFAULT, Derivatives.DIFFERENCES);

@@ -1,6 +1,8 @@
 package org.mechservice.sim.equations.coordinates;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import org.mechservice.sim.equations.kinematics.BodyPoints;
 import org.mechservice.sim.equations.kinematics.LinkKinematics;
 import org.mechservice.sim.equations.links.Links;
@@ -99,6 +101,16 @@ public final class RelativeFrameMotion {
     return inFrame1(second.minus(sweep.motion(link1).alpha())).minus(omega.cross(omega()));
   }
 
+  /** Returns the links of the two bodies, without the root. */
+  public List<Integer> links() {
+    return Stream.of(link1, link2).filter(link -> link != Links.ROOT).distinct().toList();
+  }
+
+  /** Returns the nearest common ancestor of the two links, which may be one of them or the root. */
+  public int ancestor() {
+    return ancestor;
+  }
+
   /**
    * Adds to a row the components of a force and a moment, as in {@link #addWrench}, along the
    * velocities.
@@ -128,6 +140,34 @@ public final class RelativeFrameMotion {
     if (link1 != Links.ROOT) {
       loads.add(link1, r1.plus(between), force1.map(Scalar::negated), moment1.map(Scalar::negated));
     }
+  }
+
+  /** Returns ancestor components of a vector given in the axes of frame 1. */
+  public ScalarVector inAncestor(ScalarVector inFrame1) {
+    return kinematics.toAncestor(ancestor, link1, axes1.times(inFrame1));
+  }
+
+  /** Returns the origin of frame 2 from the ancestor's, in the ancestor's axes, m. */
+  public ScalarVector point2() {
+    return kinematics.pointFrom(ancestor, link2, r2);
+  }
+
+  /** Returns the links from body 1 inwards, without the ancestor. */
+  public List<Integer> way1() {
+    return way(link1);
+  }
+
+  /** Returns the links from body 2 inwards, without the ancestor. */
+  public List<Integer> way2() {
+    return way(link2);
+  }
+
+  private List<Integer> way(int end) {
+    List<Integer> way = new ArrayList<>();
+    for (int i = end; i != ancestor; i = kinematics.mechanism().links().get(i).parent()) {
+      way.add(i);
+    }
+    return way;
   }
 
   private ScalarVector inLink2(ScalarVector inLink1) {

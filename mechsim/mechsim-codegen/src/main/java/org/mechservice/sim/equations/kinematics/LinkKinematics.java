@@ -1,6 +1,7 @@
 package org.mechservice.sim.equations.kinematics;
 
 import java.util.List;
+import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.sim.equations.links.Axes;
 import org.mechservice.sim.equations.links.Link;
@@ -23,10 +24,19 @@ public final class LinkKinematics {
   private final Links mechanism;
   private final List<Link> links;
   private final Coordinates coordinates;
+  private final Optional<LinkPlaces> places;
   private final @Nullable ScalarVector[] omega;
   private final @Nullable ScalarVector[] velocity;
 
   public LinkKinematics(Program program, Links mechanism, Coordinates coordinates) {
+    this(program, mechanism, coordinates, false);
+  }
+
+  /**
+   * @param placed whether vectors are transformed by the places of links instead of from link to
+   *     link: shorter for many vectors, with sections that equal links share
+   */
+  public LinkKinematics(Program program, Links mechanism, Coordinates coordinates, boolean placed) {
     this.program = program;
     this.expressions = program.expressions();
     this.mechanism = mechanism;
@@ -34,6 +44,7 @@ public final class LinkKinematics {
     this.coordinates = coordinates;
     this.omega = new ScalarVector[links.size()];
     this.velocity = new ScalarVector[links.size()];
+    this.places = placed ? Optional.of(new LinkPlaces(program, this)) : Optional.empty();
   }
 
   /** Returns the mechanism. */
@@ -157,8 +168,21 @@ public final class LinkKinematics {
     return a;
   }
 
+  /**
+   * Returns the place of a link from an ancestor's origin, in the ancestor's axes.
+   *
+   * @throws java.util.NoSuchElementException if vectors are transformed from link to link
+   */
+  public LinkPlaces.Place place(int ancestor, int index) {
+    return places.orElseThrow().of(ancestor, index);
+  }
+
   /** Returns a link's point at {@code r} from the ancestor's origin, in the ancestor's axes. */
   public ScalarVector pointFrom(int ancestor, int index, ScalarVector r) {
+    if (places.isPresent()) {
+      LinkPlaces.Place place = places.get().of(ancestor, index);
+      return place.origin().plus(place.axes().times(r));
+    }
     ScalarVector point = r;
     for (int i = index; i != ancestor; i = links.get(i).parent()) {
       point = origin(links.get(i)).plus(toParent(links.get(i), point));
@@ -168,6 +192,9 @@ public final class LinkKinematics {
 
   /** Returns ancestor components of a vector given in link components. */
   public ScalarVector toAncestor(int ancestor, int index, ScalarVector v) {
+    if (places.isPresent()) {
+      return places.get().of(ancestor, index).axes().times(v);
+    }
     ScalarVector vector = v;
     for (int i = index; i != ancestor; i = links.get(i).parent()) {
       vector = toParent(links.get(i), vector);
@@ -177,6 +204,9 @@ public final class LinkKinematics {
 
   /** Returns link components of a vector given in ancestor components. */
   public ScalarVector fromAncestor(int ancestor, int index, ScalarVector v) {
+    if (places.isPresent()) {
+      return places.get().of(ancestor, index).axes().transposed().times(v);
+    }
     if (index == ancestor) {
       return v;
     }

@@ -123,6 +123,37 @@ public final class LoopRows {
     }
   }
 
+  /**
+   * An equation between two bodies.
+   *
+   * @param row with an empty row of J, and with Φ_t instead of Φ'
+   * @param frames motion of the second body relative to the first
+   * @param byShift gradient by displacements of the second body, in the axes of its frame 1
+   * @param byTurn gradient by rotations
+   * @param loads wrenches of a unit multiplier
+   */
+  record Between(
+      LoopRow row,
+      RelativeFrameMotion frames,
+      ScalarVector byShift,
+      ScalarVector byTurn,
+      Loads loads) {
+    /** Returns the link or root at which the ways of the bodies to the root meet. */
+    int meets() {
+      return frames.ancestor();
+    }
+  }
+
+  /** Derives equations that are all between two bodies, without J. */
+  List<Between> between() {
+    List<Between> all = new ArrayList<>();
+    for (LoopClosure closure : mechanism.mechanism().closures()) {
+      program.section("Loop: " + closure.name() + ".", Labels.sanitized(closure.name()));
+      all.addAll(pair(closure).between());
+    }
+    return all;
+  }
+
   private List<LoopRow> equations(LoopClosure closure) {
     return closure instanceof CoordinateClosure relation
         ? List.of(relationRow().row(relation.relation()))
@@ -196,21 +227,41 @@ public final class LoopRows {
 
     List<LoopRow> equations() {
       RelativeFrameMotion frames = frames();
-      List<PairTerm> terms = terms(frames);
       List<LoopRow> equations = new ArrayList<>();
-      int vanishing = functions.size() - motions.size();
+      List<PairTerm> terms = terms(frames);
       for (int i = 0; i < terms.size(); i++) {
-        PairTerm term = terms.get(i);
-        LoopRow row = row(frames, term);
-        equations.add(i < vanishing ? row : following(row, term, motions.get(i - vanishing)));
+        Scalar[] jacobian = rows.zeros();
+        frames.addRow(terms.get(i).byShift(), terms.get(i).byTurn(), rows, jacobian);
+        equations.add(equation(frames, terms.get(i), i, jacobian));
       }
       return equations;
     }
+
+    List<Between> between() {
+      RelativeFrameMotion frames = frames();
+      List<Between> equations = new ArrayList<>();
+      List<PairTerm> terms = terms(frames);
+      for (int i = 0; i < terms.size(); i++) {
+        PairTerm term = terms.get(i);
+        Loads loads = new Loads(expressions, mechanism);
+        frames.addWrench(term.byShift(), term.byTurn(), loads);
+        LoopRow whole = equation(frames, term, i, new Scalar[0]);
+        Scalar ofTime = whole.rate().minus(term.rate(frames.omega(), frames.rate()));
+        LoopRow row =
+            new LoopRow(whole.value(), ofTime, whole.offset(), whole.jacobian(), whole.size());
+        equations.add(new Between(row, frames, term.byShift(), term.byTurn(), loads));
+      }
+      return equations;
+    }
+
+    private LoopRow equation(RelativeFrameMotion frames, PairTerm term, int i, Scalar[] jacobian) {
+      int vanishing = functions.size() - motions.size();
+      LoopRow row = row(frames, term, jacobian);
+      return i < vanishing ? row : following(row, term, motions.get(i - vanishing));
+    }
   }
 
-  private LoopRow row(RelativeFrameMotion frames, PairTerm term) {
-    Scalar[] jacobian = rows.zeros();
-    frames.addRow(term.byShift(), term.byTurn(), rows, jacobian);
+  private LoopRow row(RelativeFrameMotion frames, PairTerm term, Scalar[] jacobian) {
     ScalarVector none = ScalarVector.zero(expressions);
     ScalarVector alpha = sweep.map(frames::alpha).orElse(none);
     ScalarVector acceleration = sweep.map(frames::acceleration).orElse(none);

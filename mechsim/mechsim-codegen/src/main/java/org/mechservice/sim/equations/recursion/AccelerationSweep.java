@@ -27,14 +27,35 @@ public final class AccelerationSweep {
   private final Coordinates coordinates;
   private final InertiaSweep inertias;
   private final Added[] added;
+  private final CarriedEquations carried;
+  private final int shift;
   private final boolean putOut;
 
+  /** Outputs joint accelerations at the places of the velocities in [q; v], if requested. */
   public AccelerationSweep(
       Program program,
       Links mechanism,
       Coordinates coordinates,
       InertiaSweep inertias,
       boolean putOut) {
+    this(program, mechanism, coordinates, inertias, CarriedEquations.NONE, 0, putOut);
+  }
+
+  /**
+   * @param carried equations with multipliers
+   * @param shift what is added to the index of a velocity in [q; v] to give that of its output
+   * @param putOut whether joint accelerations are outputs
+   */
+  public AccelerationSweep(
+      Program program,
+      Links mechanism,
+      Coordinates coordinates,
+      InertiaSweep inertias,
+      CarriedEquations carried,
+      int shift,
+      boolean putOut) {
+    this.carried = carried;
+    this.shift = shift;
     this.program = program;
     this.expressions = program.expressions();
     this.links = mechanism.links();
@@ -67,6 +88,7 @@ public final class AccelerationSweep {
       }
       program.named("dalpha_" + link.bodyLabel(), added[i].alpha());
       program.named("da_" + link.bodyLabel(), added[i].acceleration());
+      carried.moved(i, added[i].alpha(), added[i].acceleration());
     }
   }
 
@@ -78,7 +100,7 @@ public final class AccelerationSweep {
       Wrench share = inertias.shares(i).get(k);
       Scalar taken =
           share.moment().dot(added[i].alpha()).plus(share.force().dot(added[i].acceleration()));
-      rates[k] = inertias.atRest(i).get(k).minus(taken);
+      rates[k] = carried.push(i, k, inertias.atRest(i).get(k).minus(taken));
       if (rates.length == 1) {
         program.named("qdd_" + link.jointLabel(), rates[k]);
       }
@@ -90,7 +112,7 @@ public final class AccelerationSweep {
     if (link.isBall()) {
       putOutBall(link, new ScalarVector(rates[0], rates[1], rates[2]));
     } else {
-      program.output(link.velocity(), rates[0]);
+      program.output(link.velocity() + shift, rates[0]);
     }
   }
 
@@ -99,7 +121,7 @@ public final class AccelerationSweep {
     ScalarVector out = coordinates.ballToState(link, rates);
     program.named("vd_" + link.jointLabel(), out);
     for (int k = 0; k < 3; k++) {
-      program.output(link.velocity() + k, out.at(k));
+      program.output(link.velocity() + shift + k, out.at(k));
     }
   }
 

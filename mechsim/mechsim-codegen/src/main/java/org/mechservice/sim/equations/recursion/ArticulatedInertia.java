@@ -42,6 +42,16 @@ public record ArticulatedInertia(
         translational.plus(other.translational));
   }
 
+  /** Returns I + k sᵀ for parallel wrenches k and s. */
+  ArticulatedInertia plusProduct(Wrench k, Wrench s) {
+    return new ArticulatedInertia(
+        ScalarMatrix.symmetric(
+            (i, j) -> rotational.at(i, j).plus(s.moment().at(i).times(k.moment().at(j)))),
+        ScalarMatrix.of((i, j) -> coupling.at(i, j).plus(s.moment().at(i).times(k.force().at(j)))),
+        ScalarMatrix.symmetric(
+            (i, j) -> translational.at(i, j).plus(s.force().at(i).times(k.force().at(j)))));
+  }
+
   /** Returns the column of a degree of freedom: the moment and force of a unit acceleration. */
   public Wrench along(DegreeOfFreedom freedom) {
     int axis = freedom.axis();

@@ -27,6 +27,7 @@ public final class InertiaSweep {
   private final JointForces jointForces;
   private final ParentTransform toParent;
   private final Pivots pivots;
+  private final CarriedEquations carried;
   private final ArticulatedInertia[] inertias;
   private final Wrench[] wrenches;
   private final List<List<Wrench>> shares = new ArrayList<>();
@@ -35,6 +36,7 @@ public final class InertiaSweep {
   /**
    * @param wrenches inertia wrench of each body; overwritten with the sum over all bodies beyond it
    * @param jointForces applied joint forces
+   * @param carried equations with multipliers
    * @param checked whether the program checks pivots
    */
   public InertiaSweep(
@@ -43,6 +45,7 @@ public final class InertiaSweep {
       Coordinates coordinates,
       Wrench[] wrenches,
       JointForces jointForces,
+      CarriedEquations carried,
       boolean checked) {
     this.program = program;
     this.expressions = program.expressions();
@@ -52,6 +55,7 @@ public final class InertiaSweep {
     this.pivots = new Pivots(program, links, coordinates, checked);
     this.inertias = new ArticulatedInertia[links.size()];
     this.wrenches = wrenches;
+    this.carried = carried;
     for (int i = 0; i < links.size(); i++) {
       shares.add(new ArrayList<>());
       atRest.add(new ArrayList<>());
@@ -74,6 +78,20 @@ public final class InertiaSweep {
       }
     }
     return true;
+  }
+
+  /**
+   * Adds what an eliminated equation leaves in a link: I + k kᵀ / Λ, p + k r / Λ.
+   *
+   * @param k wrench of its multiplier
+   * @param reciprocal 1 / Λ
+   * @param right r, its right side
+   */
+  public void add(int link, Wrench k, Scalar reciprocal, Scalar right) {
+    Wrench share = new Wrench(k.moment().times(reciprocal), k.force().times(reciprocal));
+    inertias[link] = inertias[link].plusProduct(k, share);
+    wrenches[link] =
+        wrenches[link].plus(new Wrench(share.moment().times(right), share.force().times(right)));
   }
 
   /** Returns U / D of each degree of freedom of a link; the element of a plain one is 1. */
@@ -104,6 +122,7 @@ public final class InertiaSweep {
   private boolean inwards(int i, Link link) {
     program.section("Sweep 2, inwards: " + link.title() + ".\n" + equation(link), link.bodyLabel());
     named(link, inertias[i]);
+    carried.enter(i, this);
     if (!link.isDriven()) {
       List<DegreeOfFreedom> freedoms = DegreeOfFreedom.of(link);
       ScalarVector forces = jointForces.of(i);
@@ -117,6 +136,7 @@ public final class InertiaSweep {
     }
     if (link.parent() != Links.ROOT) {
       pass(link, inertias[i], wrenches[i]);
+      carried.pass(i, link);
     }
     return true;
   }
@@ -145,6 +165,7 @@ public final class InertiaSweep {
         program.named("u_over_D_" + label, passedOn ? left.times(reciprocal) : left.over(pivot));
     shares.get(i).add(share);
     atRest.get(i).add(rate);
+    carried.eliminate(i, freedom, share, new CarriedEquations.Elimination(reciprocal, rate));
     if (passedOn) {
       wrenches[i] = rest(freedom, wrenches[i], column, rate, force);
       inertias[i] = inertias[i].projected(freedom, column, share);

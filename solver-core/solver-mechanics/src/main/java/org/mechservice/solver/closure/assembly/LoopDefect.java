@@ -2,14 +2,21 @@ package org.mechservice.solver.closure.assembly;
 
 import java.util.Locale;
 import org.mechservice.solver.api.capability.Defects.Defect;
+import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /** Defects of closed loops that end a run. */
 public final class LoopDefect {
   private LoopDefect() {}
 
-  /** The loops lock or branch at the last accepted state. */
-  public static Defect singular(String equation, double closeness) {
+  /**
+   * The loops lock or branch at the last accepted state.
+   *
+   * @param formulation label of the formulation that runs, which is not advised
+   * @param penalty whether the closure is penalty
+   */
+  public static Defect singular(
+      String equation, double closeness, String formulation, boolean penalty) {
     return new Defect(
         MessageCode.SINGULAR_POSITION,
         equation,
@@ -18,7 +25,17 @@ public final class LoopDefect {
             + number(closeness)
             + " of what it was.",
         "Start or drive the mechanism so that it keeps away from this position, or end the run"
-            + " before; RR-JF with ode15sR, or a looser tolerance, may step across.");
+            + " before; "
+            + other(formulation, penalty)
+            + ", or a looser tolerance, may step across.");
+  }
+
+  /** Returns the method that is most likely to step across, other than the one that runs. */
+  private static String other(String formulation, boolean penalty) {
+    boolean solvesThere =
+        formulation.equals(Formulation.RR_JF.label())
+            || (penalty && !formulation.equals(Formulation.DSR.label()));
+    return solvesThere ? "DSR with penalty closure and ode113" : "RR-JF with ode15sR";
   }
 
   /** The start hides equations, so that no independent coordinates can be chosen. */

@@ -323,6 +323,19 @@ public final class LoopEquations {
     }
   }
 
+  /**
+   * Copies Φ, Φ' and J from the terms of generated code for large mechanisms.
+   *
+   * @param terms laid out as in {@link LoopTerms.Recursive}; not modified
+   */
+  public void takeRecursive(double[] terms) {
+    int m = count();
+    System.arraycopy(terms, 0, value, 0, m);
+    System.arraycopy(terms, m, rate, 0, m);
+    System.arraycopy(
+        terms, LoopTerms.Recursive.elementAt(m), jacobian.value, 0, jacobian.value.length);
+  }
+
   /** Evaluates γ for the accelerations of the last sweep, after {@link #move}. */
   public void accelerate(TreeMotion motion, double t) {
     for (int i = 0; i < closures.size(); i++) {

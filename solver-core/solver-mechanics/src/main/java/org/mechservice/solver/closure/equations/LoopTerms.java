@@ -112,6 +112,31 @@ public interface LoopTerms {
     return this instanceof OfPoses own ? Optional.of(own) : Optional.empty();
   }
 
+  /**
+   * Terms of a large mechanism, without a mass matrix. One array holds the terms of the loops: Φ, m
+   * numbers; Φ', m numbers; the elements of {@link LoopEquations#jacobian}, of which those of
+   * driven joints are not written. All equations must be independent and between two bodies, so
+   * that their sizes are constant.
+   */
+  interface Recursive extends LoopTerms {
+    /** Returns where the elements of J begin. */
+    static int elementAt(int m) {
+      return 2 * m;
+    }
+
+    /**
+     * Writes the accelerations v' that M v' + b + Jᵀ λ = τ and J v' + γ = 0 give.
+     *
+     * @param t time, s
+     * @param y state [q; v], which closes the loops; not modified
+     * @param accelerations n numbers, rad/s² or m/s²; overwritten
+     * @return {@link #REGULAR}, or any other number if a force has no direction, a joint moves no
+     *     inertia or the equations are dependent
+     */
+    @Override
+    int equations(double t, double[] y, double[] accelerations);
+  }
+
   /** Terms with poses of bodies. */
   interface OfPoses extends LoopTerms {
     /**

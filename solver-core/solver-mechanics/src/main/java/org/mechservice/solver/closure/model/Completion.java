@@ -78,9 +78,10 @@ public final class Completion {
 
   /**
    * @param start ranks of the equations of the loops
+   * @param formulation label of the formulation
    * @param notes receives a finding for each singular position passed
    */
-  Completion(ClosedTree work, ClosedStart start, Consumer<LoopFinding> notes) {
+  Completion(ClosedTree work, ClosedStart start, String formulation, Consumer<LoopFinding> notes) {
     int rank = start.rank();
     this.work = work;
     loops = work.loops;
@@ -96,7 +97,8 @@ public final class Completion {
     ofVelocities = Partition.of(loops.jacobian, nv, rank, large);
     correction = new double[ofPositions.rank()];
     velocityCorrection = new double[rank];
-    watch = new SingularityMonitor(loops, ofVelocities, notes);
+    SingularityMonitor.Method method = new SingularityMonitor.Method(formulation, false);
+    watch = new SingularityMonitor(loops, ofVelocities, method, notes);
     before = Partition.of(loops.jacobian, nv, rank, large);
     acceptedJacobian = loops.jacobian.sameShape();
     acceptedOffset = new double[loops.count()];
@@ -169,7 +171,7 @@ public final class Completion {
 
   /** Returns the defect that the last attempted state has no dependent velocities. */
   Defect locked() {
-    return LoopDefect.singular(loops.name(watch.weakestRow()), 0);
+    return watch.singular(0);
   }
 
   /**

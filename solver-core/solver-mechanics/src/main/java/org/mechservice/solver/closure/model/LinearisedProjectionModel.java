@@ -1,19 +1,22 @@
 package org.mechservice.solver.closure.model;
 
 import java.util.Arrays;
+import java.util.Optional;
 import org.mechservice.solver.api.capability.LinearisedModel;
 import org.mechservice.solver.closure.ClosedMechanism;
+import org.mechservice.solver.closure.model.ResidualPenaltyModel.Derivatives;
 import org.mechservice.solver.dynamics.derivative.BorderedStep;
 import org.mechservice.solver.dynamics.derivative.FurtherDerivatives;
+import org.mechservice.solver.dynamics.derivative.ResidualDifferences;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.dynamics.derivative.TreeIteration;
-import org.mechservice.solver.dynamics.tree.TreePattern;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.linear.SparseMatrix;
 
 /**
- * RR-JF with closed loops by the second velocity transformation. The equations of an implicit step
- * are reduced to one per degree of freedom,
+ * RR-JF with closed loops by the second velocity transformation, or RR with derivatives by
+ * differences, which large mechanisms with many freedoms need too. The equations of an implicit
+ * step are reduced to one per degree of freedom,
  *
  * <pre>Rᵀ (M + hγ C + hγ² (K + Σ λ_k ∂²Φ_k)) R Δv_I = …</pre>
  *
@@ -23,10 +26,8 @@ import org.mechservice.solver.linear.SparseMatrix;
  */
 public final class LinearisedProjectionModel extends ResidualProjectionModel
     implements LinearisedModel {
-  /** Elements of Rᵀ A R to one of A above which the former is not formed. */
-  private static final int ELEMENTS = 8;
-
   public final ResidualJacobian jacobian;
+  private final Optional<ResidualDifferences> differences;
   private final TreeIteration iteration;
   private final FurtherDerivatives further;
   private final BorderedStep bordered;
@@ -61,10 +62,27 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
    * @throws IllegalArgumentException if the loops are not closed at the start
    */
   public LinearisedProjectionModel(ClosedMechanism closed, UserForceSource userForces) {
+    this(closed, userForces, Derivatives.RECURSIVE);
+  }
+
+  /**
+   * Makes a model of a mechanism whose loops are closed.
+   *
+   * @param userForces creates the user forces
+   * @param derivatives how the derivatives of the residual are evaluated
+   * @throws IllegalArgumentException if the loops are not closed at the start
+   */
+  public LinearisedProjectionModel(
+      ClosedMechanism closed, UserForceSource userForces, Derivatives derivatives) {
     super(closed, userForces);
-    TreePattern pattern = new TreePattern(work.tree, work.coupledLinks());
     jacobian = new ResidualJacobian(work.motion, pattern);
     iteration = new TreeIteration(work.tree, pattern, jacobian);
+    differences =
+        derivatives == Derivatives.DIFFERENCES
+            ? Optional.of(
+                new ResidualDifferences(
+                    jacobian, work.coordinates, pattern, work.tree.velocityCount))
+            : Optional.empty();
     further = new FurtherDerivatives(work.nq, work.nv, work.furtherCount());
     bordered = new BorderedStep(work.coordinates, further, this::solveMechanism);
     int rank = closed.start().rank();
@@ -79,7 +97,7 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
     positionMatrix = completion.positionMatrix().sameShape();
     lambda = new double[work.loops.count()];
     step =
-        work.isLarge() && pattern.elementCount() < f * (double) f / ELEMENTS
+        byMultipliers
             ? new SparseStepAlongLoops(velocities, work.loops, work.units.velocities, pattern)
             : new DenseStepAlongLoops(velocities, loopJacobian, work.isLarge());
     right = new double[f];
@@ -128,7 +146,12 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
       return false;
     }
     completion.ofVelocities().multipliers(force, lambda);
-    if (!work.linearise(t, acceleration, 0, lambda, jacobian)) {
+    if (differences.isPresent()) {
+      if (!differences.get().evaluate(y, work.units.velocities, (at, f) -> pushed(t, at, f))
+          || evaluate(t, y, yDot) != REGULAR) {
+        return false;
+      }
+    } else if (!work.linearise(t, acceleration, 0, lambda, jacobian)) {
       fail(work.forces.defect());
       return false;
     }
@@ -142,6 +165,21 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
     bordered.setState(y);
     work.lineariseFurther(t, y, further);
     return jacobian.isFinite() && further.isFinite();
+  }
+
+  /** Forms M v' + b − τ + Jᵀ λ at another state, for the same v' and λ. */
+  private boolean pushed(double t, double[] at, double[] total) {
+    work.place(t, at);
+    if (!work.formResidual(t, acceleration, 0, total)) {
+      fail(work.forces.defect());
+      return false;
+    }
+    for (int row = 0; row < lambda.length; row++) {
+      if (lambda[row] != 0) {
+        work.loops.jacobian.addRow(row, lambda[row], total, 0);
+      }
+    }
+    return true;
   }
 
   @Override

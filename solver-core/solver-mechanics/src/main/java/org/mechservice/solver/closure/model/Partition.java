@@ -217,4 +217,49 @@ public abstract class Partition {
       lambda[kept[k]] = ofDependent[k];
     }
   }
+
+  /**
+   * Completes unknowns so that the kept equations A x + c = 0 hold. The dependent block has been
+   * factored.
+   *
+   * @param c one number per equation; not modified
+   * @param x n numbers; the dependent ones are overwritten
+   */
+  final void complete(SparseMatrix a, double[] c, double[] x) {
+    for (int k = 0; k < rank; k++) {
+      int row = kept[k];
+      double sum = c[row];
+      for (int e = a.start[row]; e < a.start[row + 1]; e++) {
+        int j = a.column[e];
+        if (j < n && isIndependent[j]) {
+          sum += a.value[e] * x[j];
+        }
+      }
+      ofDependent[k] = -sum;
+    }
+    solve(ofDependent);
+    for (int k = 0; k < rank; k++) {
+      x[dependent[k]] = ofDependent[k];
+    }
+  }
+
+  /**
+   * Writes (f + Aᵀ λ) of the independent unknowns, which is Rᵀ f for the multipliers of f.
+   *
+   * @param f n numbers; overwritten with f + Aᵀ λ
+   * @param lambda what {@link #multipliers} wrote for f; not modified
+   * @param projected one number per independent unknown; overwritten
+   */
+  final void project(SparseMatrix a, double[] f, double[] lambda, double[] projected) {
+    for (int row : kept) {
+      for (int e = a.start[row]; e < a.start[row + 1]; e++) {
+        if (a.column[e] < n) {
+          f[a.column[e]] += a.value[e] * lambda[row];
+        }
+      }
+    }
+    for (int j = 0; j < independent.length; j++) {
+      projected[j] = f[independent[j]];
+    }
+  }
 }

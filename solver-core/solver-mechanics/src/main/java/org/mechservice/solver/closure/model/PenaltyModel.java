@@ -43,7 +43,9 @@ public class PenaltyModel extends LoopModel implements ProjectedStates, ModelSta
     projection = new LoopProjection(work, settings);
     partition =
         Partition.of(work.loops.jacobian, work.nv, closed.start().rank(), work.loops.isLarge());
-    watch = new SingularityMonitor(work.loops, partition, this::note);
+    String formulation = closed.description().formulation();
+    SingularityMonitor.Method method = new SingularityMonitor.Method(formulation, true);
+    watch = new SingularityMonitor(work.loops, partition, method, this::note);
     right = new double[work.nv];
     offset = new double[work.loops.count()];
     note(new Note(MessageCode.PENALTY_SETTINGS, closed.start().time(), false, settings.text()));

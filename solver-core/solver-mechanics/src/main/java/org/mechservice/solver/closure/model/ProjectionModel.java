@@ -32,7 +32,8 @@ public class ProjectionModel extends LoopModel implements DependentStates, Model
    */
   public ProjectionModel(ClosedMechanism closed, UserForceSource userForces) {
     super(closed, userForces);
-    completion = new Completion(work, closed.start(), this::note);
+    String formulation = closed.description().formulation();
+    completion = new Completion(work, closed.start(), formulation, this::note);
     if (work.isLarge()) {
       recursive = Optional.of(new RecursiveAccelerations(work, completion.ofVelocities()));
     }
@@ -156,6 +157,9 @@ public class ProjectionModel extends LoopModel implements DependentStates, Model
 
   /** Solves with the sparsity of the tree, or with R if M is singular. */
   private int solveByRecursion(double t, double[] y, double[] yDot) {
+    if (work.accelerations(t, y, yDot, work.nq)) {
+      return REGULAR;
+    }
     work.placeRates(t, y);
     if (!work.formBias(t)) {
       return fail(work.forces.defect());

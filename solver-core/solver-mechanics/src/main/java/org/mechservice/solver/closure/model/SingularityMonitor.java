@@ -17,6 +17,14 @@ import org.mechservice.solver.closure.equations.LoopEquations;
  * which the pivot would vanish. Workspace of one thread.
  */
 final class SingularityMonitor {
+  /**
+   * The method that runs, for advice.
+   *
+   * @param formulation its label
+   * @param penalty whether the closure is penalty
+   */
+  record Method(String formulation, boolean penalty) {}
+
   /** Closeness at which a warning is given. */
   static final double NEAR = 1e-2;
 
@@ -45,6 +53,7 @@ final class SingularityMonitor {
   private static final int CREEPING = 10_000;
 
   private final LoopEquations loops;
+  private final Method method;
   private final Partition partition;
   private final Consumer<LoopFinding> notes;
 
@@ -79,8 +88,10 @@ final class SingularityMonitor {
    * @param partition partition of the velocities, which computes pivots
    * @param notes receives a finding for each singular position passed
    */
-  SingularityMonitor(LoopEquations loops, Partition partition, Consumer<LoopFinding> notes) {
+  SingularityMonitor(
+      LoopEquations loops, Partition partition, Method method, Consumer<LoopFinding> notes) {
     this.loops = loops;
+    this.method = method;
     this.partition = partition;
     this.notes = notes;
     before = new double[partition.scaledLength()];
@@ -158,11 +169,17 @@ final class SingularityMonitor {
    */
   Optional<Defect> obstacle() {
     if (closenessBefore < CLEAR) {
-      return Optional.of(LoopDefect.singular(loops.name(rowBefore), closenessBefore));
+      return Optional.of(singular(closenessBefore));
     }
     return failed
         ? Optional.of(LoopDefect.open(loops.name(failedRow), failedResidual, loops.unit(failedRow)))
         : Optional.empty();
+  }
+
+  /** Returns the defect of a singular position. */
+  Defect singular(double closeness) {
+    return LoopDefect.singular(
+        loops.name(rowBefore), closeness, method.formulation(), method.penalty());
   }
 
   /** Returns the equation with the smallest pivot at the last accepted state. */
