@@ -85,8 +85,7 @@ class RollingTest {
     double speed = -RADIUS * spin;
     String start =
         "0;" + -relative * sin + ";" + (PRECESSION + relative * cos) + ";" + speed + ";0;0";
-    String place =
-        Math.cos(LEAN / 2) + ";" + Math.sin(LEAN / 2) + ";0;0;0;0;" + RADIUS * sin;
+    String place = Math.cos(LEAN / 2) + ";" + Math.sin(LEAN / 2) + ";0;0;0;0;" + RADIUS * sin;
     Trajectory rows =
         of(disc(run(formulation, closure, integrator, 1), start, place))
             .columns(ColumnGroup.JOINTS, ColumnGroup.ENERGY, ColumnGroup.CONSTRAINTS)
@@ -119,7 +118,8 @@ class RollingTest {
       assertThat(rows.column("energy.kinetic")[i] + rows.column("energy.potential")[i])
           .isCloseTo(first, within(1e-8 * first));
     }
-    assertThat(rows.column("free.q[6]")[10]).isNotCloseTo(rows.column("free.q[6]")[0], within(1e-3));
+    assertThat(rows.column("free.q[6]")[10])
+        .isNotCloseTo(rows.column("free.q[6]")[0], within(1e-3));
   }
 
   /**
@@ -151,8 +151,7 @@ class RollingTest {
             + " gx='2' gy='0' gz='-9'/></Forces><topology><root name='Ground'/><relCoorVals>"
             + "<jointVal name='ice' posVals='0;0;0' velVals='0;0;1.5'/></relCoorVals></topology>"
             + "</MBSmodel></MechML>";
-    Trajectory rows =
-        of(text).columns(ColumnGroup.JOINTS, ColumnGroup.CONSTRAINTS).simulate();
+    Trajectory rows = of(text).columns(ColumnGroup.JOINTS, ColumnGroup.CONSTRAINTS).simulate();
     double factor = 2 / (2 * 1.5 * 1.5);
     for (int i = 0; i < rows.rows(); i++) {
       double angle = 1.5 * rows.time()[i];
@@ -228,15 +227,16 @@ class RollingTest {
     double[] value = {0, 0};
     double[] slope = {0, 0};
     for (int p = 4; p >= 0; p--) {
-      slope = new double[] {
-        slope[0] * re - slope[1] * im + value[0], slope[0] * im + slope[1] * re + value[1]
-      };
-      value = new double[] {
-        value[0] * re - value[1] * im + polynomial[p], value[0] * im + value[1] * re
-      };
+      slope =
+          new double[] {
+            slope[0] * re - slope[1] * im + value[0], slope[0] * im + slope[1] * re + value[1]
+          };
+      value =
+          new double[] {
+            value[0] * re - value[1] * im + polynomial[p], value[0] * im + value[1] * re
+          };
     }
-    return Math.hypot(value[0], value[1])
-        / (Math.hypot(slope[0], slope[1]) * Math.hypot(re, im));
+    return Math.hypot(value[0], value[1]) / (Math.hypot(slope[0], slope[1]) * Math.hypot(re, im));
   }
 
   /** A ride after a push at a stable speed: the lean of small motions obeys the eigenvalues. */
@@ -256,8 +256,11 @@ class RollingTest {
   @Test
   void kinematicsSaysThatRollingLeavesPositionsFree() throws Exception {
     String text =
-        disc("<MechML><MBSsimulation><kinematic><timeSet tini='0' tend='1' tstep='0.1'/>"
-            + "</kinematic></MBSsimulation>", "0;0;0;0;0;0", "sqrt(0.5);sqrt(0.5);0;0;0;0;0.5");
+        disc(
+            "<MechML><MBSsimulation><kinematic><timeSet tini='0' tend='1' tstep='0.1'/>"
+                + "</kinematic></MBSsimulation>",
+            "0;0;0;0;0;0",
+            "sqrt(0.5);sqrt(0.5);0;0;0;0;0.5");
     assertThatThrownBy(() -> of(text).simulate())
         .hasMessageContaining("constraint \"rim\"")
         .hasMessageContaining("velocities alone");
@@ -317,14 +320,12 @@ class RollingTest {
             + " point='o'/></joint><joint name='plane' type='PL'><body1 name='Ground' point='o'"
             + " vector='y' vector2='x'/><body2 name='wheel' point='o' vector='y'/></joint>"
             + "</Joints>";
-    String topology =
-        "<relCoorVals><jointVal name='plane' posVals='0; 0; 0.3'/></relCoorVals>";
+    String topology = "<relCoorVals><jointVal name='plane' posVals='0; 0; 0.3'/></relCoorVals>";
     Trajectory rest =
         of(wheel("<MechML><MBSsimulation><static/></MBSsimulation>", joints, topology)).simulate();
     // the angle is about y: a positive one turns x downwards, and rolls along x
     assertThat(rest.column("plane.q[2]")[0]).isCloseTo(Math.PI / 2, within(1e-7));
-    assertThat(rest.column("plane.q[0]")[0])
-        .isCloseTo(0.4 * (Math.PI / 2 - 0.3), within(1e-7));
+    assertThat(rest.column("plane.q[0]")[0]).isCloseTo(0.4 * (Math.PI / 2 - 0.3), within(1e-7));
   }
 
   /** A wheel and a ball of the same inertia roll down a slope alike, 5/14 g sin 30° t². */
