@@ -114,7 +114,8 @@ class EventReportTest {
   @Test
   void referenceTakesTheSamplesThatAreDueAtTheStart() {
     Reference made = judge(EventScenes.sampledBall(), 1).reference().orElseThrow();
-    assertThat(made.states()).allSatisfy(y -> assertThat(y[2]).isEqualTo(EventScenes.HEIGHT));
+    assertThat(Arrays.asList(made.states()))
+        .allSatisfy(y -> assertThat(y[2]).isEqualTo(EventScenes.HEIGHT));
   }
 
   @Test
