@@ -52,16 +52,19 @@ class SceneIT {
       extremes/high_spin_1e5_sym.xml, ode113, 1e-10, 0.01, 1e-4, 1e-6
       """;
 
-  /** Models whose motion other tests check against laws of mechanics. */
+  /** Models whose motion other tests check, by laws of mechanics or in a second way. */
   private static final List<String> JUDGED_BY_LAWS =
       List.of(
           "benchmarks/bouncing_ball.xml",
           "bicycle/bicycle.xml",
           "five-point-suspension/variants/elements.xml",
+          "four-bar/four-bar.xml",
+          "four-bar/long-form.xml",
           "pendulum/variants/branching.xml",
           "pendulum/variants/cart.xml",
           "pendulum/variants/millimetre.xml",
           "pendulum/variants/ode113.xml",
+          "sampled-arm/arm.xml",
           "sweep/seat.xml");
 
   /** Moments of inertia of the body of benchmarks/dzhanibekov.xml, kg m^2. */
@@ -157,8 +160,8 @@ class SceneIT {
   }
 
   /**
-   * The scenes of the elements and the extreme scenes have tests of their own; those of studies and
-   * optimisation are run by the commands of their pages.
+   * The scenes of the elements and the extreme scenes have tests of their own; those of studies,
+   * optimisation and the how-tos are run by the commands of their pages.
    */
   @Test
   void noExampleIsLeftOut() throws IOException {
@@ -170,7 +173,9 @@ class SceneIT {
                   .map(file -> EXAMPLES.relativize(file).toString())
                   .filter(file -> file.matches("[a-z].*/.*\\.xml"))
                   .filter(
-                      file -> !file.matches("(elements|extremes|optimise|study|target|src)/.*")))
+                      file ->
+                          !file.matches(
+                              "(elements|extremes|how-to|optimise|study|target|src)/.*")))
           .isSubsetOf(known);
     }
   }

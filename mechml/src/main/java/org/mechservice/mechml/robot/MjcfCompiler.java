@@ -54,7 +54,7 @@ final class MjcfCompiler {
    * @param given whether the body has an inertial
    */
   boolean takesInertiaOfShapes(boolean given) {
-    return inertiaFromGeometry.equals("true") || !inertiaFromGeometry.equals("false") && !given;
+    return inertiaFromGeometry.equals("true") || (!inertiaFromGeometry.equals("false") && !given);
   }
 
   /**

@@ -36,9 +36,9 @@ record IterationRules(
       new IterationRules(0.05, Integer.MAX_VALUE, true, 0, false, false);
 
   /**
-   * Trusts a rate for more, but not for long. Measured on 8 stiff problems of the suite and 14
-   * others that nothing was chosen by: the same digits for a third fewer evaluations than by those
-   * published.
+   * Trusts a rate for more, but not for long. Chosen on stiff problems of the suite and 14 others,
+   * written for the comparison: on these the same digits for a fifth fewer evaluations on the mean
+   * than before, 0.77 instead of 0.95 of those of CVODE.
    */
   static final IterationRules TRUSTING = new IterationRules(0.2, 20, true, 0, true, true);
 
