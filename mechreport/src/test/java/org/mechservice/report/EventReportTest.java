@@ -112,6 +112,13 @@ class EventReportTest {
   }
 
   @Test
+  void referenceTakesTheSamplesThatAreDueAtTheStart() {
+    Reference made = judge(EventScenes.sampledBall(), 1).reference().orElseThrow();
+    assertThat(Arrays.asList(made.states()))
+        .allSatisfy(y -> assertThat(y[2]).isEqualTo(EventScenes.HEIGHT));
+  }
+
+  @Test
   void noErrorIsTakenNextToAJump() {
     Reference made = judge(BALL, BALL_END).reference().orElseThrow();
     assertThat(made.times().length).isBetween(INTERVALS * 3 / 4, INTERVALS);

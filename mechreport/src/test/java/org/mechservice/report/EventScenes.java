@@ -26,9 +26,12 @@ import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Event;
+import org.mechservice.solver.mechanism.FurtherChange;
+import org.mechservice.solver.mechanism.FurtherState;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.PrescribedMotion;
 import org.mechservice.solver.mechanism.Root;
+import org.mechservice.solver.mechanism.Sampling;
 import org.mechservice.solver.mechanism.StateChange;
 import org.mechservice.solver.mechanism.joint.Attachment;
 import org.mechservice.solver.mechanism.joint.Joint;
@@ -91,6 +94,17 @@ final class EventScenes {
     Joint slide = new Prismatic("height", on(-1, 0), Z, HEIGHT, 0, Origin.NONE);
     return mechanism(Z.times(-GRAVITY), List.of(mass), List.of(slide), List.of())
         .withEvents(List.of(events));
+  }
+
+  /** A ball whose height a sampled state takes at the start, and not again before the end. */
+  static Mechanism sampledBall() {
+    FurtherState seen = FurtherState.held("seen", -1, "m", FurtherState.Role.SAMPLED, Origin.NONE);
+    return ball()
+        .withFurtherStates(List.of(seen))
+        .withSamplings(
+            List.of(
+                new Sampling(
+                    "seen", 100, 0, List.of(new FurtherChange(0, position())), Origin.NONE)));
   }
 
   static Mechanism cartAndBar() {

@@ -74,6 +74,15 @@ public final class ModelPhases implements Phases {
     return kind.action() == Action.IMPULSE || kind.action() == Action.BREAK;
   }
 
+  /**
+   * Applies the samples that are due at the start.
+   *
+   * @param y state there; overwritten
+   */
+  void sample(double[] y) {
+    events.begin(start, y);
+  }
+
   /** Returns whether the state may jump, or the run end before its time. */
   public boolean isParted() {
     return parting.length > 0;

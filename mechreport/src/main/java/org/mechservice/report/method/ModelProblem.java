@@ -54,10 +54,11 @@ public final class ModelProblem implements Problem {
     return dimension;
   }
 
-  /** Returns the state at the start. */
+  /** Returns the state at the start, with the samples of that time. */
   public double[] start() {
     double[] y = new double[dimension];
     model.initialState(y);
+    phases.ifPresent(some -> some.sample(y));
     return y;
   }
 

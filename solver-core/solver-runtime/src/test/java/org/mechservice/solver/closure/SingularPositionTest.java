@@ -85,7 +85,7 @@ class SingularPositionTest {
   @CsvSource({"DSR, ode15s, 1e-9", "DSR, ode15s, 1e-11"})
   void stepsThatCreepUpToASingularPositionEndWithItsName(
       String formulation, String integrator, double tolerance) {
-    RunSettings settings = SceneRun.settings(1, 0.05, integrator, tolerance);
+    RunSettings settings = SceneRun.settings(4, 0.05, integrator, tolerance);
     SceneRun run = LoopModels.run(Linkages.windows(1, 1), formulation, settings);
     Failure failure = ((Outcome.Failed) run.report.outcome()).failure();
     assertThat(failure.code()).isEqualTo(MessageCode.SINGULAR_POSITION);
@@ -96,7 +96,7 @@ class SingularPositionTest {
   }
 
   private static RunSettings settingsOf15sR(double tolerance) {
-    return SceneRun.settings(1, 0.05, "ode15sR", tolerance);
+    return SceneRun.settings(4, 0.05, "ode15sR", tolerance);
   }
 
   /** Crank and rod of equal length: each passage through the line has another branch. */
