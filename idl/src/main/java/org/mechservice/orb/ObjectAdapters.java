@@ -133,6 +133,12 @@ final class ObjectAdapters {
     return new ActiveObject(handedOut.id_to_reference(id), handedOut, id);
   }
 
+  /** Returns the servant behind a reference this ORB handed out. */
+  Servant servantOf(org.omg.CORBA.Object reference) throws UserException {
+    Servant found = handedOut.reference_to_servant(reference);
+    return found instanceof WatchedServant watching ? watching.watched() : found;
+  }
+
   /** Ends the object behind a reference this ORB handed out. */
   void deactivate(org.omg.CORBA.Object reference) throws UserException {
     new ActiveObject(reference, handedOut, handedOut.reference_to_id(reference)).close();

@@ -277,6 +277,21 @@ public final class ServiceOrb implements AutoCloseable {
     }
   }
 
+  /**
+   * Returns an object that this ORB has handed out, to be called without a connection: the ORB may
+   * not connect to itself.
+   *
+   * @param operations of its interface
+   * @throws IllegalArgumentException if another ORB has handed it out
+   */
+  public <T> T own(org.omg.CORBA.Object reference, Class<T> operations) {
+    try {
+      return operations.cast(adapters.servantOf(reference));
+    } catch (UserException e) {
+      throw new IllegalArgumentException("not handed out by this ORB", e);
+    }
+  }
+
   /** Publishes the named objects of a server, all at once. */
   public void publish(Map<ServiceKey, Servant> servants) {
     threads.run(() -> adapters.publish(servants));

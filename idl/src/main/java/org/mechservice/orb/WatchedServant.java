@@ -42,6 +42,11 @@ final class WatchedServant extends Servant implements InvokeHandler {
     this.leased = leased;
   }
 
+  /** Returns what the IDL compiler's servant does, for calls that no connection carries. */
+  Servant watched() {
+    return servant;
+  }
+
   @Override
   public OutputStream _invoke(String operation, InputStream arguments, ResponseHandler answers) {
     long bytes = InboundCall.refusedBytes();

@@ -8,11 +8,9 @@ import java.util.Optional;
 import org.mechservice.idl.Diagnostic;
 import org.mechservice.idl.IMechClient;
 import org.mechservice.idl.IMechClientOperations;
-import org.mechservice.idl.IMechSimRemote;
+import org.mechservice.idl.IMechSimRemoteOperations;
 import org.mechservice.idl.InvalidOption;
 import org.mechservice.idl.JarInfoHolder;
-import org.mechservice.idl.MechSim;
-import org.mechservice.idl.MechSimHelper;
 import org.mechservice.idl.MechSimOperations;
 import org.mechservice.idl.MechSimPOATie;
 import org.mechservice.idl.ModelFile;
@@ -22,6 +20,7 @@ import org.mechservice.idl.OPT_T_END;
 import org.mechservice.idl.OPT_T_STEP;
 import org.mechservice.idl.Progress;
 import org.mechservice.idl.ResultBlockHolder;
+import org.mechservice.idl.ResultCursorOperations;
 import org.mechservice.idl.RunSetUp;
 import org.mechservice.idl.SimState;
 import org.mechservice.mechml.diagnosis.MechmlException;
@@ -134,21 +133,22 @@ public final class WarmUp implements AutoCloseable {
     }
   }
 
-  private static MechSim opened(Session session, MechSimServant servant) {
-    return MechSimHelper.unchecked_narrow(
+  private MechSimOperations opened(Session session, MechSimServant servant) {
+    return orb.own(
         session
             .activateSelf(
                 new MechSimPOATie(
                     GuardedServant.of(MechSimOperations.class, servant, session.gate())))
-            .reference());
+            .reference(),
+        MechSimOperations.class);
   }
 
   /** Makes the calls of a remote and a local client. */
-  private SimState cancelled(MechSim session)
+  private SimState cancelled(MechSimOperations session)
       throws UserException, IOException, InterruptedException {
     session.loadModel(new ModelFile(MODEL, content()), new ModelFile[0]);
     RunSetUp setUp = session.prepareSimulation(LONG_RUN, null);
-    IMechSimRemote run = setUp.simulation;
+    IMechSimRemoteOperations run = orb.own(setUp.simulation, IMechSimRemoteOperations.class);
     run.start();
     Progress progress = run.getProgress();
     while (progress.stepsDone < STEPS && !hasEnded(progress.state) && !closed) {
@@ -159,7 +159,7 @@ public final class WarmUp implements AutoCloseable {
     run.cancel();
     SimState end = run.getProgress().state;
     run.report();
-    setUp.rows.nextBlock(0, 0, new ResultBlockHolder());
+    orb.own(setUp.rows, ResultCursorOperations.class).nextBlock(0, 0, new ResultBlockHolder());
     run.destroy();
     session.prepareJar(AS_IN_FILE, new JarInfoHolder(), new NameValueSeqHolder());
     session.destroy();
