@@ -161,3 +161,12 @@ def test_documentation_says_what_happens(name):
 def test_page_says_what_happens():
     result = doctest.testfile(str(TOP / "docs" / "python.md"), module_relative=False)
     assert result.attempted > 5 and result.failed == 0
+
+
+def test_first_steps_say_what_happens(tmp_path, monkeypatch):
+    template = TOP / "mechcli/src/main/resources/org/mechservice/cli/model/new-model.xml"
+    model = template.read_text(encoding="utf-8").replace("@NAME@", "pendulum")
+    (tmp_path / "pendulum.xml").write_text(model, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    result = doctest.testfile(str(TOP / "docs" / "first-steps.md"), module_relative=False)
+    assert result.attempted == 3 and result.failed == 0

@@ -6,7 +6,7 @@ import os
 import shutil
 from functools import lru_cache
 from pathlib import Path
-from typing import Any, List, Optional
+from typing import Any, List, Optional, Union
 
 import jpype
 
@@ -66,6 +66,11 @@ def java_class(name: str) -> Any:
     """Returns a class of the library."""
     start()
     return jpype.JClass(name)
+
+
+def java_path(path: "Union[str, os.PathLike[str]]") -> Any:
+    """Returns a path of Java, from Python's working directory: Java keeps the one it started in."""
+    return java_class("java.nio.file.Path").of(os.path.join(os.getcwd(), os.fspath(path)))
 
 
 @lru_cache(maxsize=None)

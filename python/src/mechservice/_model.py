@@ -9,7 +9,7 @@ import threading
 from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union
 
 from ._errors import MechError, python_errors
-from ._java import java_class
+from ._java import java_class, java_path
 from ._trajectory import Trajectory
 
 Value = Union[float, str]
@@ -103,8 +103,7 @@ class Model:
             trajectory = _interruptible(java)
         if csv is not None:
             with python_errors():
-                path = java_class("java.nio.file.Path").of(os.fspath(csv))
-                trajectory._java.writeCsv(path)
+                trajectory._java.writeCsv(java_path(csv))
         return trajectory
 
     def equilibrium(self) -> Trajectory:
@@ -134,7 +133,7 @@ class Model:
     def write_jar(self, path: "Union[str, os.PathLike[str]]") -> None:
         """Writes the model as a JAR that ``java -jar`` runs."""
         with python_errors():
-            self._java.writeJar(java_class("java.nio.file.Path").of(os.fspath(path)))
+            self._java.writeJar(java_path(path))
 
     def __repr__(self) -> str:
         return f"<mechservice {self._java.toString()}>"
@@ -187,12 +186,9 @@ def read(
     user_code: further folders in which classes of forces are sought.
     """
     with python_errors():
-        place = java_class("java.nio.file.Path")
-        folders = [place.of(os.fspath(folder)) for folder in user_code]
+        folders = [java_path(folder) for folder in user_code]
         return Model(
-            java_class("org.mechservice.library.MechModel").read(
-                place.of(os.fspath(path)), folders
-            )
+            java_class("org.mechservice.library.MechModel").read(java_path(path), folders)
         )
 
 

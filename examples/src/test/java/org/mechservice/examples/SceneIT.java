@@ -174,8 +174,7 @@ class SceneIT {
                   .filter(file -> file.matches("[a-z].*/.*\\.xml"))
                   .filter(
                       file ->
-                          !file.matches(
-                              "(elements|extremes|how-to|optimise|study|target|src)/.*")))
+                          !file.matches("(elements|extremes|how-to|optimise|study|target|src)/.*")))
           .isSubsetOf(known);
     }
   }

@@ -22,9 +22,15 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** The programs of docs/library.md are those of examples/library and print what stands there. */
+/**
+ * The programs of docs/library.md and docs/first-steps.md print what stands there; the former are
+ * those of examples/library.
+ */
 class LibraryPageTest {
   private static final Path PAGE = Path.of("../docs/library.md");
+  private static final Path FIRST_STEPS = Path.of("../docs/first-steps.md");
+  private static final Path NEW_MODEL =
+      Path.of("../mechcli/src/main/resources/org/mechservice/cli/model/new-model.xml");
   private static final Path EXAMPLES = Path.of("../examples/library");
   private static final Pattern PROGRAM =
       Pattern.compile("```java\n(.*?)```\n\nIt prints\n\n```\n(.*?)```", Pattern.DOTALL);
@@ -40,8 +46,12 @@ class LibraryPageTest {
     }
   }
 
-  static Stream<Program> programs() throws IOException {
-    return PROGRAM.matcher(Files.readString(PAGE)).results().map(LibraryPageTest::program);
+  static Stream<Program> allPrograms() throws IOException {
+    return Stream.concat(programs(PAGE), programs(FIRST_STEPS));
+  }
+
+  private static Stream<Program> programs(Path page) throws IOException {
+    return PROGRAM.matcher(Files.readString(page)).results().map(LibraryPageTest::program);
   }
 
   private static Program program(MatchResult found) {
@@ -50,14 +60,17 @@ class LibraryPageTest {
   }
 
   @ParameterizedTest
-  @MethodSource("programs")
+  @MethodSource("allPrograms")
   void programPrintsWhatStandsBehindIt(Program program) throws Exception {
     JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
     assumeTrue(compiler != null, "this Java has no compiler");
+    Path model = folder.resolve("pendulum.xml");
+    Files.writeString(model, Files.readString(NEW_MODEL).replace("@NAME@", "pendulum"));
     String text =
         program
             .text()
             .replace("Path.of(\"examples/", "Path.of(\"../examples/")
+            .replace("\"pendulum.xml\"", "\"" + model.toString().replace('\\', '/') + "\"")
             .replace("printf(", "printf(java.util.Locale.ROOT, ")
             .replace("final class", "public final class");
     Path file = Files.writeString(folder.resolve(program.name() + ".java"), text);
@@ -96,7 +109,7 @@ class LibraryPageTest {
 
   @Test
   void examplesAreTheProgramsOfThePage() throws IOException {
-    List<Program> programs = programs().toList();
+    List<Program> programs = programs(PAGE).toList();
     for (Program program : programs) {
       assertThat(EXAMPLES.resolve(program.name() + ".java")).hasContent(program.text());
     }

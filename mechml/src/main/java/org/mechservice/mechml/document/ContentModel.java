@@ -43,6 +43,11 @@ sealed interface ContentModel {
    */
   ContentModel after(String child);
 
+  /**
+   * Returns the model in which every part may be missing: that of an element under construction.
+   */
+  ContentModel partial();
+
   private static String listed(List<ContentModel> models, String separator, Set<String> told) {
     return models.stream()
         .map(model -> model.listed(told))
@@ -86,6 +91,11 @@ sealed interface ContentModel {
     @Override
     public ContentModel after(String child) {
       return EMPTY;
+    }
+
+    @Override
+    public ContentModel partial() {
+      return new Repeated(this, true, false);
     }
   }
 
@@ -139,6 +149,11 @@ sealed interface ContentModel {
       rest.addAll(parts.subList(first + 1, parts.size()));
       return new Sequence(rest);
     }
+
+    @Override
+    public ContentModel partial() {
+      return new Sequence(parts.stream().map(ContentModel::partial).toList());
+    }
   }
 
   /** One of several. */
@@ -181,6 +196,11 @@ sealed interface ContentModel {
           .orElseThrow()
           .after(child);
     }
+
+    @Override
+    public ContentModel partial() {
+      return new Choice(branches.stream().map(ContentModel::partial).toList());
+    }
   }
 
   /**
@@ -221,6 +241,11 @@ sealed interface ContentModel {
       ContentModel begun = part.after(child);
       ContentModel again = new Repeated(part, true, true);
       return unbounded ? begun.equals(EMPTY) ? again : new Sequence(List.of(begun, again)) : begun;
+    }
+
+    @Override
+    public ContentModel partial() {
+      return new Repeated(part.partial(), true, unbounded);
     }
   }
 }

@@ -2,6 +2,7 @@ package org.mechservice.mechml.document;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import java.util.Optional;
 import org.apache.xerces.parsers.DTDConfiguration;
@@ -79,6 +80,17 @@ public final class DocumentReader {
     DocumentReader reader = new DocumentReader(ROOT, diagnostics);
     reader.builder.takeForeign();
     return reader.read(content, false).root();
+  }
+
+  /** Returns the grammar of MechML, as the parser reports the declarations of the bundled DTD. */
+  static Grammar grammar() {
+    DocumentReader reader = new DocumentReader(ROOT, new Diagnostics("mechml.dtd"));
+    try {
+      reader.parse("<MechML/>".getBytes(StandardCharsets.UTF_8), true);
+    } catch (SAXException | IOException e) {
+      throw new IllegalStateException("the bundled grammar cannot be read", e);
+    }
+    return reader.grammarReader.grammar();
   }
 
   private Document read(byte[] content) throws MechmlException {

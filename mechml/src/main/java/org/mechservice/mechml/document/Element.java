@@ -3,6 +3,7 @@ package org.mechservice.mechml.document;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.diagnosis.SourcePosition;
 
@@ -23,6 +24,10 @@ public record Element(
     SourcePosition position,
     String owner)
     implements Content {
+  /** Elements whose name messages do not repeat, since they stand for the whole file. */
+  private static final Set<String> NOT_OWNERS =
+      Set.of("MechML", "MBSmodel", "robot", "sdf", "mujoco", "body1", "body2");
+
   public Element {
     attributes = List.copyOf(attributes);
     content = List.copyOf(content);
@@ -99,5 +104,10 @@ public record Element(
    */
   public String role() {
     return owner.isEmpty() ? name : owner + ": " + name;
+  }
+
+  /** Returns {@link #owner} of the elements between its tags. */
+  public String ownerOfChildren() {
+    return attribute("name").isEmpty() || NOT_OWNERS.contains(name) ? owner : label();
   }
 }

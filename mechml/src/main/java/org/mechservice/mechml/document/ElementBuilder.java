@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.Phrase;
@@ -23,10 +22,6 @@ import org.xml.sax.ext.DefaultHandler2;
  * <p>The parser reports the end of each event; a tag begins at the end of the previous event.
  */
 final class ElementBuilder extends DefaultHandler2 {
-  /** Elements whose name messages do not repeat, since they stand for the whole file. */
-  private static final Set<String> NOT_OWNERS =
-      Set.of("MechML", "MBSmodel", "robot", "sdf", "mujoco", "body1", "body2");
-
   /** The element that holds the text of another file. */
   private static final String FILE_HOLDER = "included";
 
@@ -116,13 +111,7 @@ final class ElementBuilder extends DefaultHandler2 {
   }
 
   private String owner() {
-    return innermost()
-        .map(
-            e ->
-                e.attribute("name").isEmpty() || NOT_OWNERS.contains(e.name())
-                    ? e.owner()
-                    : e.label())
-        .orElse("");
+    return innermost().map(Element::ownerOfChildren).orElse("");
   }
 
   private static List<Attribute> copy(Attributes attributes) {

@@ -1,11 +1,13 @@
 package org.mechservice.mechml.document;
 
+import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.mechservice.mechml.diagnosis.Diagnostics;
@@ -40,9 +42,61 @@ final class GrammarCheck {
     }
   }
 
+  /** Reports the attributes of an element, and not what it lacks: it may be under construction. */
+  void checkGivenAttributes(Element element) {
+    checkGiven(element, lacking(element, grammar.attributes(element.name())));
+  }
+
+  /**
+   * Returns the last place among the children of an element under construction where the grammar
+   * allows another one; reports it if there is none.
+   *
+   * @param parent an element of the grammar
+   */
+  OptionalInt place(Element parent, Element child) {
+    ContentModel content = grammar.content(parent.name()).orElseThrow();
+    if (grammar.content(child.name()).isEmpty()) {
+      unknownElement(parent, child, content);
+      return OptionalInt.empty();
+    }
+    List<String> names = parent.children().stream().map(Element::name).toList();
+    for (int place = names.size(); place >= 0; place--) {
+      List<String> all = new ArrayList<>(names);
+      all.add(place, child.name());
+      if (begins(content, all)) {
+        return OptionalInt.of(place);
+      }
+    }
+    misplaced(parent, child, content);
+    return OptionalInt.empty();
+  }
+
+  /** Returns whether further children can make valid content of these. */
+  private static boolean begins(ContentModel content, List<String> children) {
+    ContentModel rest = content.partial();
+    for (String child : children) {
+      if (!rest.next().contains(child)) {
+        return false;
+      }
+      rest = rest.after(child);
+    }
+    return true;
+  }
+
   private void checkAttributes(Element element) {
+    Set<String> lacking = lacking(element, grammar.attributes(element.name()));
+    checkGiven(element, lacking);
+    for (String name : lacking) {
+      error(
+          MessageCode.MISSING_ATTRIBUTE,
+          element,
+          Phrase.of("attribute %s is missing", Quoted.of(name)));
+    }
+  }
+
+  /** Removes those names from the lacking ones that were meant by unknown ones. */
+  private void checkGiven(Element element, Set<String> lacking) {
     Map<String, Grammar.AttributeRule> rules = grammar.attributes(element.name());
-    Set<String> lacking = lacking(element, rules);
     for (Attribute attribute : element.attributes()) {
       if (diagnostics.isFull()) {
         return;
@@ -55,12 +109,6 @@ final class GrammarCheck {
       } else if (!rule.choices().isEmpty() && !rule.choices().contains(attribute.value())) {
         notInList(element, attribute, rule);
       }
-    }
-    for (String name : lacking) {
-      error(
-          MessageCode.MISSING_ATTRIBUTE,
-          element,
-          Phrase.of("attribute %s is missing", Quoted.of(name)));
     }
   }
 

@@ -13,7 +13,9 @@
  * about well-formedness, and {@link org.mechservice.mechml.document.GrammarCheck} those about
  * validity. {@code GrammarCheck} compares the tree with the {@link
  * org.mechservice.mechml.document.Grammar} that {@link
- * org.mechservice.mechml.document.GrammarReader} takes from the same DTD.
+ * org.mechservice.mechml.document.GrammarReader} takes from the same DTD. {@link
+ * org.mechservice.mechml.document.Vocabulary} asks the same of elements that a program writes one
+ * by one.
  *
  * <p>The package depends on {@code diagnosis} only.
  */
