@@ -151,11 +151,27 @@ def test_a_run_time_without_compiler_gives_the_same_bits(tmp_path):
     assert there.read_bytes() == here.read_bytes()
 
 
-@pytest.mark.parametrize("name", ["mechservice", "mechservice._model"])
+@pytest.mark.parametrize("name", ["mechservice", "mechservice._model", "mechservice._builder"])
 def test_documentation_says_what_happens(name):
     module = importlib.import_module(name)
     assert doctest.testmod(module).attempted > 0
     assert doctest.testmod(module).failed == 0
+
+
+def test_builder_writes_what_it_builds(tmp_path):
+    arm = mechservice.Builder("Arm", "g", "mm")
+    assert arm.set("angleUnits", "deg") is arm
+    arm.root("ground")
+    arm.body("bar").mass(3).center(0, 0, 0).inertia(1, 1, 1)
+    arm.dynamic(1, 0.5)
+    with pytest.raises(mechservice.ModelError, match="bar"):
+        arm.model()
+    arm.joint("free", "F").between("ground", "bar").at(0, 0, 0)
+    model = arm.writeMechml(tmp_path / "arm.xml")
+    assert model.name == "Arm"
+    assert (tmp_path / "arm.xml").read_text() == arm.mechml()
+    with pytest.raises(AttributeError, match="flob"):
+        arm.flob()
 
 
 def test_page_says_what_happens():

@@ -9,11 +9,13 @@
 'rad'
 """
 
+from ._builder import Builder
 from ._errors import MechError, ModelError, RunError
 from ._model import Model, parse, read, sweep
 from ._trajectory import Trajectory
 
 __all__ = [
+    "Builder",
     "MechError",
     "Model",
     "ModelError",
