@@ -462,7 +462,7 @@ final class MjcfReader {
       Optional<String> range = attribute.apply("range");
       String limited = attribute.apply("limited").orElse("auto");
       if (limited.equals("true")
-          || limited.equals("auto") && compiler.autolimits() && range.isPresent()) {
+          || (limited.equals("auto") && compiler.autolimits() && range.isPresent())) {
         List<Double> ends =
             range.map(text -> numbers.read(element, "range", text, 2, 2)).orElse(List.of(0.0, 0.0));
         if (ends.get(0) > ends.get(1)) {

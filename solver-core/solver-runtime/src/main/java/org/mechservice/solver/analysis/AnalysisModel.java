@@ -3,6 +3,7 @@ package org.mechservice.solver.analysis;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.mechservice.solver.analysis.equation.EquationsOfMotion;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.capability.AlgebraicModel;

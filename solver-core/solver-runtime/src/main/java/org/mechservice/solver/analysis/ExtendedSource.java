@@ -1,6 +1,7 @@
 package org.mechservice.solver.analysis;
 
 import java.util.Set;
+import org.mechservice.solver.analysis.column.FurtherColumns;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.capability.ModelParts;

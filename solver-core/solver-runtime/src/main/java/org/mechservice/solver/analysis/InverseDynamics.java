@@ -2,6 +2,8 @@ package org.mechservice.solver.analysis;
 
 import java.util.Arrays;
 import java.util.Optional;
+import org.mechservice.solver.analysis.equation.EquationsOfMotion;
+import org.mechservice.solver.analysis.equation.FreeDirections;
 import org.mechservice.solver.api.capability.Defects.Defect;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.force.user.UserForceSource;

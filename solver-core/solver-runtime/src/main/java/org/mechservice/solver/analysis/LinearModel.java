@@ -5,6 +5,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import org.mechservice.solver.analysis.equation.EquationsOfMotion;
+import org.mechservice.solver.analysis.equation.Linearisation;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.capability.Defects;
 import org.mechservice.solver.api.capability.ExplicitModel;

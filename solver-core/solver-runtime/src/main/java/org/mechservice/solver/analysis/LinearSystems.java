@@ -2,6 +2,8 @@ package org.mechservice.solver.analysis;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.mechservice.solver.analysis.equation.EquationsOfMotion;
+import org.mechservice.solver.analysis.equation.Linearisation;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.force.formula.ExpressionInputs;
 import org.mechservice.solver.mechanism.FurtherState;

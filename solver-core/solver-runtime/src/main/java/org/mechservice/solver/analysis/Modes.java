@@ -1,6 +1,7 @@
 package org.mechservice.solver.analysis;
 
 import java.util.Arrays;
+import org.mechservice.solver.analysis.equation.Linearisation;
 import org.mechservice.solver.linear.Eigenvalues;
 
 /**

@@ -5,6 +5,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import org.mechservice.solver.analysis.equation.EquationsOfMotion;
+import org.mechservice.solver.analysis.equation.Linearisation;
 import org.mechservice.solver.api.capability.Defects.Defect;
 import org.mechservice.solver.api.run.RunNotes.Note;
 import org.mechservice.solver.catalogue.MessageCode;

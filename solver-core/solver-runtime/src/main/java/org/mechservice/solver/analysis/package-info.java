@@ -7,9 +7,8 @@
  * models of these analyses compute each state from algebraic equations; their common base is {@code
  * AnalysisModel}.
  *
- * <p>The classes whose names end in {@code Columns} compute further columns of the results in a
- * given state: reactions and multipliers, forces, drives, momenta, constraint residuals. Each kind
- * is a class of its own, so that a standalone JAR carries only the columns of its scene.
+ * <p>The equations that they share are in {@code analysis.equation}, the columns of results that
+ * need them in {@code analysis.column}.
  *
  * <p>The package depends on {@code solver.api} and on the mechanics of the model.
  */

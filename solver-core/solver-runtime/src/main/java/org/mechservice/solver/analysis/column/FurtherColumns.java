@@ -1,4 +1,4 @@
-package org.mechservice.solver.analysis;
+package org.mechservice.solver.analysis.column;
 
 import java.util.Arrays;
 import java.util.EnumMap;
@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.mechservice.solver.analysis.equation.EquationsOfMotion;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.capability.MomentumBalance;
 import org.mechservice.solver.api.result.ColumnGroup;

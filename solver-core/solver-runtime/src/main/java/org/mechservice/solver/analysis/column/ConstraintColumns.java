@@ -1,7 +1,8 @@
-package org.mechservice.solver.analysis;
+package org.mechservice.solver.analysis.column;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.mechservice.solver.analysis.equation.EquationsOfMotion;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.closure.equations.LoopEquations;
 

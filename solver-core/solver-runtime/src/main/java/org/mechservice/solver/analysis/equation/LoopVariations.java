@@ -1,4 +1,4 @@
-package org.mechservice.solver.analysis;
+package org.mechservice.solver.analysis.equation;
 
 import java.util.Arrays;
 import org.mechservice.solver.closure.equations.LoopEquations;
@@ -11,7 +11,7 @@ import org.mechservice.solver.closure.equations.LoopEquations;
  * <p>J v + Φ_t and J a + γ are varied by central differences of three steps, extrapolated; they are
  * quadratic in v, so that one step is exact.
  */
-final class LoopVariations {
+public final class LoopVariations {
   private static final double STEP = 4e-3;
 
   private final EquationsOfMotion equations;
@@ -23,10 +23,10 @@ final class LoopVariations {
   private final int m;
 
   /** V and A_q, n × the freedoms of positions, and A_v, n × those of velocities, row by row. */
-  final double[] velocityByPlace;
+  public final double[] velocityByPlace;
 
-  final double[] accelerationByPlace;
-  final double[] accelerationByVelocity;
+  public final double[] accelerationByPlace;
+  public final double[] accelerationByVelocity;
 
   /**
    * @param free directions of velocities
@@ -34,7 +34,7 @@ final class LoopVariations {
    * @param y state; not modified
    * @param a accelerations that fit it; not modified
    */
-  LoopVariations(
+  public LoopVariations(
       EquationsOfMotion equations,
       FreeDirections free,
       FreeDirections places,

@@ -1,4 +1,4 @@
-package org.mechservice.solver.analysis;
+package org.mechservice.solver.analysis.equation;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -15,7 +15,7 @@ import org.mechservice.solver.mechanism.joint.Joint;
  * The driven coordinates of a mechanism with their motion and their forces: those of the tree
  * first, then those of cut joints. A driven joint has as many positions as velocities.
  */
-final class Drives {
+public final class Drives {
   private final EquationsOfMotion equations;
   private final List<Coordinate> coordinates = new ArrayList<>();
   private final List<PrescribedPairMotion> cutMotions = new ArrayList<>();
@@ -40,7 +40,7 @@ final class Drives {
     static final Source TREE = new Source(-1, -1);
   }
 
-  Drives(EquationsOfMotion equations) {
+  public Drives(EquationsOfMotion equations) {
     this.equations = equations;
     Mechanism mechanism = equations.tree.mechanism();
     for (int j = 0; j < mechanism.joints().size(); j++) {
@@ -74,30 +74,30 @@ final class Drives {
   }
 
   /** Returns the number of driven coordinates. */
-  int count() {
+  public int count() {
     return coordinates.size();
   }
 
   /** Returns the column of a coordinate's position; the next ones return those of the rest. */
-  Variable position(int i) {
+  public Variable position(int i) {
     return new Variable(coordinates.get(i).name(".q"), type(i).positionUnit(index(i)));
   }
 
-  Variable velocity(int i) {
+  public Variable velocity(int i) {
     return new Variable(coordinates.get(i).name(".v"), type(i).velocityUnit(index(i)));
   }
 
-  Variable acceleration(int i) {
+  public Variable acceleration(int i) {
     String unit = type(i).velocityUnit(index(i)).replace("/s", "/s^2");
     return new Variable(coordinates.get(i).name(".a"), unit);
   }
 
-  Variable force(int i) {
+  public Variable force(int i) {
     return new Variable(
         coordinates.get(i).name(".drive"), coordinates.get(i).joint().forceUnit(index(i)));
   }
 
-  Variable power(int i) {
+  public Variable power(int i) {
     return new Variable(coordinates.get(i).name(".power"), "W");
   }
 
@@ -110,27 +110,27 @@ final class Drives {
   }
 
   /** Evaluates the motions of cut joints; those of the tree are evaluated with its places. */
-  void evaluate(double t) {
+  public void evaluate(double t) {
     cutMotions.forEach(motion -> motion.evaluate(t));
   }
 
   /** Returns the position of a coordinate, rad or m. */
-  double positionOf(int i) {
+  public double positionOf(int i) {
     return i < inTree ? equations.motion.q[equations.nq + i] : cut(i).value(index(i));
   }
 
   /** Returns the velocity of a coordinate, rad/s or m/s. */
-  double velocityOf(int i) {
+  public double velocityOf(int i) {
     return i < inTree ? equations.motion.v[equations.nv + i] : cut(i).rate(index(i));
   }
 
   /** Returns the acceleration of a coordinate, rad/s² or m/s². */
-  double accelerationOf(int i) {
+  public double accelerationOf(int i) {
     return i < inTree ? equations.motion.a[equations.nv + i] : cut(i).acceleration(index(i));
   }
 
   /** Returns the force in a coordinate of balanced equations, N·m or N. */
-  double forceOf(int i) {
+  public double forceOf(int i) {
     return i < inTree
         ? equations.residual[equations.nv + i]
         : 0 - equations.lambda[coordinates.get(i).source().row()];

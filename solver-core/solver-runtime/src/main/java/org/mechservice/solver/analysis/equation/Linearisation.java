@@ -1,4 +1,4 @@
-package org.mechservice.solver.analysis;
+package org.mechservice.solver.analysis.equation;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -38,7 +38,7 @@ import org.mechservice.solver.mechanism.FurtherState;
  * <p>At an equilibrium the equations describe the motions near it; at another state they describe
  * the differences between neighbouring motions at that time.
  */
-final class Linearisation {
+public final class Linearisation {
   private final EquationsOfMotion equations;
   private final FreeDirections free;
 
@@ -53,13 +53,13 @@ final class Linearisation {
   private final int fq;
 
   /** M, C and K, f × f row by row. */
-  final double[] mass;
+  public final double[] mass;
 
-  final double[] damping;
-  final double[] stiffness;
+  public final double[] damping;
+  public final double[] stiffness;
 
   /** K_q, f × fq row by row. */
-  final double[] stiffnessOfPlaces;
+  public final double[] stiffnessOfPlaces;
 
   /** Turning of small rotations with the angular velocity of Euler parameters, fq × fq. */
   private final double[] turning;
@@ -68,13 +68,13 @@ final class Linearisation {
   private final int ns;
 
   /** B, f × ns. */
-  final double[] byState;
+  public final double[] byState;
 
   /** C_s, ns × f, K_s, ns × fq, and D, ns × ns: what follows from the derivatives of the states. */
-  final double[] rateDamping;
+  public final double[] rateDamping;
 
-  final double[] rateStiffness;
-  final double[] rateByState;
+  public final double[] rateStiffness;
+  public final double[] rateByState;
 
   /**
    * Linearises.
@@ -85,7 +85,7 @@ final class Linearisation {
    * @param a accelerations that fit the state; not modified
    * @throws NotLinearised if a force has no derivative there
    */
-  Linearisation(EquationsOfMotion equations, double t, double[] y, double[] a)
+  public Linearisation(EquationsOfMotion equations, double t, double[] y, double[] a)
       throws NotLinearised {
     this.equations = equations;
     n = equations.nv;
@@ -175,7 +175,7 @@ final class Linearisation {
   }
 
   /** Thrown if a force has no value or derivative at the state. */
-  static final class NotLinearised extends Exception {
+  public static final class NotLinearised extends Exception {
     private static final long serialVersionUID = 1L;
 
     private final transient Defect defect;
@@ -185,7 +185,7 @@ final class Linearisation {
       this.defect = defect;
     }
 
-    Defect defect() {
+    public Defect defect() {
       return defect;
     }
   }
@@ -237,54 +237,54 @@ final class Linearisation {
   }
 
   /** Returns the number of freedoms of velocities f. */
-  int freedom() {
+  public int freedom() {
     return f;
   }
 
   /** Returns the number of freedoms of positions, f if all equations of loops are holonomic. */
-  int placeFreedom() {
+  public int placeFreedom() {
     return fq;
   }
 
   /** Returns the coordinates that are independent as positions, by their velocities. */
-  int[] independentPlaces() {
+  public int[] independentPlaces() {
     return places.independent;
   }
 
   /** Writes the small displacements ξ = R_q ζ. */
-  void expandPlaces(double[] zeta, double[] xi) {
+  public void expandPlaces(double[] zeta, double[] xi) {
     places.expand(zeta, xi);
   }
 
   /** Returns the velocities of the state that are independent, one per freedom. */
-  int[] independent() {
+  public int[] independent() {
     return free.independent;
   }
 
   /** Writes ξ = R z. */
-  void expand(double[] z, double[] xi) {
+  public void expand(double[] z, double[] xi) {
     free.expand(z, xi);
   }
 
   /** Writes Rᵀ x. */
-  void project(double[] x, double[] reduced) {
+  public void project(double[] x, double[] reduced) {
     free.project(x, reduced);
   }
 
   /** Writes the change of the velocities by a displacement with constant independent velocities. */
-  void velocityByPlace(int freedom, double[] change) {
+  public void velocityByPlace(int freedom, double[] change) {
     for (int i = 0; i < n; i++) {
       change[i] = loops.velocityByPlace[i * fq + freedom];
     }
   }
 
   /** Returns the number of further states. */
-  int furtherCount() {
+  public int furtherCount() {
     return ns;
   }
 
   /** Returns the number of further states that change, which are those that are not held. */
-  int changingCount() {
+  public int changingCount() {
     int count = 0;
     for (FurtherState state : equations.tree.mechanism().furtherStates()) {
       count += state.role() == FurtherState.Role.INTEGRATED ? 1 : 0;
@@ -297,7 +297,7 @@ final class Linearisation {
    *
    * @param system as {@link #system} returned it, not empty; not modified
    */
-  double[] changing(double[] system) {
+  public double[] changing(double[] system) {
     int all = order();
     int ofMotion = fq + f;
     int size = ofMotion + changingCount();
@@ -320,17 +320,17 @@ final class Linearisation {
   }
 
   /** Returns the number of rows of {@link #system}. */
-  int order() {
+  public int order() {
     return fq + f + ns;
   }
 
   /** Returns the number of freedoms of positions. */
-  int placeCount() {
+  public int placeCount() {
     return fq;
   }
 
   /** Returns A of [ζ; w; s]' = A [ζ; w; s], square and row by row; empty if M is singular. */
-  double[] system() {
+  public double[] system() {
     DenseLu lu = new DenseLu(f);
     if (lu.factor(mass) != LinearSolver.NONSINGULAR) {
       return new double[0];

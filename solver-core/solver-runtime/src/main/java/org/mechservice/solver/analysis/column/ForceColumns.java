@@ -1,7 +1,9 @@
-package org.mechservice.solver.analysis;
+package org.mechservice.solver.analysis.column;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.mechservice.solver.analysis.equation.Drives;
+import org.mechservice.solver.analysis.equation.EquationsOfMotion;
 import org.mechservice.solver.api.result.Variable;
 
 /** Values of the applied forces, then the driving forces, those of tree joints first. */

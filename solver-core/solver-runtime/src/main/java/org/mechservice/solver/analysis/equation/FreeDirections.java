@@ -1,4 +1,4 @@
-package org.mechservice.solver.analysis;
+package org.mechservice.solver.analysis.equation;
 
 import java.util.Arrays;
 import org.mechservice.solver.closure.equations.LoopEquations;
@@ -10,25 +10,25 @@ import org.mechservice.solver.linear.PivotedElimination;
  * The free directions of loops at a state: x = R x_I with J x = 0; pivoting chooses the independent
  * velocities x_I, one per degree of freedom.
  */
-final class FreeDirections {
+public final class FreeDirections {
   private final EquationsOfMotion equations;
   private final int n;
   private final int rank;
 
   /** Velocities of the state that are independent and dependent. */
-  final int[] independent;
+  public final int[] independent;
 
   private final int[] dependent;
   private final int[] kept;
 
   /** R, n × f row by row. */
-  final double[] r;
+  public final double[] r;
 
   private final DenseLu lu;
   private final double[] column;
 
   /** Chooses directions at the placed state of the equations, whose J must be evaluated. */
-  FreeDirections(EquationsOfMotion equations) {
+  public FreeDirections(EquationsOfMotion equations) {
     this(equations, false);
   }
 
@@ -36,7 +36,7 @@ final class FreeDirections {
    * Returns the directions in which positions are free: those of the velocities, and those that
    * only non-holonomic equations forbid. The equations are placed as for the constructor.
    */
-  static FreeDirections ofPositions(EquationsOfMotion equations) {
+  public static FreeDirections ofPositions(EquationsOfMotion equations) {
     return new FreeDirections(equations, true);
   }
 
@@ -104,12 +104,12 @@ final class FreeDirections {
   }
 
   /** Returns the rows of J that are independent. */
-  int[] kept() {
+  public int[] kept() {
     return kept;
   }
 
   /** Returns the number of freedoms. */
-  int freedom() {
+  public int freedom() {
     return n - rank;
   }
 
@@ -119,7 +119,7 @@ final class FreeDirections {
    * @param rows one number per equation; not modified
    * @param x n numbers; overwritten
    */
-  void complete(double[] rows, double[] x) {
+  public void complete(double[] rows, double[] x) {
     for (int i = 0; i < rank; i++) {
       column[i] = -rows[kept[i]] / equations.loops.size(kept[i]);
     }
@@ -131,7 +131,7 @@ final class FreeDirections {
   }
 
   /** Writes R x_I. */
-  void expand(double[] reduced, double[] x) {
+  public void expand(double[] reduced, double[] x) {
     for (int i = 0; i < n; i++) {
       double sum = 0;
       for (int j = 0; j < freedom(); j++) {
@@ -142,7 +142,7 @@ final class FreeDirections {
   }
 
   /** Writes Rᵀ x. */
-  void project(double[] x, double[] reduced) {
+  public void project(double[] x, double[] reduced) {
     for (int j = 0; j < freedom(); j++) {
       double sum = 0;
       for (int i = 0; i < n; i++) {
@@ -153,7 +153,7 @@ final class FreeDirections {
   }
 
   /** Returns Rᵀ A B, f × columns, with A n × n and B n × columns. */
-  double[] reduce(double[] a, double[] b, int columns) {
+  public double[] reduce(double[] a, double[] b, int columns) {
     int f = freedom();
     double[] product = new double[f * columns];
     double[] ab = new double[n];

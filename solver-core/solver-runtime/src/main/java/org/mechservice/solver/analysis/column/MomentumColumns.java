@@ -1,4 +1,4 @@
-package org.mechservice.solver.analysis;
+package org.mechservice.solver.analysis.column;
 
 import java.util.ArrayList;
 import java.util.List;

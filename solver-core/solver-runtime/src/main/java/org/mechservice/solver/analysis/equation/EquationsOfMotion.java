@@ -1,4 +1,4 @@
-package org.mechservice.solver.analysis;
+package org.mechservice.solver.analysis.equation;
 
 import java.util.Arrays;
 import org.mechservice.solver.api.capability.Defects.Defect;
@@ -21,48 +21,48 @@ import org.mechservice.solver.mechanism.Mechanism;
  * <p>If loop equations are redundant, the multipliers are those of least norm, with forces
  * multiplied by the mechanism's length.
  */
-final class EquationsOfMotion {
+public final class EquationsOfMotion {
   /** Relative residual at which loops are closed, and the residual that rounding may leave. */
   private static final double CLOSED = 1e-14;
 
   private static final double ROUNDED = 1e-11;
   private static final int ITERATIONS = 40;
 
-  final TreeGeometry tree;
-  final TreeMotion motion;
-  final LoopEquations loops;
-  final StateCoordinates coordinates;
-  final OpenTree open;
-  final ForceSet forces;
-  final int nq;
-  final int nv;
+  public final TreeGeometry tree;
+  public final TreeMotion motion;
+  public final LoopEquations loops;
+  public final StateCoordinates coordinates;
+  public final OpenTree open;
+  public final ForceSet forces;
+  public final int nq;
+  public final int nv;
 
   /** Applied wrenches, 6 per link, and joint forces, one per extended velocity. */
-  final double[] wrench;
+  public final double[] wrench;
 
-  final double[] tau;
+  public final double[] tau;
 
   /** M v' + b − τ, with the forces of multipliers or without, one per extended velocity. */
-  final double[] residual;
+  public final double[] residual;
 
   /** λ, one per equation of the loops, N or N·m. */
-  final double[] lambda;
+  public final double[] lambda;
 
   /** Unit of each velocity of the state, 1 or the mechanism's length in m, per second. */
-  final double[] unit;
+  public final double[] unit;
 
   /** Applied wrenches and joint forces with those of the multipliers. */
-  final double[] loadedWrench;
+  public final double[] loadedWrench;
 
-  final double[] loadedTau;
+  public final double[] loadedTau;
 
   /** J by its singular values, as decomposed last. */
-  final ScaledJacobian jacobian;
+  public final ScaledJacobian jacobian;
 
   /** Solution of {@link #solveLeast}, one number per velocity of the state. */
-  final double[] step;
+  public final double[] step;
 
-  EquationsOfMotion(Mechanism mechanism, UserForceSource userForces) {
+  public EquationsOfMotion(Mechanism mechanism, UserForceSource userForces) {
     tree = new TreeGeometry(mechanism);
     motion = new TreeMotion(tree);
     loops = new LoopEquations(tree);
@@ -83,7 +83,7 @@ final class EquationsOfMotion {
   }
 
   /** Sweeps places and velocities; evaluates Φ, J and Φ'. */
-  void place(double t, double[] y) {
+  public void place(double t, double[] y) {
     motion.sweep(t, y);
     loops.place(motion, t);
     loops.differentiate(motion);
@@ -91,14 +91,14 @@ final class EquationsOfMotion {
   }
 
   /** Evaluates the applied forces at the last place; returns whether all have values. */
-  boolean applyForces(double t) {
+  public boolean applyForces(double t) {
     Arrays.fill(wrench, 0);
     Arrays.fill(tau, 0);
     return forces.apply(t, wrench, tau) == ForceSet.REGULAR;
   }
 
   /** Returns why {@link #applyForces} failed. */
-  Defect defect() {
+  public Defect defect() {
     return forces.defect();
   }
 
@@ -107,7 +107,7 @@ final class EquationsOfMotion {
    *
    * @param a v' from {@code aAt}; not modified
    */
-  void formResidual(double[] a, int aAt) {
+  public void formResidual(double[] a, int aAt) {
     motion.accelerationSweep(a, aAt);
     open.formResidual(wrench, tau, residual);
   }
@@ -116,7 +116,7 @@ final class EquationsOfMotion {
    * Finds the least-squares multipliers of M v' + b − τ + Jᵀ λ = 0 after {@link #formResidual}, and
    * adds their forces to the residual and the transmitted wrenches.
    */
-  void balance() {
+  public void balance() {
     System.arraycopy(wrench, 0, loadedWrench, 0, wrench.length);
     System.arraycopy(tau, 0, loadedTau, 0, tau.length);
     if (lambda.length == 0) {
@@ -129,7 +129,7 @@ final class EquationsOfMotion {
   }
 
   /** Returns the number of independent equations at the last decomposition of J. */
-  int rank() {
+  public int rank() {
     return jacobian.rank(lambda.length);
   }
 
@@ -139,7 +139,7 @@ final class EquationsOfMotion {
    * @param y state; its positions are overwritten
    * @return whether they are closed; if not, y is the last iterate
    */
-  boolean closePositions(double t, double[] y) {
+  public boolean closePositions(double t, double[] y) {
     for (int i = 0; i < ITERATIONS; i++) {
       place(t, y);
       double before = loops.largestResidual();
@@ -158,7 +158,7 @@ final class EquationsOfMotion {
   }
 
   /** Writes the smallest x with J x = −rows to {@code step}. */
-  void solveLeast(double[] rows) {
+  public void solveLeast(double[] rows) {
     jacobian.decompose();
     jacobian.change(lambda.length, rows, step);
   }

@@ -1,4 +1,4 @@
-package org.mechservice.solver.analysis;
+package org.mechservice.solver.analysis.column;
 
 import java.util.List;
 import org.mechservice.solver.api.result.Variable;

@@ -1,0 +1,17 @@
+/**
+ * The equations of a mechanism in one state, as analyses and columns of results need them.
+ *
+ * <p>{@link org.mechservice.solver.analysis.equation.EquationsOfMotion} places the mechanism at a
+ * time and a state, applies its forces, and forms residuals, reactions and the solution of least
+ * norm. {@link org.mechservice.solver.analysis.equation.FreeDirections} chooses the directions in
+ * which the loops let it move. {@link org.mechservice.solver.analysis.equation.Linearisation} gives
+ * mass, damping and stiffness about a state in these directions, with {@link
+ * org.mechservice.solver.analysis.equation.LoopVariations} for how the directions themselves
+ * change. {@link org.mechservice.solver.analysis.equation.Drives} holds what prescribed motions do:
+ * their coordinates, forces and power.
+ *
+ * <p>Everything is formed from the data of the mechanism. A workspace belongs to one thread.
+ *
+ * <p>Source: NUMERICS §3, §6.
+ */
+package org.mechservice.solver.analysis.equation;
