@@ -81,6 +81,9 @@ final class RandomFile {
   private static final List<String> FEW =
       List.of("Joints", "jointVal", "vector", "point", "profile");
 
+  /** Elements that a file without a folder can hardly have right. */
+  private static final List<String> SELDOM = List.of("inipos", "include", "included");
+
   /** Attributes that hold formulas. */
   private static final List<String> OF_STATE =
       List.of("expression", "driven", "height", "fx", "fy", "fz", "tx", "ty", "tz");
@@ -185,7 +188,8 @@ final class RandomFile {
         };
     // Simulations and the sums of couplings are few, starts are not repeated.
     if (!mark.isEmpty() && !isWild()) {
-      count = model.get(start).equals("inipos") ? 0 : FEW.contains(model.get(start)) ? 1 : count;
+      String name = model.get(start);
+      count = SELDOM.contains(name) ? 0 : FEW.contains(name) ? 1 : count;
     }
     for (int k = 0; k < count && write; k++) {
       int[] again = {start};
