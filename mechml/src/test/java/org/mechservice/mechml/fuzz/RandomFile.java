@@ -82,7 +82,7 @@ final class RandomFile {
       List.of("Joints", "jointVal", "vector", "point", "profile");
 
   /** Elements that a file without a folder can hardly have right. */
-  private static final List<String> SELDOM = List.of("inipos", "include", "included");
+  private static final List<String> SELDOM = List.of("inipos", "include", "included", "table");
 
   /** Attributes that hold formulas. */
   private static final List<String> OF_STATE =

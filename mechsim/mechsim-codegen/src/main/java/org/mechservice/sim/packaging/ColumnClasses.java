@@ -15,7 +15,7 @@ import org.mechservice.solver.api.result.ColumnGroup;
  * instance of them is ever created.
  */
 final class ColumnClasses {
-  private static final String FOLDER = "org/mechservice/solver/analysis/";
+  private static final String FOLDER = "org/mechservice/solver/analysis/column/";
 
   private static final Map<String, ColumnGroup> GROUPS =
       Map.ofEntries(

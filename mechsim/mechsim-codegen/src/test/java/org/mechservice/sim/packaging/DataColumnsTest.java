@@ -44,7 +44,7 @@ import org.mechservice.solver.simulation.RuntimeSolver;
 class DataColumnsTest {
   private static final RunSettings SETTINGS = new RunSettings(0, 0.2, 0.1, "DE", 1e-6, 1e-6);
   private static final long SEED = 2;
-  private static final String ANALYSIS = "solver/analysis/";
+  private static final String ANALYSIS = "solver/analysis/column/";
 
   private static CompiledModel pendulum(boolean compact, ColumnGroup... columns) {
     BuildOptions options = new BuildOptions("DTR", "auto", compact, Set.of(columns), SETTINGS);
