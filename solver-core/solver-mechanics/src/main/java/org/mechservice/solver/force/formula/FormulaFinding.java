@@ -47,7 +47,22 @@ final class FormulaFinding {
    * @param ahead values one step later; not modified
    */
   static Optional<Defect> tooFast(double t, String lines, double[] here, double[] ahead) {
-    return fastest(lines, here, ahead, NOTICEABLE)
+    return tooFast(t, lines, here, ahead, NOTICEABLE);
+  }
+
+  /**
+   * Finds the force that jumps, or is nearly vertical, within a step that failed the error test.
+   *
+   * @param here values at {@code t}; not modified
+   * @param ahead values one step later; not modified
+   */
+  static Optional<Defect> jump(double t, String lines, double[] here, double[] ahead) {
+    return tooFast(t, lines, here, ahead, STEEP);
+  }
+
+  private static Optional<Defect> tooFast(
+      double t, String lines, double[] here, double[] ahead, double least) {
+    return fastest(lines, here, ahead, least)
         .map(
             changed ->
                 changed.defect(

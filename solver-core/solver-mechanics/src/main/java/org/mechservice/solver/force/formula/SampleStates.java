@@ -1,5 +1,6 @@
 package org.mechservice.solver.force.formula;
 
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.solver.api.capability.Defects.Defect;
@@ -9,6 +10,9 @@ import org.mechservice.solver.api.run.Failure;
 public final class SampleStates {
   /** Relative change of a component, as in difference quotients for Jacobians. */
   private static final double MOVE = 1e-7;
+
+  /** Lengths of steps over the shortest that failed, within which nothing smooth changes much. */
+  private static final double BESIDE = 100;
 
   /** Relative distance in time of a state just behind a jump. */
   private static final double JUST_AFTER = 1e-9;
@@ -38,7 +42,7 @@ public final class SampleStates {
   /**
    * Checks the last state of a run, states along the tangent at the lengths of the attempted steps,
    * and neighbouring states such as difference quotients use. If all forces have values there, it
-   * looks for a force that changes faster than the smallest step can follow, and for one that jumps
+   * looks for a force that changes faster than the shortest step can follow, and for one that jumps
    * or is vertical between neighbouring states, so that the equations of an implicit step have no
    * solution. If no step was tried from the last state, as after a jump, it looks just behind it.
    *
@@ -77,6 +81,9 @@ public final class SampleStates {
         return FormulaFinding.tooFast(t, lines, here, ahead);
       }
     }
+    if (found.isEmpty() && !unfinished) {
+      found = acrossRejected(t, y, yDot, here);
+    }
     if (!tried && found.isEmpty()) {
       double after = t + JUST_AFTER * Math.max(1, Math.abs(t));
       found = FormulaFinding.of(after, lines, formulas.at(after, y));
@@ -91,6 +98,29 @@ public final class SampleStates {
         found = FormulaFinding.tooSteep(t, lines, here, beside);
       }
       y[l / 2] = kept;
+    }
+    return found;
+  }
+
+  /**
+   * Looks as far ahead as the shortest steps that failed the error test: a solution that slides
+   * along a jump ends beside it, after a step that passed.
+   */
+  private Optional<Defect> acrossRejected(double t, double[] y, double[] yDot, double[] here) {
+    double[] lengths =
+        steps.stream()
+            .filter(step -> step.error() > 1)
+            .mapToDouble(Failure.Step::stepSize)
+            .boxed()
+            .sorted(Comparator.comparingDouble(Math::abs))
+            .mapToDouble(Double::doubleValue)
+            .toArray();
+    Optional<Defect> found = Optional.empty();
+    for (int i = 0; i < lengths.length && found.isEmpty(); i++) {
+      if (Math.abs(lengths[i]) <= BESIDE * Math.abs(lengths[0])) {
+        double[] ahead = formulas.at(t + lengths[i], along(y, yDot, lengths[i]));
+        found = FormulaFinding.jump(t, lines, here, ahead);
+      }
     }
     return found;
   }
