@@ -22,6 +22,7 @@ import org.mechservice.idl.MechSim;
 import org.mechservice.idl.MechSimHostHelper;
 import org.mechservice.idl.MechSimHostOperations;
 import org.mechservice.idl.MechSimHostPOATie;
+import org.mechservice.idl.ModelFile;
 import org.mechservice.idl.NameValue;
 import org.mechservice.idl.NotAvailable;
 import org.mechservice.idl.NotFound;
@@ -132,7 +133,8 @@ class AdministrationTest {
   @Test
   void whatThisVersionDoesNotDoIsSaid() throws Exception {
     try (Farm farm = new Farm(1)) {
-      assertThatThrownBy(() -> farm.service.importModel(Pendulum.file(), new DiagnosticSeqHolder()))
+      ModelFile drawing = new ModelFile("robot.step", Pendulum.file().content);
+      assertThatThrownBy(() -> farm.service.importModel(drawing, new DiagnosticSeqHolder()))
           .isInstanceOf(NotAvailable.class);
     }
   }

@@ -17,7 +17,6 @@ import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.mechservice.idl.HostInfo;
 import org.mechservice.idl.IMechSimRemote;
 import org.mechservice.idl.IMechSimRemoteHelper;
 import org.mechservice.idl.IMechSimRemoteOperations;
@@ -231,9 +230,8 @@ class OwnersTest {
 
   @Test
   void onlyServersCallHosts() throws Exception {
-    // The reference that a host gives the server, as somebody gets it who registers it.
-    HostInfo info = host.reference().getInfo();
-    assertThat(info.name).isEqualTo("other");
+    // The reference that a host gives the server, as somebody gets it who registers it. An answer
+    // other than a refusal, as of a host that is not there, counts as allowed.
     MechSimHost stolen =
         MechSimHostHelper.unchecked_narrow(bob.fromIor(alice.toIor(host.reference())));
     assertThat(allowed(MechSimHostOperations.class, stolen)).isEmpty();
