@@ -64,7 +64,7 @@ class ShowCommandTest {
     assertThat(folder.resolve("m.svg")).content().contains("degrees of freedom", "revolute joint");
 
     assertThat(show(arm, "n.svg", "--set", "a=1")).isEqualTo(ExitStatus.BAD_INPUT);
-    assertThat(err.toString()).contains("URDF");
+    assertThat(err.toString()).contains("is a robot, which has no parameters");
   }
 
   @Test

@@ -29,7 +29,7 @@ final class AdjointRun {
 
   private final GradientModel model;
   private final List<Wanted> wanted;
-  private final Motion motion;
+  private final MotionProblem motion;
   private final long memory;
   private final int n;
   private final int p;
@@ -61,7 +61,7 @@ final class AdjointRun {
     y = new double[length];
     byBoth = new double[2 * n];
     motion =
-        new Motion(
+        new MotionProblem(
             model,
             run,
             (transition, t, z) -> {

@@ -23,7 +23,7 @@ import org.mechservice.study.Reduction;
 final class ForwardRun {
   private final GradientModel model;
   private final List<Wanted> wanted;
-  private final Motion motion;
+  private final MotionProblem motion;
   private final int n;
   private final int p;
   private final int integrals;
@@ -53,7 +53,7 @@ final class ForwardRun {
     seeds = new double[p * n];
     rates = new double[p * n];
     slopes = new double[model.c * (p + 1)];
-    motion = new Motion(model, run, this::change);
+    motion = new MotionProblem(model, run, this::change);
   }
 
   /** Returns where the integrals begin. */

@@ -16,7 +16,7 @@ import org.mechservice.solver.ode.solve.OdeProblem;
 import org.mechservice.study.gradient.GradientModel.Part;
 
 /** The motion as a problem of the integrators: settings of the run, events and switches. */
-final class Motion {
+final class MotionProblem {
   final GradientModel model;
   final RunSettings run;
 
@@ -31,7 +31,7 @@ final class Motion {
     void apply(Transition transition, double t, double[] z);
   }
 
-  Motion(GradientModel model, RunSettings run, Change change) {
+  MotionProblem(GradientModel model, RunSettings run, Change change) {
     this.model = model;
     this.run = run;
     List<Event> given = model.functions.events();
