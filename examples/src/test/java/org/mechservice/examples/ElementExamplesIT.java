@@ -18,7 +18,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 class ElementExamplesIT {
   private static final Path FOLDER = WorkingTree.TOP.resolve("examples/elements");
   private static final Pattern END = Pattern.compile("Ends with (.*?)\\.\n-->", Pattern.DOTALL);
-  private static final Pattern VALUE = Pattern.compile("([\\w.\\[\\]]+) = (-?\\d+\\.\\d+)");
+  private static final Pattern VALUE = Pattern.compile("([\\w./\\[\\]]+) = (-?\\d+\\.\\d+)");
 
   @TempDir private Path directory;
 

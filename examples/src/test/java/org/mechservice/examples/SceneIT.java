@@ -141,8 +141,12 @@ class SceneIT {
   @ParameterizedTest
   @MethodSource("judgedByLaws")
   void othersAreCheckedAndRunToTheirEnd(String model) {
-    assertThat(Mechanic.check(EXAMPLES.resolve(model)).orFail().out()).contains("Warnings: none");
-    assertThat(simulate(model, "--quiet").rows()).hasSizeGreaterThan(10);
+    // The four hinges of a plane four-bar say three things twice.
+    assertThat(Mechanic.check(EXAMPLES.resolve(model)).orFail().out())
+        .contains(model.startsWith("four-bar/") ? "S-090 3 equations" : "Warnings: none");
+    // Modes are a row each; other results have one for each time.
+    assertThat(simulate(model, "--quiet").rows())
+        .hasSizeGreaterThan(model.startsWith("bicycle/") ? 8 : 10);
   }
 
   /** Scenes that are checked with a warning: planar inertias, equations that repeat each other. */
