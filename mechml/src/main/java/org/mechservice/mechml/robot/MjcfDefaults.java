@@ -27,7 +27,7 @@ final class MjcfDefaults {
     String name = outermost ? MAIN : section.attribute("class").orElse(MAIN);
     Map<String, Map<String, String>> own = classes.computeIfAbsent(name, key -> new HashMap<>());
     classes.getOrDefault(outer, Map.of()).forEach((tag, values) -> inherit(own, tag, values));
-    // What a class says holds for the classes in it wherever it stands.
+    // Own values first, then the classes inside, which take what they lack from here.
     for (Element part : section.children()) {
       if (!part.name().equals("default")) {
         Map<String, String> values = own.computeIfAbsent(part.name(), key -> new HashMap<>());

@@ -20,7 +20,7 @@ import java.util.regex.Pattern;
  * files. Whoever reads a model from a folder writes what they hold into its text, so that the text
  * holds the whole model when it travels: a table gets its points, a surface its volume and moments,
  * each with the {@code sha256} of the file; the text of an included file is appended, word for word
- * so that messages name its lines. What a text already holds it keeps.
+ * so that messages name its lines. A part that the text holds already stays.
  *
  * <p>All names are relative to the model's folder, also those in included files, and the files lie
  * in that folder or below it.
