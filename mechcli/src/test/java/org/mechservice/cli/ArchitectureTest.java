@@ -83,6 +83,7 @@ class ArchitectureTest {
           entry("mechresult", List.of("result")),
           entry("mechservice", List.of("library")),
           entry("mechstudy", List.of("study")),
+          entry("mechstudy-spark", List.of("spark")),
           entry("mechview", List.of("view")),
           entry("mechcli", List.of("cli")));
 
@@ -114,6 +115,7 @@ class ArchitectureTest {
     "mechservice, mechsim-codegen mechml solver-runtime solver-api solver-ode solver-mechanics",
     "mechstudy, mechservice mechresult mechsim-codegen mechml solver-runtime solver-api"
         + " solver-ode solver-mechanics",
+    "mechstudy-spark, mechstudy mechml solver-api",
     "mechview, mechclient mechresult idl solver-api",
   })
   @ParameterizedTest
