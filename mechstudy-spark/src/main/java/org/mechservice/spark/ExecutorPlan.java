@@ -35,7 +35,6 @@ final class ExecutorPlan {
       Path folder = Files.createTempDirectory("mechstudy");
       try {
         known = files.read(folder);
-        known.model().model().sha256(); // the model is generated, its classes are in memory
       } catch (MechmlException e) {
         throw new IOException(e.getMessage(), e);
       } finally {
