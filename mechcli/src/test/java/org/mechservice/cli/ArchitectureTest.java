@@ -107,14 +107,15 @@ class ArchitectureTest {
     "mechsim-service,"
         + " mechsim-codegen idl mechml solver-runtime solver-api solver-ode solver-mechanics",
     "mechserver, mechsim-service idl solver-api",
-    "mechclient, idl solver-api",
+    "mechclient, idl solver-api solver-runtime",
     "mechadmin, idl solver-api",
     "mechreport, mechclient solver-runtime solver-api solver-ode",
     "mechresult, solver-api",
     "mechservice, mechsim-codegen mechml solver-runtime solver-api solver-ode solver-mechanics",
     "mechstudy, mechservice mechresult mechsim-codegen mechml solver-runtime solver-api"
         + " solver-ode solver-mechanics",
-    "mechview, mechclient mechresult idl solver-api",
+    "mechview, mechclient mechresult mechservice mechsim-codegen mechml solver-runtime idl"
+        + " solver-api solver-ode solver-mechanics",
   })
   @ParameterizedTest
   void moduleDependsOnlyOnTheModulesTheDesignAllows(String module, String allowed) {
