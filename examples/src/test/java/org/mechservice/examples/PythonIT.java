@@ -32,20 +32,20 @@ class PythonIT {
 
   private static String testsPass(Terminal terminal, String server) {
     return terminal
-            .run(
-                "env",
-                "MECHSERVICE_TEST_SERVER=" + server,
-                "PYTHONPATH=" + PACKAGE.resolve("src"),
-                "PYTHONDONTWRITEBYTECODE=1",
-                PYTHON.toString(),
-                "-m",
-                "pytest",
-                "-q",
-                "-p",
-                "no:cacheprovider",
-                PACKAGE.resolve("tests").toString())
-            .orFail()
-            .stdout();
+        .run(
+            "env",
+            "MECHSERVICE_TEST_SERVER=" + server,
+            "PYTHONPATH=" + PACKAGE.resolve("src"),
+            "PYTHONDONTWRITEBYTECODE=1",
+            PYTHON.toString(),
+            "-m",
+            "pytest",
+            "-q",
+            "-p",
+            "no:cacheprovider",
+            PACKAGE.resolve("tests").toString())
+        .orFail()
+        .stdout();
   }
 
   @Test

@@ -49,7 +49,6 @@ class RobotExportTest {
   private static String randomTree(long seed) {
     Random random = new Random(seed);
     StringBuilder bodies = new StringBuilder();
-    StringBuilder ends = new StringBuilder();
     StringBuilder joints = new StringBuilder();
     StringBuilder start = new StringBuilder();
     StringBuilder[] frames = new StringBuilder[9];
@@ -96,30 +95,32 @@ class RobotExportTest {
     double up = random.nextDouble();
     return model(
         bodies.toString(),
-        joints.append(ends).toString(),
-        "<gravity gx='%s' gy='0' gz='%s'/>"
-            .formatted(9.81 * Math.sin(up), -9.81 * Math.cos(up)),
+        joints.toString(),
+        "<gravity gx='%s' gy='0' gz='%s'/>".formatted(9.81 * Math.sin(up), -9.81 * Math.cos(up)),
         "<root name='b0'/><relCoorVals>" + start + "</relCoorVals>");
   }
 
   private static String model(String bodies, String joints, String forces, String topology) {
     return """
-        <!DOCTYPE MechML SYSTEM "MechML.dtd">
-        <MechML><MBSsimulation><dynamic>
-          <timeSet tini="0" tend="1" tstep="0.1"/>
-          <integrator name="ode113" relTol="1e-9" absTol="1e-9"/>
-        </dynamic></MBSsimulation>
-        <MBSmodel name="tree" massUnits="kg" lengthUnits="m">
-        <Bodies>%s</Bodies><Joints>%s</Joints><Forces>%s</Forces><topology>%s</topology>
-        </MBSmodel></MechML>
-        """
+    <!DOCTYPE MechML SYSTEM "MechML.dtd">
+    <MechML><MBSsimulation><dynamic>
+      <timeSet tini="0" tend="1" tstep="0.1"/>
+      <integrator name="ode113" relTol="1e-9" absTol="1e-9"/>
+    </dynamic></MBSsimulation>
+    <MBSmodel name="tree" massUnits="kg" lengthUnits="m">
+    <Bodies>%s</Bodies><Joints>%s</Joints><Forces>%s</Forces><topology>%s</topology>
+    </MBSmodel></MechML>
+    """
         .formatted(bodies, joints, forces, topology);
   }
 
   private static String end(String tag, int body, int joint, boolean oriented) {
     return "<%s name='b%d' point='j%d'%s/>"
         .formatted(
-            tag, body, joint, oriented ? " vector='j%d' vector2='j%ds'".formatted(joint, joint) : "");
+            tag,
+            body,
+            joint,
+            oriented ? " vector='j%d' vector2='j%ds'".formatted(joint, joint) : "");
   }
 
   private static void frame(StringBuilder body, String name, boolean oriented, Random random) {
@@ -136,7 +137,8 @@ class RobotExportTest {
       double b = 3 * random.nextDouble();
       body.append(vector(name, Math.cos(a) * Math.sin(b), Math.sin(a) * Math.sin(b), Math.cos(b)))
           .append(
-              vector(name + "s", Math.cos(a) * Math.cos(b), Math.sin(a) * Math.cos(b), -Math.sin(b)));
+              vector(
+                  name + "s", Math.cos(a) * Math.cos(b), Math.sin(a) * Math.cos(b), -Math.sin(b)));
     }
   }
 
@@ -242,8 +244,7 @@ class RobotExportTest {
             "<limit lower=\"-1\" upper=\"2\"",
             "<dynamics damping=\"0.5\" friction=\"0.25\"/>",
             "<mimic joint=\"a\" multiplier=\"-2\" offset=\"0.125\"/>");
-    RobotImport again =
-        RobotImport.of("arm.urdf", back.text().getBytes(StandardCharsets.UTF_8));
+    RobotImport again = RobotImport.of("arm.urdf", back.text().getBytes(StandardCharsets.UTF_8));
     assertThat(again.model().mechanism().forces()).hasSize(4);
     assertThat(again.model().mechanism().closures()).hasSize(1);
   }
@@ -297,12 +298,12 @@ class RobotExportTest {
   void shapesAreShown() throws MechmlException {
     String mechml =
         model(
-            "<body name='g'><point name='o' x='0' y='0' z='0'/><vector name='z' vx='0' vy='0' vz='1'/>"
-                + "</body><body name='b'><point name='o' x='0' y='0' z='0'/>"
-                + "<vector name='z' vx='0' vy='0' vz='1'/><point name='e' x='0' y='0' z='-2'/>"
-                + "<cylinder radius='0.1' from='0;0;0' to='e' mass='1'/>"
-                + "<box x='1' y='2' z='3' point='e' mass='1'/><sphere radius='0.5' mass='1'/>"
-                + "<cone radius='0.1' from='0;0;0' to='e' mass='1'/></body>",
+            "<body name='g'><point name='o' x='0' y='0' z='0'/><vector name='z' vx='0' vy='0'"
+                + " vz='1'/></body><body name='b'><point name='o' x='0' y='0' z='0'/><vector"
+                + " name='z' vx='0' vy='0' vz='1'/><point name='e' x='0' y='0' z='-2'/><cylinder"
+                + " radius='0.1' from='0;0;0' to='e' mass='1'/><box x='1' y='2' z='3' point='e'"
+                + " mass='1'/><sphere radius='0.5' mass='1'/><cone radius='0.1' from='0;0;0' to='e'"
+                + " mass='1'/></body>",
             "<joint name='j' type='R'><body1 name='g' point='o' vector='z'/>"
                 + "<body2 name='b' point='o' vector='z'/></joint>",
             "<gravity gx='0' gy='0' gz='-9.81'/>",
