@@ -29,7 +29,6 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.ValueSource;
 
 /** Which module may depend on which, and within the solver which package on which. */
 class ArchitectureTest {
@@ -221,10 +220,14 @@ class ArchitectureTest {
     return reached;
   }
 
-  @ParameterizedTest
-  @ValueSource(strings = {"mechml", "report", "solver.linear", "solver.ode"})
-  void packagesFormNoCircle(String root) {
-    slices().matching(ROOT + "(" + root + "..)").should().beFreeOfCycles().check(PRODUCT);
+  @Test
+  void packagesFormNoCircle() {
+    slices()
+        .matching(ROOT + "(**)")
+        .should()
+        .beFreeOfCycles()
+        .ignoreDependency(GENERATED, DescribedPredicate.alwaysTrue())
+        .check(PRODUCT);
   }
 
   @Test
