@@ -103,11 +103,11 @@ class TransmissionsTest {
     // eye at x = 0, load pulley at x = 0.1, fixed pulley at x = 0.35, weight at x = 0.5
     String text =
         run(formulation, closure, integrator)
-            + "<MBSmodel name='tackle' massUnits='kg' lengthUnits='m'><Bodies><body name='Ground'>"
-            + "<point name='eye' x='0' y='0' z='0'/><point name='under' x='0.1' y='0' z='-2'/><point"
-            + " name='top' x='0.35' y='0' z='0'/><point name='beside' x='0.5' y='0' z='-1'/><vector"
-            + " name='z' vx='0' vy='0' vz='1'/><vector name='n' vx='0' vy='-1' vz='0'/></body><body"
-            + " name='load'>"
+            + "<MBSmodel name='tackle' massUnits='kg' lengthUnits='m'><Bodies><body"
+            + " name='Ground'><point name='eye' x='0' y='0' z='0'/><point name='under' x='0.1'"
+            + " y='0' z='-2'/><point name='top' x='0.35' y='0' z='0'/><point name='beside' x='0.5'"
+            + " y='0' z='-1'/><vector name='z' vx='0' vy='0' vz='1'/><vector name='n' vx='0'"
+            + " vy='-1' vz='0'/></body><body name='load'>"
             + body
             + "5'/></body><body name='weight'>"
             + body
@@ -115,11 +115,12 @@ class TransmissionsTest {
             + " point='under' vector='z'/><body2 name='load' point='o' vector='z'/></joint><joint"
             + " name='fall' type='P'><body1 name='Ground' point='beside' vector='z'/><body2"
             + " name='weight' point='o' vector='z'/></joint></Joints><Constraints><Rope name='rope'"
-            + " length='5 + 0.25*PI'><plane name='Ground' point='eye' vector='n'/><via name='Ground'"
-            + " point='eye'/><pulley name='load' point='o' radius='0.1' side='left'/><pulley"
-            + " name='Ground' point='top' radius='0.15' side='right'/><via name='weight' point='o'/>"
-            + "</Rope></Constraints><Forces><gravity gx='0' gy='0' gz='-9.81'/></Forces><topology>"
-            + "<root name='Ground'/></topology></MBSmodel></MechML>";
+            + " length='5 + 0.25*PI'><plane name='Ground' point='eye' vector='n'/><via"
+            + " name='Ground' point='eye'/><pulley name='load' point='o' radius='0.1'"
+            + " side='left'/><pulley name='Ground' point='top' radius='0.15' side='right'/><via"
+            + " name='weight' point='o'/></Rope></Constraints><Forces><gravity gx='0' gy='0'"
+            + " gz='-9.81'/></Forces><topology><root"
+            + " name='Ground'/></topology></MBSmodel></MechML>";
     Trajectory rows = of(text).simulate();
     double acceleration = 2 * 9.81 * (2 * 4 - 5) / (4 * 4 + 5);
     for (int i = 0; i < rows.rows(); i++) {
@@ -155,8 +156,8 @@ class TransmissionsTest {
   }
 
   /**
-   * A follower on an eccentric disc of radius r and eccentricity e, as a coupling of a point with an
-   * angle; the disc turns with 3 rad/s.
+   * A follower on an eccentric disc of radius r and eccentricity e, as a coupling of a point with
+   * an angle; the disc turns with 3 rad/s.
    */
   @ParameterizedTest
   @CsvSource({"DSR, projection, ode113", "RR-JF, projection, ode15sR"})
@@ -175,13 +176,13 @@ class TransmissionsTest {
             + " name='follower'>"
             + body
             + "<mass value='1'/></body></Bodies><Joints><joint name='turn' type='R'><body1"
-            + " name='Ground' point='o' vector='y'/><body2 name='cam' point='o' vector='y'/></joint>"
-            + "<joint name='lift' type='P'><body1 name='Ground' point='o' vector='z'/><body2"
-            + " name='follower' point='o' vector='z'/></joint></Joints><Constraints>"
-            + "<CoordConstraint name='profile' expression='follower.o.z - 20 - 8*cos(turn.q)'/>"
-            + "</Constraints><topology><root name='Ground'/><relCoorVals><jointVal name='turn'"
-            + " driven='3*t'/><jointVal name='lift' posVals='28'/></relCoorVals></topology>"
-            + "</MBSmodel></MechML>";
+            + " name='Ground' point='o' vector='y'/><body2 name='cam' point='o'"
+            + " vector='y'/></joint><joint name='lift' type='P'><body1 name='Ground' point='o'"
+            + " vector='z'/><body2 name='follower' point='o'"
+            + " vector='z'/></joint></Joints><Constraints><CoordConstraint name='profile'"
+            + " expression='follower.o.z - 20 - 8*cos(turn.q)'/></Constraints><topology><root"
+            + " name='Ground'/><relCoorVals><jointVal name='turn' driven='3*t'/><jointVal"
+            + " name='lift' posVals='28'/></relCoorVals></topology></MBSmodel></MechML>";
     Trajectory rows = of(text).simulate();
     for (int i = 0; i < rows.rows(); i++) {
       double expected = 0.020 + 0.008 * Math.cos(3 * rows.time()[i]);

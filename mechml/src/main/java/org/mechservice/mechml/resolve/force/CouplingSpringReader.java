@@ -109,8 +109,7 @@ final class CouplingSpringReader {
     private final Law law;
     private final List<BodyPoint> points;
 
-    Spring(
-        Element element, Expression along, boolean angle, Law law, List<BodyPoint> points) {
+    Spring(Element element, Expression along, boolean angle, Law law, List<BodyPoint> points) {
       this.element = element;
       this.along = along;
       this.angle = angle;

@@ -98,8 +98,7 @@ public final class RopeReader {
     if (stops.size() < wanted || more.isEmpty() || (plane.isPresent() && frame.isEmpty())) {
       return Optional.empty();
     }
-    Expression length =
-        frame.isPresent() ? overPulleys(frame.get(), stops) : throughEyes(stops);
+    Expression length = frame.isPresent() ? overPulleys(frame.get(), stops) : throughEyes(stops);
     return Optional.of(
         new Rope(
             RelationReader.plus(more.get(), length), stops.stream().map(Stop::centre).toList()));
@@ -134,8 +133,7 @@ public final class RopeReader {
   private Optional<Stop> stop(Element element) {
     Optional<BodyPoint> centre = names.point(element);
     if (element.name().equals("via")) {
-      return centre.map(
-          at -> new Stop(at, Expression.ZERO, Expression.ZERO, Expression.ZERO));
+      return centre.map(at -> new Stop(at, Expression.ZERO, Expression.ZERO, Expression.ZERO));
     }
     Optional<Expression> radius = formulas.positive(element, "radius", Quantity.LENGTH);
     Optional<Expression> turns = formulas.notNegative(element, "turns", Quantity.NUMBER);
@@ -184,8 +182,7 @@ public final class RopeReader {
       Expression tangent = root(inPlane);
       Expression ux = new Sum(new Product(tangent, dx), new Product(delta, dy));
       Expression uy = minus(new Product(tangent, dy), new Product(delta, dx));
-      Straight straight =
-          new Straight(ux, uy, root(new Sum(inPlane, new Product(h, h))));
+      Straight straight = new Straight(ux, uy, root(new Sum(inPlane, new Product(h, h))));
       if (i > 1) {
         length = new Sum(length, arc(from, straights.get(i - 2), straight));
       }
@@ -201,8 +198,7 @@ public final class RopeReader {
       return Expression.ZERO;
     }
     Expression dot =
-        new Sum(
-            new Product(before.ux(), behind.ux()), new Product(before.uy(), behind.uy()));
+        new Sum(new Product(before.ux(), behind.ux()), new Product(before.uy(), behind.uy()));
     Expression cross =
         minus(new Product(before.ux(), behind.uy()), new Product(before.uy(), behind.ux()));
     boolean left = pulley.signedRadius().equals(pulley.radius());
