@@ -413,7 +413,7 @@ public final class Simulation implements Solver {
     }
 
     private int writeRowsOfStep() throws IOException {
-      timeReached = Math.min(integrator.time(), settings.tEnd());
+      timeReached = integrator.time();
       for (double t = dueRow(); t <= timeReached; t = dueRow()) {
         integrator.interpolate(t, y, yDot);
         if (!equations.closeLoops(t, y) || !work.advance(t)) {
