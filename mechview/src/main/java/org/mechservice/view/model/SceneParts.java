@@ -1,4 +1,4 @@
-package org.mechservice.cli.picture;
+package org.mechservice.view.model;
 
 import java.util.ArrayList;
 import java.util.List;
