@@ -144,7 +144,11 @@ final class InteractionSketch {
     return scene.pose(constraint.anchors().get(1).body()).turn(constraint.direction());
   }
 
+  /** Returns the joints of a coupling, or what a rope passes. */
   private List<Place> coupled(SceneConstraint constraint) {
+    if (!constraint.anchors().isEmpty()) {
+      return constraint.anchors().stream().map(layout::place).toList();
+    }
     return scene.joints().stream()
         .filter(joint -> constraint.joints().contains(joint.name()))
         .map(joint -> layout.place(joint.second()))
@@ -220,6 +224,19 @@ final class InteractionSketch {
         names.name(force.name(), FORCE, false, List.of(at.get(0)), 17);
       }
       case CONTACT -> contact(force, at.get(0));
+      case ROPE, COUPLING -> {
+        for (int i = 1; i < at.size(); i++) {
+          if (force.kind() == SceneForce.Kind.ROPE) {
+            forces.rod(at.get(i - 1), at.get(i), false, FORCE);
+          } else {
+            forces.dashed(at.get(i - 1), at.get(i), FORCE);
+          }
+          names.avoid(at.get(i - 1).to(at.get(i)));
+        }
+        if (at.size() > 1) {
+          nameBetween(force.name(), FORCE, at.get(0), at.get(1));
+        }
+      }
       default -> {
         at.forEach(point -> forces.dot(point, FORCE));
         if (at.size() == 2) {
