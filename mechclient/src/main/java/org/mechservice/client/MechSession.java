@@ -19,6 +19,7 @@ import org.mechservice.client.failure.JarRefusedException;
 import org.mechservice.client.failure.LimitExceededException;
 import org.mechservice.client.failure.ModelMessage;
 import org.mechservice.client.failure.RemoteCalls;
+import org.mechservice.client.failure.SetUpCalls;
 import org.mechservice.client.failure.ServiceException;
 import org.mechservice.client.jar.BuiltJar;
 import org.mechservice.client.jar.FetchedModel;
@@ -56,6 +57,7 @@ public final class MechSession implements AutoCloseable {
   private static final int MOST_SENT_BYTES = LimitedBuffers.MAX_MESSAGE_BYTES - (1 << 20);
 
   private final RemoteCalls calls;
+  private final SetUpCalls setUp;
   private final MechConnection connection;
   private final ServiceDescription service;
   private final MechSim session;
@@ -83,6 +85,7 @@ public final class MechSession implements AutoCloseable {
       double openSeconds) {
     this.connection = connection;
     this.calls = calls;
+    setUp = connection.setUpCalls(calls, session);
     this.service = service;
     this.session = session;
     this.openSeconds = openSeconds;
@@ -175,10 +178,10 @@ public final class MechSession implements AutoCloseable {
   private List<ModelMessage> load(ModelFile model, ModelFile[] classes) {
     Stopwatch watch = new Stopwatch();
     var said =
-        calls.get(
-            () -> {
+        setUp.get(
+            patient -> {
               requireSendable(model, classes);
-              return session.loadModel(model, classes);
+              return patient.loadModel(model, classes);
             });
     loadSeconds = watch.lap();
     modelLoaded = model;
@@ -222,7 +225,7 @@ public final class MechSession implements AutoCloseable {
    * @throws InvalidStateException if no model is loaded
    */
   public String checkReport(boolean asJson) {
-    return calls.get(() -> session.checkReport(asJson));
+    return setUp.get(patient -> patient.checkReport(asJson));
   }
 
   /**
@@ -234,7 +237,7 @@ public final class MechSession implements AutoCloseable {
    */
   public List<GeneratedSource> generatedSources(SimulationOptions options) {
     List<GeneratedSource> sources = new ArrayList<>();
-    ModelFile source = calls.get(() -> session.generatedSource(options.toNameValues()));
+    ModelFile source = setUp.get(patient -> patient.generatedSource(options.toNameValues()));
     while (!source.fileName.isEmpty()) {
       String text = new String(source.content, StandardCharsets.UTF_8);
       sources.add(new GeneratedSource(source.fileName, text));
@@ -299,7 +302,7 @@ public final class MechSession implements AutoCloseable {
 
   private HostedRun place(SimulationOptions options, @Nullable IMechClient callback) {
     Stopwatch watch = new Stopwatch();
-    RunSetUp answer = calls.get(() -> session.prepareSimulation(options.toNameValues(), callback));
+    RunSetUp answer = setUp.get(patient -> patient.prepareSimulation(options.toNameValues(), callback));
     double seconds = watch.lap();
     LeaseRenewal leases = connection.leases();
     heed(answer.facts);
@@ -407,7 +410,7 @@ public final class MechSession implements AutoCloseable {
   }
 
   private JarFetch jars() {
-    return new JarFetch(calls, session, connection.cache(), connection.originOf(session));
+    return new JarFetch(calls, setUp, session, connection.cache(), connection.originOf(session));
   }
 
   /** Returns the size of the server's runtime JAR, bytes. */
