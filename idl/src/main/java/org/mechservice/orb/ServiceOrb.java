@@ -187,8 +187,8 @@ public final class ServiceOrb implements AutoCloseable {
   }
 
   /**
-   * Returns the same session, with calls that wait as long as the set-up of a model may take: {@link
-   * #LONGEST_SET_UP_SECONDS}.
+   * Returns the same session, with calls that wait as long as the set-up of a model may take:
+   * {@link #LONGEST_SET_UP_SECONDS}.
    */
   public MechSim patient(MechSim session) {
     return MechSimHelper.unchecked_narrow(

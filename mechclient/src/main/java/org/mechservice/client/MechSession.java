@@ -19,8 +19,8 @@ import org.mechservice.client.failure.JarRefusedException;
 import org.mechservice.client.failure.LimitExceededException;
 import org.mechservice.client.failure.ModelMessage;
 import org.mechservice.client.failure.RemoteCalls;
-import org.mechservice.client.failure.SetUpCalls;
 import org.mechservice.client.failure.ServiceException;
+import org.mechservice.client.failure.SetUpCalls;
 import org.mechservice.client.jar.BuiltJar;
 import org.mechservice.client.jar.FetchedModel;
 import org.mechservice.client.jar.JarFetch;
@@ -302,7 +302,8 @@ public final class MechSession implements AutoCloseable {
 
   private HostedRun place(SimulationOptions options, @Nullable IMechClient callback) {
     Stopwatch watch = new Stopwatch();
-    RunSetUp answer = setUp.get(patient -> patient.prepareSimulation(options.toNameValues(), callback));
+    RunSetUp answer =
+        setUp.get(patient -> patient.prepareSimulation(options.toNameValues(), callback));
     double seconds = watch.lap();
     LeaseRenewal leases = connection.leases();
     heed(answer.facts);

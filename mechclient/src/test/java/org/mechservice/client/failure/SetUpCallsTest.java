@@ -26,8 +26,7 @@ class SetUpCallsTest {
   }
 
   private static SetUpCalls calls(MechSim session, MechSim patient) {
-    return new SetUpCalls(
-        new RemoteCalls("here:1"), session, patient, LIMIT, Duration.ofMillis(1));
+    return new SetUpCalls(new RemoteCalls("here:1"), session, patient, LIMIT, Duration.ofMillis(1));
   }
 
   private static Object timeout() {
@@ -60,7 +59,8 @@ class SetUpCallsTest {
     MechSim patient = session(SetUpCallsTest::timeout);
     assertThatExceptionOfType(LimitExceededException.class)
         .isThrownBy(() -> calls(session(() -> "id"), patient).get(s -> s.checkReport(true)))
-        .withMessageStartingWith("S-230 the server at here:1 is there, but has not set the model up")
+        .withMessageStartingWith(
+            "S-230 the server at here:1 is there, but has not set the model up")
         .withMessageContaining("within 3600 s")
         .satisfies(e -> assertThat(e.limit()).isEqualTo("setUp"));
   }

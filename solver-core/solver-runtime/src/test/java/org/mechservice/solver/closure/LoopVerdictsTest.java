@@ -38,7 +38,8 @@ class LoopVerdictsTest {
   private static final int SLICE = 20;
   private static final int ALL = 1000;
 
-  private record Verdict(boolean closes, int rank, int ofPositions, int redundant, boolean singular) {
+  private record Verdict(
+      boolean closes, int rank, int ofPositions, int redundant, boolean singular) {
     static Verdict of(Mechanism mechanism, Predicate<LoopEquations> isSparse) {
       TreeGeometry tree = new TreeGeometry(mechanism);
       double[] y = new double[mechanism.stateCount()];
@@ -74,7 +75,8 @@ class LoopVerdictsTest {
       Random random = new Random(seed);
       return switch (this) {
         case FEW_LOOPS -> RandomLoops.of(seed, 3 + random.nextInt(7), 1 + random.nextInt(4));
-        case LOOPS_TWICE -> twice(RandomLoops.of(seed, 3 + random.nextInt(5), 1 + random.nextInt(3)));
+        case LOOPS_TWICE ->
+            twice(RandomLoops.of(seed, 3 + random.nextInt(5), 1 + random.nextInt(3)));
         case MANY_LOOPS -> RandomLoops.of(seed, 2 + random.nextInt(3), 6 + random.nextInt(4));
         case LINKAGES -> linkage(random);
       };
@@ -85,7 +87,9 @@ class LoopVerdictsTest {
       return switch (random.nextInt(3)) {
         case 0 ->
             Linkages.fourBar(
-                IntStream.range(0, 4).mapToObj(i -> types.get(i == 0 ? 0 : random.nextInt(3))).toList(),
+                IntStream.range(0, 4)
+                    .mapToObj(i -> types.get(i == 0 ? 0 : random.nextInt(3)))
+                    .toList(),
                 random.nextInt(4));
         case 1 -> Linkages.ring(4 + random.nextInt(9));
         default -> Linkages.windows(1 + random.nextInt(8), random.nextDouble());
@@ -141,7 +145,7 @@ class LoopVerdictsTest {
     lines.add("");
     lines.add(
         "Written on %s by `mvn verify -Psoak`, test `LoopVerdictsTest`: %d seeded mechanisms, each set"
-            .formatted(LocalDate.now(ZoneOffset.UTC), ALL)
+                .formatted(LocalDate.now(ZoneOffset.UTC), ALL)
             + " up by sparse elimination and by singular values of the whole matrix. Both ways say the"
             + " same of every mechanism: whether the start closes, the rank, the rank of the positions,"
             + " the number of redundant equations, and whether the start is singular. The table says"

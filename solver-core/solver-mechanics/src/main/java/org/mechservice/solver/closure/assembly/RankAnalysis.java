@@ -79,8 +79,7 @@ public final class RankAnalysis {
    *
    * @param isLarge whether the rank comes from sparse elimination, not from singular values alone
    */
-  public RankAnalysis(
-      TreeGeometry tree, double t, double[] y, Predicate<LoopEquations> isLarge) {
+  public RankAnalysis(TreeGeometry tree, double t, double[] y, Predicate<LoopEquations> isLarge) {
     motion = new TreeMotion(tree);
     loops = new LoopEquations(tree);
     coordinates = new StateCoordinates(tree.mechanism());
