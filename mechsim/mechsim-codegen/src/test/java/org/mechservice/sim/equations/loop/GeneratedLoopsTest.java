@@ -82,8 +82,7 @@ public class GeneratedLoopsTest {
   /**
    * RR by penalty takes M from the data: that of the state of the step, not of the state that the
    * data were placed at last. Differences keep half of the digits; 1e-5 leaves three for the
-   * condition of the step. With the mass matrix of the start, eleven of the twelve scenes differ by
-   * more than 1e-3.
+   * condition of the step. With the mass matrix of the start, eleven of the twelve scenes are beyond it.
    */
   @ParameterizedTest
   @MethodSource("scenes")
