@@ -18,6 +18,16 @@ import java.util.List;
  */
 public interface Integrator {
   /**
+   * A place at which one method took over from another.
+   *
+   * @param time where
+   * @param stiff whether the method for stiff problems took over: stability had limited the steps
+   *     of the other; else an explicit step would have cost no more
+   * @param stepSize of the last step before, signed
+   */
+  record MethodChange(double time, boolean stiff, double stepSize) {}
+
+  /**
    * Begins a problem; evaluates f once. Whatever was begun before is forgotten.
    *
    * @param system the right-hand side
@@ -69,8 +79,8 @@ public interface Integrator {
   StepResult step();
 
   /**
-   * Returns the end of the last accepted step. DE may have stepped past the end of the problem;
-   * interpolate there.
+   * Returns the end of the last accepted step, or the end of the problem where DE has stepped past
+   * it.
    */
   double time();
 

@@ -1,0 +1,286 @@
+package org.mechservice.report.solution;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Random;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Supplier;
+import org.mechservice.report.method.ModelPhases;
+import org.mechservice.report.method.ModelProblem;
+import org.mechservice.report.reference.ExtrapolationCode;
+import org.mechservice.report.reference.RadauCode;
+import org.mechservice.report.reference.ReferenceCode;
+
+/**
+ * Makes a reference: two codes on two formulations, their difference being what is known of its
+ * error; a run from a start changed by one unit in the last place, what rounding alone does; and
+ * one changed by 1e-9, by what the scene amplifies. What happens along a run parts it into phases
+ * that the codes solve one by one.
+ */
+public final class ReferenceMaker {
+  /** Tolerance of the collocation codes' estimate, of much lower order than the solution. */
+  private static final double RADAU_TOLERANCE = 1e-12;
+
+  private static final double EXTRAPOLATION_TOLERANCE = 1e-13;
+
+  /** Where loops are closed near a singular position, tighter tolerances are lost in rounding. */
+  private static final double LOOSER = 1e4;
+
+  private static final double AMPLIFIED = 1e-9;
+
+  /** To see how far a run goes: no digit of that matters beyond those of an output interval. */
+  private static final double ROUGH_TOLERANCE = 1e-6;
+
+  /** A code beyond this number of unknowns would spend its time in dense matrices. */
+  private static final int DENSE_LIMIT = 120;
+
+  /**
+   * Something that may be solved.
+   *
+   * @param name formulation, for the page
+   * @param fresh makes the problem, for one solution
+   */
+  public record Source(String name, Supplier<ModelProblem> fresh) {}
+
+  @SuppressWarnings("ArrayRecordComponent") // states as the codes hand them out; not changed
+  private record Solved(
+      String how, Attempt attempt, double[][] states, Optional<ModelPhases> course) {
+    List<Double> jumps() {
+      return course.map(ModelPhases::jumps).orElse(List.of());
+    }
+
+    Solved at(int[] kept) {
+      double[][] some = Arrays.stream(kept).mapToObj(i -> states[i]).toArray(double[][]::new);
+      return new Solved(how, attempt, some, course);
+    }
+  }
+
+  private record Attempt(Source source, ReferenceCode code, double tolerance) {
+    String how() {
+      return String.format(
+          Locale.ROOT, "%s, tolerance %.0e, on %s", code.name(), tolerance, source.name());
+    }
+  }
+
+  private final StateDistance distance;
+  private final double secondsPerCode;
+  private final double radauTolerance;
+  private final double extrapolationTolerance;
+
+  /**
+   * @param secondsPerCode time limit of one solution, s
+   */
+  public ReferenceMaker(StateDistance distance, double secondsPerCode) {
+    this(distance, secondsPerCode, RADAU_TOLERANCE, EXTRAPOLATION_TOLERANCE);
+  }
+
+  /**
+   * @param secondsPerCode time limit of one solution, s
+   * @param radauTolerance of the collocation codes' estimate
+   * @param extrapolationTolerance of the other
+   */
+  public ReferenceMaker(
+      StateDistance distance,
+      double secondsPerCode,
+      double radauTolerance,
+      double extrapolationTolerance) {
+    this.distance = distance;
+    this.secondsPerCode = secondsPerCode;
+    this.radauTolerance = radauTolerance;
+    this.extrapolationTolerance = extrapolationTolerance;
+  }
+
+  /**
+   * Makes a reference.
+   *
+   * @param sources at least one; the second should be another formulation than the first
+   * @param times increasing; the first is the start
+   * @return empty if no code solves the problem in its time
+   */
+  public Optional<Reference> make(List<Source> sources, double[] times) {
+    List<String> said = new ArrayList<>();
+    List<Solved> solved = new ArrayList<>();
+    for (Attempt attempt : attempts(sources)) {
+      Optional<Solved> found = solve(attempt, times, 0);
+      if (found.isPresent()) {
+        solved.add(found.get());
+        if (solved.size() == 2) {
+          break;
+        }
+      } else {
+        said.add(attempt.how() + ": not solved, for " + (long) secondsPerCode + " s at most");
+      }
+    }
+    return solved.isEmpty() ? Optional.empty() : comparable(solved, times, said);
+  }
+
+  /**
+   * How far a run can be judged.
+   *
+   * @param grid output times
+   * @param why it is not the whole of it, in a sentence; empty if it is
+   */
+  public record Extent(RunGrid grid, String why) {}
+
+  /**
+   * Returns how far a run goes: one that something ends before its time has as many output times,
+   * closer to each other, but for the very last, which another method may not reach.
+   */
+  public Extent extent(Source source, RunGrid whole) {
+    ModelProblem problem = source.fresh().get();
+    double[] times = {whole.start(), whole.start() + whole.step() * (whole.rows() - 1)};
+    if (!problem.course().map(ModelPhases::mayEnd).orElse(false)) {
+      return new Extent(whole, "");
+    }
+    ReferenceCode code =
+        problem.dimension() > DENSE_LIMIT ? new ExtrapolationCode(6) : new RadauCode(5);
+    Optional<double[][]> states =
+        code.solve(problem, times, problem.start(), ROUGH_TOLERANCE, deadline());
+    ModelPhases course = problem.course().orElseThrow();
+    if (states.isEmpty() || states.get().length == times.length) {
+      return new Extent(whole, "");
+    }
+    RunGrid shorter = RunGrid.uniform(whole.start(), course.endTime(), whole.rows() - 1);
+    RunGrid judged = new RunGrid(shorter.start(), shorter.step(), shorter.rows() - 1);
+    return new Extent(judged, course.end());
+  }
+
+  private List<Attempt> attempts(List<Source> sources) {
+    Source first = sources.get(0);
+    Source second = sources.get(Math.min(1, sources.size() - 1));
+    Attempt extrapolation = new Attempt(second, new ExtrapolationCode(8), extrapolationTolerance);
+    if (first.fresh().get().dimension() > DENSE_LIMIT) {
+      return List.of(
+          extrapolation, new Attempt(first, new ExtrapolationCode(6), extrapolationTolerance));
+    }
+    return List.of(
+        new Attempt(first, new RadauCode(7), radauTolerance),
+        extrapolation,
+        new Attempt(second, new RadauCode(5), radauTolerance),
+        new Attempt(first, new RadauCode(7), LOOSER * radauTolerance),
+        new Attempt(second, new RadauCode(5), LOOSER * radauTolerance));
+  }
+
+  private Optional<Solved> solve(Attempt attempt, double[] times, double change) {
+    ModelProblem problem = attempt.source().fresh().get();
+    double[] y0 = problem.start();
+    if (change > 0) {
+      perturb(problem, times[0], y0, change);
+    }
+    return attempt
+        .code()
+        .solve(problem, times, y0, attempt.tolerance(), deadline())
+        .map(states -> new Solved(attempt.how(), attempt, states, problem.course()));
+  }
+
+  private long deadline() {
+    return System.nanoTime() + (long) (secondsPerCode * TimeUnit.SECONDS.toNanos(1));
+  }
+
+  /** Keeps the times that all solutions reach and at which a state that jumps can be compared. */
+  private Optional<Reference> comparable(List<Solved> solved, double[] times, List<String> said) {
+    int reached = solved.stream().mapToInt(one -> one.states().length).min().orElse(0);
+    int[] kept =
+        ComparableTimes.of(
+            Arrays.copyOf(times, reached), solved.stream().map(Solved::jumps).toList());
+    if (kept.length < 2) {
+      return Optional.empty();
+    }
+    double[] clear = Arrays.stream(kept).mapToDouble(i -> times[i]).toArray();
+    List<String> all = new ArrayList<>(said);
+    List<ModelPhases> courses = solved.stream().flatMap(one -> one.course().stream()).toList();
+    all.addAll(JumpNotes.of(courses, clear[clear.length - 1], kept.length, times.length));
+    courses.stream().map(ModelPhases::end).filter(end -> !end.isEmpty()).limit(1).forEach(all::add);
+    return Optional.of(judged(solved.stream().map(one -> one.at(kept)).toList(), clear, all));
+  }
+
+  /** Changes every component that is free by the same part of 1 + |y|, signs drawn. */
+  private static void perturb(ModelProblem problem, double t, double[] y, double change) {
+    Random signs = new Random(1);
+    for (int i = 0; i < y.length; i++) {
+      double moved = change * (1 + Math.abs(y[i]));
+      if (signs.nextBoolean() && problem.independent(i)) {
+        y[i] += moved;
+      } else if (problem.independent(i)) {
+        y[i] -= moved;
+      }
+    }
+    problem.close(t, y);
+  }
+
+  private Reference judged(List<Solved> solved, double[] times, List<String> said) {
+    Solved best = solved.get(0);
+    List<String> sources = new ArrayList<>();
+    sources.add("Reference: " + best.how() + ".");
+    double[] floor = new double[times.length];
+    Optional<double[]> rounding = grown(best, times, Math.ulp(1.0) / 2);
+    Optional<double[]> amplified = grown(best, times, AMPLIFIED);
+    rounding.ifPresent(moved -> raise(floor, moved));
+    if (solved.size() == 2) {
+      double[] apart = distances(best.states(), solved.get(1).states());
+      raise(floor, apart);
+      sources.add(
+          String.format(
+              Locale.ROOT,
+              "Checked by: %s; they differ by %.1e at most.",
+              solved.get(1).how(),
+              largest(apart)));
+    } else {
+      sources.add(Reference.NOT_CHECKED);
+    }
+    rounding.ifPresent(
+        moved ->
+            sources.add(
+                String.format(
+                    Locale.ROOT,
+                    "A start changed by one unit in the last place moves the end by %.1e.",
+                    moved[moved.length - 1])));
+    sources.addAll(said);
+    return new Reference(
+        times,
+        best.states(),
+        floor,
+        rounding.orElseGet(() -> new double[times.length]),
+        amplified.map(ReferenceMaker::perUnit),
+        best.jumps(),
+        sources);
+  }
+
+  private static double[] perUnit(double[] moved) {
+    double[] factors = new double[moved.length];
+    for (int i = 0; i < moved.length; i++) {
+      factors[i] = moved[i] / AMPLIFIED;
+    }
+    return factors;
+  }
+
+  private Optional<double[]> grown(Solved solved, double[] times, double change) {
+    return solve(solved.attempt(), times, change)
+        .map(moved -> distances(moved.states(), solved.states()));
+  }
+
+  /** Where one of them has ended before, nothing is known. */
+  private double[] distances(double[][] moved, double[][] states) {
+    double[] apart = new double[states.length];
+    Arrays.setAll(
+        apart, i -> i < moved.length ? distance.of(moved[i], states[i]) : Double.POSITIVE_INFINITY);
+    return apart;
+  }
+
+  private static void raise(double[] floor, double[] to) {
+    for (int i = 0; i < floor.length; i++) {
+      floor[i] = Math.max(floor[i], to[i]);
+    }
+  }
+
+  private static double largest(double[] values) {
+    double largest = 0;
+    for (double value : values) {
+      largest = Math.max(largest, value);
+    }
+    return largest;
+  }
+}

@@ -1,0 +1,371 @@
+package org.mechservice.view.model;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.expression.Coordinate;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.Tape;
+import org.mechservice.solver.expression.TapeEvaluation;
+import org.mechservice.solver.kinematics.TreeGeometry;
+import org.mechservice.solver.kinematics.TreeMotion;
+import org.mechservice.solver.mechanism.Body;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.closure.CoordinateClosure;
+import org.mechservice.solver.mechanism.closure.DistanceClosure;
+import org.mechservice.solver.mechanism.closure.JointClosure;
+import org.mechservice.solver.mechanism.closure.KnifeEdgeClosure;
+import org.mechservice.solver.mechanism.closure.LoopClosure;
+import org.mechservice.solver.mechanism.closure.PointOnLineClosure;
+import org.mechservice.solver.mechanism.closure.PointOnPlaneClosure;
+import org.mechservice.solver.mechanism.closure.RollingClosure;
+import org.mechservice.solver.mechanism.force.Bushing;
+import org.mechservice.solver.mechanism.force.Contact;
+import org.mechservice.solver.mechanism.force.CouplingSpringDamper;
+import org.mechservice.solver.mechanism.force.ForceElement;
+import org.mechservice.solver.mechanism.force.ForceTorque;
+import org.mechservice.solver.mechanism.force.ForceVisitor;
+import org.mechservice.solver.mechanism.force.JointForce;
+import org.mechservice.solver.mechanism.force.JointFriction;
+import org.mechservice.solver.mechanism.force.JointSpringDamper;
+import org.mechservice.solver.mechanism.force.NamedPoint;
+import org.mechservice.solver.mechanism.force.SpringDamper;
+import org.mechservice.solver.mechanism.force.UserForceElement;
+import org.mechservice.solver.mechanism.joint.Attachment;
+import org.mechservice.solver.mechanism.joint.Joint;
+import org.mechservice.solver.spatial.InertiaTensor;
+import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.view.scene.Anchor;
+import org.mechservice.view.scene.BodyPose;
+import org.mechservice.view.scene.Point3;
+import org.mechservice.view.scene.SceneBody;
+import org.mechservice.view.scene.SceneConstraint;
+import org.mechservice.view.scene.SceneForce;
+import org.mechservice.view.scene.SceneJoint;
+
+/** Translates the parts of a mechanism in one position to the parts of a scene. */
+final class SceneParts {
+  private static final Vector3 Z = new Vector3(0, 0, 1);
+
+  private final TreeGeometry tree;
+  private final Mechanism mechanism;
+  private final TreeMotion motion;
+  private final double t;
+  private final ShownForces shown = new ShownForces();
+
+  /**
+   * Takes a position.
+   *
+   * @param motion after a sweep to the position; not modified
+   * @param t the time of the position, s
+   */
+  SceneParts(TreeMotion motion, double t) {
+    tree = motion.tree();
+    mechanism = tree.mechanism();
+    this.motion = motion;
+    this.t = t;
+  }
+
+  static Point3 point(Vector3 v) {
+    return new Point3(v.x(), v.y(), v.z());
+  }
+
+  private static Anchor anchor(BodyPoint point) {
+    return new Anchor(point.body(), point(point.position()));
+  }
+
+  BodyPose rootPose() {
+    return pose(Mechanism.ROOT);
+  }
+
+  private BodyPose pose(int body) {
+    double[] rotation = body == Mechanism.ROOT ? tree.rootRotation : motion.worldRotation;
+    int link = tree.linkOf(body);
+    double[] r = new double[3];
+    tree.fromReference(new BodyPoint(body, Vector3.ZERO), r, 0);
+    double[] origin = new double[3];
+    motion.points.position(link, r, 0, origin, 0);
+    return BodyPose.of(
+        new Point3(origin[0], origin[1], origin[2]),
+        rotation,
+        body == Mechanism.ROOT ? 0 : 9 * link);
+  }
+
+  List<SceneBody> bodies(Map<String, String> geometries) {
+    List<SceneBody> bodies = new ArrayList<>();
+    for (Body body : mechanism.bodies()) {
+      InertiaTensor i = body.inertia();
+      bodies.add(
+          new SceneBody(
+              body.name(),
+              pose(bodies.size()),
+              body.mass(),
+              point(body.centerOfMass()),
+              List.of(i.xx(), i.yy(), i.zz(), i.xy(), i.xz(), i.yz()),
+              geometries.getOrDefault(body.name(), "")));
+    }
+    return bodies;
+  }
+
+  List<SceneJoint> joints() {
+    List<SceneJoint> joints = new ArrayList<>();
+    for (Joint joint : mechanism.joints()) {
+      joints.add(joint(joint, false, mechanism.isDriven(joints.size())));
+    }
+    for (LoopClosure closure : mechanism.closures()) {
+      if (closure instanceof JointClosure cut) {
+        joints.add(joint(cut.joint(), true, !cut.motion().isEmpty()));
+      }
+    }
+    return joints;
+  }
+
+  private static SceneJoint joint(Joint joint, boolean cut, boolean driven) {
+    Attachment at = joint.attachment();
+    List<Vector3> axes = parentAxisFirst(joint);
+    return new SceneJoint(
+        joint.name(),
+        joint.type(),
+        cut,
+        driven,
+        new Anchor(at.parent(), point(at.parentPoint())),
+        new Anchor(at.child(), point(at.childPoint())),
+        point(axes.isEmpty() ? Vector3.ZERO : axes.get(0)),
+        point(axes.size() < 2 ? Vector3.ZERO : axes.get(1)));
+  }
+
+  /** The axis fixed in the parent, in its axes, then that of the child, if there is one. */
+  private static List<Vector3> parentAxisFirst(Joint joint) {
+    List<Vector3> axes = joint.axes();
+    if (!joint.fileBody2IsParent() || axes.isEmpty()) {
+      return axes;
+    }
+    return axes.size() == 2
+        ? List.of(axes.get(1), axes.get(0))
+        : List.of(joint.attachment().zeroRotation().apply(axes.get(0)));
+  }
+
+  List<SceneConstraint> constraints() {
+    List<SceneConstraint> constraints = new ArrayList<>();
+    for (LoopClosure closure : mechanism.closures()) {
+      if (closure instanceof DistanceClosure one) {
+        SceneConstraint.Kind kind =
+            one.hasRod() ? SceneConstraint.Kind.ROD : SceneConstraint.Kind.DISTANCE;
+        constraints.add(constraint(one.name(), kind, one.point1(), one.point2(), Vector3.ZERO));
+      } else if (closure instanceof PointOnLineClosure one) {
+        SceneConstraint.Kind kind = SceneConstraint.Kind.POINT_ON_LINE;
+        constraints.add(constraint(one.name(), kind, one.point(), one.line(), one.direction()));
+      } else if (closure instanceof PointOnPlaneClosure one) {
+        SceneConstraint.Kind kind = SceneConstraint.Kind.POINT_ON_PLANE;
+        constraints.add(constraint(one.name(), kind, one.point(), one.plane(), one.normal()));
+      } else if (closure instanceof RollingClosure one) {
+        constraints.add(
+            new SceneConstraint(
+                one.name(),
+                SceneConstraint.Kind.ROLLING,
+                List.of(anchor(one.centre()), anchor(one.plane())),
+                point(one.normal()),
+                Optional.of(new SceneConstraint.Wheel(point(one.axle()), one.size())),
+                List.of()));
+      } else if (closure instanceof KnifeEdgeClosure one) {
+        SceneConstraint.Kind kind = SceneConstraint.Kind.KNIFE_EDGE;
+        constraints.add(constraint(one.name(), kind, one.point(), one.ground(), one.side()));
+      } else if (closure instanceof CoordinateClosure one) {
+        constraints.add(
+            new SceneConstraint(
+                one.name(),
+                SceneConstraint.Kind.COUPLING,
+                one.points().stream().map(SceneParts::anchor).toList(),
+                Point3.ZERO,
+                Optional.empty(),
+                coupled(one.relation())));
+      }
+    }
+    return constraints;
+  }
+
+  private static SceneConstraint constraint(
+      String name,
+      SceneConstraint.Kind kind,
+      BodyPoint first,
+      BodyPoint second,
+      Vector3 direction) {
+    return new SceneConstraint(
+        name,
+        kind,
+        List.of(anchor(first), anchor(second)),
+        point(direction),
+        Optional.empty(),
+        List.of());
+  }
+
+  /** Returns the names of the joints whose coordinates an expression contains. */
+  private List<String> coupled(Expression relation) {
+    return new Tape(List.of(relation))
+        .leaves().stream()
+            .filter(Expression.CoordinatePosition.class::isInstance)
+            .map(leaf -> ((Expression.CoordinatePosition) leaf).coordinate())
+            .map(coordinate -> mechanism.jointOf(coordinate).name())
+            .distinct()
+            .toList();
+  }
+
+  List<SceneForce> forces() {
+    List<SceneForce> forces = new ArrayList<>();
+    for (ForceElement force : mechanism.forces()) {
+      forces.add(force.accept(shown));
+    }
+    return forces;
+  }
+
+  private static SceneForce between(String name, SceneForce.Kind kind, List<BodyPoint> points) {
+    Function<BodyPoint, Anchor> anchor = SceneParts::anchor;
+    return new SceneForce(
+        name, kind, points.stream().map(anchor).toList(), Point3.ZERO, false, 0, "");
+  }
+
+  private SceneForce inJoint(String name, SceneForce.Kind kind, Coordinate coordinate) {
+    Joint joint = mechanism.jointOf(coordinate);
+    SceneJoint shown = joint(joint, false, false);
+    return new SceneForce(
+        name, kind, List.of(shown.first(), shown.second()), Point3.ZERO, false, 0, joint.name());
+  }
+
+  /** Returns a force as an arrow along it, or a moment if there is no force. */
+  private SceneForce wrench(ForceTorque wrench) {
+    List<Expression> all = wrench.components();
+    boolean pushes = !all.subList(0, 3).stream().allMatch(SceneParts::isZero);
+    List<Expression> shown = all.subList(pushes ? 0 : 3, pushes ? 3 : 6);
+    Point3 direction = direction(shown);
+    boolean inBody = wrench.axes() == ForceTorque.Axes.BODY;
+    return new SceneForce(
+        wrench.name(),
+        pushes ? SceneForce.Kind.FORCE : SceneForce.Kind.MOMENT,
+        List.of(anchor(wrench.point())),
+        inBody ? pose(wrench.point().body()).turn(direction) : direction,
+        inBody,
+        0,
+        "");
+  }
+
+  /** Returns the direction at the start; of a vector that is zero then, the one it can take. */
+  private Point3 direction(List<Expression> components) {
+    double[] v = new double[3];
+    double[] possible = new double[3];
+    for (int i = 0; i < 3; i++) {
+      v[i] = value(components.get(i));
+      possible[i] = isZero(components.get(i)) ? 0 : 1;
+    }
+    Point3 atStart = new Point3(v[0], v[1], v[2]);
+    double size = atStart.norm();
+    if (size > 0 && Double.isFinite(size)) {
+      return atStart.times(1 / size);
+    }
+    Point3 allowed = new Point3(possible[0], possible[1], possible[2]);
+    return allowed.norm() == 0 ? Point3.ZERO : allowed.times(1 / allowed.norm());
+  }
+
+  private static boolean isZero(Expression expression) {
+    return expression instanceof Expression.Constant constant && constant.value() == 0;
+  }
+
+  /** Returns the value at the start, with 0 for whatever depends on the state. */
+  private double value(Expression expression) {
+    Tape tape = new Tape(List.of(expression));
+    TapeEvaluation evaluation = new TapeEvaluation(tape);
+    for (int leaf = 0; leaf < tape.leaves().size(); leaf++) {
+      Expression kind = tape.leaves().get(leaf);
+      if (kind instanceof Expression.Time) {
+        evaluation.setLeaf(leaf, t);
+      } else if (kind instanceof Expression.ParameterValue parameter) {
+        evaluation.setLeaf(leaf, mechanism.parameters().get(parameter.index()).value());
+      }
+    }
+    evaluation.values();
+    return evaluation.value(0);
+  }
+
+  /** Each kind of force as it is drawn. */
+  private final class ShownForces implements ForceVisitor<SceneForce> {
+    @Override
+    public SceneForce springDamper(SpringDamper one) {
+      boolean stiff = !isZero(one.stiffness());
+      boolean damped = !isZero(one.damping());
+      SceneForce.Kind kind =
+          stiff && damped
+              ? SceneForce.Kind.SPRING_DAMPER
+              : damped ? SceneForce.Kind.DAMPER : SceneForce.Kind.SPRING;
+      return between(one.name(), kind, List.of(one.point1(), one.point2()));
+    }
+
+    @Override
+    public SceneForce bushing(Bushing one) {
+      return between(
+          one.name(),
+          SceneForce.Kind.BUSHING,
+          List.of(one.frame1().origin(), one.frame2().origin()));
+    }
+
+    @Override
+    public SceneForce forceTorque(ForceTorque one) {
+      return wrench(one);
+    }
+
+    @Override
+    public SceneForce couplingSpringDamper(CouplingSpringDamper one) {
+      boolean rope = !one.points().isEmpty();
+      List<Anchor> anchors =
+          rope
+              ? one.points().stream().map(SceneParts::anchor).toList()
+              : joints().stream()
+                  .filter(joint -> coupled(one.along()).contains(joint.name()))
+                  .map(SceneJoint::second)
+                  .toList();
+      return new SceneForce(
+          one.name(),
+          rope ? SceneForce.Kind.ROPE : SceneForce.Kind.COUPLING,
+          anchors,
+          Point3.ZERO,
+          false,
+          0,
+          "");
+    }
+
+    @Override
+    public SceneForce contact(Contact one) {
+      int surface = one.surface().body();
+      return new SceneForce(
+          one.name(),
+          SceneForce.Kind.CONTACT,
+          List.of(anchor(one.center()), anchor(one.surface().origin())),
+          pose(surface).turn(point(one.surface().axes().apply(Z))),
+          false,
+          value(one.radius()),
+          "");
+    }
+
+    @Override
+    public SceneForce jointSpringDamper(JointSpringDamper one) {
+      return inJoint(one.name(), SceneForce.Kind.JOINT_SPRING, one.coordinate());
+    }
+
+    @Override
+    public SceneForce jointForce(JointForce one) {
+      return inJoint(one.name(), SceneForce.Kind.JOINT_FORCE, one.coordinate());
+    }
+
+    @Override
+    public SceneForce jointFriction(JointFriction one) {
+      return inJoint(one.name(), SceneForce.Kind.JOINT_FRICTION, one.coordinate());
+    }
+
+    @Override
+    public SceneForce userForce(UserForceElement one) {
+      return between(
+          one.name(), SceneForce.Kind.USER, one.points().stream().map(NamedPoint::point).toList());
+    }
+  }
+}
