@@ -82,7 +82,8 @@ public class GeneratedLoopsTest {
   /**
    * RR by penalty takes M from the data: that of the state of the step, not of the state that the
    * data were placed at last. Differences keep half of the digits; 1e-5 leaves three for the
-   * condition of the step. With the mass matrix of the start, eleven of the twelve scenes are beyond it.
+   * condition of the step. With the mass matrix of the start, eleven of the twelve scenes are
+   * beyond it.
    */
   @ParameterizedTest
   @MethodSource("scenes")
