@@ -44,6 +44,7 @@ class WebInBrowserTest {
         new UserWeb(
             service.connection(),
             SceneReader::read,
+            new WebExports(),
             Map.of("small", "<MechML/>"),
             Document.dtd(),
             0);
