@@ -4,6 +4,7 @@ import java.net.InetAddress;
 import java.net.UnknownHostException;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.concurrent.locks.LockSupport;
 import org.mechservice.idl.API_VERSION;
 import org.mechservice.idl.MechServer;
 import org.mechservice.idl.MechServerHelper;
@@ -18,9 +19,16 @@ import org.omg.CORBA.ORB;
 import org.omg.CORBA.SystemException;
 import org.omg.CORBA.TIMEOUT;
 import org.omg.CORBA.TRANSIENT;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /** The address of a server, and the check that a MechService answers there. */
 final class ServerLocation {
+  private static final Logger LOG = LoggerFactory.getLogger(ServerLocation.class);
+
+  /** Pauses between attempts; what is no MechService is known after the sum of them. */
+  private static final long[] PAUSES_MILLIS = {0, 50, 200, 500};
+
   private final ORB orb;
   private final ServiceUrl url;
   private final Endpoint endpoint;
@@ -93,7 +101,7 @@ final class ServerLocation {
 
   private ServerInfo ask() {
     try {
-      return askOnce();
+      return askPatiently();
     } catch (COMM_FAILURE | TRANSIENT | NO_PERMISSION e) {
       throw noConnection(e);
     } catch (TIMEOUT e) {
@@ -168,14 +176,22 @@ final class ServerLocation {
     }
   }
 
-  private ServerInfo askOnce() {
+  /**
+   * Requests the info, and again where the connection breaks: it may be that of an earlier call,
+   * whose other end has gone, or the server gave its place to another connection before this
+   * process got a word in.
+   */
+  private ServerInfo askPatiently() {
     MechServer server = MechServerHelper.unchecked_narrow(CallTimeouts.inTime(orb, connect()));
-    try {
-      return server.getInfo();
-    } catch (COMM_FAILURE e) {
-      // A connection of an earlier call whose other end has gone: the next call opens a new one.
-      return server.getInfo();
+    for (long pause : PAUSES_MILLIS) {
+      try {
+        return server.getInfo();
+      } catch (COMM_FAILURE e) {
+        LOG.debug("{} closed the connection; trying again in {} ms", this, pause);
+        LockSupport.parkNanos(pause * 1_000_000);
+      }
     }
+    return server.getInfo();
   }
 
   private static String major(String version) {

@@ -307,6 +307,11 @@ public final class ServiceOrb implements AutoCloseable {
     return peers.inbound().count();
   }
 
+  /** Returns how many of these connections are in use, so that none can take their places. */
+  public int busyConnections() {
+    return peers.inbound().countBusy();
+  }
+
   /** Sets how many connections others may open at once; one too many is closed at once. */
   public void allowConnections(int most) {
     peers.inbound().allow(most);

@@ -52,6 +52,10 @@ final class EchoServer implements MechServerOperations, AutoCloseable {
     return orb.connections();
   }
 
+  int busyConnections() {
+    return orb.busyConnections();
+  }
+
   String address() {
     return orb.endpoint().toString();
   }

@@ -253,6 +253,7 @@ class ServiceOrbTest {
         asked.add(other.connect(server.address()));
       }
       assertThat(server.connections()).isEqualTo(10);
+      assertThat(server.busyConnections()).isOne(); // the owner's
       back.get(0).heartbeat(); // over the owner's connection
       assertThat(callbacks.heartbeats).hasValue(1);
       assertThat(asked.get(0).getInfo().serverName).isEqualTo("echo €");

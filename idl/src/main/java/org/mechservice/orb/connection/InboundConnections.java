@@ -2,6 +2,7 @@ package org.mechservice.orb.connection;
 
 import java.io.IOException;
 import java.net.InetAddress;
+import java.util.Collections;
 import java.util.Comparator;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -11,6 +12,7 @@ import java.util.Set;
 import java.util.UUID;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.orb.connection.InboundSocketFactory.Accepted;
 import org.slf4j.Logger;
@@ -23,10 +25,11 @@ import org.slf4j.LoggerFactory;
  *
  * <p>Connections that are of no use keep nobody out. One that is late with its first message, or
  * with the rest of a message, is closed. Where there are as many as are allowed, a new one takes
- * the place of the oldest that has not sent a message yet; else of the one that has been silent
- * longest, among those whose peers have no session here and wait for no answer; else of one that
- * has been silent for longer than any lease. A peer whose connection is closed connects anew with
- * its next call. No other machine may have more than three quarters of the places.
+ * the place of another, of the address that has most of them: of the oldest that has not sent a
+ * message yet, if these have more than a quarter of the places; else of the one that has been
+ * silent longest, among those whose peers have no session here and wait for no answer; else of one
+ * that has been silent for longer than any lease. A peer whose connection is closed connects anew
+ * with its next call. No other machine may have more than three quarters of the places.
  */
 public final class InboundConnections {
   private static final Logger LOG = LoggerFactory.getLogger(InboundConnections.class);
@@ -129,14 +132,25 @@ public final class InboundConnections {
       return Optional.empty();
     }
     InetAddress address = connection.getInetAddress();
-    List<Accepted> candidates =
-        hasTooMany(address)
-            ? open.stream().filter(other -> address.equals(other.getInetAddress())).toList()
-            : List.copyOf(open);
-    return candidates.stream()
-        .filter(other -> !other.isUsed())
-        .findFirst()
-        .or(() -> longestSilent(candidates, Accepted::isIdle))
+    InetAddress crowd = hasTooMany(address) ? address : mostCommonAddress();
+    Optional<Accepted> ofCrowd =
+        leastUseful(open.stream().filter(other -> crowd.equals(other.getInetAddress())).toList());
+    return hasTooMany(address) ? ofCrowd : ofCrowd.or(() -> leastUseful(List.copyOf(open)));
+  }
+
+  private InetAddress mostCommonAddress() {
+    Map<InetAddress, Long> counts =
+        open.stream()
+            .collect(Collectors.groupingBy(Accepted::getInetAddress, Collectors.counting()));
+    return Collections.max(counts.entrySet(), Map.Entry.comparingByValue()).getKey();
+  }
+
+  /** Newcomers have a quarter of the places: they are given up first where they have more. */
+  private Optional<Accepted> leastUseful(List<Accepted> candidates) {
+    List<Accepted> unused = candidates.stream().filter(other -> !other.isUsed()).toList();
+    Optional<Accepted> newcomer = unused.stream().findFirst();
+    Optional<Accepted> idle = longestSilent(candidates, each -> each.isUsed() && each.isIdle());
+    return (unused.size() > most / 4 ? newcomer.or(() -> idle) : idle.or(() -> newcomer))
         .or(() -> longestSilent(candidates, other -> other.stalledNanos() > IDLE_NANOS));
   }
 
@@ -176,6 +190,14 @@ public final class InboundConnections {
   /** Returns how many connections have sent a message. */
   public synchronized int count() {
     return (int) open.stream().filter(Accepted::isUsed).count();
+  }
+
+  /**
+   * Returns how many connections are in use: their peers wait for an answer or have a session here.
+   * The others would give their places to new ones.
+   */
+  public synchronized int countBusy() {
+    return (int) open.stream().filter(each -> each.isUsed() && !each.isIdle()).count();
   }
 
   /** Closes all connections, and those to come. */

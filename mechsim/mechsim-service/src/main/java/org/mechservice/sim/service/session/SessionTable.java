@@ -186,7 +186,7 @@ public final class SessionTable implements AutoCloseable {
 
   private Session admitted(String owner, @Nullable IMechClient client) throws LimitExceeded {
     host.limits().now().requireBelow(HostLimit.SESSIONS, sessions.size());
-    host.limits().now().requireBelow(HostLimit.CONNECTIONS, host.orb().connections());
+    host.limits().now().requireBelow(HostLimit.CONNECTIONS, host.orb().busyConnections());
     return new Session(owner, client, host);
   }
 
