@@ -201,7 +201,7 @@ class UserWebTest {
     JsonObject other = get("/api/differences?first=" + first + "&second=" + second + names).json();
     assertThat(other.get("equal").getAsBoolean()).isFalse();
     assertThat(other.getAsJsonArray("notes").get(0).getAsString()).contains("largest difference");
-    assertThat(other.get("picture").getAsString()).startsWith("<svg").contains("&lt;b>");
+    assertThat(other.get("picture").getAsString()).startsWith("<svg").contains("&lt;b&gt;");
     byte[] unit = get("/api/result?run=" + first + "&format=fmu").content();
     assertThat(new String(unit, StandardCharsets.ISO_8859_1))
         .startsWith("PK")
