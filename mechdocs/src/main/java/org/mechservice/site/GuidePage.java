@@ -13,15 +13,18 @@ import org.commonmark.ext.heading.anchor.HeadingAnchorExtension;
 import org.commonmark.ext.heading.anchor.IdGenerator;
 import org.commonmark.node.AbstractVisitor;
 import org.commonmark.node.Code;
+import org.commonmark.node.CustomNode;
+import org.commonmark.node.FencedCodeBlock;
 import org.commonmark.node.Heading;
 import org.commonmark.node.Image;
 import org.commonmark.node.Link;
 import org.commonmark.node.Node;
+import org.commonmark.node.Paragraph;
+import org.commonmark.node.SoftLineBreak;
 import org.commonmark.node.Text;
 import org.commonmark.parser.Parser;
 import org.commonmark.renderer.html.AttributeProvider;
 import org.commonmark.renderer.html.HtmlRenderer;
-import org.commonmark.renderer.text.TextContentRenderer;
 
 /**
  * A page of the guide, made of a Markdown file.
@@ -57,8 +60,6 @@ record GuidePage(Path source, String title, String html, List<Section> sections,
           .attributeProviderFactory(context -> new Attributes())
           .escapeHtml(true)
           .build();
-  private static final TextContentRenderer TEXT =
-      TextContentRenderer.builder().extensions(EXTENSIONS).build();
 
   /** Returns where the page of a Markdown file lies below the folder of the site. */
   static Path target(Path source) {
@@ -104,29 +105,55 @@ record GuidePage(Path source, String title, String html, List<Section> sections,
                 heading.getLevel(),
                 "");
       } else {
-        text.append(TEXT.render(node)).append('\n');
+        text.append(words(node)).append(' ');
       }
     }
     sections.add(new Section(open.anchor(), open.heading(), open.level(), text.toString()));
     return List.copyOf(sections);
   }
 
-  /** Returns the words of a heading, without marks. */
-  private static String words(Node heading) {
-    StringBuilder words = new StringBuilder();
-    heading.accept(
-        new AbstractVisitor() {
-          @Override
-          public void visit(Text text) {
-            words.append(text.getLiteral());
-          }
+  /** Returns the words of a part of a page, without marks and addresses. */
+  private static String words(Node part) {
+    WordCollector collector = new WordCollector();
+    part.accept(collector);
+    return collector.words.toString().strip();
+  }
 
-          @Override
-          public void visit(Code code) {
-            words.append(code.getLiteral());
-          }
-        });
-    return words.toString();
+  private static final class WordCollector extends AbstractVisitor {
+    private final StringBuilder words = new StringBuilder();
+
+    @Override
+    public void visit(Text text) {
+      words.append(text.getLiteral());
+    }
+
+    @Override
+    public void visit(Code code) {
+      words.append(code.getLiteral());
+    }
+
+    @Override
+    public void visit(FencedCodeBlock code) {
+      words.append(code.getLiteral()).append(' ');
+    }
+
+    @Override
+    public void visit(SoftLineBreak end) {
+      words.append(' ');
+    }
+
+    @Override
+    public void visit(Paragraph paragraph) {
+      visitChildren(paragraph);
+      words.append(' ');
+    }
+
+    /** A row or cell of a table. */
+    @Override
+    public void visit(CustomNode cell) {
+      visitChildren(cell);
+      words.append(' ');
+    }
   }
 
   /** Turns links between files of the repository into links between pages, and notes the files. */

@@ -44,7 +44,7 @@ final class JavaReference {
             .collect(Collectors.joining(File.pathSeparator));
     String libraries =
         Stream.of("mechcli", "mechdocs")
-            .map(module -> top.resolve(module).resolve(Path.of("target", "lib", "*")).toString())
+            .map(module -> top.resolve(module).resolve("target/lib") + File.separator + "*")
             .collect(Collectors.joining(File.pathSeparator));
     List<String> words =
         new ArrayList<>(

@@ -13,7 +13,10 @@ import java.util.Map;
 import java.util.Set;
 import java.util.stream.Stream;
 
-/** Writes the site: {@code java -jar mechdocs.jar TOP DIR [guide]}; {@code mechdocs/build-site} calls it. */
+/**
+ * Writes the site: {@code java -jar mechdocs.jar TOP DIR [guide]}; {@code mechdocs/build-site}
+ * calls it.
+ */
 public final class Site {
   private static final List<String> ASSETS = List.of("site.css", "site.js", "icon.svg");
 
@@ -119,7 +122,9 @@ public final class Site {
     }
     Map<Path, GuidePage> pages = new LinkedHashMap<>();
     for (Path source : sources) {
-      pages.put(source, GuidePage.of(
+      pages.put(
+          source,
+          GuidePage.of(
               source,
               Files.readString(top.resolve(source)),
               file -> Files.isDirectory(top.resolve(file))));
@@ -135,7 +140,8 @@ public final class Site {
       try (Stream<Path> all = Files.list(from)) {
         inside = all.filter(Files::isRegularFile).map(Path::getFileName).sorted().toList();
       }
-      StringBuilder list = new StringBuilder("<!doctype html>\n<html lang=\"en\"><meta charset=\"utf-8\">");
+      StringBuilder list =
+          new StringBuilder("<!doctype html>\n<html lang=\"en\"><meta charset=\"utf-8\">");
       list.append("<title>").append(file).append("</title>\n<ul>\n");
       for (Path name : inside) {
         copy(file.resolve(name));

@@ -1,5 +1,6 @@
 /**
- * The user guide as static pages, which need neither a server nor a network: {@code mechdocs/build-site}.
+ * The user guide as static pages, which need neither a server nor a network: {@code
+ * mechdocs/build-site}.
  *
  * <p>{@link org.mechservice.site.Site} reads the Markdown files of the repository, writes a page
  * for each at the same place, and copies the pictures and files that pages link. {@link
