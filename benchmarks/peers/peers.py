@@ -52,7 +52,7 @@ def java(short, classpath):
     path = classpath or JAR
     if not pathlib.Path(str(path).split(os.pathsep)[0]).exists():
         run("mvn", "-q", "-pl", "benchmarks", "-am", "package", "-DskipTests", cwd=ROOT)
-    run("java", "-cp", path, "org.mechservice.benchmarks.PeerModels", WORK, *MODELS, *LOOPS)
+    run("java", "-cp", path, "org.mechservice.benchmarks.peer.PeerModels", WORK, *MODELS, *LOOPS)
     if classpath:
         return {}
     result = WORK / "jmh.json"

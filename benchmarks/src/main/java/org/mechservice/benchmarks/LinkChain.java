@@ -14,14 +14,14 @@ import org.mechservice.solver.spatial.Vector3;
 import org.mechservice.solver.text.Origin;
 
 /** A hanging chain of equal bars, turning about y and about z in turn. */
-final class LinkChain {
+public final class LinkChain {
   private static final double LENGTH = 0.1;
   private static final double MASS = 0.2;
 
   private LinkChain() {}
 
   /** Returns a chain. */
-  static Mechanism of(int links) {
+  public static Mechanism of(int links) {
     List<Body> bodies = new ArrayList<>();
     List<Joint> joints = new ArrayList<>();
     double across = MASS * LENGTH * LENGTH / 12;

@@ -18,4 +18,4 @@ import org.openjdk.jmh.annotations.Warmup;
 @Fork(value = 1, jvmArgsAppend = "-Xbatch")
 @Warmup(iterations = 5, time = 1)
 @Measurement(iterations = 5, time = 1)
-abstract class Measured {}
+public abstract class Measured {}

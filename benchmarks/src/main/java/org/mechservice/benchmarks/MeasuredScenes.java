@@ -16,9 +16,9 @@ import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.run.RunSettings;
 
 /** The mechanisms whose equations are measured. */
-final class MeasuredScenes {
+public final class MeasuredScenes {
   /** Settings that a model carries; no measurement here depends on them. */
-  static final RunSettings SETTINGS = new RunSettings(0, 1, 0.1, "ode113", 1e-6, 1e-6);
+  public static final RunSettings SETTINGS = new RunSettings(0, 1, 0.1, "ode113", 1e-6, 1e-6);
 
   private MeasuredScenes() {}
 
@@ -27,7 +27,7 @@ final class MeasuredScenes {
    * programs ({@code pend5}, {@code pend5s}, {@code driver41}, {@code spatial200}), or a chain such
    * as {@code chain200}.
    */
-  static MechmlModel named(String name) {
+  public static MechmlModel named(String name) {
     return switch (name) {
       case "pendulum" -> read("pendulum/pendulum.xml");
       case "driver" -> read("driver/driver-free-c0.xml");
@@ -69,19 +69,19 @@ final class MeasuredScenes {
   }
 
   /** Returns the code generated for a scene in a formulation, at work. */
-  static Model generated(MechmlModel scene, String formulation) {
+  public static Model generated(MechmlModel scene, String formulation) {
     BuildOptions options = options(formulation);
     return ModelFactory.compile(scene, options, ModelFactory.generate(scene, options))
         .newInstance();
   }
 
   /** Returns the formulation in which the accelerations of a scene are measured beside others. */
-  static String forwardDynamics(MechmlModel scene) {
+  public static String forwardDynamics(MechmlModel scene) {
     return scene.mechanism().closures().isEmpty() ? "DTR" : "DSR";
   }
 
   /** Returns how a model is built in a formulation, with an integrator that goes with it. */
-  static BuildOptions options(String formulation) {
+  public static BuildOptions options(String formulation) {
     boolean explicit = formulation.startsWith("D");
     RunSettings settings = explicit ? SETTINGS : new RunSettings(0, 1, 0.1, "ode15sR", 1e-6, 1e-6);
     return new BuildOptions(formulation, Set.of(), settings);

@@ -9,7 +9,8 @@
  * {@link org.mechservice.benchmarks.EvaluationCost} and {@link
  * org.mechservice.benchmarks.FirstEvaluations} write pages of docs/reports. {@link
  * org.mechservice.benchmarks.MethodReports} writes the pages that are evidence about the methods;
- * they are made in {@code suite}, {@code paper} and {@code study}.
+ * they are made in {@code suite}, {@code paper} and {@code study}. What compares the product with
+ * other programs is in {@code peer}.
  */
 @NullMarked
 package org.mechservice.benchmarks;

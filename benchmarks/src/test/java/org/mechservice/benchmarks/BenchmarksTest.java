@@ -11,6 +11,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.benchmarks.peer.PeerEvaluations;
+import org.mechservice.benchmarks.peer.PeerJacobians;
+import org.mechservice.benchmarks.peer.PeerModels;
 import org.mechservice.solver.ode.StepResult;
 import org.mechservice.solver.ode.suite.Kepler;
 

@@ -3,15 +3,20 @@ package org.mechservice.orb;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import ch.qos.logback.classic.Level;
+import ch.qos.logback.classic.Logger;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Random;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.MechServer;
 import org.mechservice.idl.ServerFailure;
+import org.slf4j.LoggerFactory;
 
 /** Ending an ORB while calls are on their way to it, which is when ORBs lose count and hang. */
 class ClosingTest {
@@ -20,6 +25,20 @@ class ClosingTest {
 
   private static final int SEED = 20261;
   private static final Path DESCRIPTORS = Path.of("/proc/self/fd");
+
+  /** The ORB warns of every request that a closed client no longer takes: tens of thousands. */
+  private static final Logger REFUSED =
+      (Logger) LoggerFactory.getLogger("org.jacorb.poa.controller");
+
+  @BeforeAll
+  static void expectRefusedRequests() {
+    REFUSED.setLevel(Level.ERROR);
+  }
+
+  @AfterAll
+  static void tellRefusedRequestsAgain() {
+    REFUSED.setLevel(null);
+  }
 
   @Test
   void clientClosesAmidCallbacksAndTheServerServesOn() throws Exception {

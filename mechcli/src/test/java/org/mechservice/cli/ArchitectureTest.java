@@ -89,7 +89,7 @@ class ArchitectureTest {
   /** Stubs that the IDL compiler has written. */
   private static final DescribedPredicate<JavaClass> GENERATED = resideInAPackage(ROOT + "idl..");
 
-  private static final JavaClasses PRODUCT =
+  static final JavaClasses PRODUCT =
       new ClassFileImporter()
           .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
           .withImportOption(location -> !location.contains("-tests.jar"))

@@ -9,7 +9,7 @@ import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.capability.ResidualModel;
 import org.mechservice.solver.catalogue.MethodNames;
-import org.mechservice.solver.linear.SingularValues;
+import org.mechservice.solver.linear.spectrum.SingularValues;
 
 /** Digits lost in accelerations against the condition of the mass matrix. */
 final class ConditionStudy implements MethodStudy {

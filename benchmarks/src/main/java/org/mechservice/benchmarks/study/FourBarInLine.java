@@ -4,12 +4,12 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
-import org.mechservice.report.measure.Reference;
-import org.mechservice.report.measure.StateDistance;
 import org.mechservice.report.reference.ExtrapolationCode;
 import org.mechservice.report.reference.Problem;
 import org.mechservice.report.reference.RadauCode;
 import org.mechservice.report.reference.ReferenceCode;
+import org.mechservice.report.solution.Reference;
+import org.mechservice.report.solution.StateDistance;
 
 /**
  * The four-bar of {@code line_with_1e-12_to_spare.xml} along its own way: F(a, b) = 0 is a smooth

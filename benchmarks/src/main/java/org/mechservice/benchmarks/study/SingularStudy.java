@@ -8,11 +8,11 @@ import java.util.Optional;
 import org.mechservice.client.MechSession;
 import org.mechservice.report.measure.MeasuredRun;
 import org.mechservice.report.measure.MethodRunner;
-import org.mechservice.report.measure.Reference;
-import org.mechservice.report.measure.RunGrid;
-import org.mechservice.report.measure.StateDistance;
 import org.mechservice.report.method.Candidate;
 import org.mechservice.report.page.SolverChart;
+import org.mechservice.report.solution.Reference;
+import org.mechservice.report.solution.RunGrid;
+import org.mechservice.report.solution.StateDistance;
 import org.mechservice.solver.api.capability.ExplicitModel;
 
 /** Error against the distance at which a singular position is passed, for each closure. */

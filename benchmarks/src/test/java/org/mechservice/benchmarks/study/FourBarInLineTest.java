@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.mechservice.report.measure.Reference;
-import org.mechservice.report.measure.StateDistance;
+import org.mechservice.report.solution.Reference;
+import org.mechservice.report.solution.StateDistance;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;

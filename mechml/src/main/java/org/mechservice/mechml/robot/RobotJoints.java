@@ -1,8 +1,11 @@
 package org.mechservice.mechml.robot;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Collectors;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.robot.Robot.Freedom;
@@ -41,6 +44,9 @@ final class RobotJoints {
   private final RobotTree tree;
   private final String origin;
 
+  /** The joints of each link, of which it is the parent or the child, in the robot's order. */
+  private final Map<String, List<Joint>> ofLink = new HashMap<>();
+
   RobotJoints(Robot robot, RobotTree tree) {
     this.robot = robot;
     this.tree = tree;
@@ -49,6 +55,11 @@ final class RobotJoints {
       free += "_";
     }
     origin = free;
+    for (Joint joint : robot.joints()) {
+      for (String link : Set.copyOf(List.of(joint.parent(), joint.child()))) {
+        ofLink.computeIfAbsent(link, key -> new ArrayList<>()).add(joint);
+      }
+    }
   }
 
   private boolean isJoint(String name) {
@@ -85,7 +96,7 @@ final class RobotJoints {
   /** Returns the points and vectors of a link. */
   List<TagBuilder> frames(String link) {
     List<TagBuilder> frames = new ArrayList<>();
-    for (Joint joint : robot.joints()) {
+    for (Joint joint : ofLink.getOrDefault(link, List.of())) {
       Place place = joint.place();
       Rotation turn = place.frame().turn();
       if (joint.parent().equals(link)) {
@@ -95,7 +106,7 @@ final class RobotJoints {
           frames.add(vector(joint, "_axis", turn.apply(place.axis())));
           frames.add(vector(joint, "_side", turn.apply(place.side())));
         }
-      } else if (joint.child().equals(link)) {
+      } else {
         frames.add(
             point(TagBuilder.of("point", joint.element()), childPoint(joint), place.point()));
         if (hasVectors(joint)) {

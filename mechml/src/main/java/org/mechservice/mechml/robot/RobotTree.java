@@ -53,6 +53,9 @@ record RobotTree(String root, Set<String> closing, Map<String, Double> start) {
     private final Map<String, Joint> above = new HashMap<>();
     private final Set<String> closing = new HashSet<>();
 
+    /** Links from which a way up to a root is known. */
+    private final Set<String> rooted = new HashSet<>();
+
     Reader(Robot robot, Diagnostics diagnostics) {
       this.robot = robot;
       this.diagnostics = diagnostics;
@@ -116,9 +119,9 @@ record RobotTree(String root, Set<String> closing, Map<String, Double> start) {
 
     /** Reports links that form a cycle: they have no root. */
     private void requireWayUp(String link) {
-      Set<String> seen = new HashSet<>();
+      Set<String> seen = new HashSet<>(Set.of(link));
       Joint joint = above.get(link);
-      while (joint != null && seen.add(joint.parent())) {
+      while (joint != null && !rooted.contains(joint.parent())) {
         if (joint.parent().equals(link)) {
           error(
               MessageCode.ROBOT_TREE,
@@ -128,8 +131,12 @@ record RobotTree(String root, Set<String> closing, Map<String, Double> start) {
                   Quoted.of(link)));
           return;
         }
+        if (!seen.add(joint.parent())) {
+          return; // the links of that cycle are reported themselves
+        }
         joint = above.get(joint.parent());
       }
+      rooted.addAll(seen);
     }
 
     Map<String, Double> start() {

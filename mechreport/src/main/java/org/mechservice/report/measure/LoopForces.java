@@ -3,6 +3,7 @@ package org.mechservice.report.measure;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import org.mechservice.report.solution.StateDistance;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.result.ColumnGroup;

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
+import org.mechservice.report.solution.StateDistance;
 
 /**
  * One run of one method at one tolerance.

@@ -6,6 +6,8 @@ import java.util.Map;
 import java.util.Optional;
 import org.mechservice.report.method.OmittedMethod;
 import org.mechservice.report.method.SimulationMethod;
+import org.mechservice.report.solution.Judge;
+import org.mechservice.report.solution.Reference;
 
 /**
  * All findings of a report about a scene, from which its page is written.

@@ -8,6 +8,7 @@ import org.apache.commons.math3.exception.MaxCountExceededException;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.EigenDecomposition;
 import org.mechservice.report.method.ModelProblem;
+import org.mechservice.report.solution.Reference;
 import org.mechservice.solver.api.JointVariables;
 
 /**

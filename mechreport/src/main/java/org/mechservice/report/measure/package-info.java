@@ -1,12 +1,7 @@
 /**
- * Reference, errors and times of a report.
+ * Errors and times of a report.
  *
- * <p>{@link org.mechservice.report.measure.ReferenceMaker} solves the scene with two codes on two
- * formulations, and {@link org.mechservice.report.measure.Judge} decides what of that can serve as
- * {@link org.mechservice.report.measure.Reference}; {@link
- * org.mechservice.report.measure.PublishedReference} is one that comes with the product. {@link
- * org.mechservice.report.measure.StateDistance} measures an error as the largest |x − x_ref| / (1 +
- * |x_ref|).
+ * <p>Errors are measured against the reference solution of {@code report.solution}.
  *
  * <p>{@link org.mechservice.report.measure.Campaign} runs every candidate at every tolerance:
  * {@link org.mechservice.report.measure.MethodRunner} makes one {@link

@@ -3,11 +3,11 @@ package org.mechservice.report.page;
 import java.util.List;
 import java.util.Locale;
 import org.mechservice.report.measure.Effort;
-import org.mechservice.report.measure.Judge;
 import org.mechservice.report.measure.Point;
 import org.mechservice.report.measure.Quantiles;
-import org.mechservice.report.measure.Reference;
 import org.mechservice.report.measure.SceneFindings;
+import org.mechservice.report.solution.Judge;
+import org.mechservice.report.solution.Reference;
 
 /**
  * How the figures were measured, for a reader who checks them: reference, rules, warm-up, spread.

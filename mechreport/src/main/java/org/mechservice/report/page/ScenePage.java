@@ -10,11 +10,11 @@ import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
 import org.mechservice.report.measure.Effort;
 import org.mechservice.report.measure.Point;
-import org.mechservice.report.measure.Reference;
 import org.mechservice.report.measure.SceneFindings;
 import org.mechservice.report.measure.Spectrum;
 import org.mechservice.report.method.OmittedMethod;
 import org.mechservice.report.method.SimulationMethod;
+import org.mechservice.report.solution.Reference;
 import org.mechservice.solver.catalogue.MethodNames;
 
 /** The page of one scene, without parts that do not apply to the scene. */

@@ -16,8 +16,9 @@
  *
  * <p>{@link org.mechservice.solver.linear.Cholesky} factors dense symmetric positive definite
  * matrices; {@link org.mechservice.solver.linear.PivotedElimination} chooses rows and columns of a
- * rectangular one that determine the others; {@link org.mechservice.solver.linear.SingularValues}
- * tells how many there are, and solves when there are fewer than equations or unknowns.
+ * rectangular one that determine the others; {@link
+ * org.mechservice.solver.linear.spectrum.SingularValues} tells how many there are, and solves when
+ * there are fewer than equations or unknowns.
  *
  * <p>A {@link org.mechservice.solver.linear.SparseMatrix} holds the elements of a fixed pattern.
  * {@link org.mechservice.solver.linear.SparseElimination} chooses pivots of it for size and for few

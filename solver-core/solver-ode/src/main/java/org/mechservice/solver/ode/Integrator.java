@@ -18,6 +18,16 @@ import java.util.List;
  */
 public interface Integrator {
   /**
+   * A place at which one method took over from another.
+   *
+   * @param time where
+   * @param stiff whether the method for stiff problems took over: stability had limited the steps
+   *     of the other; else an explicit step would have cost no more
+   * @param stepSize of the last step before, signed
+   */
+  record MethodChange(double time, boolean stiff, double stepSize) {}
+
+  /**
    * Begins a problem; evaluates f once. Whatever was begun before is forgotten.
    *
    * @param system the right-hand side

@@ -6,6 +6,7 @@ import java.util.Arrays;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.solver.linear.spectrum.SingularValues;
 
 class SparseEliminationTest {
   /** Far above rounding of a few additions, far below the pivots of these matrices. */

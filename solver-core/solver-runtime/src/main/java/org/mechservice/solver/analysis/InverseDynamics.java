@@ -7,7 +7,7 @@ import org.mechservice.solver.analysis.equation.FreeDirections;
 import org.mechservice.solver.api.capability.Defects.Defect;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.force.user.UserForceSource;
-import org.mechservice.solver.linear.SingularValues;
+import org.mechservice.solver.linear.spectrum.SingularValues;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**

@@ -2,7 +2,7 @@ package org.mechservice.solver.analysis;
 
 import java.util.Arrays;
 import org.mechservice.solver.analysis.equation.Linearisation;
-import org.mechservice.solver.linear.Eigenvalues;
+import org.mechservice.solver.linear.spectrum.Eigenvalues;
 
 /**
  * Eigenvalues λ and shapes of small motions e^(λt): the slowest first, one mode for each pair of

@@ -5,7 +5,7 @@ import java.util.List;
 import org.mechservice.solver.api.run.RunNotes;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.Integrator;
-import org.mechservice.solver.ode.MethodChange;
+import org.mechservice.solver.ode.Integrator.MethodChange;
 
 /** Notes of the run report on changes of the integration method. */
 final class MethodNotes {

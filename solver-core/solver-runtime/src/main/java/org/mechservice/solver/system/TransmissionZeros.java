@@ -1,7 +1,7 @@
 package org.mechservice.solver.system;
 
 import java.util.Arrays;
-import org.mechservice.solver.linear.Eigenvalues;
+import org.mechservice.solver.linear.spectrum.Eigenvalues;
 
 /**
  * The transmission zeros of a linear system: the s at which the matrix [A − s, B; C, D] loses rank.

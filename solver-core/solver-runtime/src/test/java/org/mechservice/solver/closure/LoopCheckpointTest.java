@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.mechservice.solver.api.result.ResultSink;
@@ -96,10 +97,29 @@ class LoopCheckpointTest {
     "RR penalty, ode15sR",
     "RR-JF penalty, ode15sR",
   })
+  void runOfALargeLoopTakenUpAtSomeStepsHasTheSameRows(String formulation, String integrator)
+      throws IOException {
+    takeUpRing(formulation, integrator, 17);
+  }
+
+  @Tag("soak")
+  @ParameterizedTest
+  @CsvSource({
+    "DSR, ode113",
+    "DSR penalty, ode113",
+    "RR-JF, ode15sR",
+    "RR penalty, ode15sR",
+    "RR-JF penalty, ode15sR",
+  })
   void runOfALargeLoopTakenUpAnywhereHasTheSameRows(String formulation, String integrator)
       throws IOException {
+    takeUpRing(formulation, integrator, 1);
+  }
+
+  private static void takeUpRing(String formulation, String integrator, int every)
+      throws IOException {
     RunSettings settings = SceneRun.settings(0.2, 0.02, integrator, 1e-6);
-    takeUp(Linkages.ring(110), formulation, settings, 5);
+    takeUp(Linkages.ring(110), formulation, settings, every);
   }
 
   /** Takes up a run from every n-th of its checkpoints. */

@@ -3,7 +3,7 @@ package org.mechservice.solver.closure.assembly;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.mechservice.solver.linear.PivotedElimination;
-import org.mechservice.solver.linear.SingularValues;
+import org.mechservice.solver.linear.spectrum.SingularValues;
 
 /** Rank by singular values, independent rows by full pivoting. */
 record DenseIndependentRows(int rank, List<Integer> redundant, double smallestPivot)

@@ -1,7 +1,7 @@
 package org.mechservice.solver.closure.assembly;
 
-import org.mechservice.solver.linear.SingularValues;
 import org.mechservice.solver.linear.SparseMatrix;
+import org.mechservice.solver.linear.spectrum.SingularValues;
 
 /** Least solution by singular values. */
 final class DenseLeastMoves implements LeastMoves {

@@ -2,8 +2,8 @@ package org.mechservice.solver.closure.assembly;
 
 import java.util.Optional;
 import org.mechservice.solver.closure.equations.LoopEquations;
-import org.mechservice.solver.linear.SingularValues;
 import org.mechservice.solver.linear.SparseMatrix;
+import org.mechservice.solver.linear.spectrum.SingularValues;
 
 /**
  * The scaled loop Jacobian and its singular values: rows are divided by the sizes of what they

@@ -5,9 +5,9 @@ import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import org.mechservice.solver.linear.PivotedElimination;
-import org.mechservice.solver.linear.SingularValues;
 import org.mechservice.solver.linear.SparseElimination;
 import org.mechservice.solver.linear.SparseMatrix;
+import org.mechservice.solver.linear.spectrum.SingularValues;
 
 /**
  * Rank by sparse elimination while pivots are clearly nonzero, then by singular values of the few

@@ -7,7 +7,7 @@ import org.mechservice.solver.ode.IntegrationFailure;
 import org.mechservice.solver.ode.IntegrationFailure.Cause;
 import org.mechservice.solver.ode.IntegrationStatistics;
 import org.mechservice.solver.ode.Integrator;
-import org.mechservice.solver.ode.MethodChange;
+import org.mechservice.solver.ode.Integrator.MethodChange;
 import org.mechservice.solver.ode.OdeSystem;
 import org.mechservice.solver.ode.ResidualIntegrator;
 import org.mechservice.solver.ode.ResidualSystem;

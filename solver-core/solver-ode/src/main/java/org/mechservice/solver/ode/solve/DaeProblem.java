@@ -8,6 +8,7 @@ import org.mechservice.solver.ode.LinearisedSystem;
 import org.mechservice.solver.ode.ResidualJacobianSystem;
 import org.mechservice.solver.ode.ResidualSystem;
 import org.mechservice.solver.ode.SparseSystem;
+import org.mechservice.solver.ode.newton.ProductColumns;
 
 /**
  * A problem in residual form, F(t, y, y') = 0 of index at most 1, composed of F and of what is
@@ -191,7 +192,7 @@ public final class DaeProblem implements ResidualSystem {
 
   /** Forms the derivatives from products with vectors; the result is for one integration. */
   private Jacobians formed(JacobianProduct product) {
-    ProductColumns columns = new ProductColumns(this, dimension);
+    ProductColumns columns = new ProductColumns(this, PartsOfProblem.layout(this, dimension));
     return (t, y, yDot, fy, fyDot) -> {
       for (int group = 0; group < columns.groupCount(); group++) {
         double[] v = columns.direction(group);

@@ -2,11 +2,14 @@ package org.mechservice.solver.ode.solve;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Random;
 import java.util.function.IntFunction;
 import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
 import org.mechservice.solver.ode.JacobianSystem;
 import org.mechservice.solver.ode.OdeSystem;
 import org.mechservice.solver.ode.SparseSystem;
+import org.mechservice.solver.ode.newton.ProductColumns;
 
 /**
  * An explicit problem y' = f(t, y), composed of f and of what is known about it. Made by {@link
@@ -23,6 +26,14 @@ import org.mechservice.solver.ode.SparseSystem;
  * for those three, which are aids and do not change the solution.
  */
 public final class OdeProblem implements OdeSystem {
+  /** A component is moved by this part of its size, or of one, to see which equations it is in. */
+  private static final double MOVE = 1e-3;
+
+  /** The second state to look at is another by up to this part of each component. */
+  private static final double APART = 1e-2;
+
+  private static final long SEED = 1;
+
   private final int dimension;
   private final OdeFunction function;
   private final PartsOfProblem parts;
@@ -118,7 +129,7 @@ public final class OdeProblem implements OdeSystem {
    */
   public OdeProblem withProbedPattern(double t, double[] y) {
     OdeSolution.requireLength("y", y, dimension);
-    return withPattern(PatternProbe.near(function, t, y));
+    return withPattern(couplingsNear(function, t, y));
   }
 
   /** Returns the problem with the places at which f jumps: no step evaluates f across them. */
@@ -176,7 +187,7 @@ public final class OdeProblem implements OdeSystem {
    * Forms the Jacobian from products with vectors; the result is a workspace of one integration.
    */
   private Jacobian formed(JacobianProduct product) {
-    ProductColumns columns = new ProductColumns(this, dimension);
+    ProductColumns columns = new ProductColumns(this, PartsOfProblem.layout(this, dimension));
     return (t, y, fy) -> {
       for (int group = 0; group < columns.groupCount(); group++) {
         product.evaluate(t, y, columns.direction(group), columns.product);
@@ -201,5 +212,54 @@ public final class OdeProblem implements OdeSystem {
     public void jacobian(double t, double[] y, double[] fy) {
       known.evaluate(t, y, fy);
     }
+  }
+
+  /**
+   * Returns the couplings seen near a state, from 2 n + 2 evaluations.
+   *
+   * @throws IllegalArgumentException if f is not finite there
+   */
+  private static SparseSystem couplingsNear(OdeFunction function, double t, double[] y) {
+    int n = y.length;
+    double[] other = y.clone();
+    Random random = new Random(SEED);
+    for (int j = 0; j < n; j++) {
+      other[j] += APART * random.nextDouble() * Math.max(1, Math.abs(y[j]));
+    }
+    double[][] points = {y.clone(), other};
+    double[][] values = {valueAt(function, t, points[0]), valueAt(function, t, points[1])};
+    int[][] rows = new int[n][];
+    for (int j = 0; j < n; j++) {
+      boolean[] coupled = new boolean[n];
+      for (int point = 0; point < points.length; point++) {
+        double own = points[point][j];
+        points[point][j] += MOVE * Math.max(1, Math.abs(own));
+        double[] moved = new double[n];
+        function.evaluate(t, points[point], moved);
+        points[point][j] = own;
+        for (int i = 0; i < n; i++) {
+          coupled[i] |= moved[i] != values[point][i];
+        }
+      }
+      rows[j] = IntStream.range(0, n).filter(i -> coupled[i]).toArray();
+    }
+    return SparseSystem.byColumns(j -> rows[j]);
+  }
+
+  private static double[] valueAt(OdeFunction function, double t, double[] y) {
+    double[] value = new double[y.length];
+    function.evaluate(t, y, value);
+    for (int i = 0; i < value.length; i++) {
+      if (!Double.isFinite(value[i])) {
+        throw new IllegalArgumentException(
+            "f["
+                + i
+                + "] is "
+                + value[i]
+                + " near the state at which the pattern is to be found;"
+                + " give another state, or the pattern");
+      }
+    }
+    return value;
   }
 }

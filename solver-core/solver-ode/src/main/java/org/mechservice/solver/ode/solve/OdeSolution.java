@@ -6,7 +6,7 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import org.mechservice.solver.ode.IntegrationFailure;
 import org.mechservice.solver.ode.IntegrationStatistics;
-import org.mechservice.solver.ode.MethodChange;
+import org.mechservice.solver.ode.Integrator.MethodChange;
 
 /**
  * What came of an integration: the solution from {@link #start} to {@link #end}, to be evaluated

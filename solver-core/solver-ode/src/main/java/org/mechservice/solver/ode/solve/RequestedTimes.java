@@ -25,7 +25,7 @@ final class RequestedTimes {
    * @param distance positive, of equal distances
    */
   @SuppressWarnings("ArrayRecordComponent") // compared by nobody
-  record Request(double[] times, double distance, OutputHandler handler) {}
+  record Request(double[] times, double distance, OdeOptions.OutputHandler handler) {}
 
   /**
    * @throws IllegalArgumentException if the times are not in order or lie outside of the interval

@@ -15,7 +15,7 @@
  * wrapped. {@link org.mechservice.solver.ode.solve.OdeOptions} says how to integrate and who is
  * told in the course of it: {@link org.mechservice.solver.ode.solve.OdeEvent events}, {@link
  * org.mechservice.solver.ode.solve.StepHandler steps}, {@link
- * org.mechservice.solver.ode.solve.OutputHandler states at given times}, {@link
+ * org.mechservice.solver.ode.solve.OdeOptions.OutputHandler states at given times}, {@link
  * org.mechservice.solver.ode.solve.OdeCheckpoint checkpoints}. {@link
  * org.mechservice.solver.ode.solve.OdeSolution} is what came of it: a function of t with the
  * accuracy of the steps. An integration that cannot reach its end throws {@link

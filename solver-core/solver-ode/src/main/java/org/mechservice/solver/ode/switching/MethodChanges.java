@@ -2,7 +2,7 @@ package org.mechservice.solver.ode.switching;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.mechservice.solver.ode.MethodChange;
+import org.mechservice.solver.ode.Integrator.MethodChange;
 import org.mechservice.solver.ode.SavedState;
 
 /** The first changes of method in an integration, and how many there were. */

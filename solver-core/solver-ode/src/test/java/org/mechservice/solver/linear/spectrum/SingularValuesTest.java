@@ -1,4 +1,4 @@
-package org.mechservice.solver.linear;
+package org.mechservice.solver.linear.spectrum;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;

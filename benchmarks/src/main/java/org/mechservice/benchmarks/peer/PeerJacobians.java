@@ -1,7 +1,9 @@
-package org.mechservice.benchmarks;
+package org.mechservice.benchmarks.peer;
 
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
+import org.mechservice.benchmarks.Measured;
+import org.mechservice.benchmarks.MeasuredScenes;
 import org.mechservice.solver.dynamics.TreeStepModel;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.Param;

@@ -1,4 +1,4 @@
-package org.mechservice.benchmarks;
+package org.mechservice.benchmarks.peer;
 
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;

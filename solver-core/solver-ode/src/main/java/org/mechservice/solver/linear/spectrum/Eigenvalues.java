@@ -1,4 +1,4 @@
-package org.mechservice.solver.linear;
+package org.mechservice.solver.linear.spectrum;
 
 import java.util.ArrayList;
 import java.util.Arrays;

@@ -1,9 +1,10 @@
-package org.mechservice.benchmarks;
+package org.mechservice.benchmarks.peer;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Set;
+import org.mechservice.benchmarks.MeasuredScenes;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.emit.plan.CodeForm;
 import org.mechservice.sim.model.BuildOptions;

@@ -1,4 +1,4 @@
-package org.mechservice.report.measure;
+package org.mechservice.report.solution;
 
 import java.util.Optional;
 

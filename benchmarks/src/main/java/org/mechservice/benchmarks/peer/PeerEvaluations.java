@@ -1,5 +1,8 @@
-package org.mechservice.benchmarks;
+package org.mechservice.benchmarks.peer;
 
+import org.mechservice.benchmarks.LinkChain;
+import org.mechservice.benchmarks.Measured;
+import org.mechservice.benchmarks.MeasuredScenes;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.dynamics.DataDrivenModel;
