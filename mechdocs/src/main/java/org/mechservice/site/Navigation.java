@@ -30,7 +30,7 @@ record Navigation(List<Chapter> chapters) {
   }
 
   /**
-   * Reads the list: a line that begins with {@code #} opens a chapter; every other line has a file
+   * Reads the list. A line that begins with {@code #} opens a chapter; every other line has a file
    * and its label, with a space between.
    *
    * @throws IOException if the file cannot be read, or a line has no label
@@ -39,9 +39,7 @@ record Navigation(List<Chapter> chapters) {
     List<Chapter> chapters = new ArrayList<>();
     for (String line : Files.readAllLines(list)) {
       String[] words = line.strip().split(" ", 2);
-      if (line.isBlank()) {
-        continue;
-      } else if (words.length < 2) {
+      if (words.length < 2) {
         throw new IOException(list + ": \"" + line + "\" has no label; write FILE LABEL");
       } else if (words[0].equals("#")) {
         chapters.add(new Chapter(words[1], new ArrayList<>()));
@@ -73,7 +71,7 @@ record Navigation(List<Chapter> chapters) {
     StringBuilder html = new StringBuilder();
     for (Chapter chapter : chapters) {
       boolean open = chapter.entries().stream().anyMatch(entry -> entry.page().equals(page));
-      html.append("<details").append(open || chapter == chapters.get(0) ? " open" : "");
+      html.append("<details").append(open || chapter.equals(chapters.get(0)) ? " open" : "");
       html.append("><summary>").append(Frame.escaped(chapter.title())).append("</summary><ul>\n");
       for (Entry entry : chapter.entries()) {
         html.append("<li><a href=\"").append(Frame.link(page, entry.page())).append('"');

@@ -22,10 +22,11 @@ class SiteTest {
   private static final Pattern LINK = Pattern.compile(" (?:href|src)=\"([^\"]*)\"");
   private static final Pattern ID = Pattern.compile(" id=\"([^\"]+)\"");
 
-  @TempDir static Path site;
+  private static Path site = Path.of("");
 
   @BeforeAll
-  static void write() throws IOException {
+  static void write(@TempDir Path folder) throws IOException {
+    site = folder;
     assertThat(new Site(TOP, site).writeGuide()).isGreaterThan(100);
   }
 

@@ -65,7 +65,7 @@ class ReferenceCommandTest {
       }
       assertThat(section).as(name).contains("\nExamples:\n");
       for (String example :
-          section.split("\nExamples:\n\n```\n", 2)[1].split("\n```", 2)[0].split("\n")) {
+          section.split("\nExamples:\n\n```\n", 2)[1].split("\n```", 2)[0].lines().toList()) {
         List<String> words =
             WORD.matcher(example).results().map(ReferenceCommandTest::word).skip(1).toList();
         assertThat(words.get(0)).isEqualTo(name);
