@@ -74,7 +74,7 @@ record CommandText(
             .sorted(Comparator.comparing(OptionSpec::longestName))
             .map(option -> new Entry(words(option), text(option.description())))
             .toList(),
-        Arrays.stream(help.footer()).map(CommandText::plain).toList(),
+        Arrays.stream(help.footer()).map(line -> plain(line).strip()).toList(),
         new LinkedHashMap<>(help.exitCodeList()));
   }
 

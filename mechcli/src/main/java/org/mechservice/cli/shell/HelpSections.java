@@ -1,5 +1,6 @@
 package org.mechservice.cli.shell;
 
+import java.util.Arrays;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.UsageMessageSpec;
 
@@ -15,6 +16,8 @@ public final class HelpSections {
     UsageMessageSpec usage = command.getCommandSpec().usageMessage();
     if (usage.footer().length > 0) {
       usage.footerHeading("%nExamples:%n");
+      usage.footer(
+          Arrays.stream(usage.footer()).map(line -> "  " + line).toArray(String[]::new));
     }
     for (CommandLine below : command.getSubcommands().values()) {
       UsageMessageSpec its = below.getCommandSpec().usageMessage();
