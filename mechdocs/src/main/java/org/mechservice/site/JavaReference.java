@@ -37,7 +37,8 @@ final class JavaReference {
             .orElseThrow(
                 () ->
                     new IOException(
-                        "this Java has no javadoc; set JAVA_HOME to a JDK (Debian: openjdk-17-jdk)"));
+                        "this Java has no javadoc; set JAVA_HOME to a JDK (Debian:"
+                            + " openjdk-17-jdk)"));
     String sources =
         MODULES.stream()
             .map(module -> top.resolve(module).resolve(Path.of("src", "main", "java")).toString())

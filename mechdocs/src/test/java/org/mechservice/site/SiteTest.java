@@ -89,7 +89,8 @@ class SiteTest {
     assertThat(site.resolve("assets/places.js"))
         .content()
         .contains(
-            "{\"u\":\"docs/mechml.html#groups-of-columns\",\"p\":\"MechML, the language of models\"")
+            "{\"u\":\"docs/mechml.html#groups-of-columns\",\"p\":\"MechML, the language of"
+                + " models\"")
         .contains("\"u\":\"docs/errors/M-006.html\"");
   }
 

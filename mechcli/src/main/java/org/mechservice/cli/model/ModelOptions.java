@@ -48,7 +48,8 @@ public final class ModelOptions {
       paramLabel = "auto|ode113|DE|ode15s|ode15sR|switching",
       hideParamSyntax = true,
       description =
-          "Integration method: auto, ode113, DE, ode15s, ode15sR or switching (default: the file's).")
+          "Integration method: auto, ode113, DE, ode15s, ode15sR or switching (default: the"
+              + " file's).")
   private String integrator = "";
 
   @Option(

@@ -52,7 +52,8 @@ import picocli.CommandLine.Spec;
     },
     footer = {
       "mech optimise model.xml --minimise 'rms(acceleration)' --by k=2000:20000 c=50:3000",
-      "mech optimise model.xml --minimise 'rms(acceleration)' --by k=2000:20000 --subject-to 'max(travel) <= 0.025' --starts 4"
+      "mech optimise model.xml --minimise 'rms(acceleration)' --by k=2000:20000 --subject-to"
+          + " 'max(travel) <= 0.025' --starts 4"
     },
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)

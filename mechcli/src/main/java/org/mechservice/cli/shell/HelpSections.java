@@ -16,8 +16,7 @@ public final class HelpSections {
     UsageMessageSpec usage = command.getCommandSpec().usageMessage();
     if (usage.footer().length > 0) {
       usage.footerHeading("%nExamples:%n");
-      usage.footer(
-          Arrays.stream(usage.footer()).map(line -> "  " + line).toArray(String[]::new));
+      usage.footer(Arrays.stream(usage.footer()).map(line -> "  " + line).toArray(String[]::new));
     }
     for (CommandLine below : command.getSubcommands().values()) {
       UsageMessageSpec its = below.getCommandSpec().usageMessage();
