@@ -57,6 +57,8 @@ final class JavaReference {
                 "MechService for Java",
                 "-doctitle",
                 "MechService for Java",
+                "-header",
+                "<a href=\"{@docRoot}/../docs/index.html\">User guide</a>",
                 "--add-stylesheet",
                 style.toString(),
                 "-sourcepath",
