@@ -245,6 +245,10 @@ void fetchJars(ms::MechSim_ptr session) {
       CALL(MechSim, prepareJar, session, ms::NameValueSeq(), prepared.out(), facts.out());
   require(quick->length() == prepared->sizeBytes, "the prepared JAR is as long as announced");
   require(prepared->modelBytes >= info->modelBytes, "packed less tightly");
+  ms::ModelReading_var reading = CALL(MechSim, readWith, session, ms::NameValueSeq());
+  require(reading->simulations.length() == 1, "the simulation of the file is named");
+  CORBA::String_var checked = CALL(MechSim, checkReportWith, session, ms::NameValueSeq(), false);
+  require(std::string(checked).find("Degrees of freedom") != std::string::npos, "a check report");
   ms::RuntimeInfo_var runtime = CALL(MechSim, getRuntimeInfo, session);
   ms::OctetSeq_var solver = CALL(MechSim, fetchRuntime, session, runtime->sha256);
   require(solver->length() == runtime->sizeBytes, "the runtime is as long as announced");

@@ -1,6 +1,6 @@
 import java.nio.file.Path;
 import org.mechservice.library.MechModel;
-import org.mechservice.library.Trajectory;
+import org.mechservice.solver.api.program.Trajectory;
 
 final class Analyses {
   public static void main(String[] arguments) throws Exception {

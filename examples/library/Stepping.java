@@ -1,6 +1,6 @@
 import java.nio.file.Path;
 import org.mechservice.library.MechModel;
-import org.mechservice.library.SteppedModel;
+import org.mechservice.solver.api.program.SteppedModel;
 
 final class Stepping {
   public static void main(String[] arguments) throws Exception {

@@ -78,10 +78,14 @@ def test_rest_and_small_motions():
     assert block.modes()["frequency"][0] == pytest.approx(50**0.5 / 2 / np.pi)
 
 
-def test_notebooks_show_tables_and_the_check():
+def test_notebooks_show_the_drawing_the_player_and_tables():
     model = mechservice.read(PENDULUM)
-    assert "Degrees of freedom: 5" in model._repr_html_()
-    assert "<th>j1.q<br>rad</th>" in model.simulate(t_end=0.1)._repr_html_()
+    assert "<svg" in model._repr_html_() and "Degrees of freedom: 5" in model._repr_html_()
+    shown = model.simulate(t_end=0.1)._repr_html_()
+    assert "<th>j1.q<br>rad</th>" in shown and "<iframe srcdoc='" in shown
+    assert "<iframe" not in mechservice.read("examples/elements/static.xml").modes()._repr_html_()
+    with pytest.raises(mechservice.MechError, match="no motion"):
+        mechservice.read("examples/elements/static.xml").modes().player()
 
 
 def test_pandas_has_units():
@@ -108,8 +112,10 @@ def test_ctrl_c_keeps_the_rows_there_are():
         f"model = mechservice.read({PENDULUM!r})\n"
         "model.simulate()\n"
         "print('begun', flush=True)\n"
-        "rows = model.simulate(t_end=1e6, t_step=1)\n"
-        "print(rows.complete, len(rows) > 0, rows.report['outcome'])\n"
+        "try:\n"
+        "    model.simulate(t_end=1e6, t_step=1)\n"
+        "except KeyboardInterrupt as stop:\n"
+        "    print(stop.rows.complete, len(stop.rows) > 0, stop.rows.report['outcome'])\n"
     )
     run = subprocess.Popen(
         [sys.executable, "-c", program],

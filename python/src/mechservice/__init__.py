@@ -10,17 +10,25 @@
 """
 
 from ._builder import Builder
-from ._errors import MechError, ModelError, RunError
+from ._errors import MechError, ModelError, RunError, RunInterrupted, ServerError
 from ._model import Model, parse, read, sweep
-from ._trajectory import Trajectory
+from ._service import Connection, connect
+from ._stepped import Stepped
+from ._trajectory import LinearSystem, Trajectory
 
 __all__ = [
     "Builder",
+    "Connection",
+    "LinearSystem",
     "MechError",
     "Model",
     "ModelError",
     "RunError",
+    "RunInterrupted",
+    "ServerError",
+    "Stepped",
     "Trajectory",
+    "connect",
     "parse",
     "read",
     "sweep",

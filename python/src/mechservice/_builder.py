@@ -6,7 +6,7 @@ import os
 from typing import Any, Callable, Union
 
 from ._errors import python_errors
-from ._java import java_class
+from ._java import java_class, java_path
 from ._model import Model
 
 _LIBRARY = "org.mechservice.library."
@@ -35,11 +35,34 @@ class Element:
         if isinstance(java, java_class(_LIBRARY + "MechModel")):
             return Model(java)
         if isinstance(java, java_class(_LIBRARY + "BuiltElement")):
-            return Element(java)
+            kind = _KINDS.get(str(java.getClass().getSimpleName()), Element)
+            return kind(java)
         return str(java)
 
     def __repr__(self) -> str:
         return f"<{self._java.getClass().getSimpleName()}>"
+
+
+class BodyElement(Element):
+    """A body or the root."""
+
+
+class ConnectionElement(Element):
+    """A joint, a constraint or a force between two bodies."""
+
+
+class SimulationElement(Element):
+    """A simulation."""
+
+
+class OtherElement(Element):
+    """An element that has no verbs besides ``set``, ``unit`` and ``element``."""
+
+
+_KINDS = {
+    kind.__name__: kind
+    for kind in (BodyElement, ConnectionElement, SimulationElement, OtherElement)
+}
 
 
 class Builder(Element):
@@ -75,5 +98,4 @@ class Builder(Element):
     def writeMechml(self, path: "Union[str, os.PathLike[str]]") -> Model:
         """Writes the model to a file and reads it from there."""
         with python_errors():
-            place = java_class("java.nio.file.Path").of(os.fspath(path))
-            return Model(self._java.writeMechml(place))
+            return Model(self._java.writeMechml(java_path(path)))

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import re
-from typing import Any, Iterator, Optional
 from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any, Iterator, List, Optional, Tuple, Union
+
+if TYPE_CHECKING:
+    from ._trajectory import Trajectory
 
 _CODE = re.compile(r"\b([MNS]-\d{3})\b")
 
@@ -40,13 +43,36 @@ class RunError(MechError):
     """
 
     def __init__(
-        self, message: str, code: str, time: float, part: str, advice: str, rows: Any
+        self,
+        message: str,
+        code: str,
+        time: float,
+        part: str,
+        advice: str,
+        rows: "Optional[Trajectory]",
     ) -> None:
         super().__init__(message, code)
         self.time = time
         self.part = part
         self.advice = advice
         self.rows = rows
+
+
+class ServerError(MechError):
+    """A server cannot be reached, or refuses a call."""
+
+
+class RunInterrupted(KeyboardInterrupt):
+    """Ctrl-C has ended a run.
+
+    ``rows`` are those up to there, a Trajectory; ``runs`` the values and trajectories that a sweep
+    had done before.
+    """
+
+    def __init__(self, rows: "Trajectory") -> None:
+        super().__init__(f"the run was interrupted; its {len(rows)} rows are kept in .rows")
+        self.rows = rows
+        self.runs: "List[Tuple[Union[float, str], Trajectory]]" = []
 
 
 def translated(error: Any) -> Optional[Exception]:
@@ -60,6 +86,14 @@ def translated(error: Any) -> Optional[Exception]:
         return ModelError(
             message, str(said[0].code().code()), [str(one.toString()) for one in said]
         )
+    if name.endswith(".InvalidModelException"):
+        told = list(error.messages())
+        code = str(told[0].code() if told else error.code())
+        return ModelError(message, code, [str(one.toString()) for one in told])
+    if name.startswith("org.mechservice.client.failure."):
+        code = str(error.code())
+        kind = MechError if name.endswith(".InvalidOptionException") else ServerError
+        return kind(message if message.startswith(code) else f"{code} {message}", code)
     if name.endswith(".RunFailedException"):
         failure = error.failure()
         rows = error.rows()
@@ -75,7 +109,10 @@ def translated(error: Any) -> Optional[Exception]:
         return FileNotFoundError(message)
     if name.startswith("java.nio.file.") or name == "java.io.IOException":
         return OSError(message)
-    if name.endswith("ModelBuildException") or name == "java.lang.IllegalArgumentException":
+    if name.endswith("ModelBuildException") or name in (
+        "java.lang.IllegalArgumentException",
+        "java.lang.IllegalStateException",
+    ):
         return MechError(message)
     return None
 

@@ -47,7 +47,7 @@ def start() -> None:
             for jar in _jars():
                 jpype.addClassPath(jar)
         return
-    options = ["-Xshare:auto", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=4"]
+    options = ["-Dslf4j.internal.verbosity=ERROR", "-Xshare:auto", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=4"]
     path = _virtual_machine()
     where = () if path is None else (path,)
     jpype.startJVM(*where, *options, classpath=_jars(), convertStrings=False, interrupt=False)

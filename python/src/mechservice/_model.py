@@ -6,11 +6,14 @@ import html
 import os
 import sys
 import threading
-from typing import Any, Dict, Iterable, List, Optional, Sequence, Tuple, Union
+from functools import lru_cache
+from queue import SimpleQueue
+from typing import Any, Callable, Dict, Iterable, List, Optional, Sequence, Tuple, Union
 
-from ._errors import MechError, python_errors
+from ._errors import MechError, RunInterrupted, python_errors
 from ._java import java_class, java_path
-from ._trajectory import Trajectory
+from ._stepped import Stepped
+from ._trajectory import LinearSystem, Trajectory
 
 Value = Union[float, str]
 
@@ -20,8 +23,9 @@ _LOOK_SECONDS = 0.05
 class Model:
     """A model file with values of its parameters. It never changes: ``set`` returns another one."""
 
-    def __init__(self, java: Any) -> None:
+    def __init__(self, java: Any, here: Optional[Callable[[], Any]] = None) -> None:
         self._java = java
+        self._here = here
 
     @property
     def name(self) -> str:
@@ -41,12 +45,13 @@ class Model:
         >>> float(model.set(push=4).simulate()["slide.q"][-1].round(3))
         3.016
         """
-        java = self._java
-        with python_errors():
+
+        def change(java: Any) -> Any:
             for name, value in values.items():
-                text = value if isinstance(value, str) else repr(float(value))
-                java = java.set(name, text)
-        return Model(java)
+                java = java.set(name, value if isinstance(value, str) else repr(float(value)))
+            return java
+
+        return self._changed(change)
 
     def check(self) -> str:
         """Returns what is known about the model before it runs, as ``mech check`` prints it."""
@@ -68,7 +73,7 @@ class Model:
         csv: "Union[str, os.PathLike[str], None]" = None,
         **parameters: Value,
     ) -> Trajectory:
-        """Runs the model; Ctrl-C ends the run and returns the rows there are.
+        """Runs the model; Ctrl-C ends the run and raises RunInterrupted, which has the rows.
 
         t_end, t_step: end and distance of the rows, s; the file's if not given.
         rtol, atol: tolerances, to be given together.
@@ -80,8 +85,30 @@ class Model:
 
         Raises ModelError, MechError or RunError; the latter has the rows up to there.
         """
-        java = self.set(**parameters)._java
+        model = self.set(**parameters)._with(
+            t_end, t_step, integrator, formulation, rtol, atol, columns, simulation, strict
+        )
         with python_errors():
+            trajectory = Trajectory(_interruptible(model._java), model)
+            if csv is not None:
+                trajectory._java.writeCsv(java_path(csv))
+        return trajectory
+
+    def _with(
+        self,
+        t_end: Optional[float] = None,
+        t_step: Optional[float] = None,
+        integrator: Optional[str] = None,
+        formulation: Optional[str] = None,
+        rtol: Optional[float] = None,
+        atol: Optional[float] = None,
+        columns: Optional[Sequence[str]] = None,
+        simulation: Optional[str] = None,
+        strict: bool = False,
+    ) -> "Model":
+        """Returns the model with settings of its run."""
+
+        def change(java: Any) -> Any:
             if simulation is not None:
                 java = java.simulation(str(simulation))
             if t_end is not None:
@@ -98,13 +125,57 @@ class Model:
                 java = java.tolerances(float(rtol), [float(atol)])
             if columns is not None:
                 java = java.columns([_group(name) for name in columns])
-            if strict:
-                java = java.strict()
-            trajectory = _interruptible(java)
-        if csv is not None:
-            with python_errors():
-                trajectory._java.writeCsv(java_path(csv))
-        return trajectory
+            return java.strict() if strict else java
+
+        return self._changed(change)
+
+    def _changed(self, change: Callable[[Any], Any]) -> "Model":
+        """Returns the model after a change, here and, of a model at a server, in its twin here."""
+        with python_errors():
+            there = change(self._java)
+            here = self._here
+            return Model(there, None if here is None else lambda: change(here()))
+
+    def _in_process(self) -> Any:
+        """Returns the model in Java in this process, which pictures and files are made of."""
+        return self._java if self._here is None else self._here()
+
+    def stepped(
+        self,
+        step: float,
+        *,
+        t_end: Optional[float] = None,
+        integrator: Optional[str] = None,
+        formulation: Optional[str] = None,
+        rtol: Optional[float] = None,
+        atol: Optional[float] = None,
+        columns: Optional[Sequence[str]] = None,
+        simulation: Optional[str] = None,
+        saved: Optional[bytes] = None,
+        **parameters: Value,
+    ) -> Stepped:
+        """Begins a run that your program advances by steps, between which it sets inputs.
+
+        step: time between two steps, s; inputs are constant within one.
+        saved: what ``Stepped.save`` returned; the run goes on there, with the same bits.
+        The other keywords are those of ``simulate``.
+
+        >>> import mechservice
+        >>> block = mechservice.read("examples/elements/input.xml")
+        >>> run = block.stepped(0.01, t_end=2)
+        >>> run["gust"] = 0
+        >>> while run.running:
+        ...     run["force"] = 40 * (0.5 - run["slide.q"]) - 12 * run["slide.v"]
+        ...     run.step()
+        >>> round(run["slide.q"], 4)
+        0.4985
+        """
+        model = self.set(**parameters)._with(
+            t_end, None, integrator, formulation, rtol, atol, columns, simulation, False
+        )
+        with python_errors():
+            given = (float(step),) if saved is None else (float(step), saved)
+            return Stepped(model._java.stepped(*given))
 
     def equilibrium(self) -> Trajectory:
         """Finds where the mechanism comes to rest; one row."""
@@ -126,6 +197,11 @@ class Model:
         """Computes the forces that produce the prescribed motion."""
         return self._analysis("inverseDynamics")
 
+    def linear_system(self) -> LinearSystem:
+        """Computes x' = A x + B u, y = C x + D u from inputs to outputs, about the start."""
+        with python_errors():
+            return LinearSystem(self._java.linearSystem())
+
     def _analysis(self, verb: str) -> Trajectory:
         with python_errors():
             return Trajectory(getattr(self._java, verb)())
@@ -135,11 +211,43 @@ class Model:
         with python_errors():
             self._java.writeJar(java_path(path))
 
+    def write_urdf(
+        self, path: "Union[str, os.PathLike[str]]", *, strict: bool = False
+    ) -> List[str]:
+        """Writes the mechanism as a robot in URDF; returns what URDF cannot express.
+
+        strict: raise a MechError instead of leaving anything out; nothing is written then.
+
+        Raises ModelError (M-086) if the mechanism would be another one: loops, constraints, joints
+        of types other than R, P, F and W.
+        """
+        with python_errors():
+            java = self._in_process()
+            if strict:
+                lost = [str(one.toString()) for one in java.urdf().losses()]
+                if lost:
+                    raise MechError("S-127 URDF does not have:\n" + "\n".join(lost))
+            return [str(one.toString()) for one in java.writeUrdf(java_path(path))]
+
+    def drawing(self) -> str:
+        """Returns the drawing of the mechanism in its initial position as SVG."""
+        with python_errors():
+            pictures = java_class("org.mechservice.view.model.ModelPictures")
+            return str(pictures.drawing(self._in_process()))
+
     def __repr__(self) -> str:
         return f"<mechservice {self._java.toString()}>"
 
     def _repr_html_(self) -> str:
-        return f"<pre>{html.escape(self.check())}</pre>"
+        try:
+            drawing = self.drawing()
+        except MechError as error:
+            drawing = f"<p>{html.escape(str(error))}</p>"
+        return (
+            f"<div style='max-width:640px'>{drawing}</div>"
+            f"<details><summary>{html.escape(self.name)}</summary>"
+            f"<pre>{html.escape(self.check())}</pre></details>"
+        )
 
 
 def _group(name: str) -> Any:
@@ -150,46 +258,81 @@ def _group(name: str) -> Any:
     return known[name]
 
 
-def _interruptible(java: Any) -> Trajectory:
-    """Runs in a thread of its own, so that this one hears of Ctrl-C."""
+class _Worker:
+    """A thread that runs models, so that the main thread hears of Ctrl-C meanwhile.
+
+    It lives as long as the process: a thread that Java does not know yet costs a tenth of a
+    millisecond.
+    """
+
+    def __init__(self) -> None:
+        self._jobs: "SimpleQueue[Tuple[Any, Any, _Answer]]" = SimpleQueue()
+        threading.Thread(target=self._work, name="mechservice-run", daemon=True).start()
+
+    def _work(self) -> None:
+        while True:
+            java, control, answer = self._jobs.get()
+            try:
+                answer.rows = java.simulate(control)
+            except BaseException as error:  # handed to the caller's thread
+                answer.error = error
+            answer.done.release()
+            del java, control, answer
+
+    def begin(self, java: Any, control: Any) -> "_Answer":
+        answer = _Answer()
+        self._jobs.put((java, control, answer))
+        return answer
+
+
+class _Answer:
+    """What a run has given, once its lock can be acquired."""
+
+    def __init__(self) -> None:
+        self.done = threading.Lock()
+        self.done.acquire()
+        self.rows: Any = None
+        self.error: Optional[BaseException] = None
+
+
+@lru_cache(maxsize=None)
+def _worker() -> _Worker:
+    return _Worker()
+
+
+def _interruptible(java: Any) -> Any:
+    """Runs a model; Ctrl-C in the main thread stops it. Returns the rows in Java."""
     control = java_class("org.mechservice.solver.api.run.RunControl")()
     if threading.current_thread() is not threading.main_thread():
-        return Trajectory(java.simulate(control))
-    done = threading.Event()
-    result: Dict[str, Any] = {}
-
-    def run() -> None:
+        return java.simulate(control)
+    answer = _worker().begin(java, control)
+    interrupted = False
+    while True:
         try:
-            result["rows"] = java.simulate(control)
-        except BaseException as error:  # handed to the caller's thread
-            result["error"] = error
-        finally:
-            done.set()
-
-    worker = threading.Thread(target=run, name="mechservice-run", daemon=True)
-    worker.start()
-    while not done.is_set():
-        try:
-            done.wait(_LOOK_SECONDS)
+            if answer.done.acquire(timeout=_LOOK_SECONDS):
+                break
         except KeyboardInterrupt:
+            interrupted = True
             control.stop()
-    if "error" in result:
-        raise result["error"]
-    return Trajectory(result["rows"])
+    if answer.error is not None:
+        raise answer.error
+    if interrupted:
+        raise RunInterrupted(Trajectory(answer.rows))
+    return answer.rows
 
 
 def read(
     path: "Union[str, os.PathLike[str]]", *, user_code: Iterable[str] = ()
 ) -> Model:
-    """Reads a MechML file.
+    """Reads a MechML file, or imports a robot whose name ends in .urdf, .sdf or .mjcf.
 
     user_code: further folders in which classes of forces are sought.
     """
     with python_errors():
-        folders = [java_path(folder) for folder in user_code]
-        return Model(
-            java_class("org.mechservice.library.MechModel").read(java_path(path), folders)
-        )
+        library = java_class("org.mechservice.library.MechModel")
+        if os.fspath(path).lower().endswith((".urdf", ".sdf", ".mjcf")):
+            return Model(library.importRobot(java_path(path)))
+        return Model(library.read(java_path(path), [java_path(folder) for folder in user_code]))
 
 
 def parse(mechml: str, name: str = "model") -> Model:
@@ -207,11 +350,19 @@ def parse(mechml: str, name: str = "model") -> Model:
 
 
 def sweep(
-    model: Model, parameter: str, values: Iterable[Value], *, progress: bool = False, **options: Any
+    model: Model,
+    parameter: str,
+    values: Iterable[Value],
+    *,
+    progress: "Union[bool, Callable[[int, int], None]]" = False,
+    **options: Any,
 ) -> List[Tuple[Value, Trajectory]]:
     """Simulates the model once for each value of a parameter; returns values and trajectories.
 
-    progress: whether a line on standard error tells how far it is.
+    progress: whether a line on standard error tells how far it is; or a function that is called
+    with the number of runs done and that of all.
+    Other keywords are those of ``simulate``. Ctrl-C raises RunInterrupted; its ``runs`` are those
+    that were done, its ``rows`` those of the run under way.
 
     >>> import mechservice
     >>> model = mechservice.read("examples/elements/Parameters.xml")
@@ -222,10 +373,17 @@ def sweep(
     """
     wanted = list(values)
     runs: List[Tuple[Value, Trajectory]] = []
-    for value in wanted:
-        runs.append((value, model.simulate(**{**options, parameter: value})))
-        if progress:
-            print(f"\r{len(runs)} of {len(wanted)}", end="", file=sys.stderr, flush=True)
-    if progress:
-        print(file=sys.stderr)
+    try:
+        for value in wanted:
+            runs.append((value, model.simulate(**{**options, parameter: value})))
+            if callable(progress):
+                progress(len(runs), len(wanted))
+            elif progress:
+                print(f"\r{len(runs)} of {len(wanted)}", end="", file=sys.stderr, flush=True)
+    except RunInterrupted as interrupted:
+        interrupted.runs = runs
+        raise
+    finally:
+        if progress is True:
+            print(file=sys.stderr)
     return runs

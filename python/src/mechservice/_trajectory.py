@@ -3,10 +3,20 @@
 from __future__ import annotations
 
 import html
-from functools import cached_property
-from typing import Any, Dict, List, Optional, Tuple
+from functools import cached_property, lru_cache
+from typing import TYPE_CHECKING, Any, Dict, List, Optional, Tuple
 
 import numpy as np
+import numpy.typing as npt
+
+from ._errors import MechError, python_errors
+from ._java import java_class
+
+if TYPE_CHECKING:
+    from ._model import Model
+
+
+_SHORT_SECONDS = 2.0
 
 
 class Trajectory:
@@ -16,16 +26,21 @@ class Trajectory:
     a matrix of one row per output time. None of them is a copy; write to a copy.
     """
 
-    def __init__(self, java: Any) -> None:
+    def __init__(self, java: Any, model: "Optional[Model]" = None) -> None:
         self._java = java
-        rows = int(java.rows())
-        view = np.asarray(memoryview(java.values())) if rows else np.empty(0)
-        self.values: np.ndarray = view.reshape(rows, int(java.columns().size()))
-        self.values.flags.writeable = False
+        self._model = model
+
+    @cached_property
+    def values(self) -> npt.NDArray[np.float64]:
+        """All numbers, one row per output time and one column per quantity; not to be written to."""
+        view = np.asarray(memoryview(self._java.values()), dtype=np.float64)
+        values = view.reshape(-1, len(self._columns))
+        values.flags.writeable = False
+        return values
 
     @cached_property
     def _columns(self) -> List[Tuple[str, str]]:
-        return [(str(c.name()), str(c.unit())) for c in self._java.columns()]
+        return _names_and_units(self._java.columns())
 
     @cached_property
     def _index(self) -> Dict[str, int]:
@@ -42,7 +57,7 @@ class Trajectory:
         return dict(self._columns)
 
     @property
-    def time(self) -> np.ndarray:
+    def time(self) -> npt.NDArray[np.float64]:
         """The time of each row, s."""
         return self.values[:, 0]
 
@@ -57,7 +72,7 @@ class Trajectory:
         """Whether the run came to its end; not if Ctrl-C stopped it."""
         return type(self._java.report().outcome()).__name__.endswith("Completed")
 
-    def __getitem__(self, name: str) -> np.ndarray:
+    def __getitem__(self, name: str) -> npt.NDArray[np.float64]:
         if name not in self._index:
             known = ", ".join(self.columns[:12])
             more = len(self._columns) - 12
@@ -73,7 +88,7 @@ class Trajectory:
         return self._columns[self._index[name]][1]
 
     def __len__(self) -> int:
-        return int(self.values.shape[0])
+        return int(self._java.rows())
 
     def to_pandas(self) -> Any:
         """Returns a data frame indexed by time, the units in ``attrs["units"]``."""
@@ -100,7 +115,42 @@ class Trajectory:
     def __repr__(self) -> str:
         return str(self._java.toString())
 
+    def player(self) -> str:
+        """Returns the player with this run: one HTML page with its curves, which fetches nothing.
+
+        Where the rows lack the columns of the bodies, the model runs again with them.
+
+        Raises MechError if these are the rows of an analysis, which has no motion.
+        """
+        if self._model is None:
+            raise MechError("these rows are no motion in time, which a player could show")
+        with python_errors():
+            model = self._model._in_process()
+            pictures = java_class("org.mechservice.view.model.ModelPictures")
+            group = java_class("org.mechservice.solver.api.result.ColumnGroup")
+            rows = self._java
+            if not any(name.endswith(".x") for name, _ in self._columns):
+                shown = self._model._java.columns([group.BODIES, group.ENERGY])
+                rows = shown.until(float(self.time[-1])).simulate()
+            return str(pictures.player(model, rows))
+
     def _repr_html_(self) -> str:
+        return self._table() + self._frame()
+
+    def _frame(self) -> str:
+        """Returns the player in a frame; nothing if it is not had within seconds."""
+        if self._model is None or not len(self) or self.report["wallTime"] > _SHORT_SECONDS:
+            return ""
+        try:
+            page = html.escape(self.player())
+        except (MechError, RuntimeError):
+            return ""
+        return (
+            f"<iframe srcdoc='{page}' sandbox='allow-scripts'"
+            " style='width:100%;height:560px;border:0'></iframe>"
+        )
+
+    def _table(self) -> str:
         shown = self._columns[:8]
         head = "".join(f"<th>{html.escape(n)}<br>{html.escape(u)}</th>" for n, u in shown)
         picked = list(range(min(5, len(self))))
@@ -113,6 +163,40 @@ class Trajectory:
             f"<p>{html.escape(repr(self))}</p>"
             f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
         )
+
+
+@lru_cache(maxsize=64)
+def _names_and_units(columns: Any) -> List[Tuple[str, str]]:
+    """Returns Java's columns as text; lists that are equal in Java are translated once."""
+    return [(str(column.name()), str(column.unit())) for column in columns]
+
+
+class LinearSystem:
+    """The matrices of x' = A x + B u, y = C x + D u, with names and units.
+
+    ``scipy.signal.StateSpace(system.A, system.B, system.C, system.D)`` takes them.
+    """
+
+    def __init__(self, java: Any) -> None:
+        self.states: Dict[str, str] = _names(java.states())
+        self.inputs: Dict[str, str] = _names(java.inputs())
+        self.outputs: Dict[str, str] = _names(java.outputs())
+        n, m, p = len(self.states), len(self.inputs), len(self.outputs)
+        a, b, c, d = (np.array(one, dtype=np.float64) for one in java.matrices())
+        self.A: npt.NDArray[np.float64] = a.reshape(n, n)
+        self.B: npt.NDArray[np.float64] = b.reshape(n, m)
+        self.C: npt.NDArray[np.float64] = c.reshape(p, n)
+        self.D: npt.NDArray[np.float64] = d.reshape(p, m)
+
+    def __repr__(self) -> str:
+        return (
+            f"<mechservice linear system: {len(self.states)} states,"
+            f" inputs {list(self.inputs)}, outputs {list(self.outputs)}>"
+        )
+
+
+def _names(variables: Any) -> Dict[str, str]:
+    return {str(one.name()): str(one.unit()) for one in variables}
 
 
 def _plain(value: Any) -> Any:

@@ -42,6 +42,7 @@ class DocumentedCommandsIT {
         "docs/how-to/quarter-car.md",
         "docs/how-to/robot.md",
         "docs/how-to/from-urdf.md",
+        "docs/how-to/transmissions.md",
         "docs/how-to/contact.md",
         "docs/how-to/stiff-bushings.md",
         "docs/how-to/optimum.md",
@@ -52,6 +53,8 @@ class DocumentedCommandsIT {
         "examples/sampled-arm/README.md",
         "examples/elements/README.md",
         "examples/four-bar/README.md",
+        "examples/gearbox/README.md",
+        "examples/crane/README.md",
         "examples/sweep/README.md"
       })
   void everyCommandOfThePageWorks(String page) throws IOException {

@@ -24,21 +24,28 @@ class PythonIT {
         "the Python package is not tested: it needs python/.venv, which .ci/run makes");
     Terminal terminal = new Terminal(WorkingTree.TOP);
     terminal.run(PACKAGE.resolve("take-jars").toString()).orFail();
-    Terminal.Ended tests =
-        terminal
-            .run(
-                "env",
-                "PYTHONPATH=" + PACKAGE.resolve("src"),
-                "PYTHONDONTWRITEBYTECODE=1",
-                PYTHON.toString(),
-                "-m",
-                "pytest",
-                "-q",
-                "-p",
-                "no:cacheprovider",
-                PACKAGE.resolve("tests").toString())
-            .orFail();
-    assertThat(tests.stdout()).contains(" passed");
+    int port = Service.freePort();
+    try (Terminal.Running server = Service.startServer(directory, port)) {
+      assertThat(testsPass(terminal, Service.url(port))).contains(" passed");
+    }
+  }
+
+  private static String testsPass(Terminal terminal, String server) {
+    return terminal
+        .run(
+            "env",
+            "MECHSERVICE_TEST_SERVER=" + server,
+            "PYTHONPATH=" + PACKAGE.resolve("src"),
+            "PYTHONDONTWRITEBYTECODE=1",
+            PYTHON.toString(),
+            "-m",
+            "pytest",
+            "-q",
+            "-p",
+            "no:cacheprovider",
+            PACKAGE.resolve("tests").toString())
+        .orFail()
+        .stdout();
   }
 
   @Test
@@ -61,7 +68,8 @@ class PythonIT {
             .shell(PYTHON + " -m zipfile -l " + directory + "/mechservice-0.1.0-py3-none-any.whl")
             .orFail()
             .stdout();
-    assertThat(files).contains("mechservice/py.typed", "jars/mechservice-0.1.0.jar", "jars/asm-");
-    assertThat(files).doesNotContain("jacorb").doesNotContain("picocli");
+    assertThat(files).contains("mechservice/py.typed", "mechservice/_builder.pyi");
+    assertThat(files).contains("jars/mechservice-0.1.0.jar", "jars/asm-", "jars/jacorb-");
+    assertThat(files).doesNotContain("picocli").doesNotContain("bcprov").doesNotContain("mechcli");
   }
 }

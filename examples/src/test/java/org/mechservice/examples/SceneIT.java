@@ -65,6 +65,8 @@ class SceneIT {
           "pendulum/variants/millimetre.xml",
           "pendulum/variants/ode113.xml",
           "sampled-arm/arm.xml",
+          "gearbox/gearbox.xml",
+          "crane/crane.xml",
           "sweep/seat.xml");
 
   /** Moments of inertia of the body of benchmarks/dzhanibekov.xml, kg m^2. */

@@ -7,6 +7,7 @@ import org.mechservice.cli.admin.AdminCommand;
 import org.mechservice.cli.model.BuildCommand;
 import org.mechservice.cli.model.CheckCommand;
 import org.mechservice.cli.model.ExamplesCommand;
+import org.mechservice.cli.model.ExportCommand;
 import org.mechservice.cli.model.ImportCommand;
 import org.mechservice.cli.model.NewCommand;
 import org.mechservice.cli.model.VerifyCommand;
@@ -80,6 +81,7 @@ public final class Mech {
           WebCommand.class,
           BuildCommand.class,
           ImportCommand.class,
+          ExportCommand.class,
           ReportCommand.class,
           StabilityCommand.class,
           ServerCommand.class,

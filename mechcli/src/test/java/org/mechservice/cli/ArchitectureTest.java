@@ -29,7 +29,6 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.ValueSource;
 
 /** Which module may depend on which, and within the solver which package on which. */
 class ArchitectureTest {
@@ -107,14 +106,15 @@ class ArchitectureTest {
     "mechsim-service,"
         + " mechsim-codegen idl mechml solver-runtime solver-api solver-ode solver-mechanics",
     "mechserver, mechsim-service idl solver-api",
-    "mechclient, idl solver-api",
+    "mechclient, idl solver-api solver-runtime",
     "mechadmin, idl solver-api",
     "mechreport, mechclient solver-runtime solver-api solver-ode",
     "mechresult, solver-api",
     "mechservice, mechsim-codegen mechml solver-runtime solver-api solver-ode solver-mechanics",
     "mechstudy, mechservice mechresult mechsim-codegen mechml solver-runtime solver-api"
         + " solver-ode solver-mechanics",
-    "mechview, mechclient mechresult idl solver-api",
+    "mechview, mechclient mechresult mechservice mechsim-codegen mechml solver-runtime idl"
+        + " solver-api solver-ode solver-mechanics",
   })
   @ParameterizedTest
   void moduleDependsOnlyOnTheModulesTheDesignAllows(String module, String allowed) {
@@ -220,10 +220,14 @@ class ArchitectureTest {
     return reached;
   }
 
-  @ParameterizedTest
-  @ValueSource(strings = {"mechml", "report", "solver.linear", "solver.ode"})
-  void packagesFormNoCircle(String root) {
-    slices().matching(ROOT + "(" + root + "..)").should().beFreeOfCycles().check(PRODUCT);
+  @Test
+  void packagesFormNoCircle() {
+    slices()
+        .matching(ROOT + "(**)")
+        .should()
+        .beFreeOfCycles()
+        .ignoreDependency(GENERATED, DescribedPredicate.alwaysTrue())
+        .check(PRODUCT);
   }
 
   @Test

@@ -6,6 +6,8 @@ import java.nio.file.Path;
 import java.security.cert.Certificate;
 import java.util.List;
 import java.util.Optional;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.Function;
 import org.mechservice.client.failure.InvalidModelException;
 import org.mechservice.client.failure.InvalidOptionException;
@@ -45,6 +47,14 @@ import org.mechservice.orb.tls.TlsIdentity;
  * }
  * }</pre>
  *
+ * <p>{@link #read} returns a model with the verbs of the library in process instead, so that a
+ * program that simulates and analyses models here does so at a server when this one line changes:
+ *
+ * <pre>{@code
+ * RemoteModel car = service.read(Path.of("car.xml")).set("k", 2.1e4).until(5);
+ * double[] height = car.simulate().column("height.q");
+ * }</pre>
+ *
  * <p>Errors are {@link ServiceException}s: refusals with the server's own code and text, and {@link
  * ServerLostException} as soon as the server cannot be reached.
  */
@@ -54,6 +64,9 @@ public final class MechConnection implements AutoCloseable {
   private final JarCache cache;
   private final LeaseRenewal leases = new LeaseRenewal();
   private final double connectSeconds;
+
+  /** Sessions of models, which end with the connection. */
+  private final Queue<MechSession> models = new ConcurrentLinkedQueue<>();
 
   private MechConnection(String address, JarCache cache, ServiceOrb orb) {
     this.orb = orb;
@@ -147,6 +160,38 @@ public final class MechConnection implements AutoCloseable {
           MechSim session = createSession(server, hostName);
           return opened(server, session, connectSeconds + watch.lap());
         });
+  }
+
+  /**
+   * Sends a model to the server and returns it with the verbs of the library in process.
+   *
+   * @param file MechML file; classes that its forces name are sought beside it and sent too
+   * @param userCode further folders in which they are sought
+   * @throws IOException if a file cannot be read
+   * @throws InvalidModelException if the model cannot be used; says what, where and what to write
+   *     instead
+   * @throws LimitExceededException if the server takes no more sessions
+   */
+  public RemoteModel read(Path file, Path... userCode) throws IOException {
+    MechSession session = openSession();
+    models.add(session);
+    session.loadModel(file, List.of(userCode));
+    return new RemoteModel(session, file.toString());
+  }
+
+  /**
+   * Sends a model that is no file.
+   *
+   * @param name its name in messages
+   * @param mechml its text
+   * @throws InvalidModelException if the model cannot be used
+   * @throws LimitExceededException if the server takes no more sessions
+   */
+  public RemoteModel of(String name, String mechml) {
+    MechSession session = openSession();
+    models.add(session);
+    session.loadModel(name, mechml.getBytes(StandardCharsets.UTF_8));
+    return new RemoteModel(session, name);
   }
 
   /** Calls the server in use, or the next one if that server is lost. */
@@ -289,9 +334,13 @@ public final class MechConnection implements AutoCloseable {
     return orb.export(listener);
   }
 
-  /** Ends the connection. The server destroys open sessions when their leases expire. */
+  /**
+   * Ends the connection and the sessions of its models. The server destroys other open sessions
+   * when their leases expire.
+   */
   @Override
   public void close() {
+    models.forEach(MechSession::close);
     leases.close();
     orb.close();
   }

@@ -36,6 +36,7 @@ import org.mechservice.idl.LimitExceeded;
 import org.mechservice.idl.MAX_MECHML_BYTES;
 import org.mechservice.idl.MechSim;
 import org.mechservice.idl.ModelFile;
+import org.mechservice.idl.ModelReading;
 import org.mechservice.idl.NameValue;
 import org.mechservice.idl.NameValueSeqHolder;
 import org.mechservice.idl.OPT_CONTINUES;
@@ -119,6 +120,16 @@ public final class MechSession implements AutoCloseable {
    * @throws InvalidModelException if the model cannot be used; the messages name the places
    */
   public List<ModelMessage> loadModel(Path file, Optional<Path> userCode) throws IOException {
+    return loadModel(file, userCode.stream().toList());
+  }
+
+  /**
+   * Sends a model to the server, which reads and checks it, and its user force classes.
+   *
+   * @param userCode folders of classes that are not beside the file
+   * @see #loadModel(Path, Optional)
+   */
+  List<ModelMessage> loadModel(Path file, List<Path> userCode) throws IOException {
     byte[] content = ModelFiles.inlined(NamedFile.of(file), file);
     String name = String.valueOf(file.getFileName());
     UserFiles classes = new UserFiles(file, userCode);
@@ -223,6 +234,25 @@ public final class MechSession implements AutoCloseable {
    */
   public String checkReport(boolean asJson) {
     return calls.get(() -> session.checkReport(asJson));
+  }
+
+  /**
+   * Returns the server's report about the model as options make it.
+   *
+   * @throws InvalidModelException if the model cannot be used so
+   */
+  String checkReport(SimulationOptions options, boolean asJson) {
+    return calls.get(() -> session.checkReportWith(options.toNameValues(), asJson));
+  }
+
+  /**
+   * Lets the server read the model with options, which it checks.
+   *
+   * @throws InvalidModelException if the model cannot be used so
+   * @throws InvalidOptionException if an option cannot be used
+   */
+  ModelReading read(SimulationOptions options) {
+    return calls.get(() -> session.readWith(options.toNameValues()));
   }
 
   /**

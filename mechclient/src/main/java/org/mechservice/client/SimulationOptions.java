@@ -14,11 +14,13 @@ import java.util.stream.Stream;
 import org.mechservice.client.failure.InvalidOptionException;
 import org.mechservice.idl.NameValue;
 import org.mechservice.idl.OPT_ABS_TOL;
+import org.mechservice.idl.OPT_ANALYSIS;
 import org.mechservice.idl.OPT_CLOSURE;
 import org.mechservice.idl.OPT_CODE;
 import org.mechservice.idl.OPT_COLUMNS;
 import org.mechservice.idl.OPT_COMPACT;
 import org.mechservice.idl.OPT_FORMULATION;
+import org.mechservice.idl.OPT_INPUTS;
 import org.mechservice.idl.OPT_INTEGRATOR;
 import org.mechservice.idl.OPT_MAX_DRIFT;
 import org.mechservice.idl.OPT_REL_TOL;
@@ -32,6 +34,7 @@ import org.mechservice.idl.OPT_T_END;
 import org.mechservice.idl.OPT_T_STEP;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.catalogue.Accuracy;
+import org.mechservice.solver.catalogue.AnalysisKind;
 import org.mechservice.solver.catalogue.SourceLanguage;
 
 /**
@@ -48,6 +51,17 @@ import org.mechservice.solver.catalogue.SourceLanguage;
 public final class SimulationOptions {
   /** Every column group that the model has. */
   private static final String ALL_COLUMNS = "all";
+
+  /** Options that only an integration in time has. */
+  private static final Set<String> OF_INTEGRATION =
+      Set.of(
+          OPT_FORMULATION.value,
+          OPT_CLOSURE.value,
+          OPT_INTEGRATOR.value,
+          OPT_REL_TOL.value,
+          OPT_ABS_TOL.value,
+          Accuracy.OPTION,
+          OPT_MAX_DRIFT.value);
 
   private static final SimulationOptions AS_IN_FILE =
       new SimulationOptions(Map.of(), Map.of(), Set.of());
@@ -209,6 +223,43 @@ public final class SimulationOptions {
     return texts.containsKey(OPT_MAX_DRIFT.value)
         ? OptionalDouble.of(Double.parseDouble(texts.get(OPT_MAX_DRIFT.value)))
         : OptionalDouble.empty();
+  }
+
+  /**
+   * Asks for an analysis instead of the simulation that the file describes. Options of integration
+   * do not apply to it and are left out.
+   */
+  SimulationOptions analysis(AnalysisKind kind) {
+    Map<String, String> fitting = new LinkedHashMap<>(texts);
+    fitting.keySet().removeAll(OF_INTEGRATION);
+    if (kind == AnalysisKind.EQUILIBRIUM) {
+      fitting.remove(OPT_T_END.value);
+    }
+    fitting.put(OPT_ANALYSIS.value, kind.label());
+    SimulationOptions asked = new SimulationOptions(fitting, parameters, tunable);
+    return kind.isLinear() ? asked.withOutputs() : asked;
+  }
+
+  /** Adds the outputs of the model's author to the columns, if the request names any. */
+  private SimulationOptions withOutputs() {
+    return columnGroups()
+        .map(
+            groups -> {
+              EnumSet<ColumnGroup> more = EnumSet.copyOf(groups);
+              more.add(ColumnGroup.OUTPUTS);
+              return columns(more);
+            })
+        .orElse(this);
+  }
+
+  /** Builds the model for a run whose inputs are set from outside, also those with a table. */
+  SimulationOptions inputsFromOutside() {
+    return with(OPT_INPUTS.value, "outside");
+  }
+
+  /** Returns an option's text; empty if the file decides. */
+  Optional<String> text(String key) {
+    return Optional.ofNullable(texts.get(key));
   }
 
   SimulationOptions standalone() {

@@ -8,7 +8,6 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Pattern;
 import org.mechservice.client.failure.InvalidModelException;
@@ -18,7 +17,7 @@ import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * Files of user force classes. Only classes that the server requests are searched for, beside the
- * model and in the folder that the user names.
+ * model and in the folders that the user names.
  */
 final class UserFiles {
   /** Code of a message that names a file of a class which the server needs. */
@@ -32,13 +31,13 @@ final class UserFiles {
 
   /**
    * @param model the model's file; its folder is searched
-   * @param userCode another folder to search
+   * @param userCode other folders to search
    * @throws IOException if a folder cannot be read
    */
-  UserFiles(Path model, Optional<Path> userCode) throws IOException {
+  UserFiles(Path model, List<Path> userCode) throws IOException {
     folders.add(model.toRealPath().resolveSibling(".").normalize());
-    if (userCode.isPresent()) {
-      folders.add(userCode.get().toRealPath());
+    for (Path folder : userCode) {
+      folders.add(folder.toRealPath());
     }
   }
 

@@ -2,7 +2,12 @@ package org.mechservice.mechml;
 
 import java.util.List;
 import java.util.Optional;
+import org.mechservice.mechml.SimulationTask.Linearization;
 import org.mechservice.mechml.diagnosis.Diagnostic;
+import org.mechservice.solver.api.ModelParameter;
+import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.catalogue.AnalysisKind;
+import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.closure.assembly.ClosedStart;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Output;
@@ -87,6 +92,31 @@ public final class MechmlModel {
   /** Returns the diagnostics below errors, in file order. */
   public List<Diagnostic> warnings() {
     return warnings;
+  }
+
+  /** Returns the model with an analysis in place of its chosen simulation. */
+  public MechmlModel analysed(AnalysisKind kind) {
+    RunSettings run = settings.run().withIntegrator(MethodNames.NONE);
+    SimulationTask task =
+        switch (kind) {
+          case EQUILIBRIUM -> SimulationTask.StaticEquilibrium.DEFAULT;
+          case MODES -> new Linearization(false, Linearization.Result.MODES);
+          case LINEARISE -> new Linearization(false, Linearization.Result.EQUATIONS);
+          case LINEAR_SYSTEM -> new Linearization(false, Linearization.Result.SYSTEM);
+          case KINEMATICS -> new SimulationTask.Kinematic();
+          case INVERSE_DYNAMICS -> new SimulationTask.InverseDynamic();
+        };
+    SimulationSettings other =
+        new SimulationSettings(
+            settings.name(),
+            task,
+            kind == AnalysisKind.EQUILIBRIUM ? run.withOutput(run.tStart(), run.tStep()) : run,
+            settings.absoluteTolerances(),
+            settings.formulation(),
+            settings.closure(),
+            settings.columns(),
+            settings.events());
+    return new MechmlModel(mechanism, other, simulations, parameters, outputs, unused, warnings);
   }
 
   /** Returns the mechanism with the events of the chosen simulation. */

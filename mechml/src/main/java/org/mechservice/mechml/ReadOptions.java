@@ -3,6 +3,7 @@ package org.mechservice.mechml;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.mechservice.solver.catalogue.AnalysisKind;
 
 /**
  * Options for reading a model file: the simulation to choose and the parameters to set.
@@ -14,12 +15,14 @@ import java.util.Set;
  * @param tunable names of parameters that stay inputs of the model, besides those marked in the
  *     file
  * @param inputsFromOutside whether inputs are set during the run, also those with a table
+ * @param analysis what is computed instead of the chosen simulation; empty for the simulation
  */
 public record ReadOptions(
     Optional<String> simulation,
     Map<String, String> values,
     Set<String> tunable,
-    boolean inputsFromOutside) {
+    boolean inputsFromOutside,
+    Optional<AnalysisKind> analysis) {
   /** Default options: the first simulation, all parameters as in the file. */
   public static final ReadOptions NONE = new ReadOptions(Optional.empty(), Map.of(), Set.of());
 
@@ -30,12 +33,17 @@ public record ReadOptions(
 
   /** Creates options for a run without inputs from outside. */
   public ReadOptions(Optional<String> simulation, Map<String, String> values, Set<String> tunable) {
-    this(simulation, values, tunable, false);
+    this(simulation, values, tunable, false, Optional.empty());
   }
 
   /** Returns the same options for a run whose inputs are set from outside. */
   public ReadOptions withInputsFromOutside() {
-    return new ReadOptions(simulation, values, tunable, true);
+    return new ReadOptions(simulation, values, tunable, true, analysis);
+  }
+
+  /** Returns the same options for an analysis in place of the chosen simulation. */
+  public ReadOptions withAnalysis(AnalysisKind kind) {
+    return new ReadOptions(simulation, values, tunable, inputsFromOutside, Optional.of(kind));
   }
 
   /** Returns options that set parameters. */

@@ -4,7 +4,7 @@
  * <p>{@link org.mechservice.mechml.MechmlModel} is the main type. It holds the mechanism in SI
  * units, the {@link org.mechservice.mechml.SimulationSettings} of every simulation block with the
  * {@link org.mechservice.mechml.SimulationTask} of each, the {@link
- * org.mechservice.mechml.ModelParameter}s and the warnings. {@link
+ * org.mechservice.solver.api.ModelParameter}s and the warnings. {@link
  * org.mechservice.mechml.ReadOptions} choose a simulation and set parameters before the file is
  * read.
  *

@@ -41,6 +41,7 @@ record ExampleFile(String text) {
           Map.entry("PointOnLine", "Constraints"),
           Map.entry("Rolling", "Constraints"),
           Map.entry("KnifeEdge", "Constraints"),
+          Map.entry("Rope", "Constraints"),
           Map.entry("JointConstraint", "Constraints"),
           Map.entry("table", "Tables"),
           Map.entry("state", "States"),

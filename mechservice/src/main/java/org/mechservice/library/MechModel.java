@@ -15,15 +15,19 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.UnaryOperator;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.mechservice.mechml.MechmlModel;
-import org.mechservice.mechml.ModelParameter;
 import org.mechservice.mechml.ReadOptions;
 import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.SimulationTask;
-import org.mechservice.mechml.SimulationTask.Linearization;
+import org.mechservice.mechml.diagnosis.Diagnostic;
 import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.mechml.document.DocumentWriter;
+import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.resolve.MechmlReader;
+import org.mechservice.mechml.robot.RobotExport;
+import org.mechservice.mechml.robot.RobotImport;
 import org.mechservice.sim.check.CheckReport;
 import org.mechservice.sim.emit.plan.CodeForm;
 import org.mechservice.sim.model.BuildOptions;
@@ -34,7 +38,12 @@ import org.mechservice.sim.packaging.JarImage;
 import org.mechservice.sim.packaging.ModelJars;
 import org.mechservice.sim.scene.IntegratorSelection;
 import org.mechservice.sim.user.UserClasses;
+import org.mechservice.solver.api.ModelParameter;
 import org.mechservice.solver.api.ModelSource;
+import org.mechservice.solver.api.program.RowMemory;
+import org.mechservice.solver.api.program.RunFailedException;
+import org.mechservice.solver.api.program.SteppedModel;
+import org.mechservice.solver.api.program.Trajectory;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
@@ -44,9 +53,12 @@ import org.mechservice.solver.api.run.RunControl;
 import org.mechservice.solver.api.run.RunReport;
 import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.catalogue.AnalysisKind;
 import org.mechservice.solver.catalogue.MethodNames;
+import org.mechservice.solver.mechanism.FurtherState;
 import org.mechservice.solver.simulation.RuntimeSolver;
 import org.mechservice.solver.system.LinearSystem;
+import org.mechservice.solver.system.SystemTable;
 import org.mechservice.solver.text.ModelFiles;
 import org.mechservice.solver.text.ResultFile;
 import org.mechservice.solver.text.Sha256;
@@ -159,6 +171,20 @@ public final class MechModel {
   /** Returns what was read: the mechanism and its settings. */
   public MechmlModel content() {
     return model;
+  }
+
+  /** Returns the outermost element of what was read, with the files that it includes. */
+  public Element file() {
+    try {
+      return MechmlReader.whole(source.fileName, source.content);
+    } catch (MechmlException e) {
+      throw new IllegalStateException("what was read before is read again", e);
+    }
+  }
+
+  /** Returns the folder of the file; empty if the model is no file. */
+  public Optional<Path> folder() {
+    return source.userCode.stream().findFirst();
   }
 
   /** Returns the parameters of the file, as it gives them, in its order. */
@@ -394,7 +420,11 @@ public final class MechModel {
   public SteppedModel stepped(double step) throws MechmlException {
     MechModel open = reread(reading.withInputsFromOutside()).every(step);
     return SteppedModel.begin(
-        open.compiled().newInstance(), open.request(), open.sha256(), open.model.mechanism());
+        new RuntimeSolver(),
+        open.compiled().newInstance(),
+        open.request(),
+        open.sha256(),
+        open.inputs());
   }
 
   /**
@@ -409,11 +439,19 @@ public final class MechModel {
   public SteppedModel stepped(double step, byte[] saved) throws MechmlException {
     MechModel open = reread(reading.withInputsFromOutside()).every(step);
     return SteppedModel.restored(
+        new RuntimeSolver(),
         open.compiled().newInstance(),
         open.request(),
         open.sha256(),
-        open.model.mechanism(),
+        open.inputs(),
         saved);
+  }
+
+  private Set<String> inputs() {
+    return model.mechanism().furtherStates().stream()
+        .filter(state -> state.role() == FurtherState.Role.INPUT)
+        .map(FurtherState::name)
+        .collect(Collectors.toSet());
   }
 
   private static RunReport completed(RunReport report) {
@@ -493,7 +531,7 @@ public final class MechModel {
    * @throws RunFailedException if there is no equilibrium to be found
    */
   public Trajectory equilibrium() {
-    return as(SimulationTask.StaticEquilibrium.DEFAULT)
+    return as(AnalysisKind.EQUILIBRIUM)
         .run(run -> run.withOutput(run.tStart(), run.tStep()))
         .simulate();
   }
@@ -505,7 +543,7 @@ public final class MechModel {
    * @throws RunFailedException if a force has no derivative there
    */
   public Trajectory modes() {
-    return as(new Linearization(false, Linearization.Result.MODES)).simulate();
+    return as(AnalysisKind.MODES).simulate();
   }
 
   /**
@@ -515,7 +553,7 @@ public final class MechModel {
    * @throws RunFailedException if a force has no derivative there
    */
   public Trajectory linearise() {
-    return as(new Linearization(false, Linearization.Result.EQUATIONS)).simulate();
+    return as(AnalysisKind.LINEARISE).simulate();
   }
 
   /**
@@ -527,7 +565,7 @@ public final class MechModel {
    */
   public LinearSystem linearSystem() throws MechmlException {
     MechModel open = reread(reading.withInputsFromOutside());
-    Trajectory table = open.as(new Linearization(false, Linearization.Result.SYSTEM)).simulate();
+    Trajectory table = open.as(AnalysisKind.LINEAR_SYSTEM).simulate();
     List<Variable> outputs = new ArrayList<>();
     open.model.outputs().forEach(o -> outputs.add(new Variable(o.name(), o.unit())));
     return SystemTable.of(table, outputs);
@@ -535,36 +573,17 @@ public final class MechModel {
 
   /** Computes the motion of driven coordinates and of all that depend on them, without forces. */
   public Trajectory kinematics() {
-    return as(new SimulationTask.Kinematic()).simulate();
+    return as(AnalysisKind.KINEMATICS).simulate();
   }
 
   /** Computes the forces in the driven coordinates that produce the prescribed motion. */
   public Trajectory inverseDynamics() {
-    return as(new SimulationTask.InverseDynamic()).simulate();
+    return as(AnalysisKind.INVERSE_DYNAMICS).simulate();
   }
 
-  private MechModel as(SimulationTask task) {
-    SimulationSettings old = model.settings();
-    SimulationSettings other =
-        new SimulationSettings(
-            old.name(),
-            task,
-            old.run().withIntegrator(MethodNames.NONE),
-            old.absoluteTolerances(),
-            old.formulation(),
-            old.closure(),
-            old.columns(),
-            old.events());
-    MechmlModel same =
-        new MechmlModel(
-            model.mechanism(),
-            other,
-            model.simulations(),
-            model.parameters(),
-            model.outputs(),
-            model.unused(),
-            model.warnings());
-    return new MechModel(source, reading, changes, strict, maxDrift, same, userClasses);
+  private MechModel as(AnalysisKind kind) {
+    return new MechModel(
+        source, reading, changes, strict, maxDrift, model.analysed(kind), userClasses);
   }
 
   /**
@@ -576,6 +595,46 @@ public final class MechModel {
     CompiledModel model = built(changes.apply(this.model.settings()).run());
     JarImage image = ModelJars.standalone(model, Sha256.of(source.content));
     Files.write(jar, image.bytes());
+  }
+
+  /**
+   * Writes the mechanism as a robot in URDF, with the present values of its parameters.
+   *
+   * @return what URDF cannot express and is left out: warnings M-087; empty if the robot is the
+   *     whole mechanism
+   * @throws MechmlException M-086 if the mechanism would be another one: closed loops, constraints,
+   *     joints of other types than R, P, F and W
+   * @throws IOException if the file cannot be written
+   */
+  public List<Diagnostic> writeUrdf(Path urdf) throws IOException, MechmlException {
+    RobotExport robot = urdf();
+    Files.writeString(urdf, robot.text());
+    return robot.losses();
+  }
+
+  /**
+   * Returns the mechanism as a robot in URDF with what is left out; {@link #writeUrdf} writes it.
+   *
+   * @throws MechmlException M-086 if the mechanism would be another one
+   */
+  public RobotExport urdf() throws MechmlException {
+    return RobotExport.of(source.fileName, model, file());
+  }
+
+  /**
+   * Reads a robot.
+   *
+   * @param robot file in URDF, SDF or MJCF
+   * @return its model, as {@code mech import} translates it
+   * @throws IOException if the file cannot be read
+   * @throws MechmlException if it is no robot, or no mechanism
+   */
+  public static MechModel importRobot(Path robot) throws IOException, MechmlException {
+    String name = robot.toString();
+    RobotImport translated = RobotImport.of(name, Files.readAllBytes(robot));
+    byte[] mechml = DocumentWriter.write(translated.document()).getBytes(StandardCharsets.UTF_8);
+    List<Path> folders = List.of(robot.toRealPath().resolveSibling("."));
+    return read(new Source(name, mechml, folders), ReadOptions.NONE);
   }
 
   /** Returns the groups of columns that runs put out. */

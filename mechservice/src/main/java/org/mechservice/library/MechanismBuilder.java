@@ -167,6 +167,14 @@ public final class MechanismBuilder extends BuiltElement<MechanismBuilder> {
     return this;
   }
 
+  /**
+   * Adds a rope of constant length; its {@code plane}, {@code via}s, {@code pulley}s and {@code
+   * term}s are elements of it.
+   */
+  public OtherElement rope(String name, double length) {
+    return add("Rope", it -> it.set("name", name).set("length", length));
+  }
+
   /** Adds a constraint that keeps a point of body 2 on a plane of body 1. */
   public ConnectionElement pointOnPlane(String name) {
     return connection("PointOnPlane", "name", name);
@@ -233,6 +241,19 @@ public final class MechanismBuilder extends BuiltElement<MechanismBuilder> {
   /** Adds a spring and damper at an angle of a joint. */
   public OtherElement torsionSpringDamper(String name, String joint) {
     return element("torsionSpringDamper", "name", name, "joint", joint);
+  }
+
+  /**
+   * Adds a spring and damper along an expression of positions; {@code k}, {@code c}, {@code
+   * backlash} and so on are to be set.
+   */
+  public OtherElement couplingSpringDamper(String name, String expression) {
+    return element("couplingSpringDamper", "name", name, "expression", expression);
+  }
+
+  /** Adds a rope that only pulls, with its stiffness and its length without load. */
+  public OtherElement elasticRope(String name, double k, double length0) {
+    return add("elasticRope", it -> it.set("name", name).set("k", k).set("length0", length0));
   }
 
   /** Adds a bushing between two frames. */

@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.solver.api.program.Trajectory;
 
 /** Models that name files beside them. */
 class FilesOfModelTest {

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
+import org.mechservice.solver.api.program.Trajectory;
 
 /** The four-bar in few lines moves as the one in many does. */
 class FourBarExampleTest {

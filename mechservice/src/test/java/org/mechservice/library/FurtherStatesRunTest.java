@@ -12,6 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.solver.api.program.Trajectory;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
@@ -20,40 +21,12 @@ import org.mechservice.solver.api.run.RunControl;
 
 /** Runs of models with states of their own, against closed solutions. */
 class FurtherStatesRunTest {
-  private static final String AXES =
-      "<vector name='x' vx='1' vy='0' vz='0'/><vector name='y' vx='0' vy='1' vz='0'/>";
-
   private static String model(String parts) {
-    return "<MechML><MBSsimulation><dynamic><timeSet tini='0' tend='2' tstep='0.25'/><integrator"
-        + " name='ode113' relTol='1e-10' absTol='1e-12'/></dynamic></MBSsimulation><MBSmodel"
-        + " name='m' massUnits='kg' lengthUnits='m'>"
-        + parts
-        + "</MBSmodel></MechML>";
-  }
-
-  private static String body(String name) {
-    return "<body name='"
-        + name
-        + "'><point name='o' x='0' y='0' z='0'/><point name='p' x='1.3' y='0' z='0'/>"
-        + AXES
-        + "<cog x='0.5' y='0' z='0'/><mass value='2'/><inertiaTensor Ixx='0.1' Iyy='0.2'"
-        + " Izz='0.25' Ixy='0' Ixz='0' Iyz='0'/></body>";
+    return SlidingCart.model("0.25", "", parts);
   }
 
   private static String slide(String states, String force, String outputs) {
-    return model(
-        "<Bodies><body name='Ground'><point name='o' x='0' y='0' z='0'/>"
-            + AXES
-            + "</body>"
-            + body("cart")
-            + "</Bodies><Joints><joint name='j' type='P'><body1 name='Ground' point='o'"
-            + " vector='x'/><body2 name='cart' point='o' vector='x'/></joint></Joints><States>"
-            + states
-            + "</States><Forces><jointForce name='f' joint='j' expression='"
-            + force
-            + "'/></Forces>"
-            + outputs
-            + "<topology><root name='Ground'/></topology>");
+    return model(SlidingCart.parts(states, force, outputs));
   }
 
   private static MechModel of(String text) throws MechmlException {
@@ -153,11 +126,11 @@ class FurtherStatesRunTest {
     return model(
             "<Bodies><body name='Ground'><point name='o' x='0' y='0' z='0'/><point name='p' x='2'"
                 + " y='0' z='0'/>"
-                + AXES
+                + SlidingCart.AXES
                 + "</body>"
-                + body("crank")
-                + body("coupler")
-                + body("rocker")
+                + SlidingCart.body("crank")
+                + SlidingCart.body("coupler")
+                + SlidingCart.body("rocker")
                 + "</Bodies><Joints>"
                 + hinge("j1", "Ground", "o", "crank", "o")
                 + hinge("j2", "crank", "p", "coupler", "o")

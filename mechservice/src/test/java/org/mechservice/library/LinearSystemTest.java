@@ -10,6 +10,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.capability.ModelParts;
+import org.mechservice.solver.api.program.RunFailedException;
+import org.mechservice.solver.api.program.SteppedModel;
+import org.mechservice.solver.api.program.Trajectory;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.system.LinearSystem;
 

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelJarFile;
+import org.mechservice.solver.api.program.Trajectory;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;

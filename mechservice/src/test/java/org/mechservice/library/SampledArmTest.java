@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.mechservice.solver.api.program.Trajectory;
 
 /**
  * The robot arm of the examples against its reference, which is computed by closed equations of

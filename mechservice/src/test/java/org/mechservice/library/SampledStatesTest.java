@@ -12,6 +12,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.solver.api.program.SteppedModel;
+import org.mechservice.solver.api.program.Trajectory;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.Checkpoints;
@@ -29,34 +31,8 @@ class SampledStatesTest {
 
   private static final double PERIOD = 0.05;
 
-  private static final String AXES =
-      "<vector name='x' vx='1' vy='0' vz='0'/><vector name='y' vx='0' vy='1' vz='0'/>";
-
-  private static String body(String name) {
-    return "<body name='"
-        + name
-        + "'><point name='o' x='0' y='0' z='0'/><point name='p' x='1.3' y='0' z='0'/>"
-        + AXES
-        + "<cog x='0.5' y='0' z='0'/><mass value='2'/><inertiaTensor Ixx='0.1' Iyy='0.2'"
-        + " Izz='0.25'/></body>";
-  }
-
   private static String cart(String tables, String states, String force, String events) {
-    return "<MechML><MBSsimulation><dynamic><timeSet tini='0' tend='2' tstep='0.05'/><integrator"
-        + " name='ode113' relTol='1e-10' absTol='1e-12'/>"
-        + events
-        + "</dynamic></MBSsimulation><MBSmodel name='m' massUnits='kg' lengthUnits='m'>"
-        + tables
-        + "<Bodies><body name='Ground'><point name='o' x='0' y='0' z='0'/>"
-        + AXES
-        + "</body>"
-        + body("cart")
-        + "</Bodies><Joints><joint name='j' type='P'><body1 name='Ground' point='o'"
-        + " vector='x'/><body2 name='cart' point='o' vector='x'/></joint></Joints><States>"
-        + states
-        + "</States><Forces><jointForce name='f' joint='j' expression='"
-        + force
-        + "'/></Forces><topology><root name='Ground'/></topology></MBSmodel></MechML>";
+    return SlidingCart.model("0.05", events, tables + SlidingCart.parts(states, force, ""));
   }
 
   /** A four-bar whose crank is turned by a sampled torque. */
@@ -65,11 +41,11 @@ class SampledStatesTest {
         + " name='ode113' relTol='1e-9' absTol='1e-11'/></dynamic></MBSsimulation><MBSmodel"
         + " name='m' massUnits='kg' lengthUnits='m'><Bodies><body name='Ground'><point name='o'"
         + " x='0' y='0' z='0'/><point name='p' x='2' y='0' z='0'/>"
-        + AXES
+        + SlidingCart.AXES
         + "</body>"
-        + body("crank")
-        + body("coupler")
-        + body("rocker")
+        + SlidingCart.body("crank")
+        + SlidingCart.body("coupler")
+        + SlidingCart.body("rocker")
         + "</Bodies><Joints>"
         + joint("j1", "Ground", "o", "crank", "o")
         + joint("j2", "crank", "p", "coupler", "o")

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.solver.api.program.Trajectory;
 
 /** Runs of models with tables, against closed solutions. */
 class TablesRunTest {

@@ -4,26 +4,19 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Set;
 import org.mechservice.cli.shell.UsageException;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.ReadOptions;
 import org.mechservice.mechml.diagnosis.MechmlException;
-import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.mechml.robot.RobotImport;
-import org.mechservice.sim.check.CheckReport;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.closure.assembly.ClosedStart;
-import org.mechservice.solver.kinematics.TreeMotion;
-import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.text.ModelFiles;
+import org.mechservice.view.model.ModelScene;
 import org.mechservice.view.scene.SceneDescription;
-import org.mechservice.view.scene.SceneVerdict;
 import org.mechservice.view.web.ModelReader;
 
 /** Reads model files as scenes for pictures: poses at the start, with closed loops. */
@@ -55,10 +48,10 @@ public final class SceneReader {
                   + " is a robot, which has no parameters and simulations to choose");
         }
         RobotImport robot = RobotImport.of(fileName, content);
-        return scene(robot.model(), geometries(robot.document().root()));
+        return ModelScene.of(robot.model(), robot.document().root());
       }
       MechmlModel model = MechmlReader.read(fileName, content, options);
-      return scene(model, geometries(MechmlReader.whole(fileName, content)));
+      return ModelScene.of(model, MechmlReader.whole(fileName, content));
     } catch (MechmlException e) {
       throw new UsageException(String.valueOf(e.getMessage()));
     }
@@ -79,7 +72,7 @@ public final class SceneReader {
           MechmlReader.read(
               name, content, new ReadOptions(choice.simulation(), choice.parameters(), Set.of()));
       return new ModelReader.ReadModel(
-          scene(model, geometries(MechmlReader.whole(name, content))),
+          ModelScene.of(model, MechmlReader.whole(name, content)),
           model.parameters().stream()
               .map(one -> new ModelReader.Parameter(one.name(), one.unit(), one.value()))
               .toList(),
@@ -89,45 +82,5 @@ public final class SceneReader {
     } catch (MechmlException e) {
       throw new UsageException(String.valueOf(e.getMessage()));
     }
-  }
-
-  /** Returns the geometry files of the bodies that name one. */
-  private static Map<String, String> geometries(Element root) {
-    Map<String, String> geometries = new HashMap<>();
-    root.children("MBSmodel").stream()
-        .flatMap(model -> model.children("Bodies").stream())
-        .flatMap(bodies -> bodies.children("body").stream())
-        .forEach(
-            body ->
-                body.attribute("graphSrc")
-                    .ifPresent(source -> geometries.put(body.required("name"), source)));
-    return geometries;
-  }
-
-  private static SceneDescription scene(MechmlModel model, Map<String, String> geometries) {
-    Mechanism mechanism = model.mechanism();
-    ClosedStart start = model.closedStart(model.settings().run().tStart());
-    TreeMotion motion = new TreeMotion(start.tree());
-    motion.sweep(start.time(), start.state());
-    SceneParts parts = new SceneParts(motion, start.time());
-    CheckReport check = CheckReport.of(model);
-    SceneVerdict verdict =
-        new SceneVerdict(
-            check.degreesOfFreedom(),
-            check.loops().equations(),
-            check.loops().redundant(),
-            start.isAssembled(),
-            check.warnings());
-    return new SceneDescription(
-        mechanism.name(),
-        mechanism.root().name(),
-        parts.rootPose(),
-        geometries.getOrDefault(mechanism.root().name(), ""),
-        SceneParts.point(mechanism.gravity()),
-        parts.bodies(geometries),
-        parts.joints(),
-        parts.constraints(),
-        parts.forces(),
-        verdict);
   }
 }

@@ -2,6 +2,7 @@ package org.mechservice.client.run;
 
 import java.io.IOException;
 import java.util.Optional;
+import org.mechservice.solver.api.run.Checkpoints;
 
 /** Stores checkpoints of a run on the client's machine, and returns the one to resume from. */
 public interface CheckpointStore {
@@ -21,6 +22,26 @@ public interface CheckpointStore {
         @Override
         public void keep(byte[] checkpoint) {}
       };
+
+  /** Returns a store that keeps what a run in process would keep. */
+  static CheckpointStore of(Checkpoints checkpoints) {
+    return new CheckpointStore() {
+      @Override
+      public double secondsBetween() {
+        return checkpoints.secondsBetween();
+      }
+
+      @Override
+      public Optional<byte[]> saved() {
+        return checkpoints.saved();
+      }
+
+      @Override
+      public void keep(byte[] checkpoint) throws IOException {
+        checkpoints.keep(checkpoint);
+      }
+    };
+  }
 
   /** Returns the wall-clock time between two checkpoints, s; infinite for none. */
   double secondsBetween();

@@ -18,7 +18,7 @@ import org.mechservice.solver.catalogue.MessageCode;
 /** One use of a subsystem: its elements with the names and values that the use gives them. */
 final class Instance {
   /** Elements whose attribute {@code name} names another element. */
-  private static final Set<String> ENDS = Set.of("body1", "body2");
+  private static final Set<String> ENDS = Set.of("body1", "body2", "plane", "via", "pulley");
 
   /** Attributes that are neither expressions nor names of the model's elements. */
   private static final Set<String> WORDS =
@@ -28,6 +28,7 @@ final class Instance {
           "law",
           "frame",
           "side",
+          "quantity",
           "method",
           "extrapolation",
           "derivativeOf",

@@ -38,7 +38,8 @@ public final class MechmlReader {
     Diagnostics diagnostics = new Diagnostics(fileName);
     Document document = DocumentReader.read(content, diagnostics);
     Element whole = IncludedParts.put(document.root(), diagnostics);
-    return ModelResolver.resolve(whole, options, diagnostics);
+    MechmlModel read = ModelResolver.resolve(whole, options, diagnostics);
+    return options.analysis().map(read::analysed).orElse(read);
   }
 
   /**

@@ -1,5 +1,5 @@
 /**
- * Import of robots in URDF, SDF and MJCF to MechML.
+ * Import of robots in URDF, SDF and MJCF to MechML, and export to URDF.
  *
  * <p>{@link org.mechservice.mechml.robot.RobotImport} is the main type; {@link
  * org.mechservice.mechml.robot.RobotFormat} tells the formats apart by the outermost element. A
@@ -17,8 +17,12 @@
  *
  * <p>The import keeps masses, inertias, joints and frames. {@link
  * org.mechservice.mechml.robot.ImportLosses} reports each part of the file that MechML cannot
- * express as a warning M-085 with its position. The formats are defined at wiki.ros.org/urdf/XML,
- * sdformat.org and in the XML reference of MuJoCo's documentation.
+ * express as a warning M-085 with its position. {@link org.mechservice.mechml.robot.RobotExport}
+ * goes the other way: {@link org.mechservice.mechml.robot.UrdfWriter} writes a mechanism as the
+ * elements of a robot, with {@link org.mechservice.mechml.robot.UrdfShapes} for what bodies look
+ * like and {@link org.mechservice.mechml.robot.UrdfFrames} for poses; {@link
+ * org.mechservice.mechml.robot.ExportLosses} reports what URDF lacks. The formats are defined at
+ * wiki.ros.org/urdf/XML, sdformat.org and in the XML reference of MuJoCo's documentation.
  */
 @NullMarked
 package org.mechservice.mechml.robot;

@@ -6,8 +6,8 @@ import java.util.stream.IntStream;
 import org.mechservice.report.solution.StateDistance;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.ModelParts;
+import org.mechservice.solver.api.capability.ResultColumns;
 import org.mechservice.solver.api.result.ColumnGroup;
-import org.mechservice.solver.api.result.ResultColumns;
 import org.mechservice.solver.api.result.Variable;
 
 /**

@@ -41,7 +41,9 @@ public final class MechServerServant implements MechServerOperations {
     "jar=model",
     "jar=standalone",
     "import=urdf",
-    "option=continues"
+    "option=continues",
+    "option=analysis",
+    "option=inputs"
   };
 
   private final String name;

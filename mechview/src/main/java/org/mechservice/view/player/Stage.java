@@ -332,9 +332,8 @@ public final class Stage {
         Anchor plane = constraint.anchors().get(1);
         addSurface(constraint.name(), plane, constraint.direction());
       }
-      case COUPLING -> {
-        // relates coordinates, is at no place
-      }
+      // a rope; another coupling relates coordinates and is at no place
+      case COUPLING -> addRope(constraint.name(), constraint.anchors());
     }
   }
 
@@ -361,6 +360,7 @@ public final class Stage {
     switch (force.kind()) {
       case SPRING, SPRING_DAMPER -> addLink(Strut.Kind.SPRING, force);
       case DAMPER -> addLink(Strut.Kind.DAMPER, force);
+      case ROPE -> addRope(force.name(), force.anchors());
       case CONTACT -> {
         Anchor surface = force.anchors().get(1);
         Point3 normal = scene.pose(surface.body()).turnBack(force.direction());
@@ -369,6 +369,12 @@ public final class Stage {
       default -> {
         // drawn by its arrow, or in its joint
       }
+    }
+  }
+
+  private void addRope(String name, List<Anchor> passed) {
+    for (int i = 1; i < passed.size(); i++) {
+      links.add(new Strut(Strut.Kind.ROD, name, passed.get(i - 1), passed.get(i)));
     }
   }
 

@@ -8,8 +8,8 @@ import java.util.Optional;
  *
  * @param name name in the model file
  * @param kind what it says
- * @param anchors the two points of a distance; the point, then a point of the line or plane; empty
- *     for a coupling
+ * @param anchors the two points of a distance; the point, then a point of the line or plane; what a
+ *     rope passes; empty for another coupling
  * @param direction unit vector along the line or normal to the plane, in the axes of the second
  *     anchor's body; zero for the others
  * @param wheel what rolls, on the first anchor; empty for the others

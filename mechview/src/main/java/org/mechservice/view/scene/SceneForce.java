@@ -47,6 +47,10 @@ public record SceneForce(
     MOMENT,
     /** A sphere pressed against a surface. */
     CONTACT,
+    /** A rope that passes all anchors, from its first end to its last. */
+    ROPE,
+    /** A spring between coordinates of joints, whose points are the anchors. */
+    COUPLING,
     /** A class of the user. */
     USER
   }

@@ -29,6 +29,7 @@ public final class ForcesReader {
   private final BushingReader bushings;
   private final ForceTorqueReader forceTorques;
   private final ContactReader contacts;
+  private final CouplingSpringReader couplings;
   private final MechanismNames names;
   private final Diagnostics diagnostics;
 
@@ -38,6 +39,7 @@ public final class ForcesReader {
     this.jointForces = new JointForceReader(formulas, names, diagnostics);
     this.bushings = new BushingReader(values, formulas, names, diagnostics);
     this.forceTorques = new ForceTorqueReader(formulas, names, diagnostics);
+    this.couplings = new CouplingSpringReader(values, formulas, names, diagnostics);
     this.contacts = new ContactReader(values, formulas, names, diagnostics);
     this.names = names;
     this.diagnostics = diagnostics;
@@ -51,10 +53,19 @@ public final class ForcesReader {
     for (Element element : elements) {
       if (!element.name().equals("gravity")) {
         taken.add(element, Optional.of(element));
-        force(element).ifPresent(forces::add);
+        forces.addAll(forces(element));
       }
     }
     return forces;
+  }
+
+  /** Returns the forces of an element; a coupling with backlash has two. */
+  private List<? extends ForceElement> forces(Element element) {
+    return switch (element.name()) {
+      case "couplingSpringDamper" -> couplings.read(element);
+      case "elasticRope" -> couplings.rope(element);
+      default -> force(element).map(List::of).orElse(List.of());
+    };
   }
 
   private Optional<? extends ForceElement> force(Element element) {

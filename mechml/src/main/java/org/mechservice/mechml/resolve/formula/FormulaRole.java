@@ -9,7 +9,7 @@ public enum FormulaRole {
   /** Height of a surface. */
   HEIGHT("a height depends on s, the arc length along the surface, and parameters only"),
   /** Relation between coordinates. */
-  RELATION("a coupling of coordinates depends on positions of joints and t only"),
+  RELATION("a coupling depends on positions of joints and points, and t only"),
   /** Force, output, event. */
   STATE("");
 

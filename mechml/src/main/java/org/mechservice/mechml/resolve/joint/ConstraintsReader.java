@@ -43,7 +43,7 @@ public final class ConstraintsReader {
       MechanismNames names,
       Diagnostics diagnostics) {
     this.values = values;
-    this.couplings = new CouplingReader(formulas, names, diagnostics);
+    this.couplings = new CouplingReader(values, formulas, names, diagnostics);
     this.joints = joints;
     this.names = names;
     this.frames = new FrameReader(names, diagnostics);
@@ -66,6 +66,7 @@ public final class ConstraintsReader {
     return switch (element.name()) {
       case "DISTConstraint" -> distance(element);
       case "CoordConstraint" -> couplings.read(element);
+      case "Rope" -> couplings.rope(element);
       case "PointOnPlane" -> pointOnPlane(element);
       case "PointOnLine" -> pointOnLine(element);
       case "Rolling" -> rolling(element);

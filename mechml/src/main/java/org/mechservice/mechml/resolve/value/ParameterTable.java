@@ -6,11 +6,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import org.mechservice.mechml.ModelParameter;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.expression.ExpressionException;
 import org.mechservice.mechml.expression.ParsedExpression;
 import org.mechservice.mechml.expression.Scope;
+import org.mechservice.solver.api.ModelParameter;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**

@@ -26,7 +26,7 @@ import org.mechservice.solver.api.capability.Energies;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.capability.PowerInput;
 import org.mechservice.solver.api.capability.ResidualModel;
-import org.mechservice.solver.api.result.ResultColumns;
+import org.mechservice.solver.api.capability.ResultColumns;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.Accuracy;

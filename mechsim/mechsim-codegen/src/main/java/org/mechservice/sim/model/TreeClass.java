@@ -27,9 +27,11 @@ final class TreeClass {
 
   /** Derives y' of an open chain in a formulation. */
   static Program derivative(Links links, FormulationChoice choice) {
-    return choice.formulation().equals(Formulation.DSR.label())
-        ? CompositeInertiaEquations.derive(links)
-        : ArticulatedBodyEquations.derive(links);
+    return switch (Formulation.of(choice.formulation())) {
+      case DSR -> CompositeInertiaEquations.derive(links);
+      // Residual formulations take their accelerations from it too.
+      case DTR, RR, RR_JF -> ArticulatedBodyEquations.derive(links);
+    };
   }
 
   /**

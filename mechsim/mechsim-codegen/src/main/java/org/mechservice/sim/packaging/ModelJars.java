@@ -15,6 +15,7 @@ import org.mechservice.sim.model.Omission;
 import org.mechservice.sim.model.StandaloneMain;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.mechanism.FurtherState;
 import org.mechservice.solver.simulation.SolverVersion;
 import org.mechservice.solver.text.Sha256;
 
@@ -87,6 +88,14 @@ public final class ModelJars {
     manifest.put("Mech-Columns-Shown", ModelColumns.labels(ModelColumns.shown(model)));
     manifest.put("Mech-Model-SHA-256", mechmlSha256);
     manifest.put("Mech-Left-Out", listed(generated.leftOut()));
+    String inputs =
+        model.source().mechanism().furtherStates().stream()
+            .filter(state -> state.role() == FurtherState.Role.INPUT)
+            .map(FurtherState::name)
+            .collect(Collectors.joining(" "));
+    if (!inputs.isEmpty()) {
+      manifest.put("Mech-Inputs", inputs);
+    }
     if (!generated.fromData().isEmpty()) {
       manifest.put("Mech-From-Data", listed(generated.fromData()));
     }

@@ -9,6 +9,7 @@ import org.mechservice.solver.catalogue.IntegrationMethod;
 import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.Bushing;
+import org.mechservice.solver.mechanism.force.CouplingSpringDamper;
 import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.JointForce;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
@@ -96,6 +97,9 @@ public record IntegratorSelection(String integrator, Optional<String> reason) {
     return force instanceof Bushing
         || (force instanceof SpringDamper spring && spring.side() == Side.BOTH)
         || (force instanceof JointSpringDamper spring && spring.side() == Side.BOTH)
+        || (force instanceof CouplingSpringDamper spring
+            && spring.side() == Side.BOTH
+            && Linearity.of(spring.along()) == Linearity.LINEAR)
         || (force instanceof JointForce drive && Linearity.of(drive.force()) == Linearity.LINEAR);
   }
 

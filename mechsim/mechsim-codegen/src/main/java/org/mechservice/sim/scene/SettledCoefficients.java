@@ -6,6 +6,7 @@ import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.Bushing;
 import org.mechservice.solver.mechanism.force.Contact;
+import org.mechservice.solver.mechanism.force.CouplingSpringDamper;
 import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
 import org.mechservice.solver.mechanism.force.SpringDamper;
@@ -51,6 +52,8 @@ final class SettledCoefficients {
       all.add(spring.force0());
       all.add(spring.smoothing());
     } else if (force instanceof JointSpringDamper spring) {
+      all.add(spring.smoothing());
+    } else if (force instanceof CouplingSpringDamper spring) {
       all.add(spring.smoothing());
     }
     return all;

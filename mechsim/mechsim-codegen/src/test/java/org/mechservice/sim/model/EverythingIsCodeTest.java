@@ -27,6 +27,7 @@ import org.mechservice.solver.mechanism.PrescribedMotion;
 import org.mechservice.solver.mechanism.Root;
 import org.mechservice.solver.mechanism.force.Bushing;
 import org.mechservice.solver.mechanism.force.Contact;
+import org.mechservice.solver.mechanism.force.CouplingSpringDamper;
 import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.ForceTorque;
 import org.mechservice.solver.mechanism.force.JointForce;
@@ -56,6 +57,7 @@ class EverythingIsCodeTest {
           JointSpringDamper.class,
           JointFriction.class,
           JointForce.class,
+          CouplingSpringDamper.class,
           UserForceElement.class);
 
   /** Formulation and closure. */

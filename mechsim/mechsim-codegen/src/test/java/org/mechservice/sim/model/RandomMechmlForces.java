@@ -7,11 +7,13 @@ import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.Expression.Time;
 import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.Bushing;
 import org.mechservice.solver.mechanism.force.Contact;
+import org.mechservice.solver.mechanism.force.CouplingSpringDamper;
 import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.ForceTorque;
 import org.mechservice.solver.mechanism.force.JointForce;
@@ -77,6 +79,7 @@ public final class RandomMechmlForces {
             eps,
             Origin.NONE));
     forces.add(bushing());
+    coordinates(true).forEach(c -> forces.add(coupled(c, preload, side, eps)));
     forces.add(contact());
     forces.add(
         new ForceTorque(
@@ -107,6 +110,32 @@ public final class RandomMechmlForces {
                       name(), c, positive(2), positive(1), positive(0.1), Origin.NONE));
               forces.add(new JointForce(name(), c, formula(), Origin.NONE));
             });
+  }
+
+  /** A spring along a coordinate, the distance of a point from an axis and time. */
+  private ForceElement coupled(JointCoordinate c, Expression preload, Side side, Expression eps) {
+    Expression distance =
+        new Expression.Call(
+            Function.HYPOT,
+            List.of(
+                new Expression.Sum(positive(1), new Expression.PointPosition(point(), 0)),
+                new Expression.PointPosition(point(), 2)));
+    Expression turn = new Expression.Product(number(1), new Expression.CoordinatePosition(c));
+    Expression along =
+        new Expression.Sum(
+            new Expression.Sum(distance, turn), new Expression.Product(number(1), new Time()));
+    return new CouplingSpringDamper(
+        name(),
+        along,
+        random.nextBoolean(),
+        positive(20),
+        positive(2),
+        positive(1),
+        preload,
+        side,
+        eps,
+        List.of(),
+        Origin.NONE);
   }
 
   /** Returns one coordinate of a random joint that has any: a position, or a velocity. */

@@ -6,6 +6,7 @@ import org.mechservice.solver.api.run.Checkpoints;
 import org.mechservice.solver.api.run.RunControl;
 import org.mechservice.solver.api.run.RunReport;
 import org.mechservice.solver.api.run.RunRequest;
+import org.mechservice.solver.api.run.StepwiseRun;
 
 /**
  * Runs models. The runtime JAR offers its implementation as a service ({@link
@@ -46,5 +47,22 @@ public interface Solver {
       throw new UnsupportedOperationException("this solver knows no checkpoints");
     }
     return run(model, request, sink, control);
+  }
+
+  /**
+   * Begins a run that advances from row to row and whose state may be changed at each.
+   *
+   * @param model the model; its workspace is used, so it must not be in another run
+   * @param request its settings; the rows are its steps of communication
+   * @param sink receives the rows
+   * @param modelHash exact identification of the model, for saved runs
+   * @throws IllegalArgumentException S-195 if the model is not integrated in time; also as {@link
+   *     #run}
+   * @throws IOException if the sink throws it
+   * @throws UnsupportedOperationException if this solver takes no steps from outside
+   */
+  default StepwiseRun stepped(Model model, RunRequest request, ResultSink sink, String modelHash)
+      throws IOException {
+    throw new UnsupportedOperationException("this solver takes no steps from outside");
   }
 }

@@ -86,6 +86,8 @@ public enum MessageCode {
   ROBOT_TREE("M-083"),
   ROBOT_JOINT("M-084"),
   ROBOT_LOST("M-085", WARNING),
+  URDF_CANNOT("M-086"),
+  URDF_LOST("M-087", WARNING),
 
   // The numerics of a run.
   NOT_FINITE("N-001"),

@@ -12,6 +12,7 @@ import org.mechservice.solver.force.applied.FrameForce;
 import org.mechservice.solver.force.applied.FrameMotion;
 import org.mechservice.solver.force.applied.ScalarLaw;
 import org.mechservice.solver.force.applied.TreeCoordinate;
+import org.mechservice.solver.force.formula.CoupledSpring;
 import org.mechservice.solver.force.formula.CutJointForce;
 import org.mechservice.solver.force.formula.ExpressionJointForce;
 import org.mechservice.solver.force.formula.ExpressionWrench;
@@ -28,6 +29,7 @@ import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.kinematics.pair.CutJoint;
 import org.mechservice.solver.mechanism.force.Bushing;
 import org.mechservice.solver.mechanism.force.Contact;
+import org.mechservice.solver.mechanism.force.CouplingSpringDamper;
 import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.ForceTorque;
 import org.mechservice.solver.mechanism.force.ForceVisitor;
@@ -84,6 +86,11 @@ final class ForceAssembly implements ForceVisitor<AppliedForce> {
         ? new CutJointForce(force, motion, cut)
         : new ExpressionJointForce(
             force, motion, TreeCoordinate.ofVelocity(tree, (JointCoordinate) force.coordinate()));
+  }
+
+  @Override
+  public AppliedForce couplingSpringDamper(CouplingSpringDamper force) {
+    return new CoupledSpring(force, motion, new JointSpringLaw(force));
   }
 
   @Override

@@ -157,7 +157,7 @@ public final class ForcedTree {
   private double energyAlong(double t, double h) {
     double[] kept = q.clone();
     coordinates.move(q, 0, v, 0, h);
-    evaluate(t);
+    evaluate(t + h);
     double energy = forces.potentialEnergy();
     System.arraycopy(kept, 0, q, 0, q.length);
     return energy;

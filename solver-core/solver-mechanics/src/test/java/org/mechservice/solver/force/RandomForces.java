@@ -23,6 +23,7 @@ import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.Bushing;
 import org.mechservice.solver.mechanism.force.Contact;
+import org.mechservice.solver.mechanism.force.CouplingSpringDamper;
 import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.ForceTorque;
 import org.mechservice.solver.mechanism.force.JointForce;
@@ -58,7 +59,8 @@ public final class RandomForces {
     CONTACT_PROFILE,
     FRICTION,
     USER_WITH_DIFFERENCES,
-    USER_WITH_DERIVATIVES
+    USER_WITH_DERIVATIVES,
+    COUPLING_SPRING
   }
 
   private final Random random;
@@ -133,6 +135,7 @@ public final class RandomForces {
       case FRICTION -> friction(name, pick(velocities));
       case USER_WITH_DIFFERENCES -> user(name, "differences");
       case USER_WITH_DERIVATIVES -> user(name, "derivatives");
+      case COUPLING_SPRING -> couplingSpring(name, new CoordinatePosition(pick(positions)));
     };
   }
 
@@ -161,6 +164,33 @@ public final class RandomForces {
         new Sum(
             formula(2),
             new Product(new CoordinatePosition(coordinate), new CoordinateVelocity(coordinate))),
+        Origin.NONE);
+  }
+
+  /** A spring along a product of a position with two coordinates of points and time. */
+  public CouplingSpringDamper couplingSpring(String name, Expression position) {
+    Side side = List.of(Side.values()).get(random.nextInt(3));
+    Expression place =
+        new Call(
+            Function.HYPOT,
+            List.of(
+                new Sum(number(), new PointPosition(point(), random.nextInt(3))),
+                new PointPosition(point(), random.nextInt(3))));
+    Expression along =
+        new Sum(
+            new Product(place, new Call(Function.SIN, List.of(position))),
+            new Product(new PointPosition(point(), random.nextInt(3)), new Time()));
+    return new CouplingSpringDamper(
+        name,
+        along,
+        false,
+        number(),
+        number(),
+        number(),
+        side == Side.BOTH ? number() : Expression.ZERO,
+        side,
+        Expression.of(0.4),
+        List.of(),
         Origin.NONE);
   }
 

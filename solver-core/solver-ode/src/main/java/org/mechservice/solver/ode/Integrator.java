@@ -79,8 +79,8 @@ public interface Integrator {
   StepResult step();
 
   /**
-   * Returns the end of the last accepted step. DE may have stepped past the end of the problem;
-   * interpolate there.
+   * Returns the end of the last accepted step, or the end of the problem where DE has stepped past
+   * it.
    */
   double time();
 

@@ -33,10 +33,13 @@ public abstract class ManifoldContract {
     StepResult result = StepResult.ADVANCED;
     while (result == StepResult.ADVANCED) {
       result = integrator.step();
-      integrator.interpolate(integrator.time(), y, new double[4]);
-      // Completed in closed form, so to round-off.
-      assertThat(y[0] * y[0] + y[1] * y[1]).isCloseTo(1, within(1e-15));
-      assertThat(y[0] * y[2] + y[1] * y[3]).isCloseTo(0, within(1e-14));
+      double end = integrator.previousTime() + integrator.stepSize();
+      if (Math.abs(end - integrator.time()) < 1e-12) { // DE steps past the end
+        integrator.interpolate(integrator.time(), y, new double[4]);
+        // Completed in closed form, so to round-off.
+        assertThat(y[0] * y[0] + y[1] * y[1]).isCloseTo(1, within(1e-15));
+        assertThat(y[0] * y[2] + y[1] * y[3]).isCloseTo(0, within(1e-14));
+      }
     }
     assertThat(result).isEqualTo(StepResult.REACHED_END);
     integrator.interpolate(10, y, new double[4]);

@@ -10,8 +10,8 @@ import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.BodyPoses;
 import org.mechservice.solver.api.capability.Energies;
 import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.capability.ResultColumns;
 import org.mechservice.solver.api.result.ColumnGroup;
-import org.mechservice.solver.api.result.ResultColumns;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.catalogue.MessageCode;
 

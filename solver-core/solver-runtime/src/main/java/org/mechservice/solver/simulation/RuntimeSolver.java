@@ -12,6 +12,7 @@ import org.mechservice.solver.api.run.Checkpoints;
 import org.mechservice.solver.api.run.RunControl;
 import org.mechservice.solver.api.run.RunReport;
 import org.mechservice.solver.api.run.RunRequest;
+import org.mechservice.solver.api.run.StepwiseRun;
 import org.mechservice.solver.catalogue.IntegrationMethod;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.IntegratorFactory;
@@ -53,17 +54,9 @@ public final class RuntimeSolver implements Solver {
     return EnergyDriftWarning.added(judged, model, request);
   }
 
-  /**
-   * Begins a run that advances from row to row and whose state may be changed at each.
-   *
-   * @param request its settings; the rows are its steps of communication
-   * @param sink receives the rows
-   * @param modelHash exact identification of the model, for saved runs
-   * @throws IllegalArgumentException S-195 if the model is not integrated in time
-   * @throws IOException if the sink throws it
-   */
-  public static SteppedRun stepped(
-      Model model, RunRequest request, ResultSink sink, String modelHash) throws IOException {
+  @Override
+  public StepwiseRun stepped(Model model, RunRequest request, ResultSink sink, String modelHash)
+      throws IOException {
     if (AnalysisSolver.takes(model)) {
       throw new IllegalArgumentException(
           MessageCode.RUN_CANNOT_BE_STEPPED

@@ -10,9 +10,9 @@ import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.capability.MomentumBalance;
+import org.mechservice.solver.api.capability.ResultColumns;
 import org.mechservice.solver.api.capability.ResultTable;
 import org.mechservice.solver.api.result.ColumnGroup;
-import org.mechservice.solver.api.result.ResultColumns;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.Checkpoints;
@@ -21,6 +21,7 @@ import org.mechservice.solver.api.run.RunControl;
 import org.mechservice.solver.api.run.RunReport;
 import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.api.run.StepwiseRun;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.IntegrationStatistics;
 import org.mechservice.solver.ode.Integrator;
@@ -120,15 +121,8 @@ public final class Simulation implements Solver {
     return new Run(equations, events, parts.columns(), request, sink, control, checkpoints);
   }
 
-  /**
-   * Begins a run that advances from row to row and whose state may be changed at each. Steps of the
-   * integrator end exactly at the rows.
-   *
-   * @param sink receives the rows
-   * @param modelHash exact identification of the model, for saved runs
-   * @throws IOException if the sink throws it
-   */
-  SteppedRun stepped(Model model, RunRequest request, ResultSink sink, String modelHash)
+  @Override
+  public StepwiseRun stepped(Model model, RunRequest request, ResultSink sink, String modelHash)
       throws IOException {
     Run run = begun(model, request, sink, new RunControl(), new SteppedRun.Saving(modelHash));
     run.breakAtRows();
@@ -413,7 +407,7 @@ public final class Simulation implements Solver {
     }
 
     private int writeRowsOfStep() throws IOException {
-      timeReached = Math.min(integrator.time(), settings.tEnd());
+      timeReached = integrator.time();
       for (double t = dueRow(); t <= timeReached; t = dueRow()) {
         integrator.interpolate(t, y, yDot);
         if (!equations.closeLoops(t, y) || !work.advance(t)) {

@@ -6,17 +6,11 @@ import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.run.Checkpoints;
 import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.api.run.RunReport;
+import org.mechservice.solver.api.run.StepwiseRun;
 import org.mechservice.solver.ode.SavedState;
 
-/**
- * A run that advances by steps of communication: from one output time to the next. Between two
- * steps the state may be changed, in particular the inputs of the model, which are constant within
- * a step; the integration then begins anew from there. Without a change it goes on as a run that
- * ends a step of the integrator at each row.
- *
- * <p>Begun by {@link RuntimeSolver#stepped}. Workspace of one thread.
- */
-public final class SteppedRun {
+/** A run of {@link Simulation} by steps of communication. Workspace of one thread. */
+final class SteppedRun implements StepwiseRun {
   /** Checkpoints that are asked for, not stored. */
   record Saving(String modelHash) implements Checkpoints {
     @Override
@@ -47,26 +41,18 @@ public final class SteppedRun {
     unknowns = new double[run.equations().dimension()];
   }
 
-  /** Begins: writes the row of the start. */
+  @Override
   public void begin() throws IOException {
     ended = run.begin();
     run.copyUnknowns(unknowns);
   }
 
-  /**
-   * Returns the state from which the next step begins.
-   *
-   * @param y state [q; v; s], length of the model's state; overwritten
-   */
+  @Override
   public void state(double[] y) {
     System.arraycopy(unknowns, 0, y, 0, y.length);
   }
 
-  /**
-   * Sets a component of the state from which the next step begins; loops are closed again.
-   *
-   * @param component index in [q; v; s]
-   */
+  @Override
   public void set(int component, double value) {
     boolean another = unknowns[component] != value;
     changed |= another;
@@ -74,14 +60,7 @@ public final class SteppedRun {
     unknowns[component] = value;
   }
 
-  /**
-   * Advances to the next output time and writes its row.
-   *
-   * @return whether the run goes on from there; not if the loops cannot be closed at a state that
-   *     was set, which is a failure like those of the integration
-   * @throws IllegalStateException if the run has ended
-   * @throws IOException if the sink throws it
-   */
+  @Override
   public boolean step() throws IOException {
     if (ended.isPresent()) {
       throw new IllegalStateException("the run has ended at " + run.timeReached() + " s");
@@ -98,26 +77,22 @@ public final class SteppedRun {
     return ended.isEmpty();
   }
 
-  /** Returns the time reached, s. */
+  @Override
   public double time() {
     return run.timeReached();
   }
 
-  /** Returns how the run has ended; empty if it goes on. */
+  @Override
   public Optional<Outcome> ended() {
     return ended;
   }
 
-  /** Returns the report so far; a run that goes on counts as stopped. */
+  @Override
   public RunReport report() {
     return run.report(ended.orElseGet(Outcome.Stopped::new));
   }
 
-  /**
-   * Returns the run between two steps as bytes, with changes for the next step.
-   *
-   * @throws IllegalStateException if it has not begun or has failed
-   */
+  @Override
   public byte[] save() {
     byte[] inner = run.save();
     return SavedState.save(
@@ -127,12 +102,7 @@ public final class SteppedRun {
         });
   }
 
-  /**
-   * Goes on with a saved run of the same model and settings instead of {@link #begin}; its rows are
-   * then the same to the bit.
-   *
-   * @throws IllegalArgumentException S-071 if the bytes do not belong to such a run
-   */
+  @Override
   public void restore(byte[] saved) {
     SavedState.restore(
         saved,

@@ -90,4 +90,9 @@ public final class LinearSystem {
   public double d(int row, int column) {
     return d[row * inputs.size() + column];
   }
+
+  /** Returns A, B, C and D, each row by row; copies. */
+  public List<double[]> matrices() {
+    return List.of(a.clone(), b.clone(), c.clone(), d.clone());
+  }
 }

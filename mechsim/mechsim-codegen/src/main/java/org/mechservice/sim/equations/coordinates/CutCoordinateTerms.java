@@ -11,8 +11,10 @@ import org.mechservice.solver.closure.equations.UnwrappedAngles;
 import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.ClosureCoordinate;
+import org.mechservice.solver.expression.Expression.PointPosition;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.pair.CutJoint;
+import org.mechservice.solver.kinematics.pair.PointCoordinate;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.spatial.Rotation;
 
@@ -27,6 +29,7 @@ public final class CutCoordinateTerms {
   private final BodyPoints points;
   private final LinkKinematics kinematics;
   private final Map<ClosureCoordinate, CutCoordinate> known = new HashMap<>();
+  private final Map<PointPosition, CutCoordinate> knownPoints = new HashMap<>();
 
   public CutCoordinateTerms(
       Expressions expressions, Links mechanism, BodyPoints points, LinkKinematics kinematics) {
@@ -64,6 +67,21 @@ public final class CutCoordinateTerms {
     RelativeFrameMotion frames =
         new RelativeFrameMotion(kinematics, points, frame(joint.point1()), frame(joint.point2()));
     PairTerm term = joint.coordinate(velocity.component()).as(new PairTerms(expressions, frames));
+    return new CutCoordinate(frames, term, term.value());
+  }
+
+  /** Returns a world coordinate of a point. */
+  CutCoordinate ofPoint(PointPosition position) {
+    return knownPoints.computeIfAbsent(position, this::derived);
+  }
+
+  private CutCoordinate derived(PointPosition position) {
+    PointCoordinate coordinate =
+        PointCoordinate.of(new TreeGeometry(mechanism.mechanism()), position);
+    RelativeFrameMotion frames =
+        new RelativeFrameMotion(
+            kinematics, points, frame(coordinate.origin()), frame(position.point()));
+    PairTerm term = coordinate.function().as(new PairTerms(expressions, frames));
     return new CutCoordinate(frames, term, term.value());
   }
 

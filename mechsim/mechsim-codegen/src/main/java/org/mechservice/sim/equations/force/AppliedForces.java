@@ -7,6 +7,7 @@ import org.mechservice.sim.equations.coordinates.CutCoordinateTerms;
 import org.mechservice.sim.equations.coordinates.JointCoordinates;
 import org.mechservice.sim.equations.coordinates.JointLinks;
 import org.mechservice.sim.equations.coordinates.PairMotion;
+import org.mechservice.sim.equations.coordinates.Relation;
 import org.mechservice.sim.equations.coordinates.RelativeFrameMotion;
 import org.mechservice.sim.equations.coordinates.StateFormulas;
 import org.mechservice.sim.equations.kinematics.BodyPoints;
@@ -30,6 +31,7 @@ import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.FurtherState;
 import org.mechservice.solver.mechanism.force.Bushing;
 import org.mechservice.solver.mechanism.force.Contact;
+import org.mechservice.solver.mechanism.force.CouplingSpringDamper;
 import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.ForceTorque;
 import org.mechservice.solver.mechanism.force.ForceVisitor;
@@ -47,6 +49,7 @@ public final class AppliedForces {
   private final Links mechanism;
   private final BodyPoints points;
   private final JointLinks links;
+  private final CutCoordinateTerms cuts;
   private final JointCoordinates joints;
   private final LinkKinematics kinematics;
   private final StateFormulas formulas;
@@ -59,7 +62,7 @@ public final class AppliedForces {
     this.points = new BodyPoints(expressions, mechanism);
     this.links = new JointLinks(expressions, mechanism, coordinates);
     this.kinematics = new LinkKinematics(program, mechanism, coordinates);
-    CutCoordinateTerms cuts = new CutCoordinateTerms(expressions, mechanism, points, kinematics);
+    this.cuts = new CutCoordinateTerms(expressions, mechanism, points, kinematics);
     this.joints = new JointCoordinates(mechanism.mechanism(), links, cuts);
     int firstState = mechanism.positionCount() + mechanism.velocityCount();
     this.formulas = new StateFormulas(expressions, joints, points, kinematics, firstState);
@@ -189,6 +192,19 @@ public final class AppliedForces {
       Scalar size = formulas.scalar(f.force());
       Scalar power = size.times(joints.velocity(f.coordinate()));
       return new CoordinateTerm(joints, f.coordinate(), size, expressions.zero(), power);
+    }
+
+    @Override
+    public ForceTerm couplingSpringDamper(CouplingSpringDamper s) {
+      SpringLaw law =
+          new SpringLaw(
+              s.side(),
+              formulas.scalar(s.stiffness()),
+              formulas.scalar(s.damping()),
+              formulas.scalar(s.rest()),
+              formulas.scalar(s.force0()),
+              number(s.smoothing()));
+      return new CouplingTerm(new Relation(expressions, links, cuts, s.along()), law);
     }
 
     @Override

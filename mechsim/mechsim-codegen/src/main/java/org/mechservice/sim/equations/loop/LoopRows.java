@@ -9,6 +9,7 @@ import org.mechservice.sim.equations.coordinates.CutCoordinateTerms;
 import org.mechservice.sim.equations.coordinates.JointLinks;
 import org.mechservice.sim.equations.coordinates.PairTerm;
 import org.mechservice.sim.equations.coordinates.PairTerms;
+import org.mechservice.sim.equations.coordinates.Relation;
 import org.mechservice.sim.equations.coordinates.RelativeFrameMotion;
 import org.mechservice.sim.equations.kinematics.BodyPoints;
 import org.mechservice.sim.equations.kinematics.Coordinates;
@@ -107,7 +108,7 @@ public final class LoopRows {
       program.section(
           "Forces of loop: " + closure.name() + ".", Labels.sanitized(closure.name()) + "_force");
       if (closure instanceof CoordinateClosure relation) {
-        relationRow().addForces(relation.relation(), multiplier.apply(row++), loads);
+        relation(relation).addForce(multiplier.apply(row++), loads);
         continue;
       }
       Pair pair = pair(closure);
@@ -156,15 +157,22 @@ public final class LoopRows {
 
   private List<LoopRow> equations(LoopClosure closure) {
     return closure instanceof CoordinateClosure relation
-        ? List.of(relationRow().row(relation.relation()))
+        ? List.of(relationRow().row(relation(relation)))
         : pair(closure).equations();
+  }
+
+  private Relation relation(CoordinateClosure closure) {
+    return new Relation(
+        expressions,
+        new JointLinks(expressions, mechanism, coordinates),
+        new CutCoordinateTerms(expressions, mechanism, points, kinematics),
+        closure.relation());
   }
 
   private RelationRow relationRow() {
     return new RelationRow(
         expressions,
         new JointLinks(expressions, mechanism, coordinates),
-        new CutCoordinateTerms(expressions, mechanism, points, kinematics),
         mechanism,
         rows,
         new LoopEquations(tree).length(),

@@ -22,8 +22,8 @@ import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.Energies;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.capability.PowerInput;
+import org.mechservice.solver.api.capability.ResultColumns;
 import org.mechservice.solver.api.result.ColumnGroup;
-import org.mechservice.solver.api.result.ResultColumns;
 import org.mechservice.solver.dynamics.DataDrivenModel;
 import org.mechservice.solver.mechanism.Mechanism;
 

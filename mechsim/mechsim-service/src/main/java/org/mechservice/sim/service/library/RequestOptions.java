@@ -9,12 +9,14 @@ import java.util.TreeSet;
 import org.mechservice.idl.InvalidOption;
 import org.mechservice.idl.NameValue;
 import org.mechservice.idl.OPT_ABS_TOL;
+import org.mechservice.idl.OPT_ANALYSIS;
 import org.mechservice.idl.OPT_CLOSURE;
 import org.mechservice.idl.OPT_CODE;
 import org.mechservice.idl.OPT_COLUMNS;
 import org.mechservice.idl.OPT_COMPACT;
 import org.mechservice.idl.OPT_CONTINUES;
 import org.mechservice.idl.OPT_FORMULATION;
+import org.mechservice.idl.OPT_INPUTS;
 import org.mechservice.idl.OPT_INTEGRATOR;
 import org.mechservice.idl.OPT_MAX_DRIFT;
 import org.mechservice.idl.OPT_REL_TOL;
@@ -29,6 +31,7 @@ import org.mechservice.idl.OPT_T_STEP;
 import org.mechservice.mechml.ReadOptions;
 import org.mechservice.sim.service.contract.ContractErrors;
 import org.mechservice.solver.catalogue.Accuracy;
+import org.mechservice.solver.catalogue.AnalysisKind;
 import org.mechservice.solver.catalogue.SourceLanguage;
 
 /**
@@ -58,7 +61,9 @@ public final class RequestOptions {
               OPT_MAX_DRIFT.value,
               OPT_COMPACT.value,
               OPT_CODE.value,
-              OPT_CONTINUES.value));
+              OPT_CONTINUES.value,
+              OPT_ANALYSIS.value,
+              OPT_INPUTS.value));
 
   /** Options that decide how the model file is read. */
   private static final Set<String> OF_READER =
@@ -108,7 +113,32 @@ public final class RequestOptions {
         simulation = Optional.of(option.text.strip());
       }
     }
-    return new ReadOptions(simulation, values, tunable);
+    ReadOptions chosen = new ReadOptions(simulation, values, tunable);
+    for (NameValue option : options) {
+      if (option.key.equals(OPT_ANALYSIS.value)) {
+        chosen = chosen.withAnalysis(analysis(option.text.strip()));
+      } else if (option.key.equals(OPT_INPUTS.value)) {
+        requireOutside(option.text.strip());
+        chosen = chosen.withInputsFromOutside();
+      }
+    }
+    return chosen;
+  }
+
+  private static AnalysisKind analysis(String label) throws InvalidOption {
+    return AnalysisKind.of(label)
+        .orElseThrow(
+            () ->
+                ContractErrors.option(
+                    OPT_ANALYSIS.value,
+                    "analysis is \"" + label + "\"; it must be one of " + AnalysisKind.labels()));
+  }
+
+  private static void requireOutside(String text) throws InvalidOption {
+    if (!text.equals("outside")) {
+      throw ContractErrors.option(
+          OPT_INPUTS.value, "inputs is \"" + text + "\"; it must be outside, or left out");
+    }
   }
 
   private static void set(String assignment, Map<String, String> values) throws InvalidOption {

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.UUID;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import org.mechservice.idl.Channel;
 import org.mechservice.idl.Diagnostic;
 import org.mechservice.idl.IMechClient;
 import org.mechservice.idl.IMechSimRemote;
@@ -21,6 +22,7 @@ import org.mechservice.idl.MAX_WAIT_MILLIS;
 import org.mechservice.idl.MechSimOperations;
 import org.mechservice.idl.ModelFile;
 import org.mechservice.idl.ModelInfo;
+import org.mechservice.idl.ModelReading;
 import org.mechservice.idl.NameValue;
 import org.mechservice.idl.NameValueSeqHolder;
 import org.mechservice.idl.NotAvailable;
@@ -32,6 +34,7 @@ import org.mechservice.idl.RuntimeInfo;
 import org.mechservice.idl.ServerFailure;
 import org.mechservice.idl.SimEvent;
 import org.mechservice.idl.SimState;
+import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.sim.check.CheckReport;
@@ -192,7 +195,11 @@ final class MechSimServant implements MechSimOperations {
 
   @Override
   public Parameter[] parameters() throws InvalidState {
-    return requireModel().model().parameters().stream()
+    return parametersOf(requireModel().model());
+  }
+
+  private static Parameter[] parametersOf(MechmlModel model) {
+    return model.parameters().stream()
         .map(p -> new Parameter(p.name(), p.unit(), p.value(), p.tunable()))
         .toArray(Parameter[]::new);
   }
@@ -205,6 +212,23 @@ final class MechSimServant implements MechSimOperations {
   @Override
   public String checkReport(boolean asJson) throws InvalidState {
     CheckReport report = CheckReport.of(requireModel().model());
+    return asJson ? report.json() : report.text();
+  }
+
+  @Override
+  public ModelReading readWith(NameValue[] options)
+      throws InvalidModel, InvalidOption, InvalidState {
+    MechmlModel model = parsed(options).model().model();
+    return new ModelReading(
+        parametersOf(model),
+        model.simulations().stream().map(SimulationSettings::name).toArray(String[]::new),
+        model.outputs().stream().map(o -> new Channel(o.name(), o.unit())).toArray(Channel[]::new));
+  }
+
+  @Override
+  public String checkReportWith(NameValue[] options, boolean asJson)
+      throws InvalidModel, InvalidOption, InvalidState {
+    CheckReport report = CheckReport.of(parsed(options).model().model());
     return asJson ? report.json() : report.text();
   }
 

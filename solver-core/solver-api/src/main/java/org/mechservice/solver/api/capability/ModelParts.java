@@ -3,7 +3,6 @@ package org.mechservice.solver.api.capability;
 import java.util.Optional;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelDescription;
-import org.mechservice.solver.api.result.ResultColumns;
 
 /**
  * The parts of a model: its equations, its events, and its result columns beside joints, energies

@@ -10,8 +10,8 @@
  * ProjectedStates} for closed loops, {@link ModelEvents} and {@link StateJumps} for contacts and
  * switches, {@link ModelState} for an internal state of the equations besides t and y, {@link
  * BodyPoses}, {@link Energies}, {@link PowerInput} and {@link MomentumBalance} for quantities that
- * are recorded and monitored. {@link Defects} and {@link DirectedForces} give the reason of a
- * failed evaluation.
+ * are recorded and monitored, {@link ResultColumns} for columns beyond the state. {@link Defects}
+ * and {@link DirectedForces} give the reason of a failed evaluation.
  *
  * <p>{@link ModelParts} combines equations with events and further columns, and returns these parts
  * of any model.

@@ -18,17 +18,17 @@ public enum ColumnGroup {
   BODIES,
   /** Kinetic and potential energy and the work of non-conservative forces. */
   ENERGY,
-  /** Largest residuals of the constraints, and each one's multipliers ({@link ResultColumns}). */
+  /** Largest residuals of the constraints, and each one's multipliers ({@code ResultColumns}). */
   CONSTRAINTS,
-  /** Force and moment in every joint ({@link ResultColumns}). */
+  /** Force and moment in every joint ({@code ResultColumns}). */
   REACTIONS,
-  /** Values of the applied forces ({@link ResultColumns}). */
+  /** Values of the applied forces ({@code ResultColumns}). */
   FORCES,
-  /** User-defined outputs, given by expressions ({@link ResultColumns}). */
+  /** User-defined outputs, given by expressions ({@code ResultColumns}). */
   OUTPUTS,
   /** Total momentum and the impulse that has acted on the mechanism ({@link MomentumBalance}). */
   MOMENTUM,
-  /** Motion and power of driven joints, which have no states ({@link ResultColumns}). */
+  /** Motion and power of driven joints, which have no states ({@code ResultColumns}). */
   DRIVES;
 
   /** Returns the group's name on the command line. */

@@ -10,6 +10,7 @@ import org.mechservice.solver.kinematics.CountedPositions;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.kinematics.pair.CutJoint;
+import org.mechservice.solver.kinematics.pair.PointCoordinate;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 
@@ -66,10 +67,10 @@ abstract class CouplingLeaf {
     }
     if (by instanceof TreeLeaf tree) {
       byCoordinate(stiffness, tree.velocity, sink);
-    } else if (by instanceof CutLeaf cut) {
-      cut.formWrenches();
-      byLink(stiffness, cut.cut.relative().linkA(), cut.wrenchA, sink);
-      byLink(stiffness, cut.cut.relative().linkB(), cut.wrenchB, sink);
+    } else if (by instanceof PairLeaf pair) {
+      pair.formWrenches();
+      byLink(stiffness, pair.relative.linkA(), pair.wrenchA, sink);
+      byLink(stiffness, pair.relative.linkB(), pair.wrenchB, sink);
     }
   }
 
@@ -96,8 +97,11 @@ abstract class CouplingLeaf {
     if (leaf instanceof Expression.CoordinatePosition position) {
       return of(position.coordinate(), closure, tree, length, counted);
     }
+    if (leaf instanceof Expression.PointPosition point) {
+      return new PairLeaf(PointCoordinate.of(tree, point), length, counted);
+    }
     throw new IllegalArgumentException(
-        "constraint " + closure + " relates joint positions; it must not contain " + leaf);
+        "constraint " + closure + " relates positions; it must not contain " + leaf);
   }
 
   private static CouplingLeaf of(
@@ -112,7 +116,7 @@ abstract class CouplingLeaf {
     ClosureCoordinate cut = (ClosureCoordinate) coordinate;
     LoopClosure named = tree.mechanism().closures().get(cut.closure());
     if (named instanceof JointClosure joint && !joint.joint().type().hasEulerParameters()) {
-      return new CutLeaf(new CutJoint(tree, joint.joint()), cut.component(), length, counted);
+      return new PairLeaf(new CutJoint(tree, joint.joint()), cut.component(), length, counted);
     }
     throw new IllegalArgumentException(
         "constraint " + closure + " cannot relate coordinates of " + named.name());

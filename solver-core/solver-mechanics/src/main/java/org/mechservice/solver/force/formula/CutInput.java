@@ -4,12 +4,14 @@ import java.util.Arrays;
 import java.util.function.IntConsumer;
 import org.mechservice.solver.expression.ClosureCoordinate;
 import org.mechservice.solver.force.applied.CutCoordinates;
+import org.mechservice.solver.force.applied.ForceJacobian;
 import org.mechservice.solver.force.applied.FrameMotion;
 import org.mechservice.solver.force.applied.GradientSink;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.kinematics.pair.CutJoint;
 import org.mechservice.solver.kinematics.pair.PairFunction;
+import org.mechservice.solver.kinematics.pair.PairLinearisation;
 
 /**
  * A position or velocity of a cut joint: x with gradient g by the relative pose, ẋ = g · twist with
@@ -27,6 +29,8 @@ final class CutInput extends LeafInput {
   private final double[] twist = new double[6];
   private final double[] byPlace = new double[6];
   private final double[] byVelocity = new double[6];
+  private final double[] still = new double[36];
+  private final PairLinearisation linearisation = new PairLinearisation();
 
   /** The position at the last accepted step, in {@link TreeMotion#counted}. */
   private final int reference;
@@ -93,6 +97,20 @@ final class CutInput extends LeafInput {
       }
     }
     sink.byLink(link, byPlace, byVelocity);
+  }
+
+  @Override
+  void addCurvature(double force, ForceJacobian sink) {
+    Arrays.fill(curvature, 0);
+    function.addCurvature(cut.relative(), force, curvature);
+    for (int i = 0; i < 6; i++) {
+      xi[i] = force * function.gradient[i];
+    }
+    linearisation.blocks(
+        cut.relative(),
+        xi,
+        curvature,
+        (on, by, blocks) -> sink.wrenchByLink(on, by, blocks, still));
   }
 
   private static double dot(double[] a, double[] b) {

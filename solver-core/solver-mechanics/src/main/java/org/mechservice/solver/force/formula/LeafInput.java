@@ -12,6 +12,7 @@ import org.mechservice.solver.expression.Expression.PointVelocity;
 import org.mechservice.solver.expression.Expression.StateValue;
 import org.mechservice.solver.expression.Expression.Time;
 import org.mechservice.solver.expression.JointCoordinate;
+import org.mechservice.solver.force.applied.ForceJacobian;
 import org.mechservice.solver.force.applied.GradientSink;
 import org.mechservice.solver.force.applied.TreeCoordinate;
 import org.mechservice.solver.kinematics.TreeGeometry;
@@ -24,6 +25,12 @@ public abstract class LeafInput {
 
   /** Passes on the derivatives of the value last read. */
   public abstract void gradient(GradientSink sink);
+
+  /**
+   * Adds the derivatives, by places, of the loads that a constant force along the value last read
+   * exerts. A coordinate of a joint of the tree has none.
+   */
+  void addCurvature(double force, ForceJacobian sink) {}
 
   /** Stores the unwrapped angle of a cut joint after an accepted step. */
   void accepted() {}

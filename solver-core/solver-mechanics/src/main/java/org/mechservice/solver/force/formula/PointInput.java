@@ -6,6 +6,7 @@ import static org.mechservice.solver.spatial.Blocks.cross;
 import java.util.Arrays;
 import java.util.function.IntConsumer;
 import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.force.applied.ForceJacobian;
 import org.mechservice.solver.force.applied.GradientSink;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
@@ -27,6 +28,10 @@ public final class PointInput extends LeafInput {
   private final double[] u = new double[3];
   private final double[] byPlace = new double[6];
   private final double[] byVelocity = new double[6];
+  private final double[] turn = new double[3];
+  private final double[] column = new double[6];
+  private final double[] turned = new double[36];
+  private final double[] still = new double[36];
 
   public PointInput(TreeMotion motion, BodyPoint point, int axis, boolean velocity) {
     this.motion = motion;
@@ -63,6 +68,26 @@ public final class PointInput extends LeafInput {
       cross(u, 0, e, 0, byPlace, 0);
     }
     sink.byLink(link, byPlace, byVelocity);
+  }
+
+  /** The force turns against the link: e changes by −δθ × e. */
+  @Override
+  void addCurvature(double force, ForceJacobian sink) {
+    if (link == TreeGeometry.ROOT) {
+      return;
+    }
+    motion.fromWorld(link, unit, 0, e, 0);
+    Arrays.fill(turned, 0);
+    for (int j = 0; j < 3; j++) {
+      Arrays.fill(turn, 0);
+      turn[j] = force;
+      cross(e, 0, turn, 0, column, 3);
+      cross(r, 0, column, 3, column, 0);
+      for (int i = 0; i < 6; i++) {
+        turned[6 * i + j] = column[i];
+      }
+    }
+    sink.wrenchByLink(link, link, turned, still);
   }
 
   @Override

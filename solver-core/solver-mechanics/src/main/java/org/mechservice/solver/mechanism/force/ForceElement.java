@@ -16,6 +16,7 @@ public sealed interface ForceElement
         Bushing,
         ForceTorque,
         JointForce,
+        CouplingSpringDamper,
         Contact,
         JointFriction,
         UserForceElement {

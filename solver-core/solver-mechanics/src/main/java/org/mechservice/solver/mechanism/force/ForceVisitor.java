@@ -22,6 +22,9 @@ public interface ForceVisitor<R> {
   /** Answers for a force in a joint given by an expression. */
   R jointForce(JointForce force);
 
+  /** Answers for a spring and damper along a coupling. */
+  R couplingSpringDamper(CouplingSpringDamper force);
+
   /** Answers for a contact. */
   R contact(Contact force);
 

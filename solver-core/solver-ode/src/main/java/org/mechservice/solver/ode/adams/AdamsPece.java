@@ -453,6 +453,11 @@ abstract class AdamsPece extends SteppingIntegrator {
   }
 
   @Override
+  public final double time() {
+    return bounds.inProblem(progress.time());
+  }
+
+  @Override
   public final void interpolate(double t, double[] y, double[] yDot) {
     progress.requireInLastStep(t);
     interpolant.evaluate(t - progress.time(), progress.order(), coefficients.psi, history, y, yDot);

@@ -13,7 +13,7 @@ import org.mechservice.solver.ode.step.PastEndBounds;
  * <p>The local error is held in the Euclidean norm with weights rtol |y_i| + atol_i, so that many
  * components together are held tighter than by ode113. Steps pass the end of the problem, by at
  * most nine times its length, and the solution there is interpolated: the right-hand side must make
- * sense beyond the end. {@link #time()} then lies beyond it too.
+ * sense beyond the end. {@link #time()} is the end then, and {@link #stepSize()} the whole step.
  *
  * <p>The original returns to its caller every 500 steps with a flag; here {@link
  * IntegratorSettings#maxSteps} limits the work, and its other flag, that the problem appears to be

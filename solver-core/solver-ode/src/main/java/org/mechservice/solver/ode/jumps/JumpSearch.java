@@ -26,8 +26,15 @@ public final class JumpSearch {
   /** Part of the error expected of a smooth solution that is next to nothing. */
   private static final double NOTHING = 0.05;
 
-  /** Error planned for the step across, over the tolerance. */
-  private static final double AIM = 0.5;
+  /**
+   * Error planned for the step across, over the tolerance. It is the one error of a run that no
+   * later step has a part in: so it is small enough that events behind ten jumps are in time by ten
+   * tolerances.
+   */
+  private static final double AIM = 0.15;
+
+  /** Error from which on a step across is not accepted. */
+  private static final double MOST_ACROSS = 2 * AIM;
 
   /** After this many failures in a row the jump is looked for right ahead. */
   private static final int MANY_IN_A_ROW = 4;
@@ -188,7 +195,7 @@ public final class JumpSearch {
    * @param h its size
    */
   public boolean inside(double h, double discrepancy) {
-    return active && errorAcross(h, discrepancy) > 1;
+    return active && errorAcross(h, discrepancy) > MOST_ACROSS;
   }
 
   /** Error of a step of order 1 across a jump, over the tolerance. */

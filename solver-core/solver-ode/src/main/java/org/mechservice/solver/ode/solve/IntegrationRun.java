@@ -118,7 +118,7 @@ final class IntegrationRun {
   /** Integrates from a checkpoint. */
   OdeSolution resume(OdeCheckpoint checkpoint) {
     SavedState.restore(checkpoint.bytes(), this::transfer);
-    if (lastEnd() != reached) {
+    if (integrator.time() != reached) {
       tellStep();
     }
     return goOn();
@@ -137,7 +137,7 @@ final class IntegrationRun {
       throw new IllegalArgumentException(
           "the problem has " + y.length + " unknowns, but that of the checkpoint has " + length);
     }
-    if (!state.restoring() && lastEnd() == reached) {
+    if (!state.restoring() && integrator.time() == reached) {
       readEnd(standing);
     }
     state.numbers(standing);
@@ -155,7 +155,7 @@ final class IntegrationRun {
   private OdeSolution goOn() {
     while (result == StepResult.ADVANCED && !step.stopAsked()) {
       result = integrator.step();
-      if (result != StepResult.STOPPED && lastEnd() != reached) {
+      if (result != StepResult.STOPPED && integrator.time() != reached) {
         tellStep();
       }
     }
@@ -167,15 +167,9 @@ final class IntegrationRun {
     return solution;
   }
 
-  /** Returns where the last step ends; DE may have stepped past the end. */
-  private double lastEnd() {
-    double time = integrator.time();
-    return direction * (time - tEnd) > 0 ? tEnd : time;
-  }
-
   /** Tells the last step to all who want to know it. */
   private void tellStep() {
-    double end = lastEnd();
+    double end = integrator.time();
     step.place(reached, end);
     if (kept.isPresent()) {
       kept.get().add(integrator, end);

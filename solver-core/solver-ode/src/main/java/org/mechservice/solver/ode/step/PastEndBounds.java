@@ -53,6 +53,11 @@ public final class PastEndBounds implements StepBounds {
   }
 
   @Override
+  public double inProblem(double t) {
+    return reachedAt(t) ? tEnd : t;
+  }
+
+  @Override
   public boolean reachedAt(double t) {
     return (t - tEnd) * direction >= 0;
   }

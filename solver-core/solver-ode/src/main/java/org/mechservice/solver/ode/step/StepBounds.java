@@ -35,6 +35,11 @@ public interface StepBounds {
   /** Returns where a step {@code h} from {@code t} ends. */
   double endOf(double t, double h);
 
+  /** Returns {@code t}, the end of a step, or the problem's end if the step has passed it. */
+  default double inProblem(double t) {
+    return t;
+  }
+
   /** Returns whether the problem's end is at or before {@code t}. */
   boolean reachedAt(double t);
 }

@@ -80,14 +80,12 @@ class OdeSolveTest {
     StepResult result;
     do {
       result = integrator.step();
-      double t = integrator.time() - 0.4 * integrator.stepSize();
+      double t = 0.6 * integrator.time() + 0.4 * integrator.previousTime();
       steps++;
-      if (t <= 20) {
-        integrator.interpolate(t, y, yDot);
-        assertThat(solution.at(t)).isEqualTo(y);
-        solution.at(t, y, rate);
-        assertThat(rate).isEqualTo(yDot);
-      }
+      integrator.interpolate(t, y, yDot);
+      assertThat(solution.at(t)).isEqualTo(y);
+      solution.at(t, y, rate);
+      assertThat(rate).isEqualTo(yDot);
     } while (result == StepResult.ADVANCED);
     assertThat(solution.steps()).hasSize(steps);
     assertThat(solution.statistics()).isEqualTo(integrator.statistics());

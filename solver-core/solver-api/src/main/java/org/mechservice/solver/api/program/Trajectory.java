@@ -1,4 +1,4 @@
-package org.mechservice.library;
+package org.mechservice.solver.api.program;
 
 import java.io.IOException;
 import java.nio.DoubleBuffer;
@@ -20,7 +20,7 @@ public final class Trajectory {
    * @param table all rows there will be
    * @param report what happened
    */
-  Trajectory(RowMemory table, RunReport report) {
+  public Trajectory(RowMemory table, RunReport report) {
     this.table = table;
     this.report = report;
   }

@@ -1,12 +1,12 @@
-package org.mechservice.library;
+package org.mechservice.solver.system;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.mechservice.solver.api.program.Trajectory;
 import org.mechservice.solver.api.result.Variable;
-import org.mechservice.solver.system.LinearSystem;
 
 /** The linear system in the table of a linearisation. */
-final class SystemTable {
+public final class SystemTable {
   private SystemTable() {}
 
   /**
@@ -15,7 +15,7 @@ final class SystemTable {
    * @param given outputs of the model's author; if there are none, those of the table are the
    *     displacements of all coordinates
    */
-  static LinearSystem of(Trajectory table, List<Variable> given) {
+  public static LinearSystem of(Trajectory table, List<Variable> given) {
     List<Variable> all = new ArrayList<>();
     List<Variable> inputs = new ArrayList<>();
     for (Variable column : table.columns()) {

@@ -10,10 +10,18 @@ import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.kinematics.pair.CutJoint;
 import org.mechservice.solver.kinematics.pair.PairFunction;
 import org.mechservice.solver.kinematics.pair.PairLinearisation;
+import org.mechservice.solver.kinematics.pair.PointCoordinate;
+import org.mechservice.solver.kinematics.pair.RelativeMotion;
 
-/** A position of a cut joint; angles are unwrapped. */
-final class CutLeaf extends CouplingLeaf {
-  final CutJoint cut;
+/**
+ * A function of the pose of one body relative to another: a position of a cut joint, whose angles
+ * are unwrapped, or a world coordinate of a point.
+ */
+final class PairLeaf extends CouplingLeaf {
+  /** Reference of what is never unwrapped. */
+  private static final int NOT_COUNTED = -1;
+
+  final RelativeMotion relative;
   private final PairFunction function;
   private final double size;
   final double[] wrenchA = new double[6];
@@ -31,9 +39,17 @@ final class CutLeaf extends CouplingLeaf {
 
   private double value;
 
-  CutLeaf(CutJoint cut, int component, double length, CountedPositions counted) {
-    this.cut = cut;
+  PairLeaf(PointCoordinate point, double length, CountedPositions counted) {
     this.counted = counted;
+    relative = point.relative();
+    function = point.function();
+    reference = NOT_COUNTED;
+    size = length;
+  }
+
+  PairLeaf(CutJoint cut, int component, double length, CountedPositions counted) {
+    this.counted = counted;
+    relative = cut.relative();
     function = cut.coordinate(component);
     double[] start = new double[cut.joint().type().positionCount()];
     cut.joint().initialPositions(start, 0);
@@ -43,8 +59,11 @@ final class CutLeaf extends CouplingLeaf {
 
   @Override
   double value(TreeMotion motion, double t) {
-    cut.relative().place(motion);
-    double found = function.evaluate(cut.relative());
+    relative.place(motion);
+    double found = function.evaluate(relative);
+    if (reference == NOT_COUNTED) {
+      return found;
+    }
     double before = counted.get(reference);
     value = before + function.difference(found, before);
     return value;
@@ -52,14 +71,14 @@ final class CutLeaf extends CouplingLeaf {
 
   @Override
   double rate(TreeMotion motion) {
-    cut.relative().move(motion);
-    return function.rate(cut.relative());
+    relative.move(motion);
+    return function.rate(relative);
   }
 
   @Override
   double acceleration(TreeMotion motion) {
-    cut.relative().accelerate(motion);
-    return function.acceleration(cut.relative());
+    relative.accelerate(motion);
+    return function.acceleration(relative);
   }
 
   @Override
@@ -69,14 +88,14 @@ final class CutLeaf extends CouplingLeaf {
 
   @Override
   int[] links() {
-    return IntStream.of(cut.relative().linkA(), cut.relative().linkB())
+    return IntStream.of(relative.linkA(), relative.linkB())
         .filter(link -> link != TreeGeometry.ROOT)
         .toArray();
   }
 
   @Override
   void addSupport(BitSet ways, BitSet loaded, BitSet velocities) {
-    cut.relative().addWays(ways);
+    relative.addWays(ways);
     for (int link : links()) {
       loaded.set(link);
     }
@@ -84,12 +103,12 @@ final class CutLeaf extends CouplingLeaf {
 
   @Override
   void addRow(TreeMotion motion, double factor, double[] rows, int at) {
-    cut.relative().addRow(motion, function.gradient, factor, rows, at);
+    relative.addRow(motion, function.gradient, factor, rows, at);
   }
 
   @Override
   void addForce(double force, double[] wrench, double[] tau) {
-    cut.relative().addWrenches(function.gradient, force, wrench);
+    relative.addWrenches(function.gradient, force, wrench);
   }
 
   /**
@@ -97,18 +116,18 @@ final class CutLeaf extends CouplingLeaf {
    * motions.
    */
   void formWrenches() {
-    cut.relative().wrenches(function.gradient, wrenchA, wrenchB);
+    relative.wrenches(function.gradient, wrenchA, wrenchB);
   }
 
   @Override
   void linearise(double force, ForceJacobian sink) {
     Arrays.fill(curvature, 0);
-    function.addCurvature(cut.relative(), force, curvature);
+    function.addCurvature(relative, force, curvature);
     for (int i = 0; i < 6; i++) {
       gradient[i] = force * function.gradient[i];
     }
     linearisation.blocks(
-        cut.relative(),
+        relative,
         gradient,
         curvature,
         (on, by, byPlace) -> sink.wrenchByLink(on, by, byPlace, NO_RATES));
@@ -117,11 +136,11 @@ final class CutLeaf extends CouplingLeaf {
   @Override
   void byCoordinate(double stiffness, int by, ForceJacobian sink) {
     formWrenches();
-    if (cut.relative().linkA() != TreeGeometry.ROOT) {
-      sink.wrenchByCoordinate(cut.relative().linkA(), by, scaled(stiffness, wrenchA), NO_RATES);
+    if (relative.linkA() != TreeGeometry.ROOT) {
+      sink.wrenchByCoordinate(relative.linkA(), by, scaled(stiffness, wrenchA), NO_RATES);
     }
-    if (cut.relative().linkB() != TreeGeometry.ROOT) {
-      sink.wrenchByCoordinate(cut.relative().linkB(), by, scaled(stiffness, wrenchB), NO_RATES);
+    if (relative.linkB() != TreeGeometry.ROOT) {
+      sink.wrenchByCoordinate(relative.linkB(), by, scaled(stiffness, wrenchB), NO_RATES);
     }
   }
 
@@ -131,8 +150,8 @@ final class CutLeaf extends CouplingLeaf {
       return;
     }
     formWrenches();
-    outer(stiffness, cut.relative().linkA(), wrenchA, link, by, sink);
-    outer(stiffness, cut.relative().linkB(), wrenchB, link, by, sink);
+    outer(stiffness, relative.linkA(), wrenchA, link, by, sink);
+    outer(stiffness, relative.linkB(), wrenchB, link, by, sink);
   }
 
   private void outer(
@@ -148,6 +167,8 @@ final class CutLeaf extends CouplingLeaf {
 
   @Override
   void accepted() {
-    counted.set(reference, value);
+    if (reference != NOT_COUNTED) {
+      counted.set(reference, value);
+    }
   }
 }

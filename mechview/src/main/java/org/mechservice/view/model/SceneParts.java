@@ -1,4 +1,4 @@
-package org.mechservice.cli.picture;
+package org.mechservice.view.model;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -24,6 +24,7 @@ import org.mechservice.solver.mechanism.closure.PointOnPlaneClosure;
 import org.mechservice.solver.mechanism.closure.RollingClosure;
 import org.mechservice.solver.mechanism.force.Bushing;
 import org.mechservice.solver.mechanism.force.Contact;
+import org.mechservice.solver.mechanism.force.CouplingSpringDamper;
 import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.ForceTorque;
 import org.mechservice.solver.mechanism.force.ForceVisitor;
@@ -177,7 +178,7 @@ final class SceneParts {
             new SceneConstraint(
                 one.name(),
                 SceneConstraint.Kind.COUPLING,
-                List.of(),
+                one.points().stream().map(SceneParts::anchor).toList(),
                 Point3.ZERO,
                 Optional.empty(),
                 coupled(one.relation())));
@@ -311,6 +312,26 @@ final class SceneParts {
     @Override
     public SceneForce forceTorque(ForceTorque one) {
       return wrench(one);
+    }
+
+    @Override
+    public SceneForce couplingSpringDamper(CouplingSpringDamper one) {
+      boolean rope = !one.points().isEmpty();
+      List<Anchor> anchors =
+          rope
+              ? one.points().stream().map(SceneParts::anchor).toList()
+              : joints().stream()
+                  .filter(joint -> coupled(one.along()).contains(joint.name()))
+                  .map(SceneJoint::second)
+                  .toList();
+      return new SceneForce(
+          one.name(),
+          rope ? SceneForce.Kind.ROPE : SceneForce.Kind.COUPLING,
+          anchors,
+          Point3.ZERO,
+          false,
+          0,
+          "");
     }
 
     @Override

@@ -1,4 +1,4 @@
-package org.mechservice.mechml;
+package org.mechservice.solver.api;
 
 /**
  * A parameter of a model file.

@@ -1,8 +1,9 @@
-package org.mechservice.solver.api.result;
+package org.mechservice.solver.api.capability;
 
 import java.util.List;
 import java.util.Optional;
-import org.mechservice.solver.api.capability.MomentumBalance;
+import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.api.result.Variable;
 
 /**
  * A model that was built with further groups of result columns: residuals and multipliers of

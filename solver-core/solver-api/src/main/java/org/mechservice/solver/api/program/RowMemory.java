@@ -1,4 +1,4 @@
-package org.mechservice.library;
+package org.mechservice.solver.api.program;
 
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -8,7 +8,7 @@ import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
 
 /** Rows in memory outside the heap, one after the other, where other languages read them too. */
-final class RowMemory implements ResultSink {
+public final class RowMemory implements ResultSink {
   private static final int FIRST_ROWS = 256;
   private static final int MOST_DOUBLES = Integer.MAX_VALUE / Double.BYTES;
 
@@ -51,11 +51,13 @@ final class RowMemory implements ResultSink {
     values = larger;
   }
 
-  List<Variable> columns() {
+  /** Returns the columns in order, the first is time. */
+  public List<Variable> columns() {
     return columns;
   }
 
-  int rows() {
+  /** Returns how many rows there are. */
+  public int rows() {
     return rows;
   }
 

@@ -1,4 +1,4 @@
-package org.mechservice.library;
+package org.mechservice.solver.api.program;
 
 import java.util.Optional;
 import org.mechservice.solver.api.run.Failure;
@@ -15,7 +15,7 @@ public final class RunFailedException extends RuntimeException {
   /**
    * @param rows those up to the failure; empty if a sink or a file has taken them
    */
-  RunFailedException(Failure failure, RunReport report, Optional<Trajectory> rows) {
+  public RunFailedException(Failure failure, RunReport report, Optional<Trajectory> rows) {
     super(failure.message());
     this.failure = failure;
     this.report = report;

@@ -1,21 +1,24 @@
-package org.mechservice.library;
+package org.mechservice.solver.api.program;
 
 import java.io.IOException;
+import java.nio.DoubleBuffer;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.IntStream;
 import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.ModelDescription;
+import org.mechservice.solver.api.Solver;
+import org.mechservice.solver.api.StateVariable;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.api.run.RunReport;
 import org.mechservice.solver.api.run.RunRequest;
+import org.mechservice.solver.api.run.StepwiseRun;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.mechanism.FurtherState;
-import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.simulation.RuntimeSolver;
-import org.mechservice.solver.simulation.SteppedRun;
 
 /**
  * A run that is stepped from outside: a program sets the inputs of the model, advances by one step
@@ -51,21 +54,45 @@ public final class SteppedModel {
   }
 
   private final LastRow row;
-  private final SteppedRun run;
-  private final List<FurtherState> further;
+  private final StepwiseRun run;
+  private final List<Variable> further;
+  private final Set<String> inputs;
   private final int furtherOffset;
+
+  /** Which of the further states are inputs. */
+  private final int[] inputIndex;
+
   private final double[] y;
 
-  private SteppedModel(LastRow row, SteppedRun run, Mechanism mechanism) {
+  private SteppedModel(
+      LastRow row, StepwiseRun run, ModelDescription description, Set<String> inputs) {
     this.row = row;
     this.run = run;
-    further = mechanism.furtherStates();
-    furtherOffset = mechanism.furtherOffset();
-    y = new double[mechanism.stateCount()];
+    further = description.furtherStates().stream().map(StateVariable::variable).toList();
+    this.inputs = Set.copyOf(inputs);
+    furtherOffset = description.positionCount() + description.velocityCount();
+    inputIndex =
+        IntStream.range(0, further.size())
+            .filter(i -> this.inputs.contains(further.get(i).name()))
+            .toArray();
+    y = new double[description.stateCount()];
   }
 
-  static SteppedModel begin(Model model, RunRequest request, String hash, Mechanism mechanism) {
-    SteppedModel stepped = of(model, request, hash, mechanism);
+  /**
+   * Begins a run.
+   *
+   * @param solver takes the steps
+   * @param model one that no other run uses, built for inputs from outside
+   * @param request its settings; the rows are its steps
+   * @param hash identifies the model in saved runs
+   * @param inputs those of its further states that are inputs
+   * @throws IllegalArgumentException if the request does not fit the model, or the simulation is
+   *     not integrated in time (S-195)
+   * @throws RunFailedException if the run cannot begin
+   */
+  public static SteppedModel begin(
+      Solver solver, Model model, RunRequest request, String hash, Set<String> inputs) {
+    SteppedModel stepped = of(solver, model, request, hash, inputs);
     try {
       stepped.run.begin();
     } catch (IOException e) {
@@ -75,18 +102,30 @@ public final class SteppedModel {
     return stepped;
   }
 
-  static SteppedModel restored(
-      Model model, RunRequest request, String hash, Mechanism mechanism, byte[] saved) {
-    SteppedModel stepped = of(model, request, hash, mechanism);
+  /**
+   * Goes on with a saved run; parameters as of {@link #begin}.
+   *
+   * @param saved from {@link #save}
+   * @throws IllegalArgumentException S-071 if the bytes do not belong to such a run of this model
+   */
+  public static SteppedModel restored(
+      Solver solver,
+      Model model,
+      RunRequest request,
+      String hash,
+      Set<String> inputs,
+      byte[] saved) {
+    SteppedModel stepped = of(solver, model, request, hash, inputs);
     stepped.run.restore(saved);
     return stepped;
   }
 
   private static SteppedModel of(
-      Model model, RunRequest request, String hash, Mechanism mechanism) {
+      Solver solver, Model model, RunRequest request, String hash, Set<String> inputs) {
     LastRow row = new LastRow();
     try {
-      return new SteppedModel(row, RuntimeSolver.stepped(model, request, row, hash), mechanism);
+      StepwiseRun run = solver.stepped(model, request, row, hash);
+      return new SteppedModel(row, run, model.description(), inputs);
     } catch (IOException e) {
       throw noFile(e);
     }
@@ -98,10 +137,7 @@ public final class SteppedModel {
 
   /** Returns the names and units of the inputs, in file order. */
   public List<Variable> inputs() {
-    return further.stream()
-        .filter(state -> state.role() == FurtherState.Role.INPUT)
-        .map(state -> new Variable(state.name(), state.unit()))
-        .toList();
+    return further.stream().filter(state -> inputs.contains(state.name())).toList();
   }
 
   /**
@@ -113,7 +149,7 @@ public final class SteppedModel {
    */
   public void input(String name, double value) {
     for (int i = 0; i < further.size(); i++) {
-      if (further.get(i).name().equals(name) && further.get(i).role() == FurtherState.Role.INPUT) {
+      if (further.get(i).name().equals(name) && inputs.contains(name)) {
         run.set(furtherOffset + i, finite("input \"" + name + "\"", value));
         return;
       }
@@ -152,6 +188,35 @@ public final class SteppedModel {
     requireNoFailure();
   }
 
+  /**
+   * Sets all inputs and advances by one step: one call instead of many, for programs in other
+   * languages, which share the memory of the buffers.
+   *
+   * @param inputs a value for each of {@link #inputs}, in their order and units; not modified
+   * @param row receives the values of all {@link #columns} at the time reached; overwritten
+   * @return whether the end time is not reached yet
+   * @throws IllegalStateException if the run has ended
+   * @throws IllegalArgumentException S-195 if an input is not finite
+   * @throws RunFailedException if it cannot go on; says why
+   */
+  public boolean step(DoubleBuffer inputs, DoubleBuffer row) {
+    for (int k = 0; k < inputIndex.length; k++) {
+      double value = inputs.get(k);
+      if (!Double.isFinite(value)) {
+        throw refused(
+            "input \""
+                + further.get(inputIndex[k]).name()
+                + "\" is set to "
+                + value
+                + "; it must be finite");
+      }
+      run.set(furtherOffset + inputIndex[k], value);
+    }
+    step();
+    row.put(0, this.row.values);
+    return isRunning();
+  }
+
   private void requireNoFailure() {
     if (run.ended().isPresent() && run.ended().get() instanceof Outcome.Failed failed) {
       throw new RunFailedException(failed.failure(), run.report(), Optional.empty());
@@ -171,6 +236,12 @@ public final class SteppedModel {
   /** Returns the columns in order, the first is time. */
   public List<Variable> columns() {
     return row.columns;
+  }
+
+  /** Returns the present value of each input, in the order of {@link #inputs}. */
+  public double[] inputValues() {
+    run.state(y);
+    return Arrays.stream(inputIndex).mapToDouble(i -> y[furtherOffset + i]).toArray();
   }
 
   /** Returns the values of all columns at the time reached, before inputs are set there. */
@@ -221,7 +292,7 @@ public final class SteppedModel {
     return run.report();
   }
 
-  /** Returns the run between two steps as bytes; {@link MechModel#stepped(double, byte[])}. */
+  /** Returns the run between two steps as bytes; the model's {@code stepped} takes them. */
   public byte[] save() {
     return run.save();
   }

@@ -1,0 +1,262 @@
+package org.mechservice.solver.force.formula;
+
+import java.util.List;
+import java.util.function.IntConsumer;
+import org.mechservice.solver.expression.ClosureCoordinate;
+import org.mechservice.solver.expression.Coordinate;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.Expression.CoordinatePosition;
+import org.mechservice.solver.expression.Expression.CoordinateVelocity;
+import org.mechservice.solver.expression.Expression.PointPosition;
+import org.mechservice.solver.expression.Expression.PointVelocity;
+import org.mechservice.solver.expression.Expression.Time;
+import org.mechservice.solver.expression.JointCoordinate;
+import org.mechservice.solver.expression.Tape;
+import org.mechservice.solver.expression.TapeEvaluation;
+import org.mechservice.solver.force.applied.AppliedForce;
+import org.mechservice.solver.force.applied.Couplings;
+import org.mechservice.solver.force.applied.CutCoordinates;
+import org.mechservice.solver.force.applied.ForceJacobian;
+import org.mechservice.solver.force.applied.GradientSink;
+import org.mechservice.solver.force.applied.NoJacobian;
+import org.mechservice.solver.force.applied.OuterProduct;
+import org.mechservice.solver.force.applied.ScalarLaw;
+import org.mechservice.solver.kinematics.TreeMotion;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.Parameter;
+import org.mechservice.solver.mechanism.force.CouplingSpringDamper;
+
+/**
+ * A force F(x, x′) along a formula x of positions l: the loads F s ∇l with the slopes s = ∂x/∂l.
+ * With the second derivatives H = ∂s/∂l, r the rates of the positions, and F_x, F_v the derivatives
+ * of the law, the loads change by
+ *
+ * <pre>
+ * Σ_l ∇l [ s_l Σ_m ((F_x s_m + F_v (H r)_m) δm + F_v s_m δm′) + F Σ_m H_lm δm ] + F s_l δ(∇l)
+ * </pre>
+ */
+public final class CoupledSpring extends AppliedForce {
+  private final ScalarLaw law;
+  private final TapeEvaluation formula;
+  private final double[] parameters;
+
+  /** Positions, and their rates; of what has none, the position itself stands there. */
+  private final LeafInput[] positions;
+
+  private final LeafInput[] rates;
+  private final boolean[] moves;
+  private final int time;
+
+  private final double[] slope;
+  private final double[] rate;
+  private final double[] slopeRate;
+  private final double[] unit;
+  private final double[] bend;
+  private final double[] held = new double[6];
+  private final OuterProduct product = new OuterProduct(NoJacobian.INSTANCE);
+  private final LoadSink loads = new LoadSink();
+  private final SlopeSink slopes = new SlopeSink();
+  private double position;
+  private double velocity;
+
+  public CoupledSpring(CouplingSpringDamper element, TreeMotion motion, ScalarLaw law) {
+    super(element);
+    this.law = law;
+    Mechanism mechanism = motion.tree().mechanism();
+    formula = new TapeEvaluation(new Tape(List.of(element.along())));
+    parameters = mechanism.parameters().stream().mapToDouble(Parameter::value).toArray();
+    List<Expression> leaves = formula.tape().leaves();
+    int count = leaves.size();
+    positions = new LeafInput[count];
+    rates = new LeafInput[count];
+    moves = new boolean[count];
+    time = leaves.indexOf(new Time());
+    for (int i = 0; i < count; i++) {
+      Expression leaf = leaves.get(i);
+      positions[i] = LeafInput.of(leaf, motion, parameters);
+      moves[i] = leaf instanceof CoordinatePosition || leaf instanceof PointPosition;
+      rates[i] = moves[i] ? LeafInput.of(rateOf(leaf, motion), motion, parameters) : positions[i];
+    }
+    slope = new double[count];
+    rate = new double[count];
+    slopeRate = new double[count];
+    unit = new double[count];
+    bend = new double[count];
+  }
+
+  private static Expression rateOf(Expression leaf, TreeMotion motion) {
+    return leaf instanceof PointPosition point
+        ? new PointVelocity(point.point(), point.axis())
+        : new CoordinateVelocity(velocityOf(((CoordinatePosition) leaf).coordinate(), motion));
+  }
+
+  private static Coordinate velocityOf(Coordinate position, TreeMotion motion) {
+    if (position instanceof ClosureCoordinate cut) {
+      int component =
+          CutCoordinates.velocityOfPosition(
+              CutCoordinates.joint(motion.tree(), cut), cut.component());
+      return new ClosureCoordinate(cut.closure(), component);
+    }
+    JointCoordinate ofTree = (JointCoordinate) position;
+    var type = motion.tree().mechanism().joints().get(ofTree.joint()).type();
+    int surplus = type.positionCount() - type.velocityCount();
+    if (surplus > 0 && ofTree.component() < 4) {
+      throw new IllegalArgumentException("a coupling cannot relate Euler parameters");
+    }
+    return new JointCoordinate(ofTree.joint(), ofTree.component() - surplus);
+  }
+
+  @Override
+  public boolean parameters(double[] values) {
+    System.arraycopy(values, 0, parameters, 0, parameters.length);
+    return law.parameters(values, this);
+  }
+
+  @Override
+  public boolean apply(double t, double[] wrench, double[] tau) {
+    for (int i = 0; i < positions.length; i++) {
+      formula.setLeaf(i, positions[i].value(t));
+    }
+    formula.derivatives();
+    formula.gradient(0, slope);
+    position = formula.value(0);
+    velocity = 0;
+    for (int i = 0; i < positions.length; i++) {
+      rate[i] = moves[i] ? rates[i].value(t) : i == time ? 1 : 0;
+      velocity += slope[i] * rate[i];
+    }
+    law.evaluate(position, velocity);
+    double force = law.force();
+    if (!Double.isFinite(force)) {
+      return notFinite("force along the coupling", force);
+    }
+    for (int i = 0; i < positions.length; i++) {
+      loads.to(wrench, tau, force * slope[i]);
+      positions[i].gradient(loads);
+    }
+    return true;
+  }
+
+  @Override
+  public boolean linearise(double t, ForceJacobian sink) {
+    formula.gradientChange(0, rate, slopeRate);
+    product.to(sink);
+    for (int l = 0; l < positions.length; l++) {
+      double sum = slope[l] * (law.byPosition() + law.byVelocity()) + slopeRate[l];
+      if (!Double.isFinite(sum)) {
+        return notFinite("derivative", sum);
+      }
+      unit[l] = 1;
+      formula.gradientChange(0, unit, bend);
+      unit[l] = 0;
+      slopes.leaf = l;
+      positions[l].gradient(slopes);
+      positions[l].addCurvature(law.force() * slope[l], sink);
+    }
+    return true;
+  }
+
+  /** Returns the derivative of the load along a position by a position. */
+  private double byPosition(int on, int by) {
+    double force = law.byPosition() * slope[by] + law.byVelocity() * slopeRate[by];
+    return slope[on] * force + law.force() * bend[by];
+  }
+
+  /** Returns the derivative of the load along a position by the rate of a position. */
+  private double byRate(int on, int by) {
+    return slope[on] * law.byVelocity() * slope[by];
+  }
+
+  @Override
+  public double potentialEnergy() {
+    return law.potentialEnergy(position);
+  }
+
+  @Override
+  public double power() {
+    double byTime = time < 0 ? 0 : slope[time];
+    return law.force() * (velocity - byTime) + law.energyRate(velocity);
+  }
+
+  @Override
+  public void values(double[] out, int at) {
+    out[at] = position;
+    out[at + 1] = velocity;
+    out[at + 2] = -law.force();
+  }
+
+  @Override
+  public void accepted() {
+    for (LeafInput input : positions) {
+      input.accepted();
+    }
+  }
+
+  @Override
+  public void couplings(Couplings couplings) {
+    for (LeafInput on : positions) {
+      IntConsumer taker =
+          link -> {
+            for (LeafInput by : positions) {
+              by.links(other -> couplings.couple(link, other));
+            }
+          };
+      on.links(taker);
+    }
+  }
+
+  /** Adds a force along a position to the loads. */
+  private static final class LoadSink implements GradientSink {
+    private double[] wrench = new double[0];
+    private double[] tau = new double[0];
+    private double force;
+
+    void to(double[] wrench, double[] tau, double force) {
+      this.wrench = wrench;
+      this.tau = tau;
+      this.force = force;
+    }
+
+    @Override
+    public void byLink(int link, double[] byPlace, double[] byVelocity) {
+      for (int i = 0; i < 6; i++) {
+        wrench[6 * link + i] += force * byPlace[i];
+      }
+    }
+
+    @Override
+    public void byCoordinate(int coordinate, double byPlace, double byVelocity) {
+      tau[coordinate] += force * byPlace;
+    }
+  }
+
+  /** Adds the derivatives of the loads along one position by all positions. */
+  private final class SlopeSink implements GradientSink {
+    private int leaf;
+
+    @Override
+    public void byLink(int link, double[] byPlace, double[] byVelocity) {
+      System.arraycopy(byPlace, 0, held, 0, 6);
+      for (int m = 0; m < positions.length; m++) {
+        product.wrench(link, held, byPosition(leaf, m));
+        positions[m].gradient(product);
+        if (moves[m]) {
+          product.wrench(link, held, byRate(leaf, m));
+          rates[m].gradient(product);
+        }
+      }
+    }
+
+    @Override
+    public void byCoordinate(int coordinate, double byPlace, double byVelocity) {
+      for (int m = 0; m < positions.length; m++) {
+        product.force(coordinate, byPlace * byPosition(leaf, m));
+        positions[m].gradient(product);
+        if (moves[m]) {
+          product.force(coordinate, byPlace * byRate(leaf, m));
+          rates[m].gradient(product);
+        }
+      }
+    }
+  }
+}
