@@ -47,7 +47,9 @@ def start() -> None:
             for jar in _jars():
                 jpype.addClassPath(jar)
         return
-    options = ["-Dslf4j.internal.verbosity=ERROR", "-Xshare:auto", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=4"]
+    options = ["-XX:+UseSerialGC", "-Xshare:auto", "-XX:TieredStopAtLevel=4"]
+    # Quiet: SLF4J without a provider, and Java 24 and newer about JPype itself.
+    options += ["-Dslf4j.internal.verbosity=ERROR", "--enable-native-access=ALL-UNNAMED"]
     path = _virtual_machine()
     where = () if path is None else (path,)
     jpype.startJVM(*where, *options, classpath=_jars(), convertStrings=False, interrupt=False)

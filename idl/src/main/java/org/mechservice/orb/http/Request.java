@@ -179,6 +179,15 @@ public final class Request {
             PROTECTION.getOrDefault(POLICY, "").replace("img-src 'self'", "img-src 'self' blob:"));
   }
 
+  /**
+   * Answers under another policy, for a page whose own style and script are in it.
+   *
+   * @param policy a whole content security policy
+   */
+  public void allowOnly(String policy) {
+    exchange.getResponseHeaders().set(POLICY, policy);
+  }
+
   /** Begins a stream that stays open until one of the two closes it. */
   public EventStream stream() throws IOException {
     exchange.getResponseHeaders().set("Content-Type", "text/event-stream");

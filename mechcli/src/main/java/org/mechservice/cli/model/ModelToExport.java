@@ -64,9 +64,24 @@ public record ModelToExport(MechmlModel model, BuildOptions options) {
     return new ModelToExport(model, options(file, model, settings, ""));
   }
 
+  /**
+   * Reads a model that is no file, to be exported as its text says.
+   *
+   * @param content of a model without parts in other files
+   * @throws UsageException as above
+   */
+  public static ModelToExport read(byte[] content, ReadOptions reading) {
+    Path name = Path.of("model.xml");
+    MechmlModel model = read(name, content, reading);
+    return new ModelToExport(model, options(name, model, model.settings(), ""));
+  }
+
   private static MechmlModel read(Path file, ReadOptions reading) throws IOException {
+    return read(file, ModelFiles.inlined(Files.readAllBytes(file), file), reading);
+  }
+
+  private static MechmlModel read(Path file, byte[] content, ReadOptions reading) {
     try {
-      byte[] content = ModelFiles.inlined(Files.readAllBytes(file), file);
       return MechmlReader.read(String.valueOf(file.getFileName()), content, reading);
     } catch (MechmlException e) {
       throw new UsageException(String.valueOf(e.getMessage()));

@@ -12,12 +12,18 @@ import org.mechservice.view.drawing.Canvas;
 import org.mechservice.view.drawing.Png;
 import org.mechservice.view.drawing.Svg;
 import org.mechservice.view.drawing.Theme;
+import org.mechservice.view.plot.Plot;
+import org.mechservice.view.plot.PlotPage;
+import org.mechservice.view.plot.PlotPicture;
 
 /** Writes a picture in the format that the ending of the file name tells. */
 final class PictureFile {
   static final String SVG = "svg";
   static final String PNG = "png";
   static final String HTML = "html";
+
+  /** What a diagram can be written as. */
+  private static final List<String> OF_DIAGRAMS = List.of(SVG, PNG, HTML);
 
   private PictureFile() {}
 
@@ -39,6 +45,26 @@ final class PictureFile {
     }
     OutputFile.requireUsable(target);
     return ending;
+  }
+
+  /**
+   * Returns the format of a diagram's file, before anything is computed for it.
+   *
+   * @throws UsageException if the ending is none of svg, png and html, or the file cannot be
+   *     written
+   */
+  static String formatOfDiagram(Path target) {
+    return format(target, OF_DIAGRAMS);
+  }
+
+  /** Writes a diagram as SVG, PNG or page. */
+  static void write(Path target, String format, Plot plot, boolean dark) throws IOException {
+    if (format.equals(HTML)) {
+      String page = PlotPage.of(plot, dark ? Theme.DARK : Theme.AUTOMATIC);
+      OutputFile.write(target, page.getBytes(StandardCharsets.UTF_8));
+    } else {
+      write(target, format, PlotPicture.draw(plot), dark);
+    }
   }
 
   /** Writes an SVG or PNG file. */

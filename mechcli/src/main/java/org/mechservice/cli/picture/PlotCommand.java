@@ -1,7 +1,6 @@
 package org.mechservice.cli.picture;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -11,14 +10,10 @@ import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import org.mechservice.cli.shell.ExitStatus;
 import org.mechservice.cli.shell.MechVersion;
-import org.mechservice.cli.shell.OutputFile;
 import org.mechservice.cli.shell.UsageException;
 import org.mechservice.result.ResultFormat;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.view.drawing.Theme;
 import org.mechservice.view.plot.Plot;
-import org.mechservice.view.plot.PlotPage;
-import org.mechservice.view.plot.PlotPicture;
 import org.mechservice.view.plot.PlotRequest;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -37,9 +32,6 @@ import picocli.CommandLine.Spec;
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class PlotCommand implements Callable<Integer> {
-  private static final List<String> FORMATS =
-      List.of(PictureFile.SVG, PictureFile.PNG, PictureFile.HTML);
-
   @Parameters(
       arity = "1..*",
       paramLabel = "RESULT|COLUMN",
@@ -72,7 +64,7 @@ public final class PlotCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException {
-    String format = PictureFile.format(target, FORMATS);
+    String format = PictureFile.formatOfDiagram(target);
     List<Path> files = words.stream().filter(PlotCommand::isFile).map(Path::of).toList();
     List<String> columns =
         words.stream()
@@ -86,12 +78,7 @@ public final class PlotCommand implements Callable<Integer> {
           MessageCode.OPTION_UNUSABLE + " no result file is named, such as r.csv");
     }
     Plot plot = new PlotRequest(distinct(files), columns, x).read();
-    if (format.equals(PictureFile.HTML)) {
-      String page = PlotPage.of(plot, dark ? Theme.DARK : Theme.AUTOMATIC);
-      OutputFile.write(target, page.getBytes(StandardCharsets.UTF_8));
-    } else {
-      PictureFile.write(target, format, PlotPicture.draw(plot), dark);
-    }
+    PictureFile.write(target, format, plot, dark);
     plot.notes().forEach(spec.commandLine().getErr()::println);
     return ExitStatus.DONE;
   }

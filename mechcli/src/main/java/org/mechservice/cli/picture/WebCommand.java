@@ -50,7 +50,12 @@ public final class WebCommand implements Callable<Integer> {
     try (ServiceConnection service = ServiceConnection.open(server, atOnce);
         UserWeb web =
             new UserWeb(
-                service.connection(), SceneReader::read, examples(), Document.dtd(), port)) {
+                service.connection(),
+                SceneReader::read,
+                new WebExports(),
+                examples(),
+                Document.dtd(),
+                port)) {
       spec.commandLine().getOut().println("open in a browser: " + web.url());
       spec.commandLine().getOut().flush();
       ServingProcess.untilEnded(web, new CountDownLatch(1)::await);

@@ -1,6 +1,7 @@
 /**
- * Pictures from the command line: {@code mech plot} draws results, {@code mech show} a mechanism,
- * {@code mech view} makes a run a moving picture.
+ * Pictures from the command line: {@code mech plot} draws results, {@code mech compare} says and
+ * draws what differs between two, {@code mech show} draws a mechanism, {@code mech view} makes a
+ * run a moving picture, {@code mech web} serves the page for users.
  *
  * <p>{@link org.mechservice.cli.picture.PlotCommand} and {@link
  * org.mechservice.cli.picture.ShowCommand} read options and files; {@code org.mechservice.view}

@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.HexFormat;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
@@ -27,6 +28,8 @@ import org.mechservice.solver.text.Sha256;
 public final class ResultFiles implements ResultSink, AutoCloseable {
   /** The name that stands for standard output, which takes CSV. */
   static final Path STANDARD_OUTPUT = Path.of("-");
+
+  private static final String ANIMATION = ".glb";
 
   private final List<Path> targets;
   private final List<ResultFile> files = new ArrayList<>();
@@ -65,8 +68,15 @@ public final class ResultFiles implements ResultSink, AutoCloseable {
     }
   }
 
-  /** The endings of animations, when they are written, are checked here too. */
   private static void requireUsableName(Path target) {
+    if (target.toString().toLowerCase(Locale.ROOT).endsWith(ANIMATION)) {
+      throw new UsageException(
+          MessageCode.RESULT_FILE_NAME
+              + " --out "
+              + target
+              + ": an animated scene holds no columns; write it by mech view MODEL.xml -o "
+              + target);
+    }
     if (ResultFormat.of(target).isEmpty()) {
       throw new UsageException(
           MessageCode.RESULT_FILE_NAME

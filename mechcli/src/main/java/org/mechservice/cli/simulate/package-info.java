@@ -1,5 +1,5 @@
 /**
- * One run and its results: {@code mech simulate}, {@code mech fetch} and {@code mech compare}.
+ * One run and its results: {@code mech simulate} and {@code mech fetch}.
  *
  * <p>{@link org.mechservice.cli.simulate.SimulateCommand} connects, loads the model, prepares a
  * remote or a local run, and writes its rows. {@link org.mechservice.cli.simulate.FetchCommand}
@@ -12,8 +12,7 @@
  * progress and the warnings that {@link org.mechservice.cli.simulate.RunFollower} collects. {@link
  * org.mechservice.cli.simulate.CancelOnInterrupt} turns Ctrl-C into a cancelled run whose rows are
  * kept. {@link org.mechservice.cli.simulate.CheckpointOptions} writes checkpoints and resumes from
- * one. {@link org.mechservice.cli.simulate.CompareCommand} says what differs between the results of
- * two runs.
+ * one.
  */
 @NullMarked
 package org.mechservice.cli.simulate;

@@ -35,7 +35,9 @@ class UserWebTest {
   @BeforeAll
   static void start() throws IOException {
     service = ServiceConnection.open(new ServerOption(), 4);
-    web = new UserWeb(service.connection(), SceneReader::read, Map.of(), Document.dtd(), 0);
+    web =
+        new UserWeb(
+            service.connection(), SceneReader::read, new WebExports(), Map.of(), Document.dtd(), 0);
     token = web.url().replaceFirst(".*#token=", "");
     pendulum = Files.readString(Path.of("..", "examples", "pendulum", "pendulum.xml"));
   }
@@ -180,6 +182,47 @@ class UserWebTest {
     assertThat(get("/api/watch?run=guess").status()).isEqualTo(404);
     assertThat(get("/web.class").status()).isEqualTo(404);
     assertThat(get("/player/../UserWeb.class").status()).isEqualTo(404);
+  }
+
+  @Test
+  void twoRunsAreComparedAndAModelLeavesAsUnit() throws IOException {
+    JsonObject order = model(pendulum);
+    order.addProperty("tEnd", "0.5");
+    String first = run(order);
+    order.addProperty("relTol", "1e-2");
+    order.addProperty("absTol", "1e-2");
+    String second = run(order);
+    get("/api/watch?run=" + first);
+    get("/api/watch?run=" + second);
+
+    String names = "&name=Run+1&other=%3Cb%3E";
+    JsonObject same = get("/api/differences?first=" + first + "&second=" + first + names).json();
+    assertThat(same.get("equal").getAsBoolean()).isTrue();
+    JsonObject other = get("/api/differences?first=" + first + "&second=" + second + names).json();
+    assertThat(other.get("equal").getAsBoolean()).isFalse();
+    assertThat(other.getAsJsonArray("notes").get(0).getAsString()).contains("largest difference");
+    assertThat(other.get("picture").getAsString()).startsWith("<svg").contains("&lt;b&gt;");
+    byte[] unit = get("/api/result?run=" + first + "&format=fmu").content();
+    assertThat(new String(unit, StandardCharsets.ISO_8859_1))
+        .startsWith("PK")
+        .contains("modelDescription.xml");
+  }
+
+  @Test
+  void measurementTellsHowFarItIsAndIsCancelled() throws IOException {
+    JsonObject order = new JsonObject();
+    order.addProperty("text", pendulum);
+    String id = post("measure", order).json().get("report").getAsString();
+    assertThat(get("/api/report?report=" + id).json().get("state").getAsString()).isEqualTo("runs");
+    assertThat(post("measure", order).status()).isEqualTo(503);
+    JsonObject which = new JsonObject();
+    which.addProperty("report", id);
+    post("unmeasure", which);
+    assertThat(get("/api/report?report=" + id).json().get("state").getAsString())
+        .isEqualTo("cancelled");
+    assertThat(get("/report/" + id + "/model.html").status()).isEqualTo(404);
+    assertThat(get("/report/" + id + "/..%2fx.html").status()).isEqualTo(404);
+    assertThat(get("/report/nobody/model.html").status()).isEqualTo(404);
   }
 
   @Test

@@ -64,7 +64,9 @@ class WebLoadTest {
     try (MechServerProcess server =
             MechServerProcess.start(new ServerSettings("s", "127.0.0.1", 0, 2));
         MechConnection service = MechConnection.open(server.url());
-        UserWeb web = new UserWeb(service, SceneReader::read, Map.of(), Document.dtd(), 0)) {
+        UserWeb web =
+            new UserWeb(
+                service, SceneReader::read, new WebExports(), Map.of(), Document.dtd(), 0)) {
       Callable<String> user =
           () -> {
             String id = run(web, "20");
@@ -92,7 +94,9 @@ class WebLoadTest {
     try (MechServerProcess server =
             MechServerProcess.start(new ServerSettings("s", "127.0.0.1", 0, 1));
         MechConnection service = MechConnection.open(server.url());
-        UserWeb web = new UserWeb(service, SceneReader::read, Map.of(), Document.dtd(), 0)) {
+        UserWeb web =
+            new UserWeb(
+                service, SceneReader::read, new WebExports(), Map.of(), Document.dtd(), 0)) {
       Process far =
           new ProcessBuilder(
                   Path.of(System.getProperty("java.home"), "bin", "java").toString(),

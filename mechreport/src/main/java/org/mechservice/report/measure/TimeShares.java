@@ -85,6 +85,25 @@ public record TimeShares(Map<Part, Double> parts, double tolerance) {
     return new TimeShares(best.shares(least), tolerance);
   }
 
+  /** Returns the interfaces of the solver's API, in any of its packages, that a model has. */
+  static Set<Class<?>> interfaces(Class<?> model) {
+    Set<Class<?>> found = new LinkedHashSet<>();
+    for (Class<?> type = model; type != null; type = type.getSuperclass()) {
+      collect(type, found);
+    }
+    return found;
+  }
+
+  private static void collect(Class<?> type, Set<Class<?>> into) {
+    String api = Model.class.getPackageName() + '.';
+    for (Class<?> implemented : type.getInterfaces()) {
+      if (implemented.getName().startsWith(api)) {
+        into.add(implemented);
+      }
+      collect(implemented, into);
+    }
+  }
+
   private static final class Watched extends RunControl {
     private final Model model;
     private final Map<Part, Long> nanos = new EnumMap<>(Part.class);
@@ -106,14 +125,10 @@ public record TimeShares(Map<Part, Double> parts, double tolerance) {
 
     /** A model with the same interfaces of the solver's API. */
     private Model proxy(Model inner) {
-      Set<Class<?>> interfaces = new LinkedHashSet<>();
-      for (Class<?> type = inner.getClass(); type != null; type = type.getSuperclass()) {
-        collect(type, interfaces);
-      }
       return (Model)
           Proxy.newProxyInstance(
               Model.class.getClassLoader(),
-              interfaces.toArray(Class<?>[]::new),
+              interfaces(inner.getClass()).toArray(Class<?>[]::new),
               (self, method, arguments) -> call(inner, method, arguments));
     }
 
@@ -142,15 +157,6 @@ public record TimeShares(Map<Part, Double> parts, double tolerance) {
         nanos.put(Part.START_UP, System.nanoTime() - began);
       }
       return super.proceed(time, stepSize, order, steps);
-    }
-
-    private static void collect(Class<?> type, Set<Class<?>> into) {
-      for (Class<?> implemented : type.getInterfaces()) {
-        if (implemented.getPackageName().equals(Model.class.getPackageName())) {
-          into.add(implemented);
-        }
-        collect(implemented, into);
-      }
     }
 
     private Object call(Model inner, Method method, Object[] arguments) throws Throwable {

@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.util.Base64;
+import org.mechservice.solver.text.Sha256;
 
 /** What all pages have around their content: style and script, inside the page itself. */
 public final class PageFrame {
@@ -19,13 +21,35 @@ public final class PageFrame {
     return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
         + "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>"
         + Html.escape(title)
-        + "</title>\n<style>\n"
-        + resource("page.css")
+        + "</title>\n<style>"
+        + own("page.css")
         + "</style></head><body><main>\n"
         + content
-        + "</main>\n<div id=\"hover\"></div>\n<script>\n"
-        + resource("page.js")
+        + "</main>\n<div id=\"hover\"></div>\n<script>"
+        + own("page.js")
         + "</script></body></html>\n";
+  }
+
+  /**
+   * Returns a content security policy under which these pages can be served: nothing is loaded, and
+   * style and script are the pages' own, told by their digests.
+   */
+  public static String policy() {
+    return "default-src 'none'; style-src "
+        + digest(own("page.css"))
+        + "; script-src "
+        + digest(own("page.js"))
+        + "; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+  }
+
+  /** Returns the text of a style or script element. */
+  private static String own(String name) {
+    return "\n" + resource(name);
+  }
+
+  private static String digest(String text) {
+    byte[] sha = Sha256.digest().digest(text.getBytes(StandardCharsets.UTF_8));
+    return "'sha256-" + Base64.getEncoder().encodeToString(sha) + "'";
   }
 
   /** Returns a diagram as a file of its own, with the colours of the pages. */

@@ -10,6 +10,9 @@
  * <p>{@link org.mechservice.view.plot.PlotPicture} draws it with ticks of {@code Ticks}; {@link
  * org.mechservice.view.plot.PlotPage} puts it into a page of its own, with zoom and values at the
  * cursor by uPlot, which the page contains.
+ *
+ * <p>{@link org.mechservice.view.plot.DifferencePlot} makes the diagram of a comparison: {@code
+ * mech compare -o}.
  */
 @NullMarked
 package org.mechservice.view.plot;

@@ -4,6 +4,7 @@ import com.google.gson.JsonArray;
 import com.google.gson.JsonNull;
 import com.google.gson.JsonObject;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.EnumSet;
@@ -24,6 +25,7 @@ import org.mechservice.client.run.RunResult;
 import org.mechservice.orb.http.EventStream;
 import org.mechservice.orb.http.Refused;
 import org.mechservice.result.ResultFormat;
+import org.mechservice.result.SignalTable;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
@@ -53,7 +55,11 @@ final class UserRun {
   private static final long PING_NANOS = 2_000_000_000L;
   private static final int FRAMES_AT_ONCE = 300;
 
+  /** Bytes of the CSV file of a run that is read into memory to be compared. */
+  private static final long MOST_COMPARED = 64L << 20;
+
   private final byte[] model;
+  private final ModelReader.Choice choice;
   private final SimulationOptions options;
   private final SceneDescription scene;
   private final Stage stage;
@@ -72,10 +78,17 @@ final class UserRun {
 
   /**
    * @param model MechML text's bytes
+   * @param choice simulation and values of parameters, which are among the options too
    * @param folder of this run alone; receives its result files
    */
-  UserRun(byte[] model, SimulationOptions options, SceneDescription scene, Path folder) {
+  UserRun(
+      byte[] model,
+      ModelReader.Choice choice,
+      SimulationOptions options,
+      SceneDescription scene,
+      Path folder) {
     this.model = model;
+    this.choice = choice;
     this.options = options;
     this.scene = scene;
     this.folder = folder;
@@ -254,14 +267,30 @@ final class UserRun {
   }
 
   /** Returns a result in a format. */
-  Download download(MechConnection service, String format)
+  Download download(MechConnection service, ModelExports exports, String format)
       throws IOException, InterruptedException {
+    if (format.equals("fmu")) {
+      String text = new String(model, StandardCharsets.UTF_8);
+      return Download.of("application/octet-stream", exports.unit(text, choice));
+    }
     if (format.equals("jar")) {
       try (MechSession session = service.openSession()) {
         session.loadModel("model.xml", model);
         return Download.of("application/java-archive", session.build(options, true).bytes());
       }
     }
+    awaitFiles();
+    return switch (format) {
+      case "csv" -> Download.of("text/csv", file(ResultFormat.CSV));
+      case "mat" -> Download.of("application/octet-stream", file(ResultFormat.MAT));
+      case "glb" -> Download.of("model/gltf-binary", AnimatedScene.write(scene, stage, recording));
+      case "html" ->
+          Download.of("text/html", PlayerPage.write(scene, stage, recording, facts(), List.of()));
+      default -> throw Refused.notUnderstood("there is no format " + format);
+    };
+  }
+
+  private void awaitFiles() throws InterruptedException {
     if (ending.isEmpty()) {
       throw Refused.notUnderstood("this run has no results yet");
     }
@@ -272,14 +301,25 @@ final class UserRun {
     if (recording.frameCount() == 0) {
       throw Refused.notUnderstood("this run has no rows");
     }
-    return switch (format) {
-      case "csv" -> Download.of("text/csv", file(ResultFormat.CSV));
-      case "mat" -> Download.of("application/octet-stream", file(ResultFormat.MAT));
-      case "glb" -> Download.of("model/gltf-binary", AnimatedScene.write(scene, stage, recording));
-      case "html" ->
-          Download.of("text/html", PlayerPage.write(scene, stage, recording, facts(), List.of()));
-      default -> throw Refused.notUnderstood("there is no format " + format);
-    };
+  }
+
+  /**
+   * Reads the rows of the run into memory.
+   *
+   * @throws Refused if there are none, or more than the page compares
+   */
+  SignalTable table() throws IOException, InterruptedException {
+    awaitFiles();
+    Path csv = file(ResultFormat.CSV);
+    if (Files.size(csv) > MOST_COMPARED) {
+      throw Refused.notUnderstood(
+          "a run of "
+              + Files.size(csv)
+              + " bytes of CSV is too large to be compared here ("
+              + MOST_COMPARED
+              + " at most); download both and use mech compare");
+    }
+    return SignalTable.read(csv);
   }
 
   private Map<String, String> facts() {

@@ -29,7 +29,8 @@ final class UserRuns implements AutoCloseable {
    *
    * @return its identity
    */
-  synchronized String start(byte[] model, SimulationOptions options, SceneDescription scene)
+  synchronized String start(
+      byte[] model, ModelReader.Choice choice, SimulationOptions options, SceneDescription scene)
       throws IOException {
     if (runs.values().stream().filter(run -> !run.hasEnded()).count() >= MOST_ACTIVE) {
       throw new Refused(
@@ -48,7 +49,7 @@ final class UserRuns implements AutoCloseable {
               .getKey();
       runs.remove(oldest).close();
     }
-    UserRun run = new UserRun(model, options, scene, Files.createTempDirectory("mechweb"));
+    UserRun run = new UserRun(model, choice, options, scene, Files.createTempDirectory("mechweb"));
     String id = AccessToken.random();
     runs.put(id, run);
     Thread thread = new Thread(() -> run.run(service), "mechservice-user-run");

@@ -39,6 +39,8 @@ import org.mechservice.view.sketch.ViewPlane;
 public final class UserWeb implements AutoCloseable {
   private static final List<String> ROBOTS = List.of(".urdf", ".sdf", ".mjcf");
 
+  private static final String REPORT = "/report/";
+
   /** Streams to pages at once. */
   private static final int STREAMS = 60;
 
@@ -53,7 +55,9 @@ public final class UserWeb implements AutoCloseable {
   private final ModelReader reader;
   private final Map<String, String> examples;
   private final String grammar;
+  private final ModelExports exports;
   private final UserRuns runs;
+  private final UserReports reports;
   private final String token = AccessToken.random();
   private final PageFiles files = new PageFiles(UserWeb.class, "");
   private final PageFiles shared = new PageFiles(PlayerPage.class, "");
@@ -64,6 +68,8 @@ public final class UserWeb implements AutoCloseable {
    * Starts to serve.
    *
    * @param service checks and runs the models; stays open
+   * @param reader reads models for drawings
+   * @param exports what a model becomes beside results
    * @param examples models to begin with, by their names
    * @param grammar the DTD of MechML, from which the editor completes
    * @param port TCP port; 0: any free one
@@ -72,14 +78,17 @@ public final class UserWeb implements AutoCloseable {
   public UserWeb(
       MechConnection service,
       ModelReader reader,
+      ModelExports exports,
       Map<String, String> examples,
       String grammar,
       int port) {
     this.service = service;
     this.reader = reader;
+    this.exports = exports;
     this.examples = new LinkedHashMap<>(examples);
     this.grammar = grammar;
     runs = new UserRuns(service);
+    reports = new UserReports(service, exports);
     http = BoundedHttp.open(port, "web");
     http.serve("/", this::handle);
     http.start();
@@ -140,6 +149,10 @@ public final class UserWeb implements AutoCloseable {
       api(request, path.substring("/api/".length()));
       return;
     }
+    if (path.startsWith(REPORT)) {
+      report(request, path.substring(REPORT.length()));
+      return;
+    }
     PageFiles.PageFile file =
         path.startsWith("/player/")
             ? shared.file(path.substring("/player/".length())).orElseThrow(() -> nothingAt(path))
@@ -148,6 +161,17 @@ public final class UserWeb implements AutoCloseable {
                 .orElseThrow(() -> nothingAt(path));
     request.allowOwnPictures();
     request.answer(200, file.type(), file.content());
+  }
+
+  /** A report is opened by its address, in which its identity is the secret. */
+  private void report(Request request, String path) throws IOException {
+    int slash = path.indexOf('/');
+    if (slash < 0 || !request.isGet()) {
+      throw nothingAt(request.path());
+    }
+    reports
+        .get(path.substring(0, slash))
+        .answer(request, path.substring(slash + 1), exports.reportPolicy());
   }
 
   private static Refused nothingAt(String path) {
@@ -163,14 +187,21 @@ public final class UserWeb implements AutoCloseable {
         case "watch" -> watch(request);
         case "result" ->
             runs.get(request.parameter("run"))
-                .download(service, request.parameter("format"))
+                .download(service, exports, request.parameter("format"))
                 .to(request);
+        case "differences" -> request.answer(200, differences(request));
+        case "report" -> request.answer(200, reports.get(request.parameter("report")).progress());
         default -> throw nothingAt(request.path());
       }
     } else if (request.isPost()) {
       switch (what) {
         case "check" -> read(request, this::check);
         case "run" -> read(request, this::run);
+        case "measure" -> read(request, this::measure);
+        case "unmeasure" -> {
+          reports.get(text(request.body(), "report")).cancel();
+          request.answer(200, new JsonObject());
+        }
         case "cancel" -> {
           runs.get(text(request.body(), "run")).cancel();
           request.answer(200, new JsonObject());
@@ -215,6 +246,25 @@ public final class UserWeb implements AutoCloseable {
     } finally {
       freeStreams.release();
     }
+  }
+
+  private JsonObject differences(Request request) throws IOException, InterruptedException {
+    UserRun first = runs.get(request.parameter("first"));
+    UserRun second = runs.get(request.parameter("second"));
+    List<String> names = List.of(request.parameter("name"), request.parameter("other"));
+    freeReaders.acquire();
+    try {
+      return Differences.of(names, first.table(), second.table());
+    } finally {
+      freeReaders.release();
+    }
+  }
+
+  private JsonObject measure(JsonObject body) throws IOException {
+    JsonObject answer = new JsonObject();
+    byte[] model = text(body, "text").getBytes(StandardCharsets.UTF_8);
+    answer.addProperty("report", reports.start(model));
+    return answer;
   }
 
   /** Answers a request that brings a model. */
@@ -335,7 +385,8 @@ public final class UserWeb implements AutoCloseable {
     options = chosen(body, "absTol").map(options::absoluteTolerances).orElse(options);
     options = number(body, "tEnd").map(options::endTime).orElse(options);
     JsonObject answer = new JsonObject();
-    answer.addProperty("run", runs.start(content, options, reader.read(model, choice).scene()));
+    answer.addProperty(
+        "run", runs.start(content, choice, options, reader.read(model, choice).scene()));
     return answer;
   }
 
@@ -356,6 +407,7 @@ public final class UserWeb implements AutoCloseable {
   /** Ends all runs and streams and closes the port. */
   @Override
   public void close() {
+    reports.close();
     runs.close();
     http.close();
   }

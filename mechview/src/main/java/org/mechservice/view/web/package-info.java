@@ -12,6 +12,10 @@
  * {@code UserRuns} keeps the latest runs; their identities are secrets, so that pages see their own
  * runs only.
  *
+ * <p>{@code Differences} compares two runs. A {@code UserReport} measures a model and keeps its
+ * report of error against run time, one at a time. It and the Functional Mock-up Unit are made by a
+ * {@link org.mechservice.view.web.ModelExports}, which the command line brings.
+ *
  * <p>Surfaces, camera and curves in the browser are those of {@link org.mechservice.view.player}.
  * Models are read for drawings by a {@link org.mechservice.view.web.ModelReader}, because this
  * module does not read model files.

@@ -4,7 +4,8 @@ import { Completion } from './completion.js';
 import { MechanismStage } from './stage.js';
 
 const SERIES = ['#3b82d0', '#d97b1f', '#2f9e77', '#c2504d', '#8464c4', '#1c97a3', '#9c7a3c'];
-const FORMATS = [['csv', 'CSV'], ['mat', 'MAT'], ['glb', 'GLB'], ['html', 'Player'], ['jar', 'JAR']];
+const FORMATS = [['csv', 'CSV'], ['mat', 'MAT'], ['glb', 'GLB'], ['html', 'Player'], ['jar', 'JAR'],
+  ['fmu', 'FMU']];
 const LARGEST = 16 * 1024 * 1024;
 
 const element = id => document.getElementById(id);
@@ -171,6 +172,11 @@ function changed() {
 
 // ---- runs ----
 
+// What is not as in the file, by the words of its field.
+const settings = () => ['formulation', 'integrator', 'relTol', 'absTol', 'tEnd']
+  .filter(id => element(id).value)
+  .map(id => [element(id).closest('label').firstChild.textContent.trim().toLowerCase(), element(id).value]);
+
 async function start() {
   if (!clean && !await check()) return;
   const order = { text: text.value, parameters: changed() };
@@ -178,7 +184,7 @@ async function start() {
   element('run').disabled = true;
   try {
     const { run } = await post('run', order);
-    const title = Object.entries(order.parameters).map(([key, value]) => `${key} = ${value}`).join(', ');
+    const title = [...Object.entries(order.parameters), ...settings()].map(([key, value]) => `${key} = ${value}`).join(', ');
     const one = { id: run, number: runs.length + 1, title, rows: [], state: 'runs', compared: true,
       colour: SERIES[runs.length % SERIES.length] };
     runs.push(one);
@@ -288,6 +294,7 @@ function list() {
     }
     return item;
   }));
+  choices();
   const going = shown?.state === 'runs';
   element('cancel').disabled = !going;
   if (shown) {
@@ -304,6 +311,79 @@ async function download(run, format) {
   link.download = `${(run.name || 'model').replace(/[^\w-]/g, '_')}-${run.number}.${format}`;
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+}
+
+// ---- what differs between two runs ----
+
+const called = run => `Run ${run.number}${run.title ? ` (${run.title})` : ''}`;
+
+// The two latest runs that have ended are compared, unless others are chosen.
+function choices() {
+  const ended = runs.filter(run => run.state !== 'runs' && run.rows.length);
+  element('comparing').hidden = ended.length < 2;
+  ['first', 'second'].forEach((id, i) => {
+    const select = element(id);
+    if (select.children.length === ended.length) return;
+    select.replaceChildren(...ended.map(run => make('option', String(run.number), { value: run.id })));
+    select.value = ended[Math.max(0, ended.length - 2 + i)]?.id || '';
+  });
+}
+
+async function compare() {
+  const [one, other] = ['first', 'second'].map(id => runs.find(run => run.id === element(id).value));
+  element('compare').disabled = true;
+  try {
+    const found = await get('differences',
+      { first: one.id, second: other.id, name: called(one), other: called(other) });
+    element('difference').textContent = `${found.title} by more than ${found.tolerance} of their size.`;
+    element('differences').replaceChildren(...found.notes.map(note => make('li', note)));
+    const picture = element('differing');
+    URL.revokeObjectURL(picture.src);
+    picture.src = URL.createObjectURL(new Blob([found.picture], { type: 'image/svg+xml' }));
+    picture.alt = `Curves of the signals that differ most between ${called(one)} and ${called(other)}`;
+    picture.dataset.file = `difference-${one.number}-${other.number}.svg`;
+    picture.hidden = false;
+    element('save').hidden = false;
+  } finally {
+    element('compare').disabled = false;
+  }
+}
+
+// ---- error against run time ----
+
+const PAUSE = 500;
+let report;
+
+async function measure() {
+  if (!clean && !await check()) return;
+  ({ report } = await post('measure', { text: text.value }));
+  measuring(true);
+  try {
+    for (let asks = true; asks;) {
+      const at = await get('report', { report });
+      asks = at.state === 'runs';
+      element('measured').value = at.done;
+      element('measuring').textContent = asks
+        ? `${Math.round(100 * at.done)} %, ${at.what}${at.secondsLeft ? `, ${Math.ceil(at.secondsLeft)} s left` : ''}`
+        : at.state === 'done' ? 'Measured.' : at.message || 'Cancelled.';
+      if (at.state === 'done') {
+        const link = make('a', `Report ${element('reports').children.length + 1}: ${stage.data?.name || name}`,
+          { href: `/report/${report}/${at.page}`, target: '_blank', rel: 'noopener' });
+        const item = make('li');
+        item.append(link);
+        element('reports').append(item);
+      }
+      if (asks) await new Promise(resolve => setTimeout(resolve, PAUSE));
+    }
+  } finally {
+    measuring(false);
+  }
+}
+
+function measuring(on) {
+  element('measure').disabled = on;
+  element('unmeasure').disabled = !on;
+  element('measured').hidden = !on;
 }
 
 // ---- the picture ----
@@ -345,6 +425,10 @@ function frame(at) {
 
 acts('check', check);
 acts('run', start);
+acts('compare', compare);
+acts('save', () => make('a', '', { href: element('differing').src, download: element('differing').dataset.file }).click());
+acts('measure', measure);
+acts('unmeasure', () => report && post('unmeasure', { report }));
 acts('cancel', () => shown && post('cancel', { run: shown.id }));
 element('play').addEventListener('click', () => play(!playing));
 element('time').addEventListener('input', event => {

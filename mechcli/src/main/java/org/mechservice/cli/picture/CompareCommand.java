@@ -1,4 +1,4 @@
-package org.mechservice.cli.simulate;
+package org.mechservice.cli.picture;
 
 import com.google.gson.Gson;
 import com.google.gson.GsonBuilder;
@@ -20,6 +20,7 @@ import org.mechservice.result.SignalDifference;
 import org.mechservice.result.SignalTable;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.text.ShortestDecimal;
+import org.mechservice.view.plot.DifferencePlot;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -80,6 +81,21 @@ public final class CompareCommand implements Callable<Integer> {
   @Option(names = "--json", description = "Print all signals as one JSON object.")
   private boolean json;
 
+  @Option(
+      names = {"-o", "--output"},
+      paramLabel = "FILE.svg|png|html",
+      hideParamSyntax = true,
+      description =
+          "Draw the signals that differ most: both results over each other, and their difference.")
+  private Optional<Path> picture = Optional.empty();
+
+  @Option(
+      names = "--dark",
+      description =
+          "Light lines on black. Without it PNG files are light, SVG and HTML files as their reader"
+              + " prefers.")
+  private boolean dark;
+
   @Spec private CommandSpec spec = CommandSpec.create();
 
   @Override
@@ -88,8 +104,15 @@ public final class CompareCommand implements Callable<Integer> {
     timeTolerance.ifPresent(time -> require(time, "--time-tolerance"));
     OptionalDouble shift =
         timeTolerance.isPresent() ? OptionalDouble.of(timeTolerance.get()) : OptionalDouble.empty();
-    ResultComparison comparison =
-        ResultComparison.of(SignalTable.read(first), SignalTable.read(second), tolerance, shift);
+    Optional<String> format = picture.map(PictureFile::formatOfDiagram);
+    SignalTable a = SignalTable.read(first);
+    SignalTable b = SignalTable.read(second);
+    ResultComparison comparison = ResultComparison.of(a, b, tolerance, shift);
+    if (picture.isPresent() && format.isPresent()) {
+      List<String> names = List.of(first.toString(), second.toString());
+      PictureFile.write(
+          picture.get(), format.get(), DifferencePlot.of(names, a, b, comparison), dark);
+    }
     PrintWriter out = spec.commandLine().getOut();
     if (json) {
       out.println(JSON.toJson(asJson(comparison)));

@@ -1,4 +1,4 @@
-package org.mechservice.cli.simulate;
+package org.mechservice.cli.picture;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -74,5 +74,22 @@ class CompareCommandTest {
     assertThat(mech("compare", a, a, "--tolerance", "-1")).isEqualTo(2);
     assertThat(err.toString().lines().map(line -> line.substring(0, 5)))
         .containsExactly("S-042", "S-177", "S-041");
+  }
+
+  @Test
+  void pictureShowsBothResultsAndTheirDifference() throws IOException {
+    String a = file("a.csv", ROWS);
+    String b = file("b.csv", ROWS.replace("1,1,1", "1,1.5,1"));
+    Path picture = folder.resolve("d.svg");
+
+    assertThat(mech("compare", a, b, "-o", picture.toString())).isEqualTo(1);
+    assertThat(Files.readString(picture))
+        .contains("1 of 2 signals differ", "second − first", "largest difference at t = 1.0")
+        .contains("a.csv", "b.csv");
+    assertThat(mech("compare", a, a, "-o", picture.toString())).isZero();
+    assertThat(Files.readString(picture)).contains("0 of 2 signals differ");
+    assertThat(mech("compare", a, file("c.csv", "t,z\n0,1\n"), "-o", picture.toString()))
+        .isEqualTo(2);
+    assertThat(mech("compare", a, b, "-o", "d.pdf")).isEqualTo(2);
   }
 }
