@@ -20,6 +20,8 @@ import org.mechservice.idl.IMechClientPOATie;
 import org.mechservice.idl.MechAdmin;
 import org.mechservice.idl.MechAdminHelper;
 import org.mechservice.idl.MechServer;
+import org.mechservice.idl.MechSim;
+import org.mechservice.idl.MechSimHelper;
 import org.mechservice.idl.ServerInfo;
 import org.mechservice.orb.connection.Endpoint;
 import org.mechservice.orb.connection.OrbField;
@@ -60,6 +62,9 @@ public final class ServiceOrb implements AutoCloseable {
       new OrbField<>(SelectorManager.class, "selector", Selector.class);
 
   private static final int LONGEST_ADMIN_CALL_SECONDS = 30;
+
+  /** Longest wait for the set-up of a model, s. */
+  public static final int LONGEST_SET_UP_SECONDS = 3600;
 
   private final OrbThreads threads = new OrbThreads();
   private final ORB orb;
@@ -179,6 +184,15 @@ public final class ServiceOrb implements AutoCloseable {
     org.omg.CORBA.Object admin = located(url).object(ServiceKey.ADMIN);
     return MechAdminHelper.unchecked_narrow(
         CallTimeouts.within(LONGEST_ADMIN_CALL_SECONDS, orb, admin));
+  }
+
+  /**
+   * Returns the same session, with calls that wait as long as the set-up of a model may take:
+   * {@link #LONGEST_SET_UP_SECONDS}.
+   */
+  public MechSim patient(MechSim session) {
+    return MechSimHelper.unchecked_narrow(
+        CallTimeouts.within(LONGEST_SET_UP_SECONDS, orb, session));
   }
 
   /**

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.security.cert.Certificate;
+import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.Queue;
@@ -17,6 +18,7 @@ import org.mechservice.client.failure.NotFoundException;
 import org.mechservice.client.failure.RemoteCalls;
 import org.mechservice.client.failure.ServerLostException;
 import org.mechservice.client.failure.ServiceException;
+import org.mechservice.client.failure.SetUpCalls;
 import org.mechservice.client.jar.JarCache;
 import org.mechservice.client.jar.JarOrigin;
 import org.mechservice.client.run.LeaseRenewal;
@@ -202,6 +204,16 @@ public final class MechConnection implements AutoCloseable {
     } catch (ServerLostException e) {
       return question.apply(servers.instead(server, e));
     }
+  }
+
+  /** Returns the calls of a session that set a model up, which may take long. */
+  SetUpCalls setUpCalls(RemoteCalls calls, MechSim session) {
+    return new SetUpCalls(
+        calls,
+        session,
+        orb.patient(session),
+        Duration.ofSeconds(ServiceOrb.LONGEST_SET_UP_SECONDS),
+        SetUpCalls.INTERVAL);
   }
 
   private MechSession opened(ServerSelection.Chosen server, MechSim session, double seconds) {

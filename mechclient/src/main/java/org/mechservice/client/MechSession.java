@@ -20,6 +20,7 @@ import org.mechservice.client.failure.LimitExceededException;
 import org.mechservice.client.failure.ModelMessage;
 import org.mechservice.client.failure.RemoteCalls;
 import org.mechservice.client.failure.ServiceException;
+import org.mechservice.client.failure.SetUpCalls;
 import org.mechservice.client.jar.BuiltJar;
 import org.mechservice.client.jar.FetchedModel;
 import org.mechservice.client.jar.JarFetch;
@@ -57,6 +58,7 @@ public final class MechSession implements AutoCloseable {
   private static final int MOST_SENT_BYTES = LimitedBuffers.MAX_MESSAGE_BYTES - (1 << 20);
 
   private final RemoteCalls calls;
+  private final SetUpCalls setUp;
   private final MechConnection connection;
   private final ServiceDescription service;
   private final MechSim session;
@@ -84,6 +86,7 @@ public final class MechSession implements AutoCloseable {
       double openSeconds) {
     this.connection = connection;
     this.calls = calls;
+    setUp = connection.setUpCalls(calls, session);
     this.service = service;
     this.session = session;
     this.openSeconds = openSeconds;
@@ -186,10 +189,10 @@ public final class MechSession implements AutoCloseable {
   private List<ModelMessage> load(ModelFile model, ModelFile[] classes) {
     Stopwatch watch = new Stopwatch();
     var said =
-        calls.get(
-            () -> {
+        setUp.get(
+            patient -> {
               requireSendable(model, classes);
-              return session.loadModel(model, classes);
+              return patient.loadModel(model, classes);
             });
     loadSeconds = watch.lap();
     modelLoaded = model;
@@ -233,7 +236,7 @@ public final class MechSession implements AutoCloseable {
    * @throws InvalidStateException if no model is loaded
    */
   public String checkReport(boolean asJson) {
-    return calls.get(() -> session.checkReport(asJson));
+    return setUp.get(patient -> patient.checkReport(asJson));
   }
 
   /**
@@ -264,7 +267,7 @@ public final class MechSession implements AutoCloseable {
    */
   public List<GeneratedSource> generatedSources(SimulationOptions options) {
     List<GeneratedSource> sources = new ArrayList<>();
-    ModelFile source = calls.get(() -> session.generatedSource(options.toNameValues()));
+    ModelFile source = setUp.get(patient -> patient.generatedSource(options.toNameValues()));
     while (!source.fileName.isEmpty()) {
       String text = new String(source.content, StandardCharsets.UTF_8);
       sources.add(new GeneratedSource(source.fileName, text));
@@ -329,7 +332,8 @@ public final class MechSession implements AutoCloseable {
 
   private HostedRun place(SimulationOptions options, @Nullable IMechClient callback) {
     Stopwatch watch = new Stopwatch();
-    RunSetUp answer = calls.get(() -> session.prepareSimulation(options.toNameValues(), callback));
+    RunSetUp answer =
+        setUp.get(patient -> patient.prepareSimulation(options.toNameValues(), callback));
     double seconds = watch.lap();
     LeaseRenewal leases = connection.leases();
     heed(answer.facts);
@@ -437,7 +441,7 @@ public final class MechSession implements AutoCloseable {
   }
 
   private JarFetch jars() {
-    return new JarFetch(calls, session, connection.cache(), connection.originOf(session));
+    return new JarFetch(calls, setUp, session, connection.cache(), connection.originOf(session));
   }
 
   /** Returns the size of the server's runtime JAR, bytes. */

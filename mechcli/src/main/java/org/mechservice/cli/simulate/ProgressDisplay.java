@@ -4,6 +4,7 @@ import java.util.Locale;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 import me.tongfei.progressbar.ConsoleProgressBarConsumer;
 import me.tongfei.progressbar.ProgressBar;
 import me.tongfei.progressbar.ProgressBarBuilder;
@@ -11,7 +12,7 @@ import me.tongfei.progressbar.ProgressBarStyle;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.client.run.RunProgress;
 
-/** A bar on the terminal for runs that take longer than a second. */
+/** A bar on the terminal for set-ups and runs that take longer than a second. */
 final class ProgressDisplay {
   /** Set by the launcher when standard error is a terminal; Java cannot ask. */
   private static final boolean TERMINAL = Boolean.getBoolean("mech.terminal");
@@ -35,8 +36,13 @@ final class ProgressDisplay {
    *
    * @param wanted whether a bar may be shown at all
    */
-  @SuppressWarnings("FutureReturnValueIgnored") // the display ends with its thread
   static ProgressDisplay of(RunFollower news, boolean wanted) {
+    return of(news, wanted, ProgressDisplay::show);
+  }
+
+  @SuppressWarnings("FutureReturnValueIgnored") // the display ends with its thread
+  private static ProgressDisplay of(
+      RunFollower news, boolean wanted, Consumer<ProgressDisplay> shows) {
     ScheduledExecutorService thread =
         Executors.newSingleThreadScheduledExecutor(
             task -> {
@@ -47,9 +53,36 @@ final class ProgressDisplay {
     ProgressDisplay display = new ProgressDisplay(news, thread);
     if (wanted && TERMINAL) {
       thread.scheduleAtFixedRate(
-          display::show, PATIENCE_MILLIS, TICK_MILLIS, TimeUnit.MILLISECONDS);
+          () -> shows.accept(display), PATIENCE_MILLIS, TICK_MILLIS, TimeUnit.MILLISECONDS);
     }
     return display;
+  }
+
+  /**
+   * Starts to say that a model is being set up, and for how long it has been.
+   *
+   * @param wanted whether this may be shown at all
+   */
+  static ProgressDisplay ofSetUp(boolean wanted) {
+    return of(new RunFollower(said -> {}), wanted, ProgressDisplay::showSetUp);
+  }
+
+  private synchronized void showSetUp() {
+    ProgressBar shown = bar == null ? elapsing() : bar;
+    bar = shown;
+    shown.refresh();
+  }
+
+  /** Returns a bar without end, which shows the time. */
+  private static ProgressBar elapsing() {
+    return new ProgressBarBuilder()
+        .setTaskName("setting up")
+        .setInitialMax(-1)
+        .setStyle(ProgressBarStyle.ASCII)
+        .hideEta()
+        .setConsumer(new ConsoleProgressBarConsumer(System.err, WIDTH))
+        .clearDisplayOnFinish()
+        .build();
   }
 
   private synchronized void show() {

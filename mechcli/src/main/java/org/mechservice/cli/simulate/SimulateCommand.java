@@ -99,14 +99,25 @@ public final class SimulateCommand implements Callable<Integer> {
     try (CancelOnInterrupt interrupt = new CancelOnInterrupt();
         ServiceConnection service = ServiceConnection.open(server);
         MechSession session = service.connection().openSession(host)) {
-      session.loadModel(model, userCode.folder());
       RunFollower news = new RunFollower(this::tell);
-      try (PreparedRun run = prepare(session, options, news);
+      try (PreparedRun run = setUp(session, options, news);
           ResultFiles files = results.open(expectedRows(session, run))) {
         interrupt.cancels(run);
         String id = tellIdentity(run);
         return simulate(run, id, news, files, store);
       }
+    }
+  }
+
+  /** Loads the model and prepares its run; shows on a terminal that this is going on. */
+  private PreparedRun setUp(MechSession session, SimulationOptions options, RunFollower news)
+      throws IOException {
+    ProgressDisplay display = ProgressDisplay.ofSetUp(results.talks());
+    try {
+      session.loadModel(model, userCode.folder());
+      return prepare(session, options, news, display);
+    } finally {
+      display.close();
     }
   }
 
@@ -138,13 +149,15 @@ public final class SimulateCommand implements Callable<Integer> {
    * Prepares the run and prints the warnings of the model, which are known even if the run is
    * refused.
    */
-  private PreparedRun prepare(MechSession session, SimulationOptions options, RunFollower news) {
+  private PreparedRun prepare(
+      MechSession session, SimulationOptions options, RunFollower news, ProgressDisplay display) {
     try {
       return switch (mode) {
         case REMOTE -> session.prepareRemoteRun(options, news);
         case LOCAL -> news.watch(session.prepareLocalRun(options));
       };
     } finally {
+      display.close();
       if (!results.quiet() && !strict) {
         session.warnings().forEach(warning -> err().println(warning));
       }

@@ -3,6 +3,7 @@ package org.mechservice.client.jar;
 import org.mechservice.client.failure.InvalidOptionException;
 import org.mechservice.client.failure.JarRefusedException;
 import org.mechservice.client.failure.RemoteCalls;
+import org.mechservice.client.failure.SetUpCalls;
 import org.mechservice.idl.JarInfo;
 import org.mechservice.idl.JarInfoHolder;
 import org.mechservice.idl.MechSim;
@@ -15,11 +16,13 @@ import org.mechservice.idl.RuntimeInfo;
  * TLS, a valid signature.
  *
  * @param calls to the session's host
+ * @param setUp calls that set the model up
  * @param session the session
  * @param cache stores the solver
  * @param origin checks that a JAR comes from the host
  */
-public record JarFetch(RemoteCalls calls, MechSim session, JarCache cache, JarOrigin origin) {
+public record JarFetch(
+    RemoteCalls calls, SetUpCalls setUp, MechSim session, JarCache cache, JarOrigin origin) {
 
   /**
    * Lets the host build a JAR of the model.
@@ -31,7 +34,7 @@ public record JarFetch(RemoteCalls calls, MechSim session, JarCache cache, JarOr
    */
   public BuiltJar model(NameValue[] options, NameValueSeqHolder facts) {
     JarInfoHolder holder = new JarInfoHolder();
-    byte[] jar = calls.get(() -> session.prepareJar(options, holder, facts));
+    byte[] jar = setUp.get(patient -> patient.prepareJar(options, holder, facts));
     JarInfo info = holder.value;
     origin.verified(jar, info.signature, "the model JAR");
     return BuiltJar.verified(jar, info);

@@ -45,8 +45,7 @@ public record CheckReport(
     List<Finding> findings =
         new ArrayList<>(scene.findingsAtStart(model.settings().run().tStart()));
     findings.addAll(loops.findings());
-    findings.addAll(
-        RunForecast.of(mechanism, model.settings().formulation(), model.settings().run()));
+    findings.addAll(RunForecast.of(model, model.settings().formulation(), model.settings().run()));
     try {
       return new CheckReport(
           model, scene, loops, findings, Optional.of(CodeForecast.of(model)), "");

@@ -2,6 +2,7 @@ package org.mechservice.sim.model;
 
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.mechservice.mechml.MechmlModel;
@@ -9,6 +10,8 @@ import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.SimulationTask;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.closure.assembly.ClosedStart;
+import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.closure.JointClosure;
@@ -100,6 +103,21 @@ public final class ModelColumns {
         choice.formulation(),
         choice.closure(),
         options.settings(),
-        groups.contains(ColumnGroup.OUTPUTS) ? model.outputs() : List.of());
+        groups.contains(ColumnGroup.OUTPUTS) ? model.outputs() : List.of(),
+        start(model, options));
+  }
+
+  /**
+   * Returns the closed start of a mechanism that takes long to close; a small one is closed anew.
+   */
+  private static Optional<Record> start(MechmlModel model, BuildOptions options) {
+    Mechanism mechanism = model.mechanism();
+    boolean large =
+        !mechanism.closures().isEmpty() && mechanism.velocityCount() > LoopEquations.LARGE;
+    return large
+        ? Optional.of(model.closedStart(options.settings().tStart()))
+            .filter(ClosedStart::isAssembled)
+            .map(ClosedStart::found)
+        : Optional.empty();
   }
 }

@@ -7,6 +7,7 @@ import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.IntegrationMethod;
 import org.mechservice.solver.catalogue.MethodNames;
+import org.mechservice.solver.closure.assembly.ClosedStart;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.Bushing;
 import org.mechservice.solver.mechanism.force.CouplingSpringDamper;
@@ -88,7 +89,8 @@ public record IntegratorSelection(String integrator, Optional<String> reason) {
       return Optional.empty();
     }
     double length = settings.tEnd() - settings.tStart();
-    return FastestMotion.of(withForces(mechanism, lasting), settings)
+    Mechanism forced = withForces(mechanism, lasting);
+    return FastestMotion.of(forced, settings, () -> new ClosedStart(forced, settings.tStart()))
         .filter(FastestMotion::isDamped)
         .filter(motion -> motion.modulus() * length >= MANY_TIME_CONSTANTS);
   }

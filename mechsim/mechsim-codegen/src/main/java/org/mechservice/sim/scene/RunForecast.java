@@ -2,6 +2,7 @@ package org.mechservice.sim.scene;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.mechservice.mechml.MechmlModel;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.mechanism.Mechanism;
 
@@ -23,11 +24,12 @@ public final class RunForecast {
    *
    * @param formulation requested formulation, {@code auto} or a name
    */
-  public static List<Finding> of(Mechanism mechanism, String formulation, RunSettings settings) {
+  public static List<Finding> of(MechmlModel model, String formulation, RunSettings settings) {
+    Mechanism mechanism = model.mechanism();
     List<Finding> findings = new ArrayList<>();
     // A fast spin also appears in the linearised equations, like a stiff joint.
     SpinForecast.of(mechanism, settings)
-        .or(() -> StiffnessForecast.of(mechanism, settings))
+        .or(() -> StiffnessForecast.of(model, settings))
         .ifPresent(findings::add);
     DigitsForecast.of(mechanism, formulation, settings).ifPresent(findings::add);
     ShortPulseCheck.of(mechanism, settings).ifPresent(findings::add);

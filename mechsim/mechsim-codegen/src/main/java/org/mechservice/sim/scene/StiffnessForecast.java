@@ -2,10 +2,10 @@ package org.mechservice.sim.scene;
 
 import java.util.Locale;
 import java.util.Optional;
+import org.mechservice.mechml.MechmlModel;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.IntegrationMethod;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.text.ShortestDecimal;
 
 /**
@@ -28,8 +28,8 @@ public final class StiffnessForecast {
    *     implicit, or if no forecast is possible: with user forces, or if the equations have no
    *     derivative
    */
-  public static Optional<Finding> of(Mechanism mechanism, RunSettings settings) {
-    return FastestMotion.of(mechanism, settings)
+  public static Optional<Finding> of(MechmlModel model, RunSettings settings) {
+    return FastestMotion.of(model.mechanism(), settings, () -> model.closedStart(settings.tStart()))
         .filter(motion -> limits(motion, settings.integrator()))
         .filter(motion -> steps(motion, settings) >= MANY_STEPS)
         .map(motion -> finding(motion, settings));

@@ -66,6 +66,56 @@ class IntegratorSelectionTest {
     assertThat(choice.reason()).isEmpty();
   }
 
+  /**
+   * A preloaded spring of 2e12 N/m on the tip of two hinged bars: at the start one motion swings
+   * with 2.2e6 rad/s, and the preload moves another away with ±3.1e6 1/s, as a buckling column.
+   * Nothing decays: there is no damper.
+   */
+  @Test
+  void whatThePreloadOfASpringMovesAwayDoesNotDecay() throws Exception {
+    String text = preloaded();
+    assertThat(choice("auto", text).integrator()).isEqualTo("switching");
+    MechmlModel model = MechmlReader.read("scene.xml", text.getBytes(StandardCharsets.UTF_8));
+    for (String integrator : new String[] {"auto", "ode113", "ode15s"}) {
+      assertThat(StiffnessForecast.of(model, model.settings().run().withIntegrator(integrator)))
+          .hasValueSatisfying(
+              found ->
+                  assertThat(found.text())
+                      .contains("moves away with 3.08e+06 1/s", "9e+07 steps", "every method"));
+    }
+  }
+
+  private static String preloaded() {
+    String bar =
+        """
+        <body name="%s"><point name="p1" x="0" y="0" z="0"/><point name="p2" x="1" y="0" z="0"/>
+          <vector name="y" vx="0" vy="1" vz="0"/><cog x="0.5" y="0" z="0"/><mass value="1"/>
+          <inertiaTensor Ixx="0" Iyy="1/12" Izz="1/12"/></body>
+        """;
+    return """
+        <!DOCTYPE MechML SYSTEM "MechML.dtd">
+        <MechML><MBSsimulation><dynamic><timeSet tini="0" tend="30" tstep="0.01"/>
+          <integrator name="auto" relTol="1e-6" absTol="1e-9"/></dynamic></MBSsimulation>
+        <MBSmodel name="preloaded" massUnits="kg" lengthUnits="m"><Bodies>
+          <body name="Ground"><point name="p1" x="0" y="0" z="0"/>
+            <point name="a" x="1.3" y="0" z="1.1"/><vector name="y" vx="0" vy="1" vz="0"/></body>
+        """
+        + bar.formatted("b0")
+        + bar.formatted("b1")
+        + """
+        </Bodies><Joints>
+          <joint name="j0" type="R"><body1 name="Ground" point="p1" vector="y"/>
+            <body2 name="b0" point="p1" vector="y"/></joint>
+          <joint name="j1" type="R"><body1 name="b0" point="p2" vector="y"/>
+            <body2 name="b1" point="p1" vector="y"/></joint>
+        </Joints><Forces><springDamper name="s" k="2e12" length0="1">
+          <body1 name="Ground" point="a"/><body2 name="b1" point="p2"/></springDamper></Forces>
+        <topology><root name="Ground"/><relCoorVals><jointVal name="j0" posVals="0.3" velVals="0"/>
+          <jointVal name="j1" posVals="0.5" velVals="0"/></relCoorVals></topology>
+        </MBSmodel></MechML>
+        """;
+  }
+
   /** A drive as stiff holds all along if it is linear in its coordinate, whatever it follows. */
   @ParameterizedTest
   @CsvSource(

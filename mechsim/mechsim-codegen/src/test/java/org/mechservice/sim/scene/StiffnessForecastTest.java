@@ -27,7 +27,7 @@ class StiffnessForecastTest {
   private static Optional<Finding> forecast(String text) {
     try {
       MechmlModel model = MechmlReader.read("scene.xml", text.getBytes(StandardCharsets.UTF_8));
-      return StiffnessForecast.of(model.mechanism(), model.settings().run());
+      return StiffnessForecast.of(model, model.settings().run());
     } catch (MechmlException e) {
       throw new IllegalArgumentException(e);
     }

@@ -282,7 +282,8 @@ public enum MessageCode {
   NOT_IDENTIFIABLE("S-214", WARNING),
   START_ENDED("S-215", WARNING),
   GRADIENT_UNUSABLE("S-216"),
-  GRADIENT_FAILED("S-217");
+  GRADIENT_FAILED("S-217"),
+  SET_UP_TOO_LONG("S-230");
 
   private final String code;
   private final Severity severity;

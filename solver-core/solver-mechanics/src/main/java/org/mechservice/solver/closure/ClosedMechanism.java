@@ -39,7 +39,17 @@ public final class ClosedMechanism {
    * @param defaults default settings of the model; assembly takes place at their start time
    */
   public ClosedMechanism(Mechanism mechanism, String formulation, RunSettings defaults) {
-    start = new ClosedStart(mechanism, defaults.tStart());
+    this(mechanism, formulation, defaults, new ClosedStart(mechanism, defaults.tStart()));
+  }
+
+  /**
+   * Takes a mechanism that has been assembled.
+   *
+   * @param start at the start time of {@code defaults}
+   */
+  public ClosedMechanism(
+      Mechanism mechanism, String formulation, RunSettings defaults, ClosedStart start) {
+    this.start = start;
     terms = Optional.empty();
     jointOfVelocity = new int[mechanism.velocityCount()];
     description =

@@ -117,6 +117,14 @@ public class ClosedTree {
   }
 
   /**
+   * Places the links alone, always from the data: {@link #motion} then belongs to this state, which
+   * after {@link #place} it need not if code evaluates the equations.
+   */
+  public final void placeLinks(double t, double[] y) {
+    motion.sweep(t, y);
+  }
+
+  /**
    * Writes the accelerations at a state that closes the loops, if generated code evaluates them
    * there. The equations must all be independent. Nothing is placed.
    *

@@ -25,13 +25,16 @@ import org.mechservice.solver.mechanism.Parameter;
  * @param closure {@code none}, {@code projection} or {@code penalty}
  * @param settings default settings of the model
  * @param outputs user-defined output columns
+ * @param start the closed start of a large mechanism with loops, for {@link DataDrivenLoops}; its
+ *     class is not named here, because models of trees travel without it
  */
 public record CompactModel(
     Mechanism mechanism,
     String formulation,
     String closure,
     RunSettings settings,
-    List<Output> outputs) {
+    List<Output> outputs,
+    Optional<Record> start) {
   /** A text constant of a class file holds 65535 bytes; a character takes one or two. */
   private static final int LONGEST_TEXT = 32_000;
 
@@ -48,10 +51,22 @@ public record CompactModel(
     this(mechanism, formulation, closure, settings, List.of());
   }
 
+  /** Creates a model whose loops, if it has some, are closed when it is made. */
+  public CompactModel(
+      Mechanism mechanism,
+      String formulation,
+      String closure,
+      RunSettings settings,
+      List<Output> outputs) {
+    this(mechanism, formulation, closure, settings, outputs, Optional.empty());
+  }
+
   /** Returns the model as texts. */
   public List<String> texts() {
-    byte[] head =
-        new RecordWriter().write(formulation).write(closure).write(settings).write(outputs).bytes();
+    RecordWriter first =
+        new RecordWriter().write(formulation).write(closure).write(settings).write(outputs);
+    start.ifPresent(first::write);
+    byte[] head = first.bytes();
     byte[] body = CompactForm.write(mechanism);
     String all =
         Character.toString(head.length >>> 16)
@@ -88,7 +103,8 @@ public record CompactModel(
         (String) reader.read(),
         (String) reader.read(),
         (RunSettings) reader.read(),
-        (List<Output>) reader.read());
+        (List<Output>) reader.read(),
+        reader.hasMore() ? Optional.of((Record) reader.read()) : Optional.empty());
   }
 
   private static byte[] bytes(String text) {
@@ -96,12 +112,14 @@ public record CompactModel(
   }
 
   /**
-   * Returns the model with other values of its parameters.
+   * Returns the model with other values of its parameters, which may close its loops elsewhere.
    *
    * @param values in the order and units of {@link #parameters}
    */
   public CompactModel with(double[] values) {
-    return new CompactModel(mechanism.with(values), formulation, closure, settings, outputs);
+    return mechanism.parameters().isEmpty()
+        ? this
+        : new CompactModel(mechanism.with(values), formulation, closure, settings, outputs);
   }
 
   /** Returns the parameters that may be changed before a run. */

@@ -4,6 +4,7 @@ import java.util.Optional;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.closure.ClosedMechanism;
 import org.mechservice.solver.closure.PenaltySettings;
+import org.mechservice.solver.closure.assembly.ClosedStart;
 import org.mechservice.solver.closure.equations.LoopTerms;
 import org.mechservice.solver.closure.model.LinearisedProjectionModel;
 import org.mechservice.solver.closure.model.PenaltyModel;
@@ -44,7 +45,11 @@ public final class DataDrivenLoops {
   }
 
   private static ClosedMechanism closed(CompactModel data) {
-    return new ClosedMechanism(data.mechanism(), data.formulation(), data.settings());
+    ClosedStart start =
+        data.start()
+            .map(found -> new ClosedStart(data.mechanism(), (ClosedStart.Found) found))
+            .orElseGet(() -> new ClosedStart(data.mechanism(), data.settings().tStart()));
+    return new ClosedMechanism(data.mechanism(), data.formulation(), data.settings(), start);
   }
 
   private static Model equations(

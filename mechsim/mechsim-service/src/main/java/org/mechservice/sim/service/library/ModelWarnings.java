@@ -34,7 +34,7 @@ public final class ModelWarnings {
     List<Diagnostic> warnings = new ArrayList<>(model.warnings());
     List<Finding> findings =
         new ArrayList<>(SceneAnalysis.of(model.mechanism()).findingsAtStart(run.tStart()));
-    findings.addAll(RunForecast.of(model.mechanism(), formulation, run));
+    findings.addAll(RunForecast.of(model, formulation, run));
     for (Finding finding : findings) {
       warnings.add(
           new Diagnostic(

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
+import java.util.function.Predicate;
 import org.mechservice.solver.closure.equations.CoordinateUnits;
 import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.closure.equations.LoopRounding;
@@ -55,6 +56,15 @@ public final class Assembly {
 
   /** Prepares the assembly of a tree's mechanism. */
   public Assembly(TreeGeometry tree) {
+    this(tree, LoopEquations::isLargeToSetUp);
+  }
+
+  /**
+   * As above, with matrices chosen by the caller.
+   *
+   * @param isLarge whether equations are solved with sparse matrices
+   */
+  public Assembly(TreeGeometry tree, Predicate<LoopEquations> isLarge) {
     motion = new TreeMotion(tree);
     loops = new LoopEquations(tree, true);
     Mechanism mechanism = tree.mechanism();
@@ -73,7 +83,7 @@ public final class Assembly {
     }
     matrix = loops.jacobian.sameShape();
     least =
-        loops.isLargeToSetUp()
+        isLarge.test(loops)
             ? new SparseLeastMoves(matrix, nv)
             : new DenseLeastMoves(loops.count(), nv);
     right = new double[loops.count()];

@@ -1,6 +1,7 @@
 package org.mechservice.solver.closure.assembly;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.solver.kinematics.TreeGeometry;
@@ -42,6 +43,65 @@ public final class ClosedStart {
       positionRank = 0;
       againstProjection = Optional.empty();
     }
+  }
+
+  /**
+   * Takes what {@link #found} gave for the same mechanism; nothing is computed.
+   *
+   * @throws IllegalArgumentException if the state has another length
+   */
+  public ClosedStart(Mechanism mechanism, Found found) {
+    if (found.state().size() != mechanism.stateCount()) {
+      throw new IllegalArgumentException(
+          "a start of "
+              + found.state().size()
+              + " states is not one of "
+              + mechanism.stateCount()
+              + " states");
+    }
+    time = found.time();
+    tree = new TreeGeometry(mechanism);
+    state = found.state().stream().mapToDouble(Double::doubleValue).toArray();
+    findings = List.copyOf(found.findings());
+    rank = found.rank();
+    positionRank = found.positionRank();
+    againstProjection = found.againstProjection().stream().findFirst();
+  }
+
+  /**
+   * What closing the loops of a mechanism has found, in a form that travels with the model, so that
+   * a large mechanism is closed once and not again by everyone who runs it.
+   *
+   * @param time s
+   * @param state [q; v; s], SI units
+   * @param rank number of independent equations
+   * @param positionRank number of those that restrict positions
+   * @param againstProjection the reason against projection, if there is one
+   * @param findings remarks for the user
+   */
+  public record Found(
+      double time,
+      List<Double> state,
+      int rank,
+      int positionRank,
+      List<String> againstProjection,
+      List<LoopFinding> findings) {
+    public Found {
+      state = List.copyOf(state);
+      againstProjection = List.copyOf(againstProjection);
+      findings = List.copyOf(findings);
+    }
+  }
+
+  /** Returns the start as values that travel. */
+  public Found found() {
+    return new Found(
+        time,
+        Arrays.stream(state).boxed().toList(),
+        rank,
+        positionRank,
+        againstProjection.stream().toList(),
+        findings);
   }
 
   /** Returns whether the loops are closed; if not, {@link #findings()} says why. */

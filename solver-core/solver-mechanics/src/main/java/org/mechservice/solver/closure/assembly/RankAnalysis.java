@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.Random;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.mechservice.solver.api.capability.ExplicitModel;
@@ -53,6 +54,7 @@ public final class RankAnalysis {
   private final CoordinateUnits units;
   private final Assembly assembly;
   private final OpenTree open;
+  private final boolean isSparse;
   private final int m;
   private final int n;
   private final int rankAtStart;
@@ -68,11 +70,22 @@ public final class RankAnalysis {
    * @param y state that closes the loops; not modified
    */
   public RankAnalysis(TreeGeometry tree, double t, double[] y) {
+    this(tree, t, y, LoopEquations::isLargeToSetUp);
+  }
+
+  /**
+   * As above, with matrices chosen by the caller. Both give the same rank, by different means: the
+   * comparison proves each by the other.
+   *
+   * @param isLarge whether the rank comes from sparse elimination, not from singular values alone
+   */
+  public RankAnalysis(TreeGeometry tree, double t, double[] y, Predicate<LoopEquations> isLarge) {
     motion = new TreeMotion(tree);
     loops = new LoopEquations(tree);
     coordinates = new StateCoordinates(tree.mechanism());
     units = new CoordinateUnits(tree.mechanism(), loops.length());
-    assembly = new Assembly(tree);
+    isSparse = isLarge.test(loops);
+    assembly = new Assembly(tree, isLarge);
     open = new SemiRecursive(tree).newWorkspace(motion);
     m = loops.count();
     n = tree.stateVelocityCount;
@@ -102,7 +115,7 @@ public final class RankAnalysis {
     loops.differentiate(motion);
     IndependentRows rows;
     int ofPositions;
-    if (loops.isLargeToSetUp()) {
+    if (isSparse) {
       SparseMatrix scaled = scaledInUnits();
       rows = new SparseIndependentRows(scaled, n);
       ofPositions = loops.isHolonomic() ? rows.rank() : positionRank(scaled);

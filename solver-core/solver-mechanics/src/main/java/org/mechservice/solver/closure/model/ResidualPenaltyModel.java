@@ -263,6 +263,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     work.place(t, y);
     findRepeated();
     if (derivatives == Derivatives.DIFFERENCES) {
+      work.placeLinks(t, y);
       if (!differences.evaluate(y, work.units.velocities, (at, f) -> pushed(t, at, y, yDot, f))) {
         return false;
       }
