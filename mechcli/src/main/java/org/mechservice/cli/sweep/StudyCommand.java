@@ -41,6 +41,7 @@ import picocli.CommandLine.Spec;
           + " bytes on every engine, with any number of threads, after interruptions and in parts."
     },
     subcommands = StudyJoinCommand.class,
+    footer = {"mech study study.xml -o table.csv", "mech study study.xml --part 3/8"},
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class StudyCommand implements Callable<Integer> {
