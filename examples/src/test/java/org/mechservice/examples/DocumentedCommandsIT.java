@@ -41,6 +41,7 @@ class DocumentedCommandsIT {
         "docs/how-to/four-bar.md",
         "docs/how-to/quarter-car.md",
         "docs/how-to/robot.md",
+        "docs/how-to/from-urdf.md",
         "docs/how-to/transmissions.md",
         "docs/how-to/contact.md",
         "docs/how-to/stiff-bushings.md",

@@ -57,7 +57,14 @@ class ReleaseArchiveIT {
               .orElseThrow();
     }
     mech = "JAVA_HOME='" + java + "' '" + release.resolve("bin/mech") + "' ";
-    for (String part : List.of("LICENSE", "NOTICE", "licences/MIT.txt", "docs/README.md")) {
+    for (String part :
+        List.of(
+            "LICENSE",
+            "NOTICE",
+            "licences/MIT.txt",
+            "docs/README.md",
+            "bin/mech.cmd",
+            "share/man/man1/mech-simulate.1")) {
       assertThat(release.resolve(part)).isNotEmptyFile();
     }
     Files.createSymbolicLink(directory.resolve("examples"), release.resolve("examples"));

@@ -19,12 +19,14 @@ import org.mechservice.cli.picture.PlotCommand;
 import org.mechservice.cli.picture.ShowCommand;
 import org.mechservice.cli.picture.ViewCommand;
 import org.mechservice.cli.picture.WebCommand;
+import org.mechservice.cli.reference.ReferenceCommand;
 import org.mechservice.cli.service.KeysCommand;
 import org.mechservice.cli.service.ServerCommand;
 import org.mechservice.cli.service.SimhostCommand;
 import org.mechservice.cli.shell.CompletionCommand;
 import org.mechservice.cli.shell.ExitStatus;
 import org.mechservice.cli.shell.FailureReport;
+import org.mechservice.cli.shell.HelpSections;
 import org.mechservice.cli.shell.MechVersion;
 import org.mechservice.cli.shell.SafeWriter;
 import org.mechservice.cli.shell.StandardOutput;
@@ -57,7 +59,7 @@ public final class Mech {
   private static final String HELP = "help";
 
   /** Commands that tell of all others. */
-  private static final Set<String> ALL_COMMANDS = Set.of(HELP, "completion");
+  private static final Set<String> ALL_COMMANDS = Set.of(HELP, "completion", "reference");
 
   /** In the order in which help lists them. */
   private static final List<Class<?>> COMMANDS =
@@ -88,6 +90,7 @@ public final class Mech {
           KeysCommand.class,
           VerifyCommand.class,
           CompletionCommand.class,
+          ReferenceCommand.class,
           CommandLine.HelpCommand.class);
 
   /** Runs a command and ends the process with its exit status. */
@@ -114,6 +117,7 @@ public final class Mech {
     String[] words = arguments.length == 0 ? new String[] {HELP} : arguments;
     CommandLine line = new CommandLine(new Mech());
     asked(words[0]).forEach(line::addSubcommand);
+    HelpSections.addTo(line);
     int status =
         line.setOut(out)
             .setErr(err)

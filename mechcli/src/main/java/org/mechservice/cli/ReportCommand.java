@@ -29,6 +29,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "report",
     description = "Measures error against run time of every method that fits a model.",
+    footer = "mech report model.xml -o pages --quick",
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 final class ReportCommand implements Callable<Integer> {

@@ -27,6 +27,7 @@ import picocli.CommandLine.Spec;
     description =
         "Runs the suite of stiff and extreme scenes with every method that fits. Models of your"
             + " own: mech report.",
+    footer = "mech stability -o pages --case chain_1000",
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 final class StabilityCommand implements Callable<Integer> {
@@ -40,7 +41,7 @@ final class StabilityCommand implements Callable<Integer> {
   @Option(
       names = "--limit",
       paramLabel = "SECONDS",
-      description = "Stop a run after this time; 5 s unless given.")
+      description = "Stop a run after this time, s (default: 5).")
   private double limitSeconds = 5;
 
   @Option(

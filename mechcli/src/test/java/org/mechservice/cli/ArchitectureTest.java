@@ -82,6 +82,7 @@ class ArchitectureTest {
           entry("mechresult", List.of("result")),
           entry("mechservice", List.of("library")),
           entry("mechstudy", List.of("study")),
+          entry("mechstudy-spark", List.of("spark")),
           entry("mechview", List.of("view")),
           entry("mechcli", List.of("cli")));
 
@@ -113,6 +114,7 @@ class ArchitectureTest {
     "mechservice, mechsim-codegen mechml solver-runtime solver-api solver-ode solver-mechanics",
     "mechstudy, mechservice mechresult mechsim-codegen mechml solver-runtime solver-api"
         + " solver-ode solver-mechanics",
+    "mechstudy-spark, mechstudy mechml solver-api",
     "mechview, mechclient mechresult mechservice mechsim-codegen mechml solver-runtime idl"
         + " solver-api solver-ode solver-mechanics",
   })

@@ -107,6 +107,19 @@ class LauncherTest {
   }
 
   @Test
+  void buildNamesTheModuleThatIsBuilt() throws Exception {
+    program(
+        "mvn",
+        MAVEN
+            + "echo '[INFO] Building mech command line 0.1.0            [13/13]'\n"
+            + "echo '[INFO] Building jar: /somewhere/mechcli.jar'\n");
+    Ended first = start(house.resolve("mech"));
+    assertThat(first.err.lines().skip(1))
+        .containsExactly("mech: building [13/13] mech command line 0.1.0");
+    assertThat(house.resolve("mechcli/target/build.log")).content().hasLineCount(2);
+  }
+
+  @Test
   void secondUseOnlyStarts() throws Exception {
     start(house.resolve("mech"));
     Ended second = start(house.resolve("mech"));

@@ -14,6 +14,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.SortedMap;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -128,14 +129,26 @@ public final class MechModel {
    * @throws MechmlException if the model cannot be used; says what, where and what to write instead
    */
   public static MechModel read(Path file, Path... userCode) throws IOException, MechmlException {
+    return read(file.toString(), file, userCode);
+  }
+
+  /**
+   * Reads a model under a name of its own.
+   *
+   * @param name of the file in messages and in the generated code, whose bytes then do not depend
+   *     on the folder
+   * @param file MechML file; classes that its forces name are sought beside it
+   * @param userCode further folders in which they are sought
+   * @throws IOException if a file cannot be read
+   * @throws MechmlException if the model cannot be used; says what, where and what to write instead
+   */
+  public static MechModel read(String name, Path file, Path... userCode)
+      throws IOException, MechmlException {
     List<Path> folders = new ArrayList<>();
     folders.add(file.toRealPath().resolveSibling("."));
     folders.addAll(List.of(userCode));
     return read(
-        new Source(
-            file.toString(),
-            ModelFiles.inlined(Files.readAllBytes(file), file),
-            List.copyOf(folders)),
+        new Source(name, ModelFiles.inlined(Files.readAllBytes(file), file), List.copyOf(folders)),
         ReadOptions.NONE);
   }
 
@@ -335,6 +348,13 @@ public final class MechModel {
   public MechModel maxDrift(double part) {
     return new MechModel(
         source, reading, changes, strict, OptionalDouble.of(part), model, userClasses);
+  }
+
+  /**
+   * Returns the class files of the classes that forces need, by binary name; not to be modified.
+   */
+  public SortedMap<String, byte[]> userClasses() {
+    return userClasses.classFiles();
   }
 
   /** Returns what is known about the model before it runs, as {@code mech check} tells it. */

@@ -14,7 +14,6 @@ import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.library.MechModel;
 import org.mechservice.mechml.diagnosis.Diagnostic;
@@ -73,7 +72,7 @@ public final class PointModel implements PointEvaluation {
 
   /** What a thread keeps between points. */
   private final class Workplace {
-    final Reducer reducer = new Reducer(single);
+    final Reducer reducer = reducer();
     Map<String, Double> settled = Map.of();
     @Nullable ModelSource source;
     @Nullable RunRequest request;
@@ -264,6 +263,11 @@ public final class PointModel implements PointEvaluation {
     return model;
   }
 
+  /** Returns what makes the values of an outcome from the rows of runs, of this model anywhere. */
+  public Reducer reducer() {
+    return new Reducer(single);
+  }
+
   @Override
   public PointOutcome run(Map<String, Double> parameters) throws IOException {
     for (Map.Entry<String, Double> parameter : parameters.entrySet()) {
@@ -287,9 +291,10 @@ public final class PointModel implements PointEvaluation {
               .filter(d -> d.severity() == Severity.ERROR)
               .findFirst()
               .orElse(e.diagnostics().get(0));
-      return new PointOutcome.Failed(first.code().code(), oneLine(first.message()), Double.NaN);
+      return new PointOutcome.Failed(
+          first.code().code(), PointOutcome.Failed.oneLine(first.message()), Double.NaN);
     } catch (IllegalArgumentException e) {
-      String text = oneLine(String.valueOf(e.getMessage()));
+      String text = PointOutcome.Failed.oneLine(String.valueOf(e.getMessage()));
       Matcher code = CODE.matcher(text);
       if (!code.find()) {
         throw e;
@@ -344,15 +349,8 @@ public final class PointModel implements PointEvaluation {
                 place.reducer,
                 new RunControl());
     if (report.outcome() instanceof Outcome.Failed failed) {
-      return new PointOutcome.Failed(
-          failed.failure().code().code(),
-          oneLine(failed.failure().message()),
-          failed.failure().time());
+      return PointOutcome.Failed.of(failed.failure());
     }
     return new PointOutcome.Values(place.reducer.values());
-  }
-
-  private static String oneLine(String text) {
-    return Stream.of(text.split("\\R", -1)).map(String::strip).collect(Collectors.joining(" "));
   }
 }

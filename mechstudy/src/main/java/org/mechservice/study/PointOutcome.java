@@ -1,5 +1,9 @@
 package org.mechservice.study;
 
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.mechservice.solver.api.run.Failure;
+
 /** How the run of one point ended. */
 public sealed interface PointOutcome {
   /**
@@ -18,5 +22,14 @@ public sealed interface PointOutcome {
    * @param message one line that says why
    * @param time simulated time of the failure, s; NaN if the run did not begin
    */
-  record Failed(String code, String message, double time) implements PointOutcome {}
+  record Failed(String code, String message, double time) implements PointOutcome {
+    /** Returns the outcome of a run that could not go on. */
+    public static Failed of(Failure failure) {
+      return new Failed(failure.code().code(), oneLine(failure.message()), failure.time());
+    }
+
+    static String oneLine(String text) {
+      return Stream.of(text.split("\\R", -1)).map(String::strip).collect(Collectors.joining(" "));
+    }
+  }
 }

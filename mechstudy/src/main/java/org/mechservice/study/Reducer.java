@@ -5,8 +5,11 @@ import java.util.List;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
 
-/** Reduces the rows of one run after another as they come; keeps none of them. */
-final class Reducer implements ResultSink {
+/**
+ * Reduces the rows of one run after another as they come; keeps none of them. Of one thread at a
+ * time; {@link PointModel#reducer} makes them.
+ */
+public final class Reducer implements ResultSink {
   private final List<Reduction> reductions;
   private final int[] column;
   private final double[] value;
@@ -87,7 +90,7 @@ final class Reducer implements ResultSink {
   }
 
   /** Returns the values of the run that has ended, in the order of the reductions. */
-  double[] values() {
+  public double[] values() {
     double[] all = value.clone();
     double time = rows == 0 ? Double.NaN : before[0] - start;
     for (int i = 0; i < all.length; i++) {

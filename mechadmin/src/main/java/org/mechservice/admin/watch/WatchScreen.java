@@ -25,10 +25,10 @@ final class WatchScreen {
   private static final AttributedStyle PLAIN = AttributedStyle.DEFAULT;
   private static final AttributedStyle BOLD = PLAIN.bold();
   private static final AttributedStyle FAINT = PLAIN.faint();
-  private static final AttributedStyle GOOD = PLAIN.foreground(AttributedStyle.GREEN);
-  private static final AttributedStyle COOL = PLAIN.foreground(AttributedStyle.CYAN);
-  private static final AttributedStyle WARN = PLAIN.foreground(AttributedStyle.YELLOW);
-  private static final AttributedStyle BAD = PLAIN.foreground(AttributedStyle.RED).bold();
+  private static final AttributedStyle GOOD = coloured(AttributedStyle.GREEN);
+  private static final AttributedStyle COOL = coloured(AttributedStyle.CYAN);
+  private static final AttributedStyle WARN = coloured(AttributedStyle.YELLOW);
+  private static final AttributedStyle BAD = coloured(AttributedStyle.RED).bold();
   private static final AttributedStyle HEAD = PLAIN.inverse();
 
   private static final int BAR = 12;
@@ -70,6 +70,12 @@ final class WatchScreen {
     List<AttributedString> fitting = new ArrayList<>(lines.subList(0, height - 1));
     fitting.add(lastLine(listed, state));
     return fitting.stream().map(line -> line.columnSubSequence(0, width)).toList();
+  }
+
+  /** Returns plain text in a colour, or without one if the user does not want any: no-color.org. */
+  private static AttributedStyle coloured(int colour) {
+    String unwanted = System.getenv("NO_COLOR");
+    return unwanted == null || unwanted.isEmpty() ? PLAIN.foreground(colour) : PLAIN;
   }
 
   private static AttributedString styled(AttributedStyle style, String text) {

@@ -55,6 +55,7 @@ import picocli.CommandLine.Spec;
       CommandLine.HelpCommand.class
     },
     synopsisSubcommandLabel = "[COMMAND]",
+    footer = {"mech admin status", "mech admin --server sim.example.org --tls keys/root watch"},
     mixinStandardHelpOptions = true,
     scope = ScopeType.INHERIT,
     versionProvider = MechVersion.class)

@@ -32,6 +32,11 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "build",
     description = "Compiles a model into a JAR, writes it as C or as an FMU.",
+    footer = {
+      "mech build model.xml -o model.jar --standalone",
+      "mech build model.xml -o model.fmu --fmi 3",
+      "mech build model.xml --c model-in-c"
+    },
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class BuildCommand implements Callable<Integer> {

@@ -21,6 +21,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "check",
     description = "Reads a model and prints its topology, degrees of freedom and doubtful values.",
+    footer = "mech check model.xml",
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class CheckCommand implements Callable<Integer> {

@@ -21,6 +21,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "examples",
     description = "Lists the examples, or copies one of them: its models and what belongs to them.",
+    footer = {"mech examples", "mech examples robot -o my-robot"},
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class ExamplesCommand implements Callable<Integer> {

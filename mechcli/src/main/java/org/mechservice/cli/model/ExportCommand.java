@@ -31,6 +31,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "export",
     description = "Translates a model from MechML to URDF and lists what is lost.",
+    footer = "mech export model.xml -o robot.urdf",
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class ExportCommand implements Callable<Integer> {

@@ -24,6 +24,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "import",
     description = "Translates a robot from URDF, SDF or MJCF to MechML and lists what is lost.",
+    footer = "mech import arm.urdf -o arm.xml",
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class ImportCommand implements Callable<Integer> {

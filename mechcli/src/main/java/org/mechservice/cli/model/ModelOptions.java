@@ -40,14 +40,16 @@ public final class ModelOptions {
       names = "--formulation",
       paramLabel = "auto|DTR|DSR|RR|RR-JF",
       hideParamSyntax = true,
-      description = "Equations of motion: auto, DTR, DSR, RR or RR-JF.")
+      description = "Equations of motion: auto, DTR, DSR, RR or RR-JF (default: the file's).")
   private String formulation = "";
 
   @Option(
       names = "--integrator",
       paramLabel = "auto|ode113|DE|ode15s|ode15sR|switching",
       hideParamSyntax = true,
-      description = "Integration method: auto, ode113, DE, ode15s, ode15sR or switching.")
+      description =
+          "Integration method: auto, ode113, DE, ode15s, ode15sR or switching (default: the"
+              + " file's).")
   private String integrator = "";
 
   @Option(
@@ -56,7 +58,7 @@ public final class ModelOptions {
       hideParamSyntax = true,
       description =
           "How loops are closed: auto, projection or penalty; with numbers of its own"
-              + " penalty:alpha=1e7,omega=10,mu=1.")
+              + " penalty:alpha=1e7,omega=10,mu=1 (default: the file's).")
   private String closure = "";
 
   @Option(
@@ -67,7 +69,7 @@ public final class ModelOptions {
       description =
           "Columns of the results besides time and joints: joints, accelerations, bodies, energy,"
               + " constraints, reactions, forces, outputs, momentum, drives, separated by commas,"
-              + " or all.")
+              + " or all (default: the file's).")
   private List<String> columns = List.of();
 
   /** Returns whether another simulation of the file than the first may be meant. */

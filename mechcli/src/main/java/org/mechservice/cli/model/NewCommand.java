@@ -21,6 +21,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "new",
     description = "Writes NAME.xml: a small model with comments, which runs, to begin with.",
+    footer = "mech new pendulum",
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class NewCommand implements Callable<Integer> {

@@ -24,6 +24,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "verify",
     description = "Checks the signature of a JAR that mech build wrote over TLS.",
+    footer = "mech verify model.jar --key server/identity.crt",
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class VerifyCommand implements Callable<Integer> {

@@ -42,6 +42,7 @@ import picocli.CommandLine.Spec;
       "Computes derivatives of outputs by parameters and start values, in one or a few runs.",
       "Integrals and extremes are those of the motion, between its rows too."
     },
+    footer = "mech gradient model.xml --of 'rms(acceleration)' 'max(travel)' --by k c",
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class GradientCommand implements Callable<Integer> {

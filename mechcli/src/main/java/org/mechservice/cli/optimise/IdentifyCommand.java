@@ -44,6 +44,8 @@ import picocli.CommandLine.Spec;
       "The first column of the measurements is the time; a column NAME.sigma has the standard"
           + " deviations of the column NAME."
     },
+    footer =
+        "mech identify model.xml --data measured.csv --by k=1e3:1e5 c=10:1000 --report fit.html",
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class IdentifyCommand implements Callable<Integer> {

@@ -50,6 +50,11 @@ import picocli.CommandLine.Spec;
           + " integral(x), crossing(x,0); with + - * / ^, brackets, sqrt abs exp log sin cos,"
           + " numbers and parameters of the model."
     },
+    footer = {
+      "mech optimise model.xml --minimise 'rms(acceleration)' --by k=2000:20000 c=50:3000",
+      "mech optimise model.xml --minimise 'rms(acceleration)' --by k=2000:20000 --subject-to"
+          + " 'max(travel) <= 0.025' --starts 4"
+    },
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class OptimiseCommand implements Callable<Integer> {

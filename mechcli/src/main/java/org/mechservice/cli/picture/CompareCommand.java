@@ -36,6 +36,7 @@ import picocli.CommandLine.Spec;
           + " tolerance allows. Columns that one result lacks, other units and another interval are"
           + " differences too."
     },
+    footer = "mech compare before.csv after.csv --tolerance 1e-6",
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class,
     exitCodeListHeading = "%nExit status:%n",

@@ -25,6 +25,10 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "plot",
     description = "Draws the curves of results, of several runs over each other.",
+    footer = {
+      "mech plot r.csv hinge.q hinge.v -o curves.svg",
+      "mech plot before.csv after.csv hinge.q -o both.html"
+    },
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class PlotCommand implements Callable<Integer> {

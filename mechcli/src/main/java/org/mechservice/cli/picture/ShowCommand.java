@@ -22,6 +22,7 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "show",
     description = "Draws a mechanism in its initial position, with what check says of it.",
+    footer = "mech show model.xml -o mechanism.svg",
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class ShowCommand implements Callable<Integer> {

@@ -50,6 +50,10 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "view",
     description = "Runs a model, or takes its results, and writes a moving picture.",
+    footer = {
+      "mech view model.xml -o motion.html",
+      "mech view r.csv --model model.xml -o motion.glb"
+    },
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class ViewCommand implements Callable<Integer> {

@@ -27,6 +27,7 @@ import picocli.CommandLine.Spec;
     description =
         "Serves a page on this machine to check, run and watch models, until it is stopped with"
             + " Ctrl-C.",
+    footer = "mech web",
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class WebCommand implements Callable<Integer> {

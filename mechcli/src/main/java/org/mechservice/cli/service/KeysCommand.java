@@ -27,6 +27,7 @@ import picocli.CommandLine.Spec;
           + " folder ca to yourself. What is there already is kept, so more can be made later. If"
           + " none is named: server (for this machine alone), client, monitor and admin."
     },
+    footer = "mech keys keys --host sim.example.org --client ann --admin root",
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class KeysCommand implements Callable<Integer> {

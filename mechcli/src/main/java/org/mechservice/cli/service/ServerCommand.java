@@ -22,6 +22,10 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "server",
     description = "Serves simulations; prints its URL when it is ready.",
+    footer = {
+      "mech server --port 15000",
+      "mech server --listen sim.example.org:15000 --tls /etc/mech/keys --spool /var/lib/mech"
+    },
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class ServerCommand implements Callable<Integer> {

@@ -19,6 +19,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "simhost",
     description = "Runs simulations for a server; prints its own address when it is registered.",
+    footer = "mech simhost --server 127.0.0.1:15000 --name workshop --capacity 2",
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class SimhostCommand implements Callable<Integer> {

@@ -17,6 +17,7 @@ import picocli.CommandLine.Spec;
       "Prints a script that completes commands, options and their values.",
       "bash: source <(mech completion bash)%nzsh:  source <(mech completion zsh)%nfish: mech completion fish | source"
     },
+    footer = {"mech completion bash", "mech completion fish"},
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class CompletionCommand implements Callable<Integer> {

@@ -24,7 +24,7 @@ final class CheckpointOptions {
   @Option(
       names = "--every",
       paramLabel = "SECONDS",
-      description = "Wall-clock time between two checkpoints, s; 60 if not given.")
+      description = "Wall-clock time between two checkpoints, s (default: 60).")
   private Optional<Double> every = Optional.empty();
 
   @Option(

@@ -29,6 +29,7 @@ import picocli.CommandLine.Spec;
       "An ended run is kept for the server's retention time; one that goes on ends with the lease"
           + " of the client that has started it, unless this command holds it."
     },
+    footer = "mech fetch 0f3a5c7e --server 127.0.0.1:15000 --out r.csv",
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class FetchCommand implements Callable<Integer> {

@@ -7,6 +7,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalLong;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.mechservice.cli.shell.ExitStatus;
 import org.mechservice.cli.shell.UsageException;
 import org.mechservice.client.run.RunResult;
@@ -23,6 +26,23 @@ import picocli.CommandLine.Spec;
  * keeps the rows, prints the report and tells the shell.
  */
 final class ResultOptions {
+  /** Lines of the report without {@code --verbose}. */
+  static final int LINES = 10;
+
+  /** What most users look for in a report. */
+  private static final List<String> FIRST =
+      List.of(
+          "scene",
+          "outcome",
+          "formulation",
+          "integrator",
+          "relativeTolerance",
+          "steps",
+          "evaluations",
+          "rows",
+          "wallTime",
+          "energyDrift");
+
   @Option(
       names = "--out",
       paramLabel = "FILE",
@@ -32,6 +52,11 @@ final class ResultOptions {
         "With - the rows go to standard output as CSV, and the report to standard error."
       })
   private List<Path> out = List.of();
+
+  @Option(
+      names = "--verbose",
+      description = "Print the whole run report; without it ten lines, --json always has all.")
+  private boolean verbose;
 
   @Option(names = "--quiet", description = "Print nothing but errors.")
   private boolean quiet;
@@ -98,11 +123,24 @@ final class ResultOptions {
     if (json) {
       terminal.println(JsonText.write(report));
     } else if (!quiet) {
-      terminal.print(ReportText.format(report));
+      terminal.print(ReportText.format(verbose ? report : brief(report)));
     }
     // Now: after an interrupt the process ends as soon as the run is closed.
     terminal.flush();
     return status(result.outcome(), files);
+  }
+
+  /** Returns the lines of a report that matter most, in its order: {@link #FIRST}, then others. */
+  static Map<String, Object> brief(Map<String, Object> report) {
+    Set<String> told =
+        Stream.concat(FIRST.stream(), report.keySet().stream())
+            .filter(report::containsKey)
+            .distinct()
+            .limit(LINES)
+            .collect(Collectors.toSet());
+    Map<String, Object> brief = new LinkedHashMap<>(report);
+    brief.keySet().retainAll(told);
+    return brief;
   }
 
   private int status(Outcome outcome, ResultFiles files) {

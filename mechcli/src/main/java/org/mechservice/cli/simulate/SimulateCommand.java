@@ -34,6 +34,11 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "simulate",
     description = "Runs a model and writes its results.",
+    footer = {
+      "mech simulate model.xml --out r.csv",
+      "mech simulate model.xml --set k=2e4 --rtol 1e-8 --columns energy,reactions --out r.mat",
+      "mech simulate model.xml --server sim.example.org --tls keys/ann --out r.csv"
+    },
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class SimulateCommand implements Callable<Integer> {
@@ -49,7 +54,8 @@ public final class SimulateCommand implements Callable<Integer> {
   @Option(
       names = "--mode",
       paramLabel = "remote|local",
-      description = "Run at the server, or fetch the compiled model and run it here.")
+      description =
+          "Run at the server, or fetch the compiled model and run it here (default: remote).")
   private Mode mode = Mode.REMOTE;
 
   @Mixin private ServerOption server = new ServerOption();

@@ -6,7 +6,10 @@ import picocli.CommandLine.Option;
 
 /** How accurately a run is computed, and for how long. */
 public final class ToleranceOptions {
-  @Option(names = "--rtol", paramLabel = "R", description = "Relative tolerance.")
+  @Option(
+      names = "--rtol",
+      paramLabel = "R",
+      description = "Relative tolerance (default: the file's).")
   private Optional<Double> relativeTolerance = Optional.empty();
 
   @Option(
@@ -14,7 +17,7 @@ public final class ToleranceOptions {
       paramLabel = "A",
       description =
           "Absolute tolerance, SI: one, or four A;B;C;D for positions, angles, velocities, angular"
-              + " velocities.")
+              + " velocities (default: the file's).")
   private Optional<String> absoluteTolerance = Optional.empty();
 
   @Option(
@@ -22,13 +25,20 @@ public final class ToleranceOptions {
       paramLabel = "standard|strict",
       hideParamSyntax = true,
       description =
-          "Accuracy: standard, or strict, which makes errors smaller at the same tolerances.")
+          "Accuracy: standard, or strict, which makes errors smaller at the same tolerances"
+              + " (default: the file's).")
   private Optional<String> accuracy = Optional.empty();
 
-  @Option(names = "--t-end", paramLabel = "T", description = "End of the run, s.")
+  @Option(
+      names = "--t-end",
+      paramLabel = "T",
+      description = "End of the run, s (default: the file's).")
   private Optional<Double> endTime = Optional.empty();
 
-  @Option(names = "--t-step", paramLabel = "H", description = "Distance of the rows, s.")
+  @Option(
+      names = "--t-step",
+      paramLabel = "H",
+      description = "Distance of the rows, s (default: the file's).")
   private Optional<Double> outputStep = Optional.empty();
 
   /** Returns the distance of the rows, s; empty if it is left to the file. */

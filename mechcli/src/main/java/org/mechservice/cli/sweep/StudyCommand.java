@@ -3,22 +3,30 @@ package org.mechservice.cli.sweep;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.cli.shell.ExitStatus;
 import org.mechservice.cli.shell.MechVersion;
 import org.mechservice.cli.shell.OutputFile;
+import org.mechservice.cli.shell.ServerOption;
+import org.mechservice.cli.shell.ServiceConnection;
 import org.mechservice.cli.shell.UsageException;
 import org.mechservice.cli.simulate.CancelOnInterrupt;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.study.PointEvaluation;
 import org.mechservice.study.run.Study;
 import org.mechservice.study.run.StudyPart;
 import org.mechservice.study.run.StudyPlan;
 import org.mechservice.study.run.StudyReader;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
@@ -30,12 +38,21 @@ import picocli.CommandLine.Spec;
       "Runs a model at the points of a design, on all cores, and writes what is kept of each run"
           + " as a row, in the order of the points.",
       "What was interrupted is taken up again by the same command. The same file gives the same"
-          + " bytes with any number of threads, after interruptions and in parts."
+          + " bytes on every engine, with any number of threads, after interruptions and in parts."
     },
     subcommands = StudyJoinCommand.class,
+    footer = {"mech study study.xml -o table.csv", "mech study study.xml --part 3/8"},
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class StudyCommand implements Callable<Integer> {
+  /** Where points run; the constants are the words of the option. */
+  @SuppressWarnings("checkstyle:ConstantName")
+  private enum Engine {
+    threads,
+    hosts,
+    spark
+  }
+
   private static final double FIRST_WORD_SECONDS = 60;
   private static final double NEXT_WORD_SECONDS = 300;
 
@@ -51,13 +68,37 @@ public final class StudyCommand implements Callable<Integer> {
       description =
           "The table to write (default: the study's name with .csv, in this folder); beside it"
               + " FILE.study.json says where it comes from.")
-  private @Nullable Path out;
+  private @Nullable String out;
 
   @Option(
       names = "--threads",
       paramLabel = "N",
-      description = "Runs at once (default: as many as there are processors).")
-  private int threads = Runtime.getRuntime().availableProcessors();
+      description =
+          "Runs at once (default: as many as there are processors, or places on the hosts).")
+  private @Nullable Integer threads;
+
+  @Option(
+      names = "--engine",
+      paramLabel = "ENGINE",
+      description =
+          "Where the points run: ${COMPLETION-CANDIDATES}. threads of this process (default); hosts"
+              + " of a server; spark, a cluster, by the spark-submit of SPARK_HOME or the path.")
+  private Engine engine = Engine.threads;
+
+  @Mixin private ServerOption server = new ServerOption();
+
+  @Option(
+      names = "--master",
+      paramLabel = "URL",
+      description = "The cluster's master, such as spark://head:7077, yarn or local[2].")
+  private Optional<String> master = Optional.empty();
+
+  @Option(
+      names = "--conf",
+      paramLabel = "NAME=VALUE",
+      description =
+          "A setting of Spark, such as spark.executor.memory=2g; may be given several" + " times.")
+  private List<String> settings = List.of();
 
   @Option(
       names = "--part",
@@ -80,12 +121,17 @@ public final class StudyCommand implements Callable<Integer> {
               + " no study is named; write mech study STUDY.xml, or mech study join PART.csv... -o"
               + " ALL.csv");
     }
-    if (threads < 1) {
+    if (threads != null && threads < 1) {
       throw new UsageException(
           MessageCode.OPTION_UNUSABLE + " --threads is " + threads + "; it must be 1 or more");
     }
+    requireOptionsOfEngine();
     StudyPart asked = part();
-    Path table = out == null ? Path.of(nameOf(file, asked)) : out;
+    if (engine == Engine.spark) {
+      return SparkSubmit.run(
+          SparkSubmit.command(System.getenv(), master, settings, wordsForSpark(file, asked)));
+    }
+    Path table = out == null ? Path.of(nameOf(file, asked)) : Path.of(out);
     requireCsv(table);
     OutputFile.requireUsable(table);
     StudyPlan plan;
@@ -94,13 +140,55 @@ public final class StudyCommand implements Callable<Integer> {
     } catch (MechmlException e) {
       throw new UsageException(String.valueOf(e.getMessage()));
     }
-    Study study = new Study(plan, asked, plan.model());
+    int processors = Runtime.getRuntime().availableProcessors();
+    if (engine == Engine.threads) {
+      return run(plan, asked, plan.model(), table, processors);
+    }
+    try (ServiceConnection service = ServiceConnection.open(server, processors);
+        HostsEvaluation hosts = new HostsEvaluation(plan, service.connection())) {
+      return run(plan, asked, hosts, table, service.connection().places());
+    }
+  }
+
+  private int run(
+      StudyPlan plan, StudyPart asked, PointEvaluation evaluation, Path table, int places)
+      throws IOException, InterruptedException {
+    Study study = new Study(plan, asked, evaluation);
     Study.Result result;
     try (CancelOnInterrupt interrupt = new CancelOnInterrupt()) {
       interrupt.cancels(study::stop);
-      result = study.run(table, threads, new Forecast());
+      result = study.run(table, threads == null ? places : threads, new Forecast());
     }
     return tell(result, table);
+  }
+
+  /** Refuses options that another engine would take. */
+  private void requireOptionsOfEngine() {
+    List<String> given =
+        spec.commandLine().getParseResult().matchedOptions().stream()
+            .map(OptionSpec::longestName)
+            .toList();
+    List<String> others =
+        switch (engine) {
+          case threads -> List.of("--server", "--master", "--conf");
+          case hosts -> List.of("--master", "--conf");
+          case spark -> List.of("--server", "--threads", "--part");
+        };
+    for (String option : others) {
+      if (given.contains(option)) {
+        throw new UsageException(
+            MessageCode.OPTION_UNUSABLE + " " + option + " is none of --engine " + engine);
+      }
+    }
+  }
+
+  private List<String> wordsForSpark(Path study, StudyPart asked) {
+    List<String> words = new ArrayList<>(List.of(study.toString(), "-o"));
+    words.add(out == null ? nameOf(study, asked) : out);
+    if (quiet) {
+      words.add("--quiet");
+    }
+    return words;
   }
 
   private StudyPart part() {

@@ -60,6 +60,10 @@ import picocli.CommandLine.Spec;
       "What was interrupted is taken up again by the same command: finished points wait in"
           + " FILE.csv.part."
     },
+    footer = {
+      "mech sweep model.xml --set k=1e4:3e4:5 --take height.q --out k.csv",
+      "mech sweep model.xml --set k=1e4,2e4 --set c=500:1500:3 --columns outputs --out kc.csv"
+    },
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class SweepCommand implements Callable<Integer> {

@@ -1,9 +1,11 @@
 /**
  * Many runs of a model: {@code mech study} and {@code mech sweep}.
  *
- * <p>{@link org.mechservice.cli.sweep.StudyCommand} runs what a study file describes, in this
- * process; {@link org.mechservice.cli.sweep.StudyJoinCommand} puts parts of it together. {@code
- * mech sweep} runs every combination of parameter values over the hosts of a server.
+ * <p>{@link org.mechservice.cli.sweep.StudyCommand} runs what a study file describes: in this
+ * process, on the hosts of a server ({@link org.mechservice.cli.sweep.HostsEvaluation}), or on a
+ * cluster by Spark's own program ({@link org.mechservice.cli.sweep.SparkSubmit}). {@link
+ * org.mechservice.cli.sweep.StudyJoinCommand} puts parts of it together. {@code mech sweep} runs
+ * every combination of parameter values over the hosts of a server.
  *
  * <p>{@link org.mechservice.cli.sweep.SweepCommand} reads the values ({@link
  * org.mechservice.cli.sweep.SweepRange}), lets {@link org.mechservice.client.sweep.Sweep} run the

@@ -1,6 +1,7 @@
 package org.mechservice.cli.sweep;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
@@ -14,6 +15,9 @@ import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.FutureTask;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -392,5 +396,85 @@ class SweepCommandTest {
     int finished = Files.readAllLines(file).size() - 1;
     assertThat(finished).isBetween(3, 3999);
     assertThat(Files.readAllLines(part)).hasSize(finished + 1);
+  }
+
+  /** A settled mass, an input of the code, and points that cannot be read or cannot go on. */
+  @Test
+  void studyOnHostsHasTheBytesOfThreadsAlsoWhereAHostIsLost() throws Exception {
+    Files.copy(SEAT, folder.resolve("seat.xml"));
+    Path study =
+        Files.writeString(
+            folder.resolve("study.xml"),
+            """
+            <study model='seat.xml'>
+              <factor name='damping' values='500 -1e30 900 1300'/>
+              <factor name='stiffness' from='18000' to='22000' count='10'/>
+              <output of='min(height.q)' unit='mm'/>
+              <output of='series(height.q, 0.5)'/>
+            </study>
+            """);
+    Path here = folder.resolve("here.csv");
+    assertThat(mech("study", study.toString(), "-o", here.toString())).isZero();
+    SimHostProcess lost = host("lost", 2);
+    Path there = folder.resolve("there.csv");
+    FutureTask<Boolean> loss =
+        new FutureTask<>(
+            () -> {
+              Path journal = folder.resolve("there.csv.unfinished");
+              Eventually.holds(() -> Files.exists(journal) || Files.exists(there));
+              lost.close();
+              return true;
+            });
+    new Thread(loss).start();
+    int status =
+        mech(
+            "study",
+            study.toString(),
+            "--engine",
+            "hosts",
+            "--server",
+            server.url(),
+            "-o",
+            there.toString());
+    assertThat(loss.get()).isTrue();
+
+    assertThat(status).as(err.toString()).isZero();
+    assertThat(there).hasSameBinaryContentAs(here);
+    assertThat(folder.resolve("there.study.json"))
+        .hasSameBinaryContentAs(folder.resolve("here.study.json"));
+    assertThat(Files.readString(here)).contains(",failed,");
+  }
+
+  @Test
+  void studyRefusesOptionsOfAnotherEngine() {
+    assertThat(mech("study", "s.xml", "--server", server.url())).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(err.toString()).contains("S-041", "--server is none of --engine threads");
+  }
+
+  @Test
+  void studyOnSparkNeedsSpark() {
+    assertThatThrownBy(
+            () ->
+                SparkSubmit.command(
+                    Map.of("PATH", folder.toString()), Optional.empty(), List.of(), List.of()))
+        .hasMessageContaining("S-183");
+  }
+
+  @Test
+  void sparkSubmitGetsTheJarsThatExecutorsNeed() throws IOException {
+    Path submit = Files.createFile(folder.resolve("spark-submit"));
+    assertThat(submit.toFile().setExecutable(true)).isTrue();
+    Optional<String> master = Optional.of("local[2]");
+    List<String> setting = List.of("spark.executor.memory=1g");
+
+    assertThat(
+            SparkSubmit.command(
+                Map.of("PATH", folder.toString()),
+                master,
+                setting,
+                List.of("s.xml", "-o", "t.csv")))
+        .startsWith(submit.toString(), "--class", "org.mechservice.spark.SparkStudy")
+        .containsSequence("--master", "local[2]", "--conf", "spark.executor.memory=1g", "--jars")
+        .endsWith("s.xml", "-o", "t.csv");
   }
 }

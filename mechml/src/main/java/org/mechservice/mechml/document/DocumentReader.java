@@ -4,6 +4,7 @@ import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import org.apache.xerces.parsers.DTDConfiguration;
 import org.apache.xerces.parsers.SAXParser;
@@ -19,6 +20,10 @@ import org.xml.sax.SAXException;
 
 /** Reads a model file into a tree of elements and checks it against the grammar. */
 public final class DocumentReader {
+  /** Outermost elements of the formats that {@code mech import} reads. */
+  private static final Map<String, String> ROBOTS =
+      Map.of("robot", "URDF", "sdf", "SDF", "mujoco", "MJCF");
+
   private static final String VALIDATION = "http://xml.org/sax/features/validation";
   private static final String NAMESPACES = "http://xml.org/sax/features/namespaces";
   private static final String SECURITY = "http://apache.org/xml/properties/security-manager";
@@ -158,10 +163,15 @@ public final class DocumentReader {
           MessageCode.UNKNOWN_ELEMENT,
           root.position(),
           Phrase.of(
-              "the outermost element is <%s>; that of %s is <%s>",
+              "the outermost element is <%s>; that of %s is <%s>%s",
               Quoted.plain(root.name()),
               rootName.equals(ROOT) ? "a model file" : "an included file",
-              rootName));
+              rootName,
+              ROBOTS.containsKey(root.name())
+                  ? ". This is a robot in "
+                      + ROBOTS.get(root.name())
+                      + "; mech import translates it: mech import ROBOT -o MODEL.xml"
+                  : ""));
       return;
     }
     if (errors.invalidity().isPresent()) {

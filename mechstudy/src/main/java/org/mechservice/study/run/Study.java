@@ -1,6 +1,5 @@
 package org.mechservice.study.run;
 
-import com.google.gson.JsonObject;
 import java.io.IOException;
 import java.nio.file.Path;
 import org.mechservice.study.PointEvaluation;
@@ -41,7 +40,7 @@ public final class Study {
   public Study(StudyPlan plan, StudyPart part, PointEvaluation evaluation) {
     this.plan = plan;
     this.part = part;
-    chunks = new OrderedChunks<>(point -> plan.row(point, evaluation.run(plan.values(point))));
+    chunks = new OrderedChunks<>(point -> StudyRows.line(plan, point, evaluation));
   }
 
   /** Lets {@link #run} return soon, the finished rows in its journal. */
@@ -59,47 +58,34 @@ public final class Study {
    */
   public Result run(Path file, int threads, Progress progress)
       throws IOException, InterruptedException {
-    int from = part.from(plan.points());
-    int to = part.to(plan.points());
-    StudyStatistics statistics = new StudyStatistics(plan.outputs());
-    JsonObject identity = plan.identity().deepCopy();
-    identity.addProperty("part", part.toString());
-    StudyTable table = new StudyTable(plan.factors().size(), plan.outputs().size());
+    StudyRows rows = new StudyRows(plan, part);
+    int all = rows.to() - rows.from();
     Path journalFile = file.resolveSibling(file.getFileName() + ".unfinished");
-    try (StudyJournal journal =
-        StudyJournal.open(
-            journalFile, identity.toString(), line -> table.addTo(statistics, line))) {
-      int before = statistics.rows();
-      boolean[] ended = {part.isWhole() && plan.stop().ends(statistics)};
-      if (!ended[0] && from + before < to) {
+    try (StudyJournal journal = StudyJournal.open(journalFile, rows.identity(), rows::take)) {
+      int before = rows.taken();
+      if (!rows.isComplete()) {
         chunks.run(
-            from + before,
-            to,
+            rows.from() + before,
+            rows.to(),
             threads,
-            (first, rows) -> {
+            (first, computed) -> {
               StringBuilder lines = new StringBuilder();
-              for (String row : rows) {
-                if (!ended[0]) {
-                  lines.append(row);
-                  table.addTo(statistics, row.substring(0, row.length() - 1));
-                  ended[0] = part.isWhole() && plan.stop().ends(statistics);
+              for (String line : computed) {
+                if (!rows.isEndedByRule()) {
+                  lines.append(line);
+                  rows.take(line.substring(0, line.length() - 1));
                 }
               }
               journal.append(lines.toString());
-              progress.at(statistics.rows(), before, to - from);
-              return !ended[0];
+              progress.at(rows.taken(), before, all);
+              return !rows.isEndedByRule();
             });
       }
-      boolean complete = ended[0] || statistics.rows() == to - from;
-      if (complete) {
-        StudyTable.write(
-            file,
-            plan.header(),
-            StudyTable.provenance(plan.identity(), part, statistics),
-            journal::rows);
+      if (rows.isComplete()) {
+        StudyTable.write(file, rows.header(), rows.provenance(), journal::rows);
         journal.delete();
       }
-      return new Result(statistics, to - from, before, complete, ended[0]);
+      return new Result(rows.statistics(), all, before, rows.isComplete(), rows.isEndedByRule());
     }
   }
 }

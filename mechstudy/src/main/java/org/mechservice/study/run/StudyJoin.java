@@ -105,7 +105,7 @@ public final class StudyJoin {
     StudyTable.write(
         out,
         header.get(0) + "\n",
-        StudyTable.provenance(identity, StudyPart.WHOLE, statistics),
+        StudyTable.text(StudyTable.provenance(identity, StudyPart.WHOLE, statistics)),
         row -> {
           int i = 0;
           for (Part part : parts) {

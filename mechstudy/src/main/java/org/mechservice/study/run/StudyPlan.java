@@ -1,10 +1,13 @@
 package org.mechservice.study.run;
 
+import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import org.mechservice.solver.text.ShortestDecimal;
 import org.mechservice.study.PointModel;
@@ -20,6 +23,8 @@ import org.mechservice.study.design.Design;
  * @param outputs columns of the table, one for each value of the model's outcomes
  * @param stop when it ends early
  * @param model runs the points in this process
+ * @param modelFile where the model was read
+ * @param tables names of the files of points, as the study has them
  * @param identity what the bytes of the table depend on: hashes of study and model, version
  */
 public record StudyPlan(
@@ -29,16 +34,24 @@ public record StudyPlan(
     List<StudyOutput> outputs,
     StopRule stop,
     PointModel model,
+    Path modelFile,
+    List<String> tables,
     JsonObject identity) {
   public StudyPlan {
     factors = List.copyOf(factors);
     shown = List.copyOf(shown);
     outputs = List.copyOf(outputs);
+    tables = List.copyOf(tables);
   }
 
   /** Returns how many points the design has. */
   public int points() {
     return design.size();
+  }
+
+  /** Returns name or number of the model's simulation; empty for the first. */
+  public Optional<String> simulation() {
+    return Optional.ofNullable(identity.get("simulation")).map(JsonElement::getAsString);
   }
 
   /** Returns the values of a point for the model. */

@@ -89,8 +89,12 @@ public final class StudyReader {
     }
   }
 
-  private StudyReader(Path file) {
+  /** Places of files that are not beside the study, by the names that the study gives them. */
+  private final Map<String, Path> places;
+
+  private StudyReader(Path file, Map<String, Path> places) {
     this.file = file;
+    this.places = places;
     diagnostics = new Diagnostics(file.toString());
   }
 
@@ -103,7 +107,20 @@ public final class StudyReader {
    *     write instead
    */
   public static StudyPlan read(Path file) throws IOException, MechmlException {
-    return new StudyReader(file).read();
+    return read(file, Map.of());
+  }
+
+  /**
+   * Reads a study whose files are elsewhere.
+   *
+   * @param places of the files that it names, by these names; others are sought beside it
+   */
+  static StudyPlan read(Path file, Map<String, Path> places) throws IOException, MechmlException {
+    return new StudyReader(file, places).read();
+  }
+
+  private Path place(String name) {
+    return places.getOrDefault(name, file.resolveSibling(name));
   }
 
   private StudyPlan read() throws IOException, MechmlException {
@@ -117,12 +134,13 @@ public final class StudyReader {
     root.children().forEach(this::checkNames);
     String modelName = required(root, "model", "the model's file, such as model=\"seat.xml\"");
     diagnostics.throwIfErrors();
-    Path modelFile = file.resolveSibling(modelName);
+    Path modelFile = place(modelName);
     if (!Files.isRegularFile(modelFile)) {
       error(root, "there is no model file " + modelFile + "; it is sought beside the study file");
       diagnostics.throwIfErrors();
     }
-    MechModel model = MechModel.read(modelFile);
+    // By its simple name, as on a host: the code and its messages do not depend on the folder.
+    MechModel model = MechModel.read(String.valueOf(modelFile.getFileName()), modelFile);
     Optional<String> simulation = root.attribute("simulation");
     if (simulation.isPresent()) {
       model = model.simulation(simulation.get());
@@ -146,6 +164,8 @@ public final class StudyReader {
         columns,
         stop,
         points,
+        modelFile,
+        tables(root),
         identity);
   }
 
@@ -370,7 +390,7 @@ public final class StudyReader {
   }
 
   private Map<String, double[]> table(Element element) throws Refusal {
-    Path table = file.resolveSibling(required(element, "file", "a CSV file"));
+    Path table = place(required(element, "file", "a CSV file"));
     List<String> lines;
     try {
       lines = Files.readAllLines(table).stream().filter(line -> !line.isBlank()).toList();
@@ -629,6 +649,12 @@ public final class StudyReader {
     }
   }
 
+  private static List<String> tables(Element root) {
+    return root.children("table").stream()
+        .map(table -> table.attribute("file").map(String::strip).orElse(""))
+        .toList();
+  }
+
   private JsonObject identity(
       Element root, byte[] content, Path modelFile, PointModel points, List<StudyFactor> factors)
       throws IOException {
@@ -636,12 +662,11 @@ public final class StudyReader {
     identity.addProperty("study", String.valueOf(file.getFileName()));
     identity.addProperty("studySha256", Sha256.of(content));
     JsonArray tables = new JsonArray();
-    for (Element table : root.children("table")) {
-      tables.add(
-          Sha256.of(Files.readAllBytes(file.resolveSibling(table.attribute("file").orElse("")))));
+    for (String table : tables(root)) {
+      tables.add(Sha256.of(Files.readAllBytes(place(table))));
     }
     identity.add("tablesSha256", tables);
-    identity.addProperty("model", root.attribute("model").orElse(""));
+    identity.addProperty("model", root.attribute("model").map(String::strip).orElse(""));
     byte[] model = ModelFiles.inlined(Files.readAllBytes(modelFile), modelFile);
     identity.addProperty("modelSha256", Sha256.of(model));
     identity.addProperty("codeSha256", points.model().sha256());

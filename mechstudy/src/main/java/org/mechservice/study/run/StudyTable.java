@@ -60,8 +60,12 @@ final class StudyTable {
     return all;
   }
 
+  static String text(JsonObject provenance) {
+    return JSON.toJson(provenance) + "\n";
+  }
+
   /** Writes whole files: none is seen under its name before it is complete. */
-  static void write(Path file, String header, JsonObject provenance, Rows rows) throws IOException {
+  static void write(Path file, String header, String provenance, Rows rows) throws IOException {
     Path growing = file.resolveSibling("." + file.getFileName() + ".growing");
     try (BufferedWriter out = Files.newBufferedWriter(growing, StandardCharsets.UTF_8)) {
       out.write(header);
@@ -74,7 +78,7 @@ final class StudyTable {
     move(growing, file);
     Path beside = beside(file);
     Path growingBeside = beside.resolveSibling("." + beside.getFileName() + ".growing");
-    Files.writeString(growingBeside, JSON.toJson(provenance) + "\n");
+    Files.writeString(growingBeside, provenance);
     move(growingBeside, beside);
   }
 

@@ -1,0 +1,133 @@
+package org.mechservice.spark;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Optional;
+import org.apache.spark.SparkConf;
+import org.apache.spark.api.java.JavaSparkContext;
+import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.study.run.StudyPlan;
+import org.mechservice.study.run.StudyReader;
+import org.mechservice.study.run.StudyRows;
+
+/**
+ * Runs a study on a Spark cluster: the class that {@code spark-submit} or {@code java} starts. The
+ * master and all settings are Spark's own, from its files, options and system properties.
+ */
+public final class SparkStudy {
+  private static final String USAGE = "write STUDY.xml, or STUDY.xml -o TABLE.csv";
+  private static final double WORDS_EVERY_SECONDS = 60;
+
+  private SparkStudy() {}
+
+  /**
+   * What is asked for.
+   *
+   * @param study on the driver's machine
+   * @param table in a file system that driver and executors share
+   * @param quiet whether nothing but errors is printed
+   */
+  private record Asked(Path study, String table, boolean quiet) {
+    static Asked of(String... words) {
+      Optional<String> study = Optional.empty();
+      Optional<String> table = Optional.empty();
+      boolean quiet = false;
+      for (int i = 0; i < words.length; i++) {
+        if (words[i].equals("-o") && i + 1 < words.length) {
+          table = Optional.of(words[++i]);
+        } else if (words[i].equals("--quiet")) {
+          quiet = true;
+        } else if (study.isEmpty() && !words[i].startsWith("-")) {
+          study = Optional.of(words[i]);
+        } else {
+          throw refused("\"" + words[i] + "\" is not understood; " + USAGE);
+        }
+      }
+      Path file = Path.of(study.orElseThrow(() -> refused("no study is named; " + USAGE)));
+      String name = String.valueOf(file.getFileName()).replaceFirst("\\.[^.]*$", "") + ".csv";
+      Asked asked = new Asked(file, table.orElse(name), quiet);
+      if (!asked.table.toLowerCase(Locale.ROOT).endsWith(".csv")) {
+        throw refused("-o " + asked.table + ": the table of a study is written to a .csv file");
+      }
+      return asked;
+    }
+
+    private static IllegalArgumentException refused(String why) {
+      return new IllegalArgumentException(MessageCode.OPTION_UNUSABLE + " " + why);
+    }
+  }
+
+  /**
+   * Runs a study; ends the process with status 1 or 2 if it cannot.
+   *
+   * @param words the study's file, {@code -o} with the table, {@code --quiet}
+   */
+  public static void main(String... words) throws InterruptedException {
+    try {
+      run(words);
+    } catch (IllegalArgumentException | MechmlException e) {
+      end(e, 2);
+    } catch (IOException e) {
+      end(e, 1);
+    }
+  }
+
+  @SuppressWarnings("SystemOut") // a program of the command line
+  private static void end(Exception why, int status) {
+    System.err.println(why.getMessage());
+    System.exit(status);
+  }
+
+  @SuppressWarnings("SystemOut") // a program of the command line
+  private static void run(String... words)
+      throws IOException, MechmlException, InterruptedException {
+    Asked asked = Asked.of(words);
+    StudyPlan plan = StudyReader.read(asked.study);
+    SparkConf settings = new SparkConf();
+    if (!settings.contains("spark.app.name")) {
+      settings.setAppName("mech study " + asked.study.getFileName());
+    }
+    try (JavaSparkContext spark = new JavaSparkContext(settings)) {
+      StudyRows rows =
+          new SparkEngine(spark, asked.study, plan, asked.table).run(new Words(asked.quiet));
+      if (!asked.quiet) {
+        int failed = rows.statistics().failed();
+        System.out.println(
+            asked.table
+                + ": "
+                + rows.taken()
+                + " points"
+                + (rows.isEndedByRule() ? "; the stop rule ended the study" : "")
+                + (failed > 0 ? "; " + failed + " failed: their rows say why" : ""));
+        rows.statistics().lines().forEach(line -> System.out.println("  " + line));
+      }
+    }
+  }
+
+  /** Says now and again how far the study is. */
+  private static final class Words implements SparkEngine.Progress {
+    private final boolean quiet;
+    private final long begun = System.nanoTime();
+    private double next = WORDS_EVERY_SECONDS;
+    private int before = -1;
+
+    Words(boolean quiet) {
+      this.quiet = quiet;
+    }
+
+    @Override
+    @SuppressWarnings("SystemOut") // a program of the command line
+    public void at(int done, int all) {
+      double seconds = (System.nanoTime() - begun) * 1e-9;
+      before = before < 0 ? done : before;
+      if (!quiet && seconds >= next && done < all && done > before) {
+        next = seconds + WORDS_EVERY_SECONDS;
+        double left = seconds / (done - before) * (all - done);
+        System.err.println(
+            done + " of " + all + " points; about " + Math.round(left / 60 + 0.5) + " min left");
+      }
+    }
+  }
+}

@@ -1,0 +1,94 @@
+package org.mechservice.study.run;
+
+import com.google.gson.JsonObject;
+import java.io.IOException;
+import org.mechservice.study.PointEvaluation;
+
+/**
+ * The table of a study, or of a part of it, as it arises: the lines taken so far in the order of
+ * the points, what they say, and whether the stop rule ends it.
+ *
+ * <p>Lines may be computed anywhere ({@link #line}): they depend on the plan and the point only.
+ * Where they are taken decides nothing but the moment of the end.
+ */
+public final class StudyRows {
+  private final StudyPlan plan;
+  private final StudyPart part;
+  private final StudyTable table;
+  private final StudyStatistics statistics;
+  private boolean ended;
+
+  public StudyRows(StudyPlan plan, StudyPart part) {
+    this.plan = plan;
+    this.part = part;
+    table = new StudyTable(plan.factors().size(), plan.outputs().size());
+    statistics = new StudyStatistics(plan.outputs());
+  }
+
+  /** Returns what the lines depend on, as one line: equal for equal bytes. */
+  public String identity() {
+    JsonObject identity = plan.identity().deepCopy();
+    identity.addProperty("part", part.toString());
+    return identity.toString();
+  }
+
+  /** Returns the first point, from 0. */
+  public int from() {
+    return part.from(plan.points());
+  }
+
+  /** Returns the point after the last. */
+  public int to() {
+    return part.to(plan.points());
+  }
+
+  /** Returns the first line of the table, with its line break. */
+  public String header() {
+    return plan.header();
+  }
+
+  /**
+   * Runs a point.
+   *
+   * @return its line, with its line break
+   * @throws IOException if the point could not be run for reasons of its surroundings
+   */
+  public static String line(StudyPlan plan, int point, PointEvaluation evaluation)
+      throws IOException {
+    return plan.row(point, evaluation.run(plan.values(point)));
+  }
+
+  /**
+   * Takes the line of the next point.
+   *
+   * @param line without its line break
+   */
+  public void take(String line) {
+    table.addTo(statistics, line);
+    ended = ended || (part.isWhole() && plan.stop().ends(statistics));
+  }
+
+  /** Returns how many lines were taken. */
+  public int taken() {
+    return statistics.rows();
+  }
+
+  /** Returns whether the stop rule has ended the study. */
+  public boolean isEndedByRule() {
+    return ended;
+  }
+
+  /** Returns whether no line is missing. */
+  public boolean isComplete() {
+    return ended || taken() == to() - from();
+  }
+
+  public StudyStatistics statistics() {
+    return statistics;
+  }
+
+  /** Returns what the file beside the table says: identity, counts and statistics, as JSON. */
+  public String provenance() {
+    return StudyTable.text(StudyTable.provenance(plan.identity(), part, statistics));
+  }
+}
