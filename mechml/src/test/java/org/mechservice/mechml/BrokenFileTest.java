@@ -24,6 +24,10 @@ import org.mechservice.solver.catalogue.MessageCode;
  * broken-urdf/NAME.urdf broken-urdf/NAME.txt.
  */
 class BrokenFileTest {
+  /** What a good model cannot be written as; {@code RobotExportTest} has them. */
+  private static final Set<MessageCode> SAID_BY_WRITERS =
+      Set.of(MessageCode.URDF_CANNOT, MessageCode.URDF_LOST);
+
   /** Files that are broken by what is asked of them. */
   private static final Map<String, ReadOptions> ASKED =
       Map.of(
@@ -83,6 +87,7 @@ class BrokenFileTest {
         .containsExactlyInAnyOrderElementsOf(
             Arrays.stream(MessageCode.values())
                 .filter(message -> message.code().startsWith("M-"))
+                .filter(message -> !SAID_BY_WRITERS.contains(message))
                 .toList());
   }
 
