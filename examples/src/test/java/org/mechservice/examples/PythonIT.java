@@ -18,6 +18,7 @@ class PythonIT {
   @TempDir Path directory;
 
   @Test
+  @SuppressWarnings("try") // the server runs until the tests have passed
   void testsOfThePackagePass() {
     assumeTrue(
         Files.isExecutable(PYTHON),
