@@ -44,9 +44,7 @@ final class JavaReference {
             .map(module -> top.resolve(module).resolve(Path.of("src", "main", "java")).toString())
             .collect(Collectors.joining(File.pathSeparator));
     String libraries =
-        Stream.of("mechcli", "mechdocs")
-            .map(module -> top.resolve(module).resolve("target/lib") + File.separator + "*")
-            .collect(Collectors.joining(File.pathSeparator));
+        jars(top.resolve("mechcli")) + File.pathSeparator + jars(top.resolve("mechdocs"));
     List<String> words =
         new ArrayList<>(
             List.of(
@@ -74,6 +72,13 @@ final class JavaReference {
     PrintWriter out = new PrintWriter(said);
     if (javadoc.run(out, out, words.toArray(String[]::new)) != 0) {
       throw new IOException("javadoc failed:\n" + said);
+    }
+  }
+
+  /** Returns the libraries of a module: javadoc takes no patterns when a program calls it. */
+  private static String jars(Path module) throws IOException {
+    try (Stream<Path> libraries = Files.list(module.resolve(Path.of("target", "lib")))) {
+      return libraries.map(Path::toString).sorted().collect(Collectors.joining(File.pathSeparator));
     }
   }
 }
