@@ -1,6 +1,7 @@
 package org.mechservice.client.failure;
 
 import java.time.Duration;
+import java.util.Objects;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
@@ -50,7 +51,7 @@ public record SetUpCalls(
         } catch (TimeoutException e) {
           calls.get(session::sessionId);
         } catch (ExecutionException e) {
-          throw failure(e.getCause());
+          throw failure(Objects.requireNonNull(e.getCause()));
         } catch (InterruptedException e) {
           interrupted = true; // as calls of CORBA, this one waits on
         }
