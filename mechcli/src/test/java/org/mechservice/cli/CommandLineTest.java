@@ -48,8 +48,8 @@ class CommandLineTest {
             + " momentum, drives, and all",
         "simulate m.xml --out r.xls | S-044 --out r.xls: results are written to files whose names"
             + " end in .csv, .tsv, .mat, .json, .parquet, or as CSV to - (standard output)",
-        "simulate m.xml --out r.glb | S-044 --out r.glb: an animated scene holds no columns; write"
-            + " it by mech view MODEL.xml -o r.glb",
+        "fetch 1 --server a:1 --out r.glb | S-044 --out r.glb: an animated scene needs a model;"
+            + " write it by mech simulate MODEL.xml --out r.glb",
         "simulate m.xml --out r.csv --out ./r.csv | S-044 --out ./r.csv is given twice",
         "simulate m.xml --json --quiet=maybe | S-041 --quiet takes no value (mech help simulate"
             + " lists what there is)",

@@ -82,7 +82,7 @@ public final class ModelOptions {
    *
    * @param values values of parameters, by name
    */
-  ReadOptions reading(Map<String, String> values) {
+  public ReadOptions reading(Map<String, String> values) {
     Set<String> names = tunable.stream().map(String::strip).collect(Collectors.toSet());
     return new ReadOptions(
         simulation.isEmpty() ? Optional.empty() : Optional.of(simulation), values, names);

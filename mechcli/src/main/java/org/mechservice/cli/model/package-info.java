@@ -9,7 +9,7 @@
  * org.mechservice.cli.model.ImportCommand} translates other formats into MechML, {@link
  * org.mechservice.cli.model.BuildCommand} writes the generated JAR and, on request, its Java
  * source, and {@link org.mechservice.cli.model.VerifyCommand} checks the detached signature of a
- * JAR.
+ * JAR. {@link org.mechservice.cli.model.SceneReader} reads a model as pictures need it.
  *
  * <p>The option groups of every command that builds a model are here as well: {@link
  * org.mechservice.cli.model.ModelOptions} (simulation, method, columns), {@link

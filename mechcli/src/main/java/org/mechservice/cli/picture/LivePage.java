@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.mechservice.cli.model.ModelToExport;
+import org.mechservice.cli.model.SceneReader;
 import org.mechservice.cli.shell.OutputFile;
 import org.mechservice.mechml.ReadOptions;
 import org.mechservice.sim.fmu.FmuModel;

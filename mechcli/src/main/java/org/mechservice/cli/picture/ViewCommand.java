@@ -13,6 +13,7 @@ import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.regex.Pattern;
 import org.mechservice.cli.model.ParameterOption;
+import org.mechservice.cli.model.SceneReader;
 import org.mechservice.cli.model.UserCodeOption;
 import org.mechservice.cli.shell.ExitStatus;
 import org.mechservice.cli.shell.MechVersion;

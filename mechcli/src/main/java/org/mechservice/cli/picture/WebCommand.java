@@ -7,6 +7,7 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import org.mechservice.cli.model.Examples;
 import org.mechservice.cli.model.NewCommand;
+import org.mechservice.cli.model.SceneReader;
 import org.mechservice.cli.service.ListenOptions;
 import org.mechservice.cli.service.ServingProcess;
 import org.mechservice.cli.shell.ExitStatus;

@@ -5,7 +5,7 @@
  *
  * <p>{@link org.mechservice.cli.picture.PlotCommand} and {@link
  * org.mechservice.cli.picture.ShowCommand} read options and files; {@code org.mechservice.view}
- * makes the pictures. {@link org.mechservice.cli.picture.SceneReader} turns a model file into the
+ * makes the pictures. {@link org.mechservice.cli.model.SceneReader} turns a model file into the
  * {@link org.mechservice.view.scene.SceneDescription} that every picture of a mechanism is made
  * from, with the loops closed as at the start of a run. It reads the model in this process: a
  * picture needs no service and no code of users; only {@link

@@ -2,6 +2,7 @@ package org.mechservice.cli.simulate;
 
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.util.List;
 import java.util.OptionalLong;
 import java.util.concurrent.Callable;
 import org.mechservice.cli.shell.ExitStatus;
@@ -46,7 +47,7 @@ public final class FetchCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException {
-    results.requireUsable();
+    results.requireUsable(false);
     if (server.address().isEmpty()) {
       throw new UsageException(
           MessageCode.OPTION_UNUSABLE
@@ -55,7 +56,7 @@ public final class FetchCommand implements Callable<Integer> {
     try (MechConnection connection =
             MechConnection.open(server.address(), JarCache.ofUser(), server.identity());
         ReattachedRun run = connection.reattach(id);
-        ResultFiles files = results.open(OptionalLong.empty())) {
+        ResultFiles files = results.open(OptionalLong.empty(), List.of())) {
       return fetch(run, files);
     }
   }

@@ -10,7 +10,6 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.HexFormat;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
@@ -29,18 +28,22 @@ public final class ResultFiles implements ResultSink, AutoCloseable {
   /** The name that stands for standard output, which takes CSV. */
   static final Path STANDARD_OUTPUT = Path.of("-");
 
-  private static final String ANIMATION = ".glb";
-
   private final List<Path> targets;
   private final List<ResultFile> files = new ArrayList<>();
+  private final List<AnimationFile> animations;
   private final Optional<CsvWriter> printed;
   private final MessageDigest printedDigest = Sha256.digest();
   private final OptionalLong expectedRows;
   private long rows;
   private double time;
 
-  private ResultFiles(List<Path> targets, PrintWriter terminal, OptionalLong expectedRows) {
+  private ResultFiles(
+      List<Path> targets,
+      PrintWriter terminal,
+      OptionalLong expectedRows,
+      List<AnimationFile> animations) {
     this.targets = List.copyOf(targets);
+    this.animations = List.copyOf(animations);
     this.expectedRows = expectedRows;
     printed =
         targets.contains(STANDARD_OUTPUT)
@@ -69,12 +72,12 @@ public final class ResultFiles implements ResultSink, AutoCloseable {
   }
 
   private static void requireUsableName(Path target) {
-    if (target.toString().toLowerCase(Locale.ROOT).endsWith(ANIMATION)) {
+    if (AnimationFile.is(target)) {
       throw new UsageException(
           MessageCode.RESULT_FILE_NAME
               + " --out "
               + target
-              + ": an animated scene holds no columns; write it by mech view MODEL.xml -o "
+              + ": an animated scene needs a model; write it by mech simulate MODEL.xml --out "
               + target);
     }
     if (ResultFormat.of(target).isEmpty()) {
@@ -103,14 +106,19 @@ public final class ResultFiles implements ResultSink, AutoCloseable {
    *
    * @param terminal standard output
    * @param expectedRows number of rows that the settings of the run give; empty: not known
+   * @param animations those of the files that are animated scenes
    * @throws IOException if one cannot be written
    */
-  static ResultFiles open(List<Path> targets, PrintWriter terminal, OptionalLong expectedRows)
+  static ResultFiles open(
+      List<Path> targets,
+      PrintWriter terminal,
+      OptionalLong expectedRows,
+      List<AnimationFile> animations)
       throws IOException {
-    ResultFiles files = new ResultFiles(targets, terminal, expectedRows);
+    ResultFiles files = new ResultFiles(targets, terminal, expectedRows, animations);
     try {
       for (Path target : targets) {
-        if (!target.equals(STANDARD_OUTPUT)) {
+        if (!target.equals(STANDARD_OUTPUT) && !AnimationFile.is(target)) {
           files.files.add(new ResultFile(target, format(target)));
         }
       }
@@ -141,6 +149,9 @@ public final class ResultFiles implements ResultSink, AutoCloseable {
     for (ResultFile file : files) {
       file.begin(columns);
     }
+    for (AnimationFile animation : animations) {
+      animation.begin(columns);
+    }
   }
 
   private void requireRoom(long rowsToCome, int columns) {
@@ -168,6 +179,9 @@ public final class ResultFiles implements ResultSink, AutoCloseable {
     for (ResultFile file : files) {
       file.row(values);
     }
+    for (AnimationFile animation : animations) {
+      animation.row(values);
+    }
     rows++;
     time = values[0];
   }
@@ -190,13 +204,16 @@ public final class ResultFiles implements ResultSink, AutoCloseable {
   /**
    * Puts the files in their places.
    *
-   * @return SHA-256 of the first one, or else of what was printed; empty if there is neither
+   * @return SHA-256 of the first table, or else of what was printed; empty if there is neither
    * @throws IOException if a file cannot be completed
    */
   Optional<String> keep() throws IOException {
     List<String> hashes = new ArrayList<>();
     for (ResultFile file : files) {
       hashes.add(file.keep());
+    }
+    for (AnimationFile animation : animations) {
+      animation.keep();
     }
     if (printed.isPresent()) {
       printed.get().finish();

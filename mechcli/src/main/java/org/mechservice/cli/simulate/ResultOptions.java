@@ -11,6 +11,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.mechservice.cli.shell.ExitStatus;
+import org.mechservice.cli.shell.OutputFile;
 import org.mechservice.cli.shell.UsageException;
 import org.mechservice.client.run.RunResult;
 import org.mechservice.solver.api.run.Outcome;
@@ -48,7 +49,8 @@ final class ResultOptions {
       paramLabel = "FILE",
       description = {
         "Write the rows here; may be given several times. The name ends in .csv or .tsv (units"
-            + " beside it), .json, .mat or .parquet (units inside).",
+            + " beside it), .json, .mat or .parquet (units inside); or in .glb for an animated"
+            + " scene, which needs the columns of the bodies.",
         "With - the rows go to standard output as CSV, and the report to standard error."
       })
   private List<Path> out = List.of();
@@ -70,11 +72,15 @@ final class ResultOptions {
   /**
    * Checks the options before anything is computed.
    *
-   * @throws UsageException S-044 if a file has a name that cannot be used, S-041 if both the rows
-   *     and the JSON object would go to standard output
+   * @param model whether there is a model, without which there are no animated scenes
+   * @throws UsageException S-044 if a file has a name that cannot be used, S-046 if an animated
+   *     scene has, S-041 if both the rows and the JSON object would go to standard output
    */
-  void requireUsable() {
-    ResultFiles.requireUsableNames(out);
+  void requireUsable(boolean model) {
+    List<Path> animated = model ? animated() : List.of();
+    animated.forEach(OutputFile::requireUsable);
+    ResultFiles.requireUsableNames(
+        out.stream().filter(target -> !animated.contains(target)).toList());
     if (json && ResultFiles.arePrinted(out)) {
       throw new UsageException(
           MessageCode.OPTION_UNUSABLE
@@ -86,10 +92,16 @@ final class ResultOptions {
    * Opens the files for the rows.
    *
    * @param expectedRows number of rows that the settings of the run give; empty: not known
+   * @param animations those that are animated scenes
    * @throws IOException if one cannot be written
    */
-  ResultFiles open(OptionalLong expectedRows) throws IOException {
-    return ResultFiles.open(out, command.commandLine().getOut(), expectedRows);
+  ResultFiles open(OptionalLong expectedRows, List<AnimationFile> animations) throws IOException {
+    return ResultFiles.open(out, command.commandLine().getOut(), expectedRows, animations);
+  }
+
+  /** Returns the files that are animated scenes. */
+  List<Path> animated() {
+    return out.stream().filter(AnimationFile::is).toList();
   }
 
   /** Returns the files for the rows. */

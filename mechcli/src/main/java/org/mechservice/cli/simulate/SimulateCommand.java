@@ -3,11 +3,14 @@ package org.mechservice.cli.simulate;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalLong;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import org.mechservice.cli.model.ModelOptions;
 import org.mechservice.cli.model.ParameterOption;
+import org.mechservice.cli.model.SceneReader;
 import org.mechservice.cli.model.UserCodeOption;
 import org.mechservice.cli.shell.ExitStatus;
 import org.mechservice.cli.shell.FailureReport;
@@ -23,6 +26,8 @@ import org.mechservice.client.run.RemoteRun;
 import org.mechservice.client.run.RunProgress;
 import org.mechservice.client.run.RunResult;
 import org.mechservice.idl.OPT_T_STEP;
+import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.view.scene.SceneDescription;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -92,16 +97,17 @@ public final class SimulateCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException {
-    results.requireUsable();
+    results.requireUsable(true);
     checkpoints.requireUsable(results.files());
     CheckpointStore store = checkpoints.open(lost -> err().println(lost));
     SimulationOptions options = options();
+    List<AnimationFile> animations = animations();
     try (CancelOnInterrupt interrupt = new CancelOnInterrupt();
         ServiceConnection service = ServiceConnection.open(server);
         MechSession session = service.connection().openSession(host)) {
       RunFollower news = new RunFollower(this::tell);
       try (PreparedRun run = setUp(session, options, news);
-          ResultFiles files = results.open(expectedRows(session, run))) {
+          ResultFiles files = results.open(expectedRows(session, run), animations)) {
         interrupt.cancels(run);
         String id = tellIdentity(run);
         return simulate(run, id, news, files, store);
@@ -164,9 +170,31 @@ public final class SimulateCommand implements Callable<Integer> {
     }
   }
 
+  private List<AnimationFile> animations() throws IOException {
+    if (results.animated().isEmpty()) {
+      return List.of();
+    }
+    SceneDescription scene = SceneReader.read(model, method.reading(parameters.values()));
+    Path folder = Optional.ofNullable(model.toAbsolutePath().getParent()).orElse(model);
+    List<AnimationFile> animations =
+        results.animated().stream()
+            .map(target -> new AnimationFile(target, scene, folder))
+            .toList();
+    if (!results.quiet()) {
+      animations.get(0).warnings().forEach(warning -> err().println(warning));
+    }
+    return animations;
+  }
+
+  /** Where animated scenes are all that is written, nobody asks for other columns than theirs. */
   private SimulationOptions options() {
-    SimulationOptions options =
-        run.addTo(method.addTo(parameters.addTo(SimulationOptions.asInFile())));
+    boolean poses =
+        !results.files().isEmpty() && results.animated().size() == results.files().size();
+    SimulationOptions asked =
+        poses
+            ? SimulationOptions.asInFile().columns(Set.of(ColumnGroup.BODIES))
+            : SimulationOptions.asInFile();
+    SimulationOptions options = run.addTo(method.addTo(parameters.addTo(asked)));
     SimulationOptions watched = maxDrift.map(options::maxDrift).orElse(options);
     return strict ? watched.strict() : watched;
   }

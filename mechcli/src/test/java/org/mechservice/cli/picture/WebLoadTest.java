@@ -23,6 +23,7 @@ import java.util.concurrent.Future;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.mechservice.cli.Mech;
+import org.mechservice.cli.model.SceneReader;
 import org.mechservice.client.MechConnection;
 import org.mechservice.mechml.document.Document;
 import org.mechservice.server.MechServerProcess;

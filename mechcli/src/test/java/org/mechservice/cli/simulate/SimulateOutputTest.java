@@ -57,6 +57,31 @@ class SimulateOutputTest {
   }
 
   @Test
+  void animatedSceneAloneAsksForThePlacesOfTheBodies() throws IOException {
+    Path scene = folder.resolve("r.glb");
+
+    assertThat(simulate("--out", scene.toString())).as(err.toString()).isZero();
+
+    assertThat(Files.readAllBytes(scene)).startsWith('g', 'l', 'T', 'F');
+  }
+
+  @Test
+  void animatedSceneBesideATableIsThatOfTheView() throws IOException {
+    Path scene = folder.resolve("r.glb");
+    Path viewed = folder.resolve("v.glb");
+    String table = file(ResultFormat.CSV).toString();
+
+    assertThat(simulate("--out", table, "--out", scene.toString())).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(err.toString()).startsWith("S-044 --out " + scene).contains("--columns bodies");
+    assertThat(folder).isEmptyDirectory();
+
+    assertThat(simulate("--out", table, "--out", scene.toString(), "--columns", "bodies")).isZero();
+    Mech.run(new PrintWriter(out), new PrintWriter(err), "view", MODEL, "-o", viewed.toString());
+    assertThat(scene).hasSameBinaryContentAs(viewed);
+    assertThat(Path.of(table)).exists();
+  }
+
+  @Test
   void dashPrintsTheRowsAndNothingElse() throws IOException {
     assertThat(simulate("--out", "-", "--out", file(ResultFormat.CSV).toString())).isZero();
 

@@ -1,4 +1,4 @@
-package org.mechservice.cli.picture;
+package org.mechservice.cli.model;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;

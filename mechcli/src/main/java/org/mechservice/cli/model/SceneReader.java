@@ -1,4 +1,4 @@
-package org.mechservice.cli.picture;
+package org.mechservice.cli.model;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -64,7 +64,7 @@ public final class SceneReader {
    * @param choice the simulation whose start is shown, and values of parameters
    * @throws UsageException with the messages of the reader if it is no valid model
    */
-  static ModelReader.ReadModel read(String text, ModelReader.Choice choice) {
+  public static ModelReader.ReadModel read(String text, ModelReader.Choice choice) {
     byte[] content = text.getBytes(StandardCharsets.UTF_8);
     String name = "model.xml";
     try {
