@@ -6,6 +6,11 @@
  * parameters: its code is generated once, each thread works on an instance of its own, and of each
  * run only {@link org.mechservice.study.Reduction}s of its columns remain, such as a last value or
  * a mean.
+ *
+ * <p>{@code design} reads a study and places its points, {@code run} runs them on threads, hosts or
+ * in parts and writes the table, {@code gradient} computes derivatives of what remains, {@code
+ * optimise} and {@code identify} search for the best point. A {@link
+ * org.mechservice.study.PointEvaluation} is all that a search knows of a model.
  */
 @NullMarked
 package org.mechservice.study;
