@@ -52,7 +52,7 @@ class RemoteModelTest {
 
   /** Verbs that only a model in process has, because they give or read what only it has. */
   private static final Set<String> HERE =
-      Set.of("content", "file", "folder", "request", "columns", "urdf");
+      Set.of("content", "file", "folder", "userClasses", "request", "columns", "urdf");
 
   @TempDir private Path folder = Path.of("");
 
