@@ -139,6 +139,9 @@ class Builder(Element):
     def coordinateConstraint(self, name: str, expression: str) -> Self:
         """Adds a constraint by which an expression of joint coordinates is zero."""
         ...
+    def couplingSpringDamper(self, name: str, expression: str) -> OtherElement:
+        """Adds a spring and damper along an expression of positions"""
+        ...
     def distance(self, name: str, distance: float) -> ConnectionElement:
         """Adds a constraint that keeps two points at a distance."""
         ...
@@ -147,6 +150,9 @@ class Builder(Element):
         ...
     def dynamic(self, tEnd: float, tStep: float) -> SimulationElement:
         """Adds a simulation of the motion from t = 0."""
+        ...
+    def elasticRope(self, name: str, k: float, length0: float) -> OtherElement:
+        """Adds a rope that only pulls, with its stiffness and its length without load."""
         ...
     def forceTorque(self, name: str, body: str, point: str) -> OtherElement:
         """Adds a force and a torque at a point"""
@@ -209,6 +215,9 @@ class Builder(Element):
         ...
     def root(self, name: str) -> BodyElement:
         """Adds the body at rest, to which all others are connected."""
+        ...
+    def rope(self, name: str, length: float) -> OtherElement:
+        """Adds a rope of constant length"""
         ...
     def sampled(self, name: str, value: str, period: float) -> OtherElement:
         """Adds a value that is taken once in a period, s, and constant in between."""

@@ -71,6 +71,6 @@ class PythonIT {
             .stdout();
     assertThat(files).contains("mechservice/py.typed", "mechservice/_builder.pyi");
     assertThat(files).contains("jars/mechservice-0.1.0.jar", "jars/asm-", "jars/jacorb-");
-    assertThat(files).doesNotContain("picocli").doesNotContain("bcprov").doesNotContain("mechcli");
+    assertThat(files).doesNotContain("picocli").doesNotContain("bcprov").doesNotContain("mechcli-");
   }
 }

@@ -208,15 +208,7 @@ class WholeWayTest {
   @Test
   void penaltyMayHaveNumbersOfItsOwn() {
     String model = Path.of("..", "examples", "extremes", "fourbar_redundant.xml").toString();
-    assertThat(
-            mech(
-                "simulate",
-                model,
-                "--t-end",
-                "0.1",
-                "--verbose",
-                "--closure",
-                "penalty:alpha=2e8,mu=2"))
+    assertThat(mech("simulate", model, "--t-end", "0.1", "--closure", "penalty:alpha=2e8,mu=2"))
         .isZero();
     assertThat(out.toString()).contains("alpha is 2.000e+08").contains("mu 2.000");
     assertThat(mech("simulate", model, "--closure", "penalty:alpha=2")).isEqualTo(2);

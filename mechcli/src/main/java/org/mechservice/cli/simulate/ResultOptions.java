@@ -44,6 +44,8 @@ final class ResultOptions {
           "wallTime",
           "energyDrift");
 
+  private static final String NOTES = "notes";
+
   @Option(
       names = "--out",
       paramLabel = "FILE",
@@ -142,7 +144,10 @@ final class ResultOptions {
     return status(result.outcome(), files);
   }
 
-  /** Returns the lines of a report that matter most, in its order: {@link #FIRST}, then others. */
+  /**
+   * Returns the lines of a report that matter most, in its order: {@link #FIRST}, then others; and
+   * the notes on the run, of which none may be missed.
+   */
   static Map<String, Object> brief(Map<String, Object> report) {
     Set<String> told =
         Stream.concat(FIRST.stream(), report.keySet().stream())
@@ -151,7 +156,7 @@ final class ResultOptions {
             .limit(LINES)
             .collect(Collectors.toSet());
     Map<String, Object> brief = new LinkedHashMap<>(report);
-    brief.keySet().retainAll(told);
+    brief.keySet().removeIf(key -> !told.contains(key) && !key.equals(NOTES));
     return brief;
   }
 
