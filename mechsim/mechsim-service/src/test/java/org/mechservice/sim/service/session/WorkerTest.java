@@ -205,8 +205,9 @@ class WorkerTest {
   @Test
   void workerIsSavedWhileItGoesOn() throws Exception {
     try (HostedClient there = host(HostLimits.DEFAULT)) {
-      // It still runs where news of its steps comes late.
-      IMechSimRemote run = simulation(there, SLOW.replace("20000000", "100000000") + PUSH);
+      // A spring: hundreds of steps, so that it still runs where news of the first ones comes late.
+      String spring = "loads.addJointForce(slide, 3 - 1000 * slide);";
+      IMechSimRemote run = simulation(there, SLOW + spring);
       run.start();
       Eventually.holds(() -> run.getProgress().stepsDone > 2);
       assertThat(run.checkpoint()).isNotEmpty();
