@@ -56,4 +56,14 @@ class ResultOptionsTest {
     assertThat(ResultOptions.brief(report(all)).keySet())
         .containsExactly("scene", "outcome", "residual", "rows", "a", "b", "c", "d", "e", "f");
   }
+
+  @Test
+  void notesOnTheRunAreNeverLeftOut() {
+    List<String> all =
+        List.of("scene", "outcome", "a", "b", "c", "d", "e", "f", "g", "h", "i", "notes");
+    assertThat(ResultOptions.brief(report(all)).keySet())
+        .hasSize(ResultOptions.LINES + 1)
+        .doesNotContain("i")
+        .endsWith("notes");
+  }
 }

@@ -215,7 +215,7 @@ class RobotExportTest {
     assertSameMotion(read(mechml), imported(robot.text()), new Random(1));
   }
 
-  /** What the import writes is exported as it came, limits, damping, friction and mimics too. */
+  /** The export gives back what was imported, with limits, damping, friction and mimics. */
   @Test
   void robotGoesAndComes() throws MechmlException {
     String urdf =
