@@ -2,15 +2,19 @@ package org.mechservice.solver.dynamics;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.mechservice.solver.api.capability.LinearisedModel;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.Formulation;
+import org.mechservice.solver.dynamics.derivative.ArticulatedIteration;
 import org.mechservice.solver.dynamics.derivative.BorderedStep;
 import org.mechservice.solver.dynamics.derivative.FurtherDerivatives;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
+import org.mechservice.solver.dynamics.derivative.StepReduction;
 import org.mechservice.solver.dynamics.derivative.TreeIteration;
 import org.mechservice.solver.dynamics.tree.TreePattern;
 import org.mechservice.solver.force.ForceSet;
+import org.mechservice.solver.force.applied.ForceJacobian;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 
@@ -32,8 +36,12 @@ public final class LinearisedResidualModel extends RecursiveResidualModel
   }
 
   private final Mode mode;
-  private final ResidualJacobian jacobian;
-  private final TreeIteration iteration;
+
+  /** Derivatives element by element, or those by which links are eliminated one after the other. */
+  private final Optional<ResidualJacobian> jacobian;
+
+  private final Optional<ArticulatedIteration> articulated;
+  private final StepReduction iteration;
   private final FurtherDerivatives furtherDerivatives;
   private final BorderedStep bordered;
 
@@ -52,9 +60,18 @@ public final class LinearisedResidualModel extends RecursiveResidualModel
       Mechanism mechanism, RunSettings defaults, UserForceSource userForces, Mode mode) {
     super(mechanism, Formulation.RR_JF.label(), defaults, userForces);
     this.mode = mode;
-    TreePattern pattern = new TreePattern(tree, coupledLinks(loads.forces()));
-    jacobian = new ResidualJacobian(motion, pattern);
-    iteration = new TreeIteration(tree, pattern, jacobian);
+    if (mode == Mode.FULL && loads.forces().isLocal() && ArticulatedIteration.pays(tree)) {
+      ArticulatedIteration fromLinkToLink = new ArticulatedIteration(motion);
+      jacobian = Optional.empty();
+      articulated = Optional.of(fromLinkToLink);
+      iteration = fromLinkToLink;
+    } else {
+      TreePattern pattern = new TreePattern(tree, coupledLinks(loads.forces()));
+      ResidualJacobian byElements = new ResidualJacobian(motion, pattern);
+      jacobian = Optional.of(byElements);
+      articulated = Optional.empty();
+      iteration = new TreeIteration(tree, pattern, byElements);
+    }
     furtherDerivatives =
         new FurtherDerivatives(tree.statePositionCount, tree.stateVelocityCount, further.count());
     bordered = new BorderedStep(coordinates, furtherDerivatives, iteration::solve);
@@ -77,20 +94,45 @@ public final class LinearisedResidualModel extends RecursiveResidualModel
       return false;
     }
     motion.accelerationSweep(yDot, tree.statePositionCount);
-    if (mode == Mode.FULL) {
-      jacobian.evaluate(loads.wrench());
-    } else {
-      jacobian.evaluateMass();
-    }
-    if (loads.forces().linearise(t, jacobian.forces()) != ForceSet.REGULAR) {
-      fail(loads.forces().defect());
+    boolean defined =
+        articulated.isPresent()
+            ? lineariseLinks(t, articulated.get())
+            : lineariseElements(t, jacobian.orElseThrow());
+    if (!defined) {
       return false;
     }
-    jacobian.finish();
     iteration.setState(y);
     bordered.setState(y);
     furtherDerivatives.evaluate(motion, loads.forces(), further, coordinates, t, y);
-    return jacobian.isFinite() && furtherDerivatives.isFinite();
+    boolean finite =
+        articulated.isPresent() ? articulated.get().isFinite() : jacobian.orElseThrow().isFinite();
+    return finite && furtherDerivatives.isFinite();
+  }
+
+  private boolean lineariseElements(double t, ResidualJacobian elements) {
+    if (mode == Mode.FULL) {
+      elements.evaluate(loads.wrench());
+    } else {
+      elements.evaluateMass();
+    }
+    boolean defined = lineariseForces(t, elements.forces());
+    elements.finish();
+    return defined;
+  }
+
+  private boolean lineariseLinks(double t, ArticulatedIteration links) {
+    links.evaluate(loads.wrench());
+    boolean defined = lineariseForces(t, links.forces());
+    links.finish();
+    return defined;
+  }
+
+  private boolean lineariseForces(double t, ForceJacobian sink) {
+    if (loads.forces().linearise(t, sink) == ForceSet.REGULAR) {
+      return true;
+    }
+    fail(loads.forces().defect());
+    return false;
   }
 
   @Override

@@ -77,6 +77,16 @@ public final class FrameMotion {
     return link2;
   }
 
+  /** Returns whether the links are one, next to each other, or one of them is the root. */
+  boolean isOfNeighbours() {
+    int[] parent = motion.tree().parent;
+    return link1 == link2
+        || link1 == TreeGeometry.ROOT
+        || link2 == TreeGeometry.ROOT
+        || parent[link1] == link2
+        || parent[link2] == link1;
+  }
+
   private static void put(double[] m, Rotation r) {
     m[0] = r.xx();
     m[1] = r.xy();
