@@ -2,19 +2,18 @@ package org.mechservice.solver.dynamics;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import org.mechservice.solver.api.capability.LinearisedModel;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.dynamics.derivative.ArticulatedIteration;
 import org.mechservice.solver.dynamics.derivative.BorderedStep;
 import org.mechservice.solver.dynamics.derivative.FurtherDerivatives;
+import org.mechservice.solver.dynamics.derivative.ResidualDerivatives;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.dynamics.derivative.StepReduction;
 import org.mechservice.solver.dynamics.derivative.TreeIteration;
 import org.mechservice.solver.dynamics.tree.TreePattern;
 import org.mechservice.solver.force.ForceSet;
-import org.mechservice.solver.force.applied.ForceJacobian;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 
@@ -36,11 +35,7 @@ public final class LinearisedResidualModel extends RecursiveResidualModel
   }
 
   private final Mode mode;
-
-  /** Derivatives element by element, or those by which links are eliminated one after the other. */
-  private final Optional<ResidualJacobian> jacobian;
-
-  private final Optional<ArticulatedIteration> articulated;
+  private final ResidualDerivatives derivatives;
   private final StepReduction iteration;
   private final FurtherDerivatives furtherDerivatives;
   private final BorderedStep bordered;
@@ -62,14 +57,12 @@ public final class LinearisedResidualModel extends RecursiveResidualModel
     this.mode = mode;
     if (mode == Mode.FULL && loads.forces().isLocal() && ArticulatedIteration.pays(tree)) {
       ArticulatedIteration fromLinkToLink = new ArticulatedIteration(motion);
-      jacobian = Optional.empty();
-      articulated = Optional.of(fromLinkToLink);
+      derivatives = fromLinkToLink;
       iteration = fromLinkToLink;
     } else {
       TreePattern pattern = new TreePattern(tree, coupledLinks(loads.forces()));
       ResidualJacobian byElements = new ResidualJacobian(motion, pattern);
-      jacobian = Optional.of(byElements);
-      articulated = Optional.empty();
+      derivatives = byElements;
       iteration = new TreeIteration(tree, pattern, byElements);
     }
     furtherDerivatives =
@@ -94,45 +87,20 @@ public final class LinearisedResidualModel extends RecursiveResidualModel
       return false;
     }
     motion.accelerationSweep(yDot, tree.statePositionCount);
-    boolean defined =
-        articulated.isPresent()
-            ? lineariseLinks(t, articulated.get())
-            : lineariseElements(t, jacobian.orElseThrow());
-    if (!defined) {
+    if (mode == Mode.FORCES_ONLY && derivatives instanceof ResidualJacobian elements) {
+      elements.evaluateMass();
+    } else {
+      derivatives.evaluate(loads.wrench());
+    }
+    if (loads.forces().linearise(t, derivatives.forces()) != ForceSet.REGULAR) {
+      fail(loads.forces().defect());
       return false;
     }
+    derivatives.finish();
     iteration.setState(y);
     bordered.setState(y);
     furtherDerivatives.evaluate(motion, loads.forces(), further, coordinates, t, y);
-    boolean finite =
-        articulated.isPresent() ? articulated.get().isFinite() : jacobian.orElseThrow().isFinite();
-    return finite && furtherDerivatives.isFinite();
-  }
-
-  private boolean lineariseElements(double t, ResidualJacobian elements) {
-    if (mode == Mode.FULL) {
-      elements.evaluate(loads.wrench());
-    } else {
-      elements.evaluateMass();
-    }
-    boolean defined = lineariseForces(t, elements.forces());
-    elements.finish();
-    return defined;
-  }
-
-  private boolean lineariseLinks(double t, ArticulatedIteration links) {
-    links.evaluate(loads.wrench());
-    boolean defined = lineariseForces(t, links.forces());
-    links.finish();
-    return defined;
-  }
-
-  private boolean lineariseForces(double t, ForceJacobian sink) {
-    if (loads.forces().linearise(t, sink) == ForceSet.REGULAR) {
-      return true;
-    }
-    fail(loads.forces().defect());
-    return false;
+    return derivatives.isFinite() && furtherDerivatives.isFinite();
   }
 
   @Override

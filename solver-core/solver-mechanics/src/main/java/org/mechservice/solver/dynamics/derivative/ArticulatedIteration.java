@@ -38,7 +38,7 @@ import org.mechservice.solver.linear.LinearSolver;
  * <p>Where a pivot vanishes, or numbers are subtracted that are a thousand times larger than what
  * they are subtracted from, the matrix is formed and factored with interchanges (NUMERICS §2).
  */
-public final class ArticulatedIteration extends StepReduction {
+public final class ArticulatedIteration extends StepReduction implements ResidualDerivatives {
   /** As in factors along the tree: at most three digits are lost beyond the condition. */
   private static final double GROWTH_ALLOWED = 1e3;
 
@@ -157,22 +157,17 @@ public final class ArticulatedIteration extends StepReduction {
   }
 
   /**
-   * Returns the sink for the derivatives of applied forces, for use between {@link #evaluate} and
-   * {@link #finish}. It takes those that act between a link and its parent, between a link and the
+   * {@inheritDoc} It takes those that act between a link and its parent, between a link and the
    * root, or between coordinates of one link.
    */
+  @Override
   public ForceJacobian forces() {
     return forces;
   }
 
-  /**
-   * Evaluates the derivatives for the motion of the last sweeps, without those of forces; {@link
-   * #finish} completes them.
-   *
-   * @param external wrenches, 6 per link, or empty; not modified
-   */
-  public void evaluate(double[] external) {
-    newtonEuler.evaluate(external, noForces, residual);
+  @Override
+  public void evaluate(double[] wrenches) {
+    newtonEuler.evaluate(wrenches, noForces, residual);
     changes.formAlone();
     Arrays.fill(own, 0);
     for (int link = 0; link < tree.linkCount; link++) {
@@ -240,11 +235,8 @@ public final class ArticulatedIteration extends StepReduction {
         motion.subspace, 6 * k, newtonEuler.force, 6 * link, placeForce, 6 * k);
   }
 
-  /**
-   * Completes the derivatives by positions for balls whose velocities are given in the axes of the
-   * parent, after everything else has been added: ∂F/∂v [ω]× + M [ω']×, and −[Sᵀ f]× in its own
-   * rows.
-   */
+  /** {@inheritDoc} They get ∂F/∂v [ω]× + M [ω']×, and −[Sᵀ f]× in their own rows. */
+  @Override
   public void finish() {
     for (int link = 0; link < tree.linkCount; link++) {
       if (tree.kind[link] == LinkKind.BALL && !tree.driven[link] && !tree.inverse[link]) {
@@ -296,7 +288,7 @@ public final class ArticulatedIteration extends StepReduction {
     triple[2] = x * omega[at + 1] - y * omega[at];
   }
 
-  /** Returns whether all derivatives are finite. */
+  @Override
   public boolean isFinite() {
     double sum = 0;
     for (double element : own) {
@@ -382,13 +374,18 @@ public final class ArticulatedIteration extends StepReduction {
     return q.length + singular;
   }
 
+  /** Returns the velocity whose column had no pivot in the last, failed factorisation. */
+  public int singularVelocity() {
+    return singular;
+  }
+
   @Override
   long denseFactorizations() {
     return denseFactorizations;
   }
 
   @Override
-  void solveReduced(double[] b) {
+  public void solveReduced(double[] b) {
     if (isDense) {
       dense.orElseThrow(() -> new IllegalStateException("no matrix has been factored")).solve(b);
     } else {

@@ -43,7 +43,7 @@ import org.mechservice.solver.kinematics.TreeMotion;
  * <p>External wrenches are held constant in the axes of their links, and joint forces constant; the
  * caller adds their derivatives through {@link #forces}. Workspace of one thread.
  */
-public final class ResidualJacobian {
+public final class ResidualJacobian implements ResidualDerivatives {
   private final TreeGeometry tree;
   private final TreePattern pattern;
   private final TreeMotion motion;
@@ -116,6 +116,7 @@ public final class ResidualJacobian {
    * Returns the sink for the derivatives of applied forces, for use between {@link #evaluate} or
    * {@link #evaluateMass} and {@link #finish}.
    */
+  @Override
   public ForceJacobian forces() {
     return forces;
   }
@@ -199,6 +200,7 @@ public final class ResidualJacobian {
    *
    * @param wrench external wrenches, 6 per link, or empty; not modified
    */
+  @Override
   public void evaluate(double[] wrench) {
     composites.compose();
     changes.compose();
@@ -222,6 +224,7 @@ public final class ResidualJacobian {
    * Completes ∂F/∂q for balls whose velocities are given in the axes of the parent, after
    * everything else has been added to the derivatives.
    */
+  @Override
   public void finish() {
     for (int ball = 0; ball < balls.count(); ball++) {
       int k = balls.velocity(ball);
@@ -257,6 +260,7 @@ public final class ResidualJacobian {
   }
 
   /** Returns whether all derivatives are finite. */
+  @Override
   public boolean isFinite() {
     return byPosition.isFinite() && byVelocity.isFinite();
   }

@@ -78,7 +78,7 @@ public abstract class StepReduction {
   abstract long denseFactorizations();
 
   /** Solves the n equations in place with the last factors. */
-  abstract void solveReduced(double[] b);
+  public abstract void solveReduced(double[] b);
 
   /** Adds factor · K x to a vector, both of nv numbers. */
   abstract void addByPosition(double factor, double[] x, double[] sum);

@@ -119,7 +119,7 @@ public final class TreeIteration extends StepReduction {
   }
 
   @Override
-  void solveReduced(double[] b) {
+  public void solveReduced(double[] b) {
     lu.solve(b);
   }
 

@@ -79,12 +79,7 @@ public final class FrameMotion {
 
   /** Returns whether the links are one, next to each other, or one of them is the root. */
   boolean isOfNeighbours() {
-    int[] parent = motion.tree().parent;
-    return link1 == link2
-        || link1 == TreeGeometry.ROOT
-        || link2 == TreeGeometry.ROOT
-        || parent[link1] == link2
-        || parent[link2] == link1;
+    return motion.tree().areNeighbours(link1, link2);
   }
 
   private static void put(double[] m, Rotation r) {

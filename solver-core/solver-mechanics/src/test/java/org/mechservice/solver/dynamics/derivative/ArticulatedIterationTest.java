@@ -2,12 +2,15 @@ package org.mechservice.solver.dynamics.derivative;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Random;
 import java.util.stream.LongStream;
 import org.apache.commons.math3.linear.ArrayRealVector;
 import org.apache.commons.math3.linear.RealMatrix;
 import org.apache.commons.math3.linear.RealVector;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.mechservice.solver.dynamics.Evaluation;
@@ -15,7 +18,17 @@ import org.mechservice.solver.dynamics.WholeStep;
 import org.mechservice.solver.dynamics.tree.TreePattern;
 import org.mechservice.solver.force.applied.ForceJacobian;
 import org.mechservice.solver.kinematics.TreeGeometry;
+import org.mechservice.solver.mechanism.Body;
+import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.RandomTrees;
+import org.mechservice.solver.mechanism.Root;
+import org.mechservice.solver.mechanism.joint.Attachment;
+import org.mechservice.solver.mechanism.joint.Joint;
+import org.mechservice.solver.mechanism.joint.Revolute;
+import org.mechservice.solver.spatial.InertiaTensor;
+import org.mechservice.solver.spatial.Rotation;
+import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.text.Origin;
 
 /** Elimination from link to link against the matrix formed element by element. */
 class ArticulatedIterationTest {
@@ -152,6 +165,48 @@ class ArticulatedIterationTest {
     step.elements.solve(expected);
     step.articulated.solve(found);
     requireEqual(found, expected);
+  }
+
+  /** The matrix of this chain would have 9 million elements. */
+  @Test
+  void aChainOf3000LinksIsSolvedFromLinkToLink() {
+    Evaluation at = new Evaluation(chain(3000));
+    assertThat(ArticulatedIteration.pays(at.tree)).isTrue();
+    at.motion.sweep(0, at.y);
+    at.motion.accelerationSweep(new Random(1).doubles(at.nv, -3, 3).toArray());
+    ArticulatedIteration articulated = new ArticulatedIteration(at.motion);
+    articulated.evaluate(at.wrench);
+    for (int k = 0; k < at.nv; k++) {
+      articulated.forces().forceByCoordinate(k, k, -1e5, -1e3);
+    }
+    articulated.finish();
+    articulated.setState(at.y);
+    assertThat(articulated.factor(1e-3)).isTrue();
+    assertThat(articulated.denseFactorizations()).isZero();
+    double[] x = new Random(2).doubles(at.nv, -1, 1).toArray();
+    double[] b = new double[at.nv];
+    articulated.addMatrixProduct(1, x, b);
+    articulated.solveReduced(b);
+    // the condition of the chain's matrix, some 1e6, times rounding
+    for (int k = 0; k < at.nv; k++) {
+      assertThat(Math.abs(b[k] - x[k])).isLessThanOrEqualTo(1e-8);
+    }
+  }
+
+  /** Bars that turn about y and about z in turn. */
+  private static Mechanism chain(int links) {
+    List<Body> bodies = new ArrayList<>();
+    List<Joint> joints = new ArrayList<>();
+    for (int i = 0; i < links; i++) {
+      InertiaTensor inertia = new InertiaTensor(1e-3, 1.0 / 12, 1.0 / 12, 0, 0, 0);
+      bodies.add(new Body("link" + i, 1, new Vector3(0.5, 0, 0), inertia, Origin.NONE));
+      Vector3 onParent = i == 0 ? Vector3.ZERO : new Vector3(1, 0, 0);
+      Vector3 axis = i % 2 == 0 ? new Vector3(0, 1, 0) : new Vector3(0, 0, 1);
+      Attachment attachment = new Attachment(i - 1, onParent, i, Vector3.ZERO, Rotation.IDENTITY);
+      joints.add(new Revolute("joint" + i, attachment, axis, 0.1, 0.2, Origin.NONE));
+    }
+    Root root = new Root("Ground", Vector3.ZERO, Rotation.IDENTITY);
+    return new Mechanism("chain", root, new Vector3(0, 0, -9.81), bodies, joints);
   }
 
   /** The condition of random trees of twelve bodies costs up to five digits. */
