@@ -85,7 +85,7 @@ def rates(t, y):
     m[0, 0] = m[1, 1] = MASS
     m[2, 2] = INERTIA
     f[1] = MASS * G
-    brake = min(max((t - 1) / 0.3, 0), 1)
+    brake = min(max((t - 0.5) / 0.3, 0), 1)
     brake = brake * brake * (3 - 2 * brake)
     for i, (a, b0) in enumerate(ARMS):
         b = b0 + q[3 + i]

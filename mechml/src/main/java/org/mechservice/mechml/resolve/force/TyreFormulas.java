@@ -289,7 +289,8 @@ final class TyreFormulas {
               quotient(
                   sum(product(speed, spring), product(perSlip, sliding)),
                   sum(product(speed, curve.damping()), perSlip)));
-      states.add(new FurtherState(name + "." + curve.name(), 0, rate, "m", 0, origin));
+      states.add(
+          new FurtherState(name + "." + curve.name() + "Deflection", 0, rate, "m", 0, origin));
       return sum(spring, product(curve.damping(), rate));
     }
   }
