@@ -55,14 +55,7 @@ public final class ModelLibrary implements AutoCloseable {
       new BoundedCache<>(CHECK_REPORTS_KEPT, Long.MAX_VALUE, report -> 0);
 
   /** Models of which sessions hold the set-up, for their check reports. */
-  private final Map<ModelText, WeakReference<MechmlModel>> held =
-      new LinkedHashMap<>() {
-        @Override
-        protected boolean removeEldestEntry(
-            Map.Entry<ModelText, WeakReference<MechmlModel>> eldest) {
-          return size() > CHECK_REPORTS_KEPT;
-        }
-      };
+  private final Map<ModelText, WeakReference<MechmlModel>> held = new LinkedHashMap<>();
 
   private final AtomicInteger builders = new AtomicInteger();
   private final ExecutorService builds =
@@ -81,12 +74,7 @@ public final class ModelLibrary implements AutoCloseable {
    * @throws IllegalArgumentException if the model does not fit the options
    */
   public GeneratedModel generated(LoadedModel loaded, BuildOptions options, SetUpTimes times) {
-    if (loaded.options().equals(ReadOptions.NONE)) {
-      synchronized (held) {
-        held.put(
-            new ModelText(loaded.fileName(), loaded.text()), new WeakReference<>(loaded.model()));
-      }
-    }
+    hold(loaded);
     return generated.get(
         key(loaded, options),
         builds,
@@ -154,6 +142,20 @@ public final class ModelLibrary implements AutoCloseable {
       return CheckReport.of(model.isPresent() ? model.get() : read(file)).json();
     } catch (MechmlException e) {
       return ""; // its encoding is not UTF-8
+    }
+  }
+
+  /** Remembers the model of a file as it stands, without values of its own for parameters. */
+  private void hold(LoadedModel loaded) {
+    if (!loaded.options().equals(ReadOptions.NONE)) {
+      return;
+    }
+    ModelText file = new ModelText(loaded.fileName(), loaded.text());
+    synchronized (held) {
+      held.put(file, new WeakReference<>(loaded.model()));
+      if (held.size() > CHECK_REPORTS_KEPT) {
+        held.remove(held.keySet().iterator().next());
+      }
     }
   }
 

@@ -46,7 +46,8 @@ final class SessionCalls implements InvocationHandler {
     try {
       return operation.invoke(servant, arguments);
     } catch (InvocationTargetException e) {
-      throw e.getCause() instanceof CancellationException ? gone() : e.getCause();
+      Throwable thrown = e.getCause() == null ? e : e.getCause();
+      throw thrown instanceof CancellationException ? gone() : thrown;
     } finally {
       if (stops) {
         done();

@@ -1,6 +1,7 @@
 package org.mechservice.solver.dynamics.derivative;
 
 import static org.mechservice.solver.spatial.Blocks.addCross;
+import static org.mechservice.solver.spatial.Blocks.apply;
 import static org.mechservice.solver.spatial.Blocks.applyTransposed;
 
 import java.util.Arrays;
@@ -60,6 +61,15 @@ public final class ArticulatedIteration extends StepReduction implements Residua
   private final double[] residual;
   private final double[] noForces;
   private final double[] noWrench = {};
+
+  /**
+   * Where the links are at the derivatives, as in {@link TreeMotion}, which moves on: rotations,
+   * positions and columns S.
+   */
+  private final double[] rotation;
+
+  private final double[] position;
+  private final double[] subspace;
 
   /** P, R and Q, 6 × 18 for each link: P by its motion, R by its parent's, Q that on the parent. */
   private final double[] own;
@@ -121,6 +131,9 @@ public final class ArticulatedIteration extends StepReduction implements Residua
     residual = new double[tree.velocityCount];
     noForces = new double[tree.velocityCount];
     int links = tree.linkCount;
+    rotation = new double[9 * links];
+    position = new double[3 * links];
+    subspace = new double[6 * tree.velocityCount];
     own = new double[BLOCK * links];
     byParent = new double[BLOCK * links];
     onParent = new double[BLOCK * links];
@@ -168,6 +181,9 @@ public final class ArticulatedIteration extends StepReduction implements Residua
   @Override
   public void evaluate(double[] wrenches) {
     newtonEuler.evaluate(wrenches, noForces, residual);
+    System.arraycopy(motion.rotation, 0, rotation, 0, rotation.length);
+    System.arraycopy(motion.position, 0, position, 0, position.length);
+    System.arraycopy(motion.subspace, 0, subspace, 0, subspace.length);
     changes.formAlone();
     Arrays.fill(own, 0);
     for (int link = 0; link < tree.linkCount; link++) {
@@ -261,7 +277,7 @@ public final class ArticulatedIteration extends StepReduction implements Residua
    */
   private void addTurned(
       double[] from, int height, int k, int numbers, double[] omega, double[] to) {
-    for (int r = 0; r < (numbers); r++) {
+    for (int r = 0; r < numbers; r++) {
       int at = height * k + r;
       turn(from[at], from[at + height], from[at + 2 * height], omega, k);
       for (int c = 0; c < 3; c++) {
@@ -303,7 +319,7 @@ public final class ArticulatedIteration extends StepReduction implements Residua
     for (int k = 0; k < WIDTH * tree.stateVelocityCount; k++) {
       sum += placeColumn[k] + velocityColumn[k];
     }
-    return sum - sum == 0;
+    return Double.isFinite(sum);
   }
 
   @Override
@@ -314,7 +330,7 @@ public final class ArticulatedIteration extends StepReduction implements Residua
     combine(placeDirect, velocityDirect, 3, direct);
     for (int k = 0; k < tree.stateVelocityCount; k++) {
       for (int r = 0; r < 6; r++) {
-        column[WIDTH * k + r] += motion.subspace[6 * k + r];
+        column[WIDTH * k + r] += subspace[6 * k + r];
       }
     }
     isDense = !ofMatrix.eliminate(column, force, direct);
@@ -408,7 +424,7 @@ public final class ArticulatedIteration extends StepReduction implements Residua
     if (!inertiaFactored) {
       double[] still = new double[column.length];
       for (int k = 0; k < tree.stateVelocityCount; k++) {
-        System.arraycopy(motion.subspace, 6 * k, still, WIDTH * k, 6);
+        System.arraycopy(subspace, 6 * k, still, WIDTH * k, 6);
       }
       inertiaRegular =
           ofInertia.eliminate(still, new double[force.length], new double[direct.length]);
@@ -439,7 +455,7 @@ public final class ArticulatedIteration extends StepReduction implements Residua
     for (int link = tree.linkCount - 1; link >= 0; link--) {
       int first = first(link);
       for (int j = first; j < end(link); j++) {
-        double row = dot6(motion.subspace, 6 * j, wrench, 6 * link);
+        double row = dot6(subspace, 6 * j, wrench, 6 * link);
         for (int k = first; k < end(link); k++) {
           row += d[3 * k + j - first] * x[k];
         }
@@ -450,7 +466,7 @@ public final class ArticulatedIteration extends StepReduction implements Residua
       }
       int parent = tree.parent[link];
       if (parent != TreeGeometry.ROOT) {
-        motion.wrenches.toParent(link, wrench, 6 * link);
+        toParent(link, wrench, 6 * link);
         add(wrench, 6 * link, 1, wrench, 6 * parent);
         if (coupled[link]) {
           multiply(onParent, link, moved, WIDTH * link, work, 0);
@@ -470,11 +486,20 @@ public final class ArticulatedIteration extends StepReduction implements Residua
     }
     for (int i = 0; i < WIDTH; i += 6) {
       int from = WIDTH * parent + i;
-      applyTransposed(motion.rotation, 9 * link, z, from, z, to + i);
+      applyTransposed(rotation, 9 * link, z, from, z, to + i);
       System.arraycopy(z, from + 3, triple, 0, 3);
-      addCross(z, from, motion.position, 3 * link, triple, 0);
-      applyTransposed(motion.rotation, 9 * link, triple, 0, z, to + i + 3);
+      addCross(z, from, position, 3 * link, triple, 0);
+      applyTransposed(rotation, 9 * link, triple, 0, z, to + i + 3);
     }
+  }
+
+  /** Refers a wrench to the parent of a link: f_p = R f, n_p = R n + p × f_p. */
+  private void toParent(int link, double[] w, int at) {
+    apply(rotation, 9 * link, w, at + 3, triple, 0);
+    System.arraycopy(triple, 0, w, at + 3, 3);
+    apply(rotation, 9 * link, w, at, triple, 0);
+    System.arraycopy(triple, 0, w, at, 3);
+    addCross(position, 3 * link, w, at + 3, w, at);
   }
 
   /** Writes the product of a link's 6 × 18 matrix. */
@@ -547,7 +572,7 @@ public final class ArticulatedIteration extends StepReduction implements Residua
         multiply(articulated, link, z, WIDTH * k, push, 6 * k);
         for (int j = 0; j < count; j++) {
           pivots[count * j + k - first] =
-              dot6(motion.subspace, 6 * (first + j), push, 6 * k) + d[3 * k + j];
+              dot6(subspace, 6 * (first + j), push, 6 * k) + d[3 * k + j];
         }
         add(g, 6 * k, 1, push, 6 * k);
       }
@@ -571,7 +596,7 @@ public final class ArticulatedIteration extends StepReduction implements Residua
       }
       columnsToParent(link);
       for (int k = first; k < first + count; k++) {
-        motion.wrenches.toParent(link, push, 6 * k);
+        toParent(link, push, 6 * k);
         if (coupled[link]) {
           multiply(onParent, link, z, WIDTH * k, work, 0);
           add(work, 0, 1, push, 6 * k);
@@ -585,7 +610,7 @@ public final class ArticulatedIteration extends StepReduction implements Residua
       for (int c = 0; c < WIDTH; c++) {
         double sum = 0;
         for (int r = 0; r < 6; r++) {
-          sum += motion.subspace[6 * j + r] * articulated[BLOCK * link + WIDTH * r + c];
+          sum += subspace[6 * j + r] * articulated[BLOCK * link + WIDTH * r + c];
         }
         row[WIDTH * j + c] = sum;
       }
@@ -597,7 +622,7 @@ public final class ArticulatedIteration extends StepReduction implements Residua
         System.arraycopy(from, BLOCK * link, to, BLOCK * at, BLOCK);
       }
       for (int i = BLOCK * at; i < BLOCK * (at + 1); i += 6) {
-        motion.wrenches.toParent(link, to, i);
+        toParent(link, to, i);
       }
     }
 
@@ -607,7 +632,7 @@ public final class ArticulatedIteration extends StepReduction implements Residua
         for (int r = 0; r < 6; r++) {
           work[r] = articulated[BLOCK * link + WIDTH * r + c];
         }
-        motion.wrenches.toParent(link, work, 0);
+        toParent(link, work, 0);
         for (int r = 0; r < 6; r++) {
           articulated[BLOCK * link + WIDTH * r + c] = work[r];
         }
@@ -616,7 +641,7 @@ public final class ArticulatedIteration extends StepReduction implements Residua
         for (int r = 0; r < 6; r++) {
           System.arraycopy(onParent, BLOCK * link + WIDTH * r, work, 0, WIDTH);
           for (int c = 0; c < WIDTH; c += 6) {
-            motion.wrenches.toParent(link, work, c);
+            toParent(link, work, c);
           }
           for (int c = 0; c < WIDTH; c++) {
             articulated[BLOCK * link + WIDTH * r + c] += work[c];
@@ -735,14 +760,14 @@ public final class ArticulatedIteration extends StepReduction implements Residua
         int first = first(link);
         int count = end(link) - first;
         for (int j = 0; j < count; j++) {
-          solution[j] = b[first + j] - dot6(motion.subspace, 6 * (first + j), wrench, 6 * link);
+          solution[j] = b[first + j] - dot6(subspace, 6 * (first + j), wrench, 6 * link);
         }
         for (int k = first; k < first + count; k++) {
           b[k] = ofSolution(k, count);
         }
         int parent = tree.parent[link];
         if (parent != TreeGeometry.ROOT) {
-          motion.wrenches.toParent(link, wrench, 6 * link);
+          toParent(link, wrench, 6 * link);
           add(wrench, 6 * link, 1, wrench, 6 * parent);
           for (int k = first; k < first + count; k++) {
             add(push, 6 * k, b[k], wrench, 6 * parent);
