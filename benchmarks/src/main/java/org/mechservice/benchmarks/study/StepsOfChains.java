@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.Locale;
 import org.mechservice.benchmarks.LinkChain;
 import org.mechservice.solver.dynamics.derivative.ArticulatedIteration;
-import org.mechservice.solver.dynamics.derivative.ResidualDerivatives;
+import org.mechservice.solver.dynamics.derivative.StepDerivatives;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.dynamics.derivative.StepReduction;
 import org.mechservice.solver.dynamics.derivative.TreeIteration;
@@ -66,7 +66,7 @@ public final class StepsOfChains {
     return costs + " " + costs(elements, new TreeIteration(tree, pattern, elements), y);
   }
 
-  private static String costs(ResidualDerivatives derivatives, StepReduction step, double[] y) {
+  private static String costs(StepDerivatives derivatives, StepReduction step, double[] y) {
     int links = y.length / 2;
     double[] noWrench = {};
     step.setState(y);

@@ -9,7 +9,7 @@ import org.mechservice.solver.dynamics.OpenTree;
 import org.mechservice.solver.dynamics.SemiRecursive;
 import org.mechservice.solver.dynamics.WorldMotion;
 import org.mechservice.solver.dynamics.derivative.FurtherDerivatives;
-import org.mechservice.solver.dynamics.derivative.ResidualDerivatives;
+import org.mechservice.solver.dynamics.derivative.StepDerivatives;
 import org.mechservice.solver.dynamics.recursion.MassiveRods;
 import org.mechservice.solver.force.ForceSet;
 import org.mechservice.solver.force.formula.FurtherRates;
@@ -325,7 +325,7 @@ public class ClosedTree {
    * @return whether all forces have values
    */
   public boolean linearise(
-      double t, double[] a, int aAt, double[] lambda, ResidualDerivatives jacobian) {
+      double t, double[] a, int aAt, double[] lambda, StepDerivatives jacobian) {
     System.arraycopy(wrench, 0, loaded, 0, loaded.length);
     loops.addForces(lambda, -1, loaded, tau);
     jacobian.evaluate(loaded);

@@ -7,7 +7,7 @@ import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.closure.equations.LoopTerms;
 import org.mechservice.solver.closure.equations.UnwrappedAngles;
 import org.mechservice.solver.dynamics.derivative.FurtherDerivatives;
-import org.mechservice.solver.dynamics.derivative.ResidualDerivatives;
+import org.mechservice.solver.dynamics.derivative.StepDerivatives;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.force.user.UserForceSource;
 
@@ -262,7 +262,7 @@ final class GeneratedTreeTerms extends ClosedTree {
   /** {@inheritDoc} The data are used if the code has no derivatives or a force has no value. */
   @Override
   public boolean linearise(
-      double t, double[] a, int aAt, double[] lambda, ResidualDerivatives jacobian) {
+      double t, double[] a, int aAt, double[] lambda, StepDerivatives jacobian) {
     derived = false;
     if (terms instanceof LoopTerms.OfDerivatives coded
         && jacobian instanceof ResidualJacobian elements) {

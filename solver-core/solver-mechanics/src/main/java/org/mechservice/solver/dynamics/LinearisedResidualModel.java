@@ -8,7 +8,7 @@ import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.dynamics.derivative.ArticulatedIteration;
 import org.mechservice.solver.dynamics.derivative.BorderedStep;
 import org.mechservice.solver.dynamics.derivative.FurtherDerivatives;
-import org.mechservice.solver.dynamics.derivative.ResidualDerivatives;
+import org.mechservice.solver.dynamics.derivative.StepDerivatives;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.dynamics.derivative.StepReduction;
 import org.mechservice.solver.dynamics.derivative.TreeIteration;
@@ -35,7 +35,7 @@ public final class LinearisedResidualModel extends RecursiveResidualModel
   }
 
   private final Mode mode;
-  private final ResidualDerivatives derivatives;
+  private final StepDerivatives derivatives;
   private final StepReduction iteration;
   private final FurtherDerivatives furtherDerivatives;
   private final BorderedStep bordered;

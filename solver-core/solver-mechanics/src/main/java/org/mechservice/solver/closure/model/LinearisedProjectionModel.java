@@ -8,7 +8,7 @@ import org.mechservice.solver.closure.model.ResidualPenaltyModel.Derivatives;
 import org.mechservice.solver.dynamics.derivative.ArticulatedIteration;
 import org.mechservice.solver.dynamics.derivative.BorderedStep;
 import org.mechservice.solver.dynamics.derivative.FurtherDerivatives;
-import org.mechservice.solver.dynamics.derivative.ResidualDerivatives;
+import org.mechservice.solver.dynamics.derivative.StepDerivatives;
 import org.mechservice.solver.dynamics.derivative.ResidualDifferences;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.dynamics.derivative.StepReduction;
@@ -29,7 +29,7 @@ import org.mechservice.solver.linear.SparseMatrix;
  */
 public final class LinearisedProjectionModel extends ResidualProjectionModel
     implements LinearisedModel {
-  private final ResidualDerivatives jacobian;
+  private final StepDerivatives jacobian;
   private final Optional<ResidualDifferences> differences;
   private final StepReduction iteration;
   private final FurtherDerivatives further;

@@ -39,7 +39,7 @@ import org.mechservice.solver.linear.LinearSolver;
  * <p>Where a pivot vanishes, or numbers are subtracted that are a thousand times larger than what
  * they are subtracted from, the matrix is formed and factored with interchanges (NUMERICS §2).
  */
-public final class ArticulatedIteration extends StepReduction implements ResidualDerivatives {
+public final class ArticulatedIteration extends StepReduction implements StepDerivatives {
   /** As in factors along the tree: at most three digits are lost beyond the condition. */
   private static final double GROWTH_ALLOWED = 1e3;
 

@@ -43,7 +43,7 @@ import org.mechservice.solver.kinematics.TreeMotion;
  * <p>External wrenches are held constant in the axes of their links, and joint forces constant; the
  * caller adds their derivatives through {@link #forces}. Workspace of one thread.
  */
-public final class ResidualJacobian implements ResidualDerivatives {
+public final class ResidualJacobian implements StepDerivatives {
   private final TreeGeometry tree;
   private final TreePattern pattern;
   private final TreeMotion motion;

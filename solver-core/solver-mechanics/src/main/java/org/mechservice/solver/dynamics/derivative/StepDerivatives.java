@@ -6,7 +6,7 @@ import org.mechservice.solver.force.applied.ForceJacobian;
  * The derivatives of the residual M a + b − τ − Jᵀ w of a tree by a, v and q, in a form that an
  * implicit step can be solved with. Workspace of one thread.
  */
-public interface ResidualDerivatives {
+public interface StepDerivatives {
   /**
    * Evaluates the derivatives for the motion of the last sweeps, without those of forces; {@link
    * #finish} completes them.
