@@ -36,7 +36,7 @@ class Mech:
     """The command line in this process."""
 
     def __init__(self, lib):
-        jpype.startJVM("-Xmx1500m", classpath=[f"{lib}/mechcli.jar"] + glob.glob(f"{lib}/lib/*.jar"))
+        jpype.startJVM("-Xmx1500m", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", classpath=[f"{lib}/mechcli.jar"] + glob.glob(f"{lib}/lib/*.jar"))
         self.text = jpype.JClass("java.io.StringWriter")
         self.writer = jpype.JClass("java.io.PrintWriter")
         self.mech = jpype.JClass("org.mechservice.cli.Mech")
