@@ -1,0 +1,117 @@
+package org.mechservice.cli.picture;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.google.gson.JsonElement;
+import com.google.gson.JsonObject;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.mechservice.admin.web.Chromium;
+import org.mechservice.cli.Mech;
+import org.mechservice.cli.shell.ExitStatus;
+import org.mechservice.load.SoakPage;
+
+/**
+ * What one picture of the player costs the thread of its page. The processor's time is counted, not
+ * the clock's, and without the painting of triangles, which another process of the browser does: on
+ * a graphics card, or by the processor where there is none.
+ */
+@Tag("soak")
+class PlayerFramesTest {
+  private static final double FRAME_MS = 1000.0 / 60;
+  private static final List<String> ALL = List.of("reactions", "forces", "traces", "frames", "names");
+  private static final int FRAMES = 32;
+
+  @TempDir Path folder;
+
+  private static Map<String, Double> spent(Chromium browser) throws Exception {
+    JsonObject answer = browser.call("Performance.getMetrics", Map.of());
+    Map<String, Double> spent = new HashMap<>();
+    for (JsonElement metric : answer.getAsJsonArray("metrics")) {
+      JsonObject one = metric.getAsJsonObject();
+      spent.put(one.get("name").getAsString(), one.get("value").getAsDouble());
+    }
+    return spent;
+  }
+
+  @Test
+  void pictureOfTheDriverTakesAFractionOfASixtiethOfASecond() throws Exception {
+    SoakPage page =
+        new SoakPage(
+            "Frame times of the player",
+            "Processor time that one picture of a playing player takes in the thread of its page, ms, by"
+                + " the DevTools of Chromium without a window (400 x 500 pixels, which are soon painted; mean of "
+                + FRAMES
+                + " pictures): the script of the page, its layout and styles (the numbers that change),"
+                + " and all the thread does, garbage and the browser's own work included. 60 pictures"
+                + " a second leave 16.7 ms. The painting of the triangles is not in it: another"
+                + " process does it, on a graphics card where there is one. \"All\" shows reactions,"
+                + " forces, traces, body frames and names as well.",
+            0);
+    page.line("| scene | shown | script | layout and styles | whole thread | share of 16.7 ms |");
+    page.line("|---|---|---|---|---|---|");
+    try (Chromium browser = Chromium.start(folder.resolve("profile")).orElseThrow()) {
+      browser.look(400, 500, false);
+      browser.call("Performance.enable", Map.of("timeDomain", "threadTicks"));
+      for (String model :
+          List.of(
+              "pendulum/pendulum",
+              "five-point-suspension/five-point-suspension",
+              "driver/driver-c0",
+              "benchmarks/bouncing_ball")) {
+        browser.open(view(Path.of("..", "examples", model + ".xml")));
+        browser.evaluate(
+            "globalThis.pictures = 0; (function next() { pictures++; requestAnimationFrame(next); })()");
+        measure(browser, page, model, "usual");
+        for (String toggle : ALL) {
+          browser.evaluate("document.getElementById('show-" + toggle + "')?.click()");
+        }
+        measure(browser, page, model, "all");
+      }
+    }
+    page.write("player-frames.md");
+  }
+
+  private Path view(Path model) {
+    Path page = folder.resolve(model.getFileName() + ".html");
+    StringWriter err = new StringWriter();
+    int status =
+        Mech.run(
+            new PrintWriter(new StringWriter()),
+            new PrintWriter(err),
+            "view",
+            model.toString(),
+            "-o",
+            page.toString());
+    assertThat(status).as(err.toString()).isEqualTo(ExitStatus.DONE);
+    return page;
+  }
+
+  private static void measure(Chromium browser, SoakPage page, String model, String shown)
+      throws Exception {
+    browser.evaluate("pictures = 0");
+    browser.waitFor("pictures >= " + FRAMES / 4);
+    Map<String, Double> before = spent(browser);
+    double first = browser.evaluate("pictures").getAsDouble();
+    browser.waitFor("pictures >= " + (FRAMES + FRAMES / 4));
+    Map<String, Double> after = spent(browser);
+    double count = browser.evaluate("pictures").getAsDouble() - first;
+    Map<String, Double> each = new HashMap<>();
+    after.forEach((name, value) -> each.put(name, 1000 * (value - before.get(name)) / count));
+    double script = each.get("ScriptDuration");
+    double layout = each.get("LayoutDuration") + each.get("RecalcStyleDuration");
+    double thread = each.get("TaskDuration");
+    page.line(
+        "| %s | %s | %.2f | %.2f | %.2f | %.0f %% |",
+        model.replaceFirst(".*/", ""), shown, script, layout, thread, 100 * thread / FRAME_MS);
+    // Half a frame is left to the browser; a machine of half this speed still keeps the 60.
+    assertThat(script + layout).as(model).isLessThan(FRAME_MS / 2);
+  }
+}
