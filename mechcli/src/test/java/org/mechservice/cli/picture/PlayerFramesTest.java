@@ -27,7 +27,17 @@ import org.mechservice.load.SoakPage;
 class PlayerFramesTest {
   private static final double FRAME_MS = 1000.0 / 60;
   private static final List<String> ALL = List.of("reactions", "forces", "traces", "frames", "names");
-  private static final int FRAMES = 32;
+  private static final int FRAMES = 100;
+
+  private static final String ONE_TRIANGLE =
+      """
+      for (const name of ['drawArrays', 'drawArraysInstanced']) {
+        const draw = WebGL2RenderingContext.prototype[name];
+        WebGL2RenderingContext.prototype[name] = function(mode, first, count, copies) {
+          draw.call(this, mode, first, 3, 1);
+        };
+      }
+      """;
 
   @TempDir Path folder;
 
@@ -47,18 +57,19 @@ class PlayerFramesTest {
         new SoakPage(
             "Frame times of the player",
             "Processor time that one picture of a playing player takes in the thread of its page, ms, by"
-                + " the DevTools of Chromium without a window (400 x 500 pixels, which are soon painted; mean of "
+                + " the DevTools of Chromium without a window (mean of "
                 + FRAMES
                 + " pictures): the script of the page, its layout and styles (the numbers that change),"
                 + " and all the thread does, garbage and the browser's own work included. 60 pictures"
                 + " a second leave 16.7 ms. The painting of the triangles is not in it: another"
-                + " process does it, on a graphics card where there is one. \"All\" shows reactions,"
+                + " process does it, on a graphics card where there is one. So that a machine without"
+                + " one keeps up, every call that draws is made, but with a single triangle. \"All\" shows reactions,"
                 + " forces, traces, body frames and names as well.",
             0);
     page.line("| scene | shown | script | layout and styles | whole thread | share of 16.7 ms |");
     page.line("|---|---|---|---|---|---|");
     try (Chromium browser = Chromium.start(folder.resolve("profile")).orElseThrow()) {
-      browser.look(400, 500, false);
+      browser.look(1000, 700, false);
       browser.call("Performance.enable", Map.of("timeDomain", "threadTicks"));
       for (String model :
           List.of(
@@ -67,6 +78,7 @@ class PlayerFramesTest {
               "driver/driver-c0",
               "benchmarks/bouncing_ball")) {
         browser.open(view(Path.of("..", "examples", model + ".xml")));
+        browser.evaluate(ONE_TRIANGLE);
         browser.evaluate(
             "globalThis.pictures = 0; (function next() { pictures++; requestAnimationFrame(next); })()");
         measure(browser, page, model, "usual");
