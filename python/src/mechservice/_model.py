@@ -237,7 +237,7 @@ class Model:
         strict: raise a MechError instead of leaving anything out; nothing is written then.
 
         Raises ModelError (M-086) if the mechanism would be another one: loops, constraints, joints
-        of types other than R, P, F and W.
+        of types S, PL and H.
         """
         with python_errors():
             java = self._in_process()
