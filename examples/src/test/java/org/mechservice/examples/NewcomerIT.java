@@ -17,9 +17,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * The first minutes of users who start from nothing: the wheel in a fresh Python without Java, and a
- * new Maven project with one dependency. Neither needs a network: what they depend on is taken from
- * {@code python/.venv} and from the local Maven repository of this build.
+ * The first minutes of users who start from nothing: the wheel in a fresh Python without Java, and
+ * a new Maven project with one dependency. Neither needs a network: what they depend on is taken
+ * from {@code python/.venv} and from the local Maven repository of this build.
  */
 @Tag("soak")
 class NewcomerIT {
@@ -65,7 +65,8 @@ class NewcomerIT {
             folder.toString())
         .orFail();
     terminal.run(PYTHON.toString(), "-m", "venv", "fresh").orFail();
-    // The dependencies, which a user's pip loads: those of the other environment, without a network.
+    // The dependencies, which a user's pip loads: those of the other environment, without a
+    // network.
     String places = "import sysconfig; print(sysconfig.get_path('purelib'))";
     String others = terminal.run(PYTHON.toString(), "-c", places).orFail().stdout();
     String own = terminal.run("fresh/bin/python", "-c", places).orFail().stdout().strip();
@@ -84,7 +85,9 @@ class NewcomerIT {
     assertThat(folder.resolve("motion.png")).exists().isNotEmptyFile();
     assertThat(
             terminal
-                .shell("PATH=$PWD/fresh/bin fresh/bin/python -c 'import shutil; print(shutil.which(\"java\"))'")
+                .shell(
+                    "PATH=$PWD/fresh/bin fresh/bin/python -c 'import shutil;"
+                        + " print(shutil.which(\"java\"))'")
                 .stdout())
         .isEqualTo("None\n");
   }
@@ -147,19 +150,24 @@ class NewcomerIT {
             "-DoutputDirectory=lib")
         .orFail();
     assertThat(folder.resolve("lib")).isDirectoryContaining("glob:**/solver-ode-*.jar");
-    assertThat(terminal.shell("ls lib").stdout()).doesNotContain("jacorb").doesNotContain("picocli");
+    assertThat(terminal.shell("ls lib").stdout())
+        .doesNotContain("jacorb")
+        .doesNotContain("picocli");
     String printed = terminal.run("java", "-cp", "target/classes:lib/*", "Built").orFail().stdout();
     assertThat(printed).startsWith("0.0000\n").contains("M-");
   }
 
-  /** Returns the versions of plugins that this build uses, which are therefore in the repository. */
+  /**
+   * Returns the versions of plugins that this build uses, which are therefore in the repository.
+   */
   private static String pluginsOfTheBuild() throws IOException {
     String pom = Files.readString(WorkingTree.TOP.resolve("pom.xml"));
     StringBuilder plugins = new StringBuilder("  <build><plugins>\n");
     for (String name :
         List.of("maven-compiler-plugin", "maven-resources-plugin", "maven-dependency-plugin")) {
       Matcher found =
-          Pattern.compile("<artifactId>" + name + "</artifactId>\\s*<version>([^<]*)<").matcher(pom);
+          Pattern.compile("<artifactId>" + name + "</artifactId>\\s*<version>([^<]*)<")
+              .matcher(pom);
       if (found.find()) {
         plugins
             .append("    <plugin><artifactId>")
@@ -201,11 +209,7 @@ class NewcomerIT {
             .findFirst()
             .orElseGet(
                 () ->
-                    Assertions.class
-                        .getProtectionDomain()
-                        .getCodeSource()
-                        .getLocation()
-                        .getPath());
+                    Assertions.class.getProtectionDomain().getCodeSource().getLocation().getPath());
     return Path.of(path.substring(0, path.indexOf("/org/assertj")));
   }
 }

@@ -41,12 +41,12 @@ class WebLoadTest {
   private static final SoakPage PAGE =
       new SoakPage(
           "The page for users: ten at once, and a host killed while runs are watched",
-          "The server of the page is a client of one server, over CORBA. Ten users order a run of the"
-              + " pendulum at the same moment, each watches it by server-sent events from the first"
-              + " row to the last and then takes it as CSV; the server has two places, so that the"
-              + " others wait. Then two runs are watched, one at the server and one at another host,"
-              + " whose process is killed 1.5 s later: both go on to their end, the lost one at the"
-              + " host that is left, and have the same bytes.",
+          "The server of the page is a client of one server, over CORBA. Ten users order a run of"
+              + " the pendulum at the same moment, each watches it by server-sent events from the"
+              + " first row to the last and then takes it as CSV; the server has two places, so"
+              + " that the others wait. Then two runs are watched, one at the server and one at"
+              + " another host, whose process is killed 1.5 s later: both go on to their end, the"
+              + " lost one at the host that is left, and have the same bytes.",
           0);
 
   @AfterAll
@@ -120,10 +120,15 @@ class WebLoadTest {
       Collections.sort(pieces);
       PAGE.line("| ten users at once | |")
           .line("|---|---|")
-          .line("| users whose CSV is equal to the first one's, byte by byte | %d |", results.size())
+          .line(
+              "| users whose CSV is equal to the first one's, byte by byte | %d |", results.size())
           .line("| rows of each | %d |", times(first, "\n") - 1)
-          .line("| order to last row, shortest and longest | %.2f and %.2f s |", seconds.get(0), seconds.get(9))
-          .line("| pieces in which the rows came, fewest and most | %d and %d |%n", pieces.get(0), pieces.get(9));
+          .line(
+              "| order to last row, shortest and longest | %.2f and %.2f s |",
+              seconds.get(0), seconds.get(9))
+          .line(
+              "| pieces in which the rows came, fewest and most | %d and %d |%n",
+              pieces.get(0), pieces.get(9));
     } finally {
       users.shutdownNow();
     }

@@ -39,8 +39,8 @@ import org.mechservice.solver.text.ShortestDecimal;
 /**
  * A mechanism as the elements of a robot. The frame of a link has the axes of its body and its
  * origin at the point of the joint that leads to it, where URDF wants it. With A = Rot(a, q) A0 of
- * MechML and A = A0 Rot(b, q) of URDF, the axis in the child is b = A0ᵀ a. Joints C and U become two
- * joints with a link without mass between them.
+ * MechML and A = A0 Rot(b, q) of URDF, the axis in the child is b = A0ᵀ a. Joints C and U become
+ * two joints with a link without mass between them.
  */
 final class UrdfWriter {
   /** Free fall as the import and most programs assume it: URDF does not say it, m/s². */
@@ -233,8 +233,7 @@ final class UrdfWriter {
               toChild.apply(universal.axis2().negated()),
               has.get(0),
               universal.axis1().negated())
-          : chain(
-              at, has.get(0), toChild.apply(universal.axis1()), has.get(1), universal.axis2());
+          : chain(at, has.get(0), toChild.apply(universal.axis1()), has.get(1), universal.axis2());
     }
     losses.refuse(
         joint.origin(),
