@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -29,6 +30,15 @@ class PlayerFramesTest {
   private static final List<String> ALL =
       List.of("reactions", "forces", "traces", "frames", "names");
   private static final int FRAMES = 50;
+
+  private static final String TEN_PICTURES =
+      """
+      new Promise(done => {
+        let left = 10;
+        const next = () => (left-- > 0 ? requestAnimationFrame(next) : done(0));
+        next();
+      })
+      """;
 
   private static final String ONE_TRIANGLE =
       """
@@ -50,6 +60,13 @@ class PlayerFramesTest {
       spent.put(one.get("name").getAsString(), one.get("value").getAsDouble());
     }
     return spent;
+  }
+
+  /** Returns the processor time of one picture, ms. */
+  private static double each(String name, Map<String, Double> before, Map<String, Double> after) {
+    double seconds =
+        Objects.requireNonNull(after.get(name)) - Objects.requireNonNull(before.get(name));
+    return 1000 * seconds / FRAMES;
   }
 
   @Test
@@ -81,9 +98,6 @@ class PlayerFramesTest {
               "benchmarks/bouncing_ball")) {
         browser.open(view(Path.of("..", "examples", model + ".xml")));
         browser.evaluate(ONE_TRIANGLE);
-        browser.evaluate(
-            "globalThis.pictures = 0; (function next() { pictures++; requestAnimationFrame(next);"
-                + " })()");
         measure(browser, page, model, "usual");
         for (String toggle : ALL) {
           browser.evaluate("document.getElementById('show-" + toggle + "')?.click()");
@@ -111,20 +125,16 @@ class PlayerFramesTest {
 
   private static void measure(Chromium browser, SoakPage page, String model, String shown)
       throws Exception {
-    browser.evaluate("pictures = 0");
-    browser.waitFor("pictures >= 10");
+    browser.evaluate(TEN_PICTURES);
     Map<String, Double> before = spent(browser);
-    double first = browser.evaluate("pictures").getAsDouble();
-    for (int wanted = 20; wanted <= 10 + FRAMES; wanted += 10) {
-      browser.waitFor("pictures >= " + wanted);
+    for (int seen = 0; seen < FRAMES; seen += 10) {
+      browser.evaluate(TEN_PICTURES);
     }
     Map<String, Double> after = spent(browser);
-    double count = browser.evaluate("pictures").getAsDouble() - first;
-    Map<String, Double> each = new HashMap<>();
-    after.forEach((name, value) -> each.put(name, 1000 * (value - before.get(name)) / count));
-    double script = each.get("ScriptDuration");
-    double layout = each.get("LayoutDuration") + each.get("RecalcStyleDuration");
-    double thread = each.get("TaskDuration");
+    double script = each("ScriptDuration", before, after);
+    double layout =
+        each("LayoutDuration", before, after) + each("RecalcStyleDuration", before, after);
+    double thread = each("TaskDuration", before, after);
     page.line(
         "| %s | %s | %.2f | %.2f | %.2f | %.0f %% |",
         model.replaceFirst(".*/", ""), shown, script, layout, thread, 100 * thread / FRAME_MS);
