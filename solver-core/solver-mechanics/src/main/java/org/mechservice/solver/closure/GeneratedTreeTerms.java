@@ -7,8 +7,8 @@ import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.closure.equations.LoopTerms;
 import org.mechservice.solver.closure.equations.UnwrappedAngles;
 import org.mechservice.solver.dynamics.derivative.FurtherDerivatives;
-import org.mechservice.solver.dynamics.derivative.StepDerivatives;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
+import org.mechservice.solver.dynamics.derivative.StepDerivatives;
 import org.mechservice.solver.force.user.UserForceSource;
 
 /**
