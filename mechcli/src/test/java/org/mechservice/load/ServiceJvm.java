@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** A server or host in a process of its own, whose inside can be counted. */
@@ -153,6 +154,11 @@ final class ServiceJvm implements AutoCloseable {
       throw new IOException("no histogram: " + histogram);
     }
     return new Inside(heap, objects, entries("task"), entries("fd"));
+  }
+
+  /** Returns the classes whose objects take most of the heap after a full collection. */
+  String largest() throws IOException, InterruptedException {
+    return jcmd("GC.class_histogram").lines().limit(20).collect(Collectors.joining("\n"));
   }
 
   private long entries(String kind) throws IOException {
