@@ -216,23 +216,7 @@ class LostHostTest {
         ServiceOrb orb = ServiceOrb.client()) {
       MechAdmin admin = orb.connectAdmin(server.address());
       List<Integer> status = new ArrayList<>();
-      Thread simulate =
-          new Thread(
-              () ->
-                  status.add(
-                      Mech.run(
-                          new PrintWriter(new StringWriter()),
-                          new PrintWriter(err, true),
-                          "simulate",
-                          Runs.PENDULUM.toString(),
-                          "--server",
-                          server.address(),
-                          "--t-end",
-                          "1e7",
-                          "--t-step",
-                          "5",
-                          "--out",
-                          file.toString())));
+      Thread simulate = new Thread(() -> status.add(simulateForLong(server.address(), file, err)));
       simulate.start();
       SimSummary run = awaitRows(admin);
       server.kill();
@@ -243,6 +227,42 @@ class LostHostTest {
           .contains("; rows up to t=");
       assertThat(Files.readString(file)).startsWith("t,");
     }
+  }
+
+  @Test
+  void simulateThatAnOperatorStopsSaysWhy(@TempDir Path folder) throws Exception {
+    StringWriter err = new StringWriter();
+    try (MechServerProcess server =
+            MechServerProcess.start(new ServerSettings("s", "127.0.0.1", 0, 1));
+        ServiceOrb orb = ServiceOrb.client()) {
+      MechAdmin admin = orb.connectAdmin(server.url());
+      List<Integer> status = new ArrayList<>();
+      Thread simulate =
+          new Thread(() -> status.add(simulateForLong(server.url(), folder.resolve("r.csv"), err)));
+      simulate.start();
+      admin.killSimulation(awaitRows(admin).simId, "maintenance");
+      simulate.join();
+      assertThat(status).containsExactly(130);
+      assertThat(err.toString())
+          .contains("S-018 cancelled by the operator: maintenance")
+          .contains("S-045 the run was stopped at t=");
+    }
+  }
+
+  private static int simulateForLong(String server, Path file, StringWriter err) {
+    return Mech.run(
+        new PrintWriter(new StringWriter()),
+        new PrintWriter(err, true),
+        "simulate",
+        Runs.PENDULUM.toString(),
+        "--server",
+        server,
+        "--t-end",
+        "1e7",
+        "--t-step",
+        "5",
+        "--out",
+        file.toString());
   }
 
   private static SimSummary awaitRows(MechAdmin admin) throws Exception {
