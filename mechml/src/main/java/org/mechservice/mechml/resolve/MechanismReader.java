@@ -202,7 +202,7 @@ final class MechanismReader {
     closures.addAll(
         new ConstraintsReader(values, formulas, jointsReader, names, diagnostics).read(model));
     List<FurtherState> further = states.read(formulas);
-    List<ForceElement> forces = forces();
+    List<ForceElement> forces = forces(further);
     if (diagnostics.hasErrors()) {
       return Optional.empty();
     }
@@ -242,7 +242,7 @@ final class MechanismReader {
     boolean changing =
         mechanism.furtherStates().stream().anyMatch(s -> s.role() != FurtherState.Role.INPUT);
     if (!integrates && changing) {
-      Element first = states.firstChanging();
+      Element first = states.firstChanging().orElseGet(() -> carrier(mechanism));
       diagnostics.error(
           MessageCode.STATE_NOT_INTEGRATED,
           first.position(),
@@ -253,7 +253,19 @@ final class MechanismReader {
     }
   }
 
-  private List<ForceElement> forces() {
+  /** Returns the force that brings the first state. */
+  private Element carrier(Mechanism mechanism) {
+    String state = mechanism.furtherStates().get(0).name();
+    return model.requiredChild("Forces").children().stream()
+        .filter(force -> force.attribute("name").filter(n -> state.startsWith(n + ".")).isPresent())
+        .findFirst()
+        .orElse(model);
+  }
+
+  /**
+   * @param further the states of the file; those of forces are added
+   */
+  private List<ForceElement> forces(List<FurtherState> further) {
     JointAttributesReader attributes = new JointAttributesReader(formulas, names, diagnostics);
     List<ForceElement> forces = new ArrayList<>();
     for (JointLink link : links) {
@@ -261,7 +273,7 @@ final class MechanismReader {
           .joint(link.element().required("name"))
           .ifPresent(joint -> forces.addAll(attributes.read(joint)));
     }
-    forces.addAll(new ForcesReader(values, formulas, names, diagnostics).read(model));
+    forces.addAll(new ForcesReader(values, formulas, names, further, diagnostics).read(model));
     return forces;
   }
 

@@ -217,9 +217,12 @@ final class StatesReader {
     }
   }
 
-  /** Returns the first element that is no input, of which there is one if states change. */
-  Element firstChanging() {
-    return entries.stream().filter(entry -> !entry.isInput()).findFirst().orElseThrow().element;
+  /** Returns the first element that is no input; states of forces have none. */
+  Optional<Element> firstChanging() {
+    return entries.stream()
+        .filter(entry -> !entry.isInput())
+        .findFirst()
+        .map(entry -> entry.element);
   }
 
   /** Returns the samplings, after {@link #read}. */
