@@ -18,6 +18,7 @@ import picocli.CommandLine.Parameters;
     description =
         "Puts the tables of all parts of a study together to the table that the whole study would"
             + " have written, byte by byte.",
+    footer = "mech study join part-1of2.csv part-2of2.csv -o all.csv",
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class StudyJoinCommand implements Callable<Integer> {
