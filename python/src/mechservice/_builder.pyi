@@ -130,6 +130,9 @@ class Builder(Element):
     def body(self, name: str) -> BodyElement:
         """Adds a body."""
         ...
+    def boxContact(self, name: str, box: str, stiffness: float) -> ConnectionElement:
+        """Adds a contact of the corners of a box of body 2, given by its edges, with a plane."""
+        ...
     def bushing(self, name: str) -> ConnectionElement:
         """Adds a bushing between two frames."""
         ...
@@ -141,6 +144,9 @@ class Builder(Element):
         ...
     def couplingSpringDamper(self, name: str, expression: str) -> OtherElement:
         """Adds a spring and damper along an expression of positions"""
+        ...
+    def discContact(self, name: str, radius: float, stiffness: float) -> ConnectionElement:
+        """Adds a contact of the edge of a disc of body 2 with a plane of body 1."""
         ...
     def distance(self, name: str, distance: float) -> ConnectionElement:
         """Adds a constraint that keeps two points at a distance."""
@@ -225,6 +231,9 @@ class Builder(Element):
     def simulation(self, task: str) -> SimulationElement:
         """Adds a simulation."""
         ...
+    def sphereContact(self, name: str, radius2: float, stiffness: float) -> ConnectionElement:
+        """Adds a contact of a sphere of body 2 with a sphere, capsule or box of body 1"""
+        ...
     def springDamper(self, name: str) -> ConnectionElement:
         """Adds a spring and damper between two points"""
         ...
@@ -247,6 +256,9 @@ class Builder(Element):
         ...
     def transferFunction(self, name: str, input: str, num: Sequence[float], den: Sequence[float]) -> OtherElement:
         """Adds a transfer function num(s)/den(s) of an input, highest powers first."""
+        ...
+    def tyre(self, name: str, radius: float, stiffness: float) -> ConnectionElement:
+        """Adds a tyre between a wheel, body 2, and a road of body 1"""
         ...
     def writeMechml(self, path: "Union[str, os.PathLike[str]]") -> Model:
         """Writes the model to a file and reads it from there."""

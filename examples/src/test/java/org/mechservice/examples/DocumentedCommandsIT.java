@@ -55,6 +55,8 @@ class DocumentedCommandsIT {
         "examples/four-bar/README.md",
         "examples/gearbox/README.md",
         "examples/crane/README.md",
+        "examples/half-car/README.md",
+        "examples/walker/README.md",
         "examples/sweep/README.md"
       })
   void everyCommandOfThePageWorks(String page) throws IOException {

@@ -67,6 +67,8 @@ class SceneIT {
           "sampled-arm/arm.xml",
           "gearbox/gearbox.xml",
           "crane/crane.xml",
+          "half-car/half-car.xml",
+          "walker/walker.xml",
           "sweep/seat.xml");
 
   /** Moments of inertia of the body of benchmarks/dzhanibekov.xml, kg m^2. */

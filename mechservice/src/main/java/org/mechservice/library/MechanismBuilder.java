@@ -266,6 +266,38 @@ public final class MechanismBuilder extends BuiltElement<MechanismBuilder> {
     return connection("contact", it -> it.set("name", name).set("stiffness", stiffness));
   }
 
+  /**
+   * Adds a contact of a sphere of body 2 with a sphere, capsule or box of body 1; {@code radius1},
+   * {@code length1} or {@code box1} are to be set.
+   */
+  public ConnectionElement sphereContact(String name, double radius2, double stiffness) {
+    return connection(
+        "sphereContact",
+        it -> it.set("name", name).set("radius2", radius2).set("stiffness", stiffness));
+  }
+
+  /** Adds a contact of the edge of a disc of body 2 with a plane of body 1. */
+  public ConnectionElement discContact(String name, double radius, double stiffness) {
+    return connection(
+        "discContact",
+        it -> it.set("name", name).set("radius", radius).set("stiffness", stiffness));
+  }
+
+  /** Adds a contact of the corners of a box of body 2, given by its edges, with a plane. */
+  public ConnectionElement boxContact(String name, String box, double stiffness) {
+    return connection(
+        "boxContact", it -> it.set("name", name).set("box", box).set("stiffness", stiffness));
+  }
+
+  /**
+   * Adds a tyre between a wheel, body 2, and a road of body 1; {@code load}, {@code longitudinal}
+   * and {@code lateral} are to be set.
+   */
+  public ConnectionElement tyre(String name, double radius, double stiffness) {
+    return connection(
+        "tyre", it -> it.set("name", name).set("radius", radius).set("stiffness", stiffness));
+  }
+
   /** Adds friction in a joint. */
   public OtherElement friction(String name, String joint) {
     return element("friction", "name", name, "joint", joint);

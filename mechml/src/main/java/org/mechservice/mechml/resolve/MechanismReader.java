@@ -3,6 +3,7 @@ package org.mechservice.mechml.resolve;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.mechservice.mechml.ReadOptions;
 import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.SimulationTask;
 import org.mechservice.mechml.diagnosis.Diagnostics;
@@ -68,7 +69,7 @@ final class MechanismReader {
       NameTable<BodyDefinition> bodies,
       Optional<Root> root,
       BodyIndex index,
-      boolean holdsInputs) {
+      ReadOptions.Inputs inputs) {
     this.model = model;
     this.values = values;
     this.diagnostics = diagnostics;
@@ -82,7 +83,7 @@ final class MechanismReader {
     this.names = new MechanismNames(bodies, index, diagnostics);
     this.formulas = new FormulaReader(values, names, diagnostics);
     TablesReader.read(model, values, names, diagnostics);
-    this.states = StatesReader.begin(model, values, names, holdsInputs, diagnostics);
+    this.states = StatesReader.begin(model, values, names, inputs, diagnostics);
     checkTree();
     placeJoints();
   }
@@ -90,10 +91,10 @@ final class MechanismReader {
   /**
    * Returns a reader that knows the names; empty if there is no root or a limit is exceeded.
    *
-   * @param holdsInputs whether inputs with a table are states nevertheless
+   * @param inputs what becomes of inputs
    */
   static Optional<MechanismReader> begin(
-      Element model, ValueReader values, boolean holdsInputs, Diagnostics diagnostics) {
+      Element model, ValueReader values, ReadOptions.Inputs inputs, Diagnostics diagnostics) {
     NameRule.check(model, diagnostics);
     Element rootElement = model.requiredChild("topology").requiredChild("root");
     NameTable<BodyDefinition> names = new NameTable<>("body", "does not exist", diagnostics);
@@ -111,7 +112,7 @@ final class MechanismReader {
             names,
             root,
             new BodyIndex(bodies, rootBody.get()),
-            holdsInputs));
+            inputs));
   }
 
   private static List<BodyDefinition> bodies(
@@ -202,7 +203,7 @@ final class MechanismReader {
     closures.addAll(
         new ConstraintsReader(values, formulas, jointsReader, names, diagnostics).read(model));
     List<FurtherState> further = states.read(formulas);
-    List<ForceElement> forces = forces();
+    List<ForceElement> forces = forces(further);
     if (diagnostics.hasErrors()) {
       return Optional.empty();
     }
@@ -242,7 +243,7 @@ final class MechanismReader {
     boolean changing =
         mechanism.furtherStates().stream().anyMatch(s -> s.role() != FurtherState.Role.INPUT);
     if (!integrates && changing) {
-      Element first = states.firstChanging();
+      Element first = states.firstChanging().orElseGet(() -> carrier(mechanism));
       diagnostics.error(
           MessageCode.STATE_NOT_INTEGRATED,
           first.position(),
@@ -253,7 +254,19 @@ final class MechanismReader {
     }
   }
 
-  private List<ForceElement> forces() {
+  /** Returns the force that brings the first state. */
+  private Element carrier(Mechanism mechanism) {
+    String state = mechanism.furtherStates().get(0).name();
+    return model.requiredChild("Forces").children().stream()
+        .filter(force -> force.attribute("name").filter(n -> state.startsWith(n + ".")).isPresent())
+        .findFirst()
+        .orElse(model);
+  }
+
+  /**
+   * @param further the states of the file; those of forces are added
+   */
+  private List<ForceElement> forces(List<FurtherState> further) {
     JointAttributesReader attributes = new JointAttributesReader(formulas, names, diagnostics);
     List<ForceElement> forces = new ArrayList<>();
     for (JointLink link : links) {
@@ -261,7 +274,7 @@ final class MechanismReader {
           .joint(link.element().required("name"))
           .ifPresent(joint -> forces.addAll(attributes.read(joint)));
     }
-    forces.addAll(new ForcesReader(values, formulas, names, diagnostics).read(model));
+    forces.addAll(new ForcesReader(values, formulas, names, further, diagnostics).read(model));
     return forces;
   }
 
@@ -277,7 +290,13 @@ final class MechanismReader {
               tunable.unit().numerator(),
               tunable.unit().denominator()));
     }
+    parameters.addAll(states.inputParameters());
     return parameters;
+  }
+
+  /** Returns the number of parameters that are inputs. */
+  int inputCount() {
+    return states.inputParameters().size();
   }
 
   private Optional<Vector3> gravity() {

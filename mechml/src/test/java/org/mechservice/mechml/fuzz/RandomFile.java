@@ -82,7 +82,8 @@ final class RandomFile {
       List.of("Joints", "jointVal", "vector", "point", "profile");
 
   /** Elements that a file without a folder can hardly have right. */
-  private static final List<String> SELDOM = List.of("inipos", "include", "included", "table");
+  private static final List<String> SELDOM =
+      List.of("inipos", "include", "included", "table", "boxContact", "tyre");
 
   /** Attributes that hold formulas. */
   private static final List<String> OF_STATE =
@@ -239,6 +240,8 @@ final class RandomFile {
       case "output" -> name.equals("columns") != inModel && !name.equals("unit");
       case "event", "inertiaTensor", "integrator", "contact", "JointConstraint" ->
           attribute.required();
+      case "sphereContact" -> attribute.required() || name.equals("radius1");
+      case "discContact" -> attribute.required();
       case "CoordConstraint" -> name.equals("name") || name.equals("expression");
       case "body1" -> true;
       case "body2" -> attribute.required();

@@ -32,6 +32,7 @@ import org.mechservice.solver.mechanism.force.JointForce;
 import org.mechservice.solver.mechanism.force.JointFriction;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
 import org.mechservice.solver.mechanism.force.NamedPoint;
+import org.mechservice.solver.mechanism.force.PairForce;
 import org.mechservice.solver.mechanism.force.SpringDamper;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.mechanism.joint.Attachment;
@@ -344,6 +345,20 @@ final class SceneParts {
           pose(surface).turn(point(one.surface().axes().apply(Z))),
           false,
           value(one.radius()),
+          "");
+    }
+
+    @Override
+    public SceneForce pairForce(PairForce one) {
+      Vector3 axis = one.disc() ? one.frame2().axes().apply(Z) : one.frame1().axes().apply(Z);
+      int carrier = one.disc() ? one.frame2().body() : one.frame1().body();
+      return new SceneForce(
+          one.name(),
+          SceneForce.Kind.CONTACT,
+          List.of(anchor(one.frame2().origin()), anchor(one.frame1().origin())),
+          pose(carrier).turn(point(axis)),
+          one.disc(),
+          one.radius(),
           "");
     }
 

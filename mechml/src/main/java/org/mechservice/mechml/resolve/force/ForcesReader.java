@@ -15,6 +15,7 @@ import org.mechservice.mechml.resolve.formula.MechanismNames;
 import org.mechservice.mechml.resolve.value.NameTable;
 import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.mechanism.FurtherState;
 import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 
@@ -29,17 +30,29 @@ public final class ForcesReader {
   private final BushingReader bushings;
   private final ForceTorqueReader forceTorques;
   private final ContactReader contacts;
+  private final ShapeContactReader shapes;
+  private final TyreReader tyres;
   private final CouplingSpringReader couplings;
   private final MechanismNames names;
   private final Diagnostics diagnostics;
 
+  /**
+   * @param states receives the states of contacts that stick and of tyres, behind those already
+   *     there
+   */
   public ForcesReader(
-      ValueReader values, FormulaReader formulas, MechanismNames names, Diagnostics diagnostics) {
+      ValueReader values,
+      FormulaReader formulas,
+      MechanismNames names,
+      List<FurtherState> states,
+      Diagnostics diagnostics) {
     this.springs = new SpringReader(formulas, names, diagnostics);
     this.jointForces = new JointForceReader(formulas, names, diagnostics);
     this.bushings = new BushingReader(values, formulas, names, diagnostics);
     this.forceTorques = new ForceTorqueReader(formulas, names, diagnostics);
     this.couplings = new CouplingSpringReader(values, formulas, names, diagnostics);
+    this.shapes = new ShapeContactReader(values, formulas, names, states, diagnostics);
+    this.tyres = new TyreReader(values, formulas, names, states, diagnostics);
     this.contacts = new ContactReader(values, formulas, names, diagnostics);
     this.names = names;
     this.diagnostics = diagnostics;
@@ -76,9 +89,27 @@ public final class ForcesReader {
       case "friction" -> jointForces.friction(element);
       case "bushing" -> bushings.read(element);
       case "forceTorque" -> forceTorques.read(element);
-      case "contact" -> contacts.read(element);
+      case "contact" -> contact(element);
+      case "sphereContact", "discContact", "boxContact" -> shapes.read(element);
+      case "tyre" -> tyres.read(element);
       default -> userForce(element);
     };
+  }
+
+  private Optional<? extends ForceElement> contact(Element element) {
+    if (element.attribute("stickLength").isEmpty() && element.attribute("stickTime").isEmpty()) {
+      return contacts.read(element);
+    }
+    if (element.attribute("height").isEmpty() && element.child("profile").isEmpty()) {
+      return shapes.read(element);
+    }
+    diagnostics.error(
+        MessageCode.FORCE_ATTRIBUTES,
+        element.position(),
+        element.label()
+            + ": stickLength needs a plane; leave height and <profile> out, or give frictionSpeed"
+            + " instead");
+    return Optional.empty();
   }
 
   private Optional<UserForceElement> userForce(Element element) {

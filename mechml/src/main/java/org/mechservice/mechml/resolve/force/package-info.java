@@ -11,6 +11,13 @@
  * numbers in SI units. {@link org.mechservice.mechml.resolve.force.ProfileReader} turns the
  * stations of a contact's profile into one expression of the arc length.
  *
+ * <p>Contacts of shapes and tyres are {@code PairForce}s: {@link
+ * org.mechservice.mechml.resolve.force.ShapeContactReader} and {@link
+ * org.mechservice.mechml.resolve.force.TyreReader} write their geometry and their laws as formulas
+ * of the relative motion of two frames, with the arithmetic of {@link
+ * org.mechservice.mechml.resolve.force.ExpressionAlgebra}. Friction that sticks and tyres that
+ * deflect bring further states, which stand behind those of the file.
+ *
  * <p>The force elements themselves are those of {@code org.mechservice.solver.force}.
  */
 @NullMarked

@@ -14,6 +14,7 @@ import org.mechservice.solver.expression.Expression.Constant;
 import org.mechservice.solver.expression.Expression.CoordinateVelocity;
 import org.mechservice.solver.expression.Expression.ParameterValue;
 import org.mechservice.solver.expression.Expression.PointVelocity;
+import org.mechservice.solver.expression.Expression.RelativeMotion;
 import org.mechservice.solver.expression.Expression.Time;
 import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.Tape;
@@ -76,6 +77,10 @@ final class FormulaForecast {
   }
 
   private void look(Expression formula, String part, Origin origin) {
+    ShortPulseCheck.parts(formula).forEach(one -> lookAt(one, part, origin));
+  }
+
+  private void lookAt(Expression formula, String part, Origin origin) {
     if (formula instanceof Call call) {
       Expression argument = call.arguments().get(0);
       switch (shape(call.function())) {
@@ -84,7 +89,6 @@ final class FormulaForecast {
         case PLAIN -> {}
       }
     }
-    ShortPulseCheck.operands(formula).forEach(operand -> look(operand, part, origin));
   }
 
   private static Shape shape(Function function) {
@@ -189,9 +193,14 @@ final class FormulaForecast {
   }
 
   private static boolean dependsOnVelocity(Expression formula) {
-    return formula instanceof CoordinateVelocity
-        || formula instanceof PointVelocity
-        || ShortPulseCheck.operands(formula).stream().anyMatch(FormulaForecast::dependsOnVelocity);
+    return ShortPulseCheck.parts(formula).stream().anyMatch(FormulaForecast::isVelocity);
+  }
+
+  private static boolean isVelocity(Expression part) {
+    return part instanceof CoordinateVelocity
+        || part instanceof PointVelocity
+        || (part instanceof RelativeMotion relative
+            && relative.component() >= RelativeMotion.ANGULAR_VELOCITY);
   }
 
   private void add(MessageCode code, String part, Origin origin, String text) {

@@ -1,8 +1,6 @@
 package org.mechservice.sim.scene;
 
-import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -245,13 +243,12 @@ public final class GenerationLimits {
    */
   public static List<String> largeTables(List<Expression> formulas) {
     Set<String> large = new TreeSet<>();
-    Deque<Expression> open = new ArrayDeque<>(formulas);
-    while (!open.isEmpty()) {
-      Expression next = open.pop();
-      if (next instanceof Expression.TableValue value && value.table().x().size() > MOST_POINTS) {
-        large.add(value.table().name());
+    for (Expression formula : formulas) {
+      for (Expression part : ShortPulseCheck.parts(formula)) {
+        if (part instanceof Expression.TableValue value && value.table().x().size() > MOST_POINTS) {
+          large.add(value.table().name());
+        }
       }
-      open.addAll(ShortPulseCheck.operands(next));
     }
     return List.copyOf(large);
   }

@@ -1,9 +1,14 @@
 package org.mechservice.sim.scene;
 
+import java.util.ArrayDeque;
 import java.util.Arrays;
+import java.util.Collections;
+import java.util.Deque;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Stream;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.run.RunSettings;
@@ -110,8 +115,20 @@ public final class ShortPulseCheck {
   }
 
   private static boolean dependsOnTime(Expression formula) {
-    return formula instanceof Time
-        || operands(formula).stream().anyMatch(ShortPulseCheck::dependsOnTime);
+    return parts(formula).stream().anyMatch(Time.class::isInstance);
+  }
+
+  /** Returns an expression and all of its parts, each object once: formulas may share parts. */
+  static Set<Expression> parts(Expression formula) {
+    Set<Expression> parts = Collections.newSetFromMap(new IdentityHashMap<>());
+    Deque<Expression> open = new ArrayDeque<>(List.of(formula));
+    while (!open.isEmpty()) {
+      Expression next = open.pop();
+      if (parts.add(next)) {
+        open.addAll(operands(next));
+      }
+    }
+    return parts;
   }
 
   /** Returns the operands of an expression. */

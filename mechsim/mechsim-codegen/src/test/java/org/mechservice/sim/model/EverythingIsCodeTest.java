@@ -33,6 +33,7 @@ import org.mechservice.solver.mechanism.force.ForceTorque;
 import org.mechservice.solver.mechanism.force.JointForce;
 import org.mechservice.solver.mechanism.force.JointFriction;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
+import org.mechservice.solver.mechanism.force.PairForce;
 import org.mechservice.solver.mechanism.force.SpringDamper;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.mechanism.joint.Attachment;
@@ -53,6 +54,7 @@ class EverythingIsCodeTest {
           SpringDamper.class,
           Bushing.class,
           Contact.class,
+          PairForce.class,
           ForceTorque.class,
           JointSpringDamper.class,
           JointFriction.class,

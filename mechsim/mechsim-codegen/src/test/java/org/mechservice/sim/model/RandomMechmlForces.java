@@ -19,6 +19,7 @@ import org.mechservice.solver.mechanism.force.ForceTorque;
 import org.mechservice.solver.mechanism.force.JointForce;
 import org.mechservice.solver.mechanism.force.JointFriction;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
+import org.mechservice.solver.mechanism.force.PairForce;
 import org.mechservice.solver.mechanism.force.Side;
 import org.mechservice.solver.mechanism.force.SpringDamper;
 import org.mechservice.solver.spatial.Rotation;
@@ -110,6 +111,7 @@ public final class RandomMechmlForces {
                       name(), c, positive(2), positive(1), positive(0.1), Origin.NONE));
               forces.add(new JointForce(name(), c, formula(), Origin.NONE));
             });
+    forces.add(pairForce());
   }
 
   /** A spring along a coordinate, the distance of a point from an axis and time. */
@@ -185,6 +187,35 @@ public final class RandomMechmlForces {
         positive(0.2),
         random.nextBoolean() ? Expression.ZERO : positive(0.5),
         positive(0.1),
+        Origin.NONE);
+  }
+
+  /** A force that depends on all components of a relative motion, with shared parts. */
+  private ForceElement pairForce() {
+    BodyFrame frame1 = frame();
+    BodyFrame frame2 = frame();
+    Expression sum = number(1);
+    for (int i = 0; i < Expression.RelativeMotion.COUNT; i++) {
+      Expression part = new Expression.RelativeMotion(frame1, frame2, i);
+      sum = new Expression.Sum(sum, new Expression.Product(number(0.5), part));
+    }
+    Expression shared = new Expression.Call(Function.SIN, List.of(sum));
+    List<Expression> wrench = new ArrayList<>();
+    for (int i = 0; i < 6; i++) {
+      shared = new Expression.Sum(shared, new Expression.Product(number(0.3), shared));
+      wrench.add(shared);
+    }
+    return new PairForce(
+        name(),
+        "pair",
+        frame1,
+        frame2,
+        wrench,
+        Expression.ZERO,
+        Expression.ZERO,
+        List.of(new PairForce.Value("size", "N", shared)),
+        0,
+        false,
         Origin.NONE);
   }
 

@@ -93,6 +93,30 @@ public sealed interface Expression {
   }
 
   /**
+   * A component of the pose or velocity of frame 2 relative to frame 1, in the axes of frame 1.
+   *
+   * @param frame1 fixed in body 1
+   * @param frame2 fixed in body 2
+   * @param component 0 to 2: origin of frame 2 from that of frame 1, m; 3 to 11: rotation from the
+   *     axes of frame 2 to those of frame 1, row by row; 12 to 14: relative angular velocity,
+   *     rad/s; 15 to 17: rate of the displacement as seen from body 1, m/s
+   */
+  record RelativeMotion(BodyFrame frame1, BodyFrame frame2, int component) implements Expression {
+    /** The first components of the rotation, the angular velocity and the rate; their end. */
+    public static final int ROTATION = 3;
+
+    public static final int ANGULAR_VELOCITY = 12;
+    public static final int RATE = 15;
+    public static final int COUNT = 18;
+
+    public RelativeMotion {
+      if (component < 0 || component >= COUNT) {
+        throw new IllegalArgumentException("a component is 0 to 17, not " + component);
+      }
+    }
+  }
+
+  /**
    * left + right.
    *
    * @param left first term

@@ -16,6 +16,7 @@ import org.mechservice.solver.force.formula.CoupledSpring;
 import org.mechservice.solver.force.formula.CutJointForce;
 import org.mechservice.solver.force.formula.ExpressionJointForce;
 import org.mechservice.solver.force.formula.ExpressionWrench;
+import org.mechservice.solver.force.formula.FormulaLaw;
 import org.mechservice.solver.force.law.BushingLaw;
 import org.mechservice.solver.force.law.ContactLaw;
 import org.mechservice.solver.force.law.CutCoordinateLaw;
@@ -36,6 +37,7 @@ import org.mechservice.solver.mechanism.force.ForceVisitor;
 import org.mechservice.solver.mechanism.force.JointForce;
 import org.mechservice.solver.mechanism.force.JointFriction;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
+import org.mechservice.solver.mechanism.force.PairForce;
 import org.mechservice.solver.mechanism.force.SpringDamper;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.spatial.Rotation;
@@ -97,6 +99,12 @@ final class ForceAssembly implements ForceVisitor<AppliedForce> {
   public AppliedForce contact(Contact force) {
     FrameMotion frames = new FrameMotion(motion, force.surface(), parallel(force.center()));
     return new FrameForce(force, frames, new ContactLaw(force));
+  }
+
+  @Override
+  public AppliedForce pairForce(PairForce force) {
+    FrameMotion frames = new FrameMotion(motion, force.frame1(), force.frame2());
+    return new FrameForce(force, frames, new FormulaLaw(force, motion));
   }
 
   @Override

@@ -1,8 +1,11 @@
 package org.mechservice.solver.mechanism;
 
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeSet;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Expression.Call;
@@ -35,6 +38,14 @@ final class TimeJumps {
   private final double to;
   private final TreeSet<Double> times = new TreeSet<>();
 
+  /** What {@link #search} has met, without and with two derivatives; parts may be shared. */
+  private final List<Set<Expression>> searched =
+      List.of(
+          Collections.newSetFromMap(new IdentityHashMap<>()),
+          Collections.newSetFromMap(new IdentityHashMap<>()));
+
+  private final IdentityHashMap<Expression, Optional<Line>> lines = new IdentityHashMap<>();
+
   private TimeJumps(List<Parameter> parameters, double from, double to) {
     this.parameters = parameters;
     this.from = from;
@@ -55,6 +66,9 @@ final class TimeJumps {
   }
 
   private void search(Expression expression, boolean twiceDifferentiated) {
+    if (!searched.get(twiceDifferentiated ? 1 : 0).add(expression)) {
+      return;
+    }
     if (expression instanceof Call call) {
       call.arguments().forEach(argument -> search(argument, twiceDifferentiated));
       call(call, twiceDifferentiated);
@@ -162,6 +176,15 @@ final class TimeJumps {
 
   /** Returns an expression as a linear function of time, if it is one. */
   private Optional<Line> line(Expression expression) {
+    Optional<Line> known = lines.get(expression);
+    if (known == null) {
+      known = lineOf(expression);
+      lines.put(expression, known);
+    }
+    return known;
+  }
+
+  private Optional<Line> lineOf(Expression expression) {
     if (expression instanceof Constant constant) {
       return Optional.of(new Line(constant.value(), 0));
     } else if (expression instanceof ParameterValue parameter) {

@@ -16,6 +16,7 @@ import org.mechservice.solver.expression.Expression.CoordinateVelocity;
 import org.mechservice.solver.expression.Expression.PointPosition;
 import org.mechservice.solver.expression.Expression.PointVelocity;
 import org.mechservice.solver.expression.Expression.Product;
+import org.mechservice.solver.expression.Expression.RelativeMotion;
 import org.mechservice.solver.expression.Expression.Sum;
 import org.mechservice.solver.expression.Expression.Time;
 import org.mechservice.solver.expression.Function;
@@ -30,6 +31,7 @@ import org.mechservice.solver.mechanism.force.JointForce;
 import org.mechservice.solver.mechanism.force.JointFriction;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
 import org.mechservice.solver.mechanism.force.NamedPoint;
+import org.mechservice.solver.mechanism.force.PairForce;
 import org.mechservice.solver.mechanism.force.Side;
 import org.mechservice.solver.mechanism.force.SpringDamper;
 import org.mechservice.solver.mechanism.force.UserForceElement;
@@ -60,7 +62,9 @@ public final class RandomForces {
     FRICTION,
     USER_WITH_DIFFERENCES,
     USER_WITH_DERIVATIVES,
-    COUPLING_SPRING
+    COUPLING_SPRING,
+    PAIR_FORCE,
+    RELATIVE_WRENCH
   }
 
   private final Random random;
@@ -136,6 +140,8 @@ public final class RandomForces {
       case USER_WITH_DIFFERENCES -> user(name, "differences");
       case USER_WITH_DERIVATIVES -> user(name, "derivatives");
       case COUPLING_SPRING -> couplingSpring(name, new CoordinatePosition(pick(positions)));
+      case PAIR_FORCE -> pairForce(name);
+      case RELATIVE_WRENCH -> relativeWrench(name);
     };
   }
 
@@ -232,6 +238,61 @@ public final class RandomForces {
         Expression.of(0.7),
         Expression.of(0.6),
         Origin.NONE);
+  }
+
+  /**
+   * A force that depends on all components of a relative motion, with an energy of the distance.
+   */
+  private PairForce pairForce(String name) {
+    List<Expression> motion = relativeMotion();
+    Expression square = Expression.ZERO;
+    Expression along = Expression.ZERO;
+    for (int i = 0; i < 3; i++) {
+      square = new Sum(square, new Product(motion.get(i), motion.get(i)));
+      Expression rate = motion.get(RelativeMotion.RATE + i);
+      along = new Sum(along, new Product(Expression.of(2), new Product(motion.get(i), rate)));
+    }
+    List<Expression> wrench =
+        IntStream.range(0, 6)
+            .mapToObj(i -> new Call(Function.SIN, List.of(mixture(motion))))
+            .map(Expression.class::cast)
+            .toList();
+    return new PairForce(
+        name,
+        "pair",
+        ((RelativeMotion) motion.get(0)).frame1(),
+        ((RelativeMotion) motion.get(0)).frame2(),
+        wrench,
+        new Call(Function.SIN, List.of(square)),
+        new Product(new Call(Function.COS, List.of(square)), along),
+        List.of(new PairForce.Value("square", "m²", square)),
+        0,
+        false,
+        Origin.NONE);
+  }
+
+  private ForceTorque relativeWrench(String name) {
+    List<Expression> motion = relativeMotion();
+    List<Expression> six =
+        IntStream.range(0, 6).mapToObj(i -> mixture(motion)).map(Expression.class::cast).toList();
+    return new ForceTorque(name, point(), ForceTorque.Axes.WORLD, six, Origin.NONE);
+  }
+
+  private List<Expression> relativeMotion() {
+    BodyFrame frame1 = frame();
+    BodyFrame frame2 = frame();
+    return IntStream.range(0, RelativeMotion.COUNT)
+        .mapToObj(i -> new RelativeMotion(frame1, frame2, i))
+        .map(Expression.class::cast)
+        .toList();
+  }
+
+  private Expression mixture(List<Expression> parts) {
+    Expression sum = number();
+    for (Expression part : parts) {
+      sum = new Sum(sum, new Product(new Product(Expression.of(0.3), number()), part));
+    }
+    return sum;
   }
 
   private UserForceElement user(String name, String className) {

@@ -9,6 +9,7 @@ import java.lang.reflect.RecordComponent;
 import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.expression.Expression;
 
 /**
  * Reads what {@link RecordWriter} wrote. It creates only records and enumerations of the solver,
@@ -17,6 +18,7 @@ import org.mechservice.solver.catalogue.MessageCode;
 final class RecordReader {
   private final DataInputStream in;
   private final List<String> texts = new ArrayList<>();
+  private final List<Expression> expressions = new ArrayList<>();
 
   /**
    * @param bytes not modified
@@ -64,6 +66,7 @@ final class RecordReader {
       case RecordWriter.TEXT -> text();
       case RecordWriter.ENUM -> constant(type().asSubclass(Enum.class), text());
       case RecordWriter.LIST -> list();
+      case RecordWriter.AGAIN -> again();
       case RecordWriter.RECORD -> record(type().asSubclass(Record.class));
       default -> throw new IOException("kind " + kind);
     };
@@ -94,7 +97,19 @@ final class RecordReader {
     }
     Constructor<? extends Record> constructor = type.getDeclaredConstructor(types);
     constructor.setAccessible(true);
-    return constructor.newInstance(values);
+    Record record = constructor.newInstance(values);
+    if (record instanceof Expression expression) {
+      expressions.add(expression);
+    }
+    return record;
+  }
+
+  private Expression again() throws IOException {
+    int number = count();
+    if (number >= expressions.size()) {
+      throw new IOException("expression " + number);
+    }
+    return expressions.get(number);
   }
 
   @SuppressWarnings({"unchecked", "rawtypes"}) // The class is that of an enumeration, just checked.

@@ -6,14 +6,17 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.lang.reflect.RecordComponent;
 import java.util.HashMap;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import org.mechservice.solver.expression.Expression;
 
 /**
  * Writes immutable descriptions: records of numbers, texts, enumerated values, lists and records.
  *
  * <p>Every value begins with its kind. A text, and the name of a record or of an enumeration, is
- * written at its first occurrence and numbered; later occurrences are the number.
+ * written at its first occurrence and numbered; later occurrences are the number. So is an object
+ * of a formula that stands in several places: formulas that share parts keep their size.
  */
 final class RecordWriter {
   /** Kinds of values; zero and one, the commonest numbers, are kinds of their own. */
@@ -28,6 +31,7 @@ final class RecordWriter {
   static final int ENUM = 7;
   static final int LIST = 8;
   static final int RECORD = 9;
+  static final int AGAIN = 10;
 
   /** Common package prefix of records and enumerations; their names are written without it. */
   static final String HOME = "org.mechservice.solver.";
@@ -35,6 +39,7 @@ final class RecordWriter {
   private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
   private final DataOutputStream out = new DataOutputStream(bytes);
   private final Map<String, Integer> numbers = new HashMap<>();
+  private final Map<Expression, Integer> expressions = new IdentityHashMap<>();
 
   /**
    * Appends a value.
@@ -76,6 +81,8 @@ final class RecordWriter {
       for (Object element : list) {
         put(element);
       }
+    } else if (value instanceof Expression expression) {
+      putExpression(expression);
     } else if (value instanceof Record record) {
       putRecord(record);
     } else {
@@ -92,6 +99,18 @@ final class RecordWriter {
       out.write(DOUBLE);
       out.writeDouble(number);
     }
+  }
+
+  /** Writes an expression after its parts, which have the lower numbers. */
+  private void putExpression(Expression expression) throws IOException {
+    Integer number = expressions.get(expression);
+    if (number != null) {
+      out.write(AGAIN);
+      putCount(number);
+      return;
+    }
+    putRecord((Record) expression);
+    expressions.put(expression, expressions.size());
   }
 
   private void putRecord(Record record) throws IOException {

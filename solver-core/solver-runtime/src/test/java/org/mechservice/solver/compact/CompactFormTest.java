@@ -4,9 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import java.util.Arrays;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.Tape;
+import org.mechservice.solver.expression.TapeEvaluation;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.RandomTrees;
 
@@ -43,5 +47,23 @@ class CompactFormTest {
     assertThatIllegalArgumentException()
         .isThrownBy(() -> new RecordReader(foreign).read())
         .withMessageStartingWith("S-067");
+  }
+
+  /** Twice itself sixty times: a tree of 2^60 sums, sixty objects. */
+  @Test
+  void sharedPartsOfFormulasAreWrittenOnce() {
+    Expression doubled = new Expression.Time();
+    for (int i = 0; i < 60; i++) {
+      doubled = new Expression.Sum(doubled, doubled);
+    }
+    byte[] bytes = new RecordWriter().write(doubled).write(doubled).bytes();
+    RecordReader reader = new RecordReader(bytes);
+    Expression first = (Expression) reader.read();
+    assertThat(reader.read()).isSameAs(first);
+    assertThat(bytes).hasSizeLessThan(1000);
+    TapeEvaluation tape = new TapeEvaluation(new Tape(List.of(first)));
+    tape.setLeaf(0, 1);
+    tape.values();
+    assertThat(tape.value(0)).isEqualTo(0x1p60);
   }
 }

@@ -13,6 +13,7 @@ import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarMatrix;
 import org.mechservice.sim.symbolic.ScalarVector;
 import org.mechservice.solver.expression.BodyFrame;
+import org.mechservice.solver.expression.Expression.RelativeMotion;
 
 /** Pose and motion of a frame of body 2 relative to a frame of body 1, in the axes of frame 1. */
 public final class RelativeFrameMotion {
@@ -80,6 +81,19 @@ public final class RelativeFrameMotion {
     ScalarVector second = fromLink2(kinematics.velocityAt(link2, r2));
     ScalarVector carried = kinematics.velocityAt(link1, r1.plus(between));
     return inFrame1(second.minus(carried));
+  }
+
+  /** Returns a component in the order of {@link RelativeMotion}. */
+  public Scalar component(int component) {
+    if (component < RelativeMotion.ROTATION) {
+      return displacement().at(component);
+    } else if (component < RelativeMotion.ANGULAR_VELOCITY) {
+      int entry = component - RelativeMotion.ROTATION;
+      return rotation().at(entry / 3, entry % 3);
+    } else if (component < RelativeMotion.RATE) {
+      return omega().at(component - RelativeMotion.ANGULAR_VELOCITY);
+    }
+    return rate().at(component - RelativeMotion.RATE);
   }
 
   /**

@@ -1,11 +1,15 @@
 package org.mechservice.sim.equations.coordinates;
 
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
 import org.mechservice.sim.equations.kinematics.BodyPoints;
 import org.mechservice.sim.equations.kinematics.Formulas;
 import org.mechservice.sim.equations.kinematics.LinkKinematics;
 import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
 
@@ -16,6 +20,7 @@ public final class StateFormulas extends Formulas {
   private final BodyPoints points;
   private final LinkKinematics kinematics;
   private final int firstState;
+  private final Map<List<BodyFrame>, RelativeFrameMotion> motions = new HashMap<>();
 
   /**
    * @param firstState input of the first further state
@@ -46,8 +51,17 @@ public final class StateFormulas extends Formulas {
       return place(point.point()).at(point.axis());
     } else if (leaf instanceof Expression.PointVelocity point) {
       return speed(point.point()).at(point.axis());
+    } else if (leaf instanceof Expression.RelativeMotion relative) {
+      return motions
+          .computeIfAbsent(List.of(relative.frame1(), relative.frame2()), this::motion)
+          .component(relative.component());
     }
     throw new IllegalArgumentException(leaf + " has no value in a force");
+  }
+
+  /** Returns the motion of a second frame relative to a first. */
+  private RelativeFrameMotion motion(List<BodyFrame> frames) {
+    return new RelativeFrameMotion(kinematics, points, frames.get(0), frames.get(1));
   }
 
   private ScalarVector place(BodyPoint point) {

@@ -38,6 +38,7 @@ import org.mechservice.solver.mechanism.force.ForceVisitor;
 import org.mechservice.solver.mechanism.force.JointForce;
 import org.mechservice.solver.mechanism.force.JointFriction;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
+import org.mechservice.solver.mechanism.force.PairForce;
 import org.mechservice.solver.mechanism.force.SpringDamper;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.spatial.Rotation;
@@ -205,6 +206,12 @@ public final class AppliedForces {
               formulas.scalar(s.force0()),
               number(s.smoothing()));
       return new CouplingTerm(new Relation(expressions, links, cuts, s.along()), law);
+    }
+
+    @Override
+    public ForceTerm pairForce(PairForce f) {
+      return new PairForceTerm(
+          new RelativeFrameMotion(kinematics, points, f.frame1(), f.frame2()), formulas, f);
     }
 
     @Override

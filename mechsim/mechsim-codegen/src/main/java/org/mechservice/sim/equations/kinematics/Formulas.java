@@ -1,5 +1,7 @@
 package org.mechservice.sim.equations.kinematics;
 
+import java.util.IdentityHashMap;
+import java.util.Map;
 import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.MathFunction;
 import org.mechservice.sim.symbolic.Program;
@@ -13,6 +15,7 @@ public abstract class Formulas {
   private static final int LARGEST_PRODUCT = 64;
 
   private final Expressions e;
+  private final Map<Expression, Scalar> done = new IdentityHashMap<>();
 
   public Formulas(Expressions expressions) {
     this.e = expressions;
@@ -21,8 +24,17 @@ public abstract class Formulas {
   /** Returns a leaf that is neither a constant nor the time nor a parameter, which are inputs. */
   protected abstract Scalar leaf(Expression leaf);
 
-  /** Returns a formula as a scalar. */
+  /** Returns a formula as a scalar; parts that formulas share are converted once. */
   public final Scalar scalar(Expression formula) {
+    Scalar known = done.get(formula);
+    if (known == null) {
+      known = convert(formula);
+      done.put(formula, known);
+    }
+    return known;
+  }
+
+  private Scalar convert(Expression formula) {
     if (formula instanceof Expression.Constant constant) {
       return e.constant(constant.value());
     } else if (formula instanceof Expression.Time) {

@@ -94,6 +94,13 @@ public final class FrameForce extends AppliedForce {
     }
   }
 
+  @Override
+  public void addByState(int state, double[] wrench, double[] tau) {
+    if (law.byState(state, dw)) {
+      motion.addWrench(dw, wrench);
+    }
+  }
+
   private void change(double[] byThisPlace, double[] byThisVelocity) {
     for (int i = 0; i < 6; i++) {
       double sum = 0;
@@ -134,6 +141,11 @@ public final class FrameForce extends AppliedForce {
   @Override
   public void accepted() {
     law.accepted();
+  }
+
+  @Override
+  public boolean isLocal() {
+    return motion.isOfNeighbours();
   }
 
   @Override

@@ -29,6 +29,17 @@ public interface FrameLaw {
    */
   void jacobian(FrameMotion x, double[] byPlace, double[] byVelocity);
 
+  /**
+   * Differentiates the law by a further state, at the state of the last {@link #wrench}. Most laws
+   * do not depend on further states.
+   *
+   * @param w derivative of [moment; force] as in {@link #wrench}; overwritten
+   * @return false if it is zero; {@code w} is not written then
+   */
+  default boolean byState(int state, double[] w) {
+    return false;
+  }
+
   /** Returns the potential energy in the state of the last {@link #wrench}, J. */
   double potentialEnergy(FrameMotion x);
 

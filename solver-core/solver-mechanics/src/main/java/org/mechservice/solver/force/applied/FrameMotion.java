@@ -7,6 +7,8 @@ import static org.mechservice.solver.spatial.Blocks.multiply;
 
 import java.util.Arrays;
 import org.mechservice.solver.expression.BodyFrame;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.Expression.RelativeMotion;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.spatial.Rotation;
@@ -77,6 +79,11 @@ public final class FrameMotion {
     return link2;
   }
 
+  /** Returns whether the links are one, next to each other, or one of them is the root. */
+  boolean isOfNeighbours() {
+    return motion.tree().areNeighbours(link1, link2);
+  }
+
   private static void put(double[] m, Rotation r) {
     m[0] = r.xx();
     m[1] = r.xy();
@@ -111,6 +118,36 @@ public final class FrameMotion {
     }
     multiply(a2, 0, axes2, 0, rotation, 0);
     readVelocities();
+  }
+
+  /** Returns a component in the order of {@link Expression.RelativeMotion}. */
+  public double component(int component) {
+    if (component < RelativeMotion.ROTATION) {
+      return displacement[component];
+    } else if (component < RelativeMotion.ANGULAR_VELOCITY) {
+      return rotation[component - RelativeMotion.ROTATION];
+    }
+    return twist[component - RelativeMotion.ANGULAR_VELOCITY];
+  }
+
+  /**
+   * Returns the change of a component of the pose for a small motion of frame 2, with the twist
+   * held.
+   *
+   * @param place [rotation; displacement] of frame 2 in the axes of frame 1; not modified
+   */
+  public double changeOf(int component, double[] place) {
+    if (component < RelativeMotion.ROTATION) {
+      return place[3 + component];
+    } else if (component >= RelativeMotion.ANGULAR_VELOCITY) {
+      return 0;
+    }
+    // row i of δθ × (column j)
+    int i = (component - RelativeMotion.ROTATION) / 3;
+    int j = (component - RelativeMotion.ROTATION) % 3;
+    int next = (i + 1) % 3;
+    int last = (i + 2) % 3;
+    return place[next] * rotation[3 * last + j] - place[last] * rotation[3 * next + j];
   }
 
   private void readVelocities() {

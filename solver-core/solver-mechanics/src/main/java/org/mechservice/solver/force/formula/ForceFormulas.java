@@ -7,6 +7,7 @@ import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Table;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.ForceElement;
+import org.mechservice.solver.mechanism.force.PairForce;
 
 /**
  * The formulas of a mechanism's forces decomposed for diagnosis: from the inside out every
@@ -28,6 +29,10 @@ public final class ForceFormulas {
   private ForceFormulas(Mechanism mechanism) {
     text = new FormulaText(mechanism);
     for (ForceElement force : mechanism.forces()) {
+      if (force instanceof PairForce) {
+        // its formulas are built from its coefficients, and no reader of the model has seen them
+        continue;
+      }
       force
           .formulas()
           .forEach(formula -> add(force.name(), formula.quantity(), formula.expression()));

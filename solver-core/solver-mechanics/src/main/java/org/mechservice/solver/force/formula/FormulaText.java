@@ -96,6 +96,8 @@ public final class FormulaText {
       return place(point.point(), AXES[point.axis()]);
     } else if (leaf instanceof Expression.PointVelocity point) {
       return place(point.point(), "v" + AXES[point.axis()]);
+    } else if (leaf instanceof Expression.RelativeMotion relative) {
+      return "motion[" + relative.component() + "]";
     }
     return "x";
   }

@@ -9,6 +9,7 @@ import org.mechservice.solver.expression.Expression.CoordinateVelocity;
 import org.mechservice.solver.expression.Expression.ParameterValue;
 import org.mechservice.solver.expression.Expression.PointPosition;
 import org.mechservice.solver.expression.Expression.PointVelocity;
+import org.mechservice.solver.expression.Expression.RelativeMotion;
 import org.mechservice.solver.expression.Expression.StateValue;
 import org.mechservice.solver.expression.Expression.Time;
 import org.mechservice.solver.expression.JointCoordinate;
@@ -57,6 +58,8 @@ public abstract class LeafInput {
       return new PointInput(motion, point.point(), point.axis(), false);
     } else if (leaf instanceof PointVelocity point) {
       return new PointInput(motion, point.point(), point.axis(), true);
+    } else if (leaf instanceof RelativeMotion relative) {
+      return new RelativeInput(motion, relative);
     }
     throw new IllegalArgumentException(leaf + " has no value in a force");
   }

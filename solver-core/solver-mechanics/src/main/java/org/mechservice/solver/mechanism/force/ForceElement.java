@@ -19,6 +19,7 @@ public sealed interface ForceElement
         CouplingSpringDamper,
         Contact,
         JointFriction,
+        PairForce,
         UserForceElement {
   /** Returns the name in the model file. */
   String name();

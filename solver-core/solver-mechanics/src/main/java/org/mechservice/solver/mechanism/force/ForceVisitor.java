@@ -28,6 +28,9 @@ public interface ForceVisitor<R> {
   /** Answers for a contact. */
   R contact(Contact force);
 
+  /** Answers for a force between two frames given by formulas. */
+  R pairForce(PairForce force);
+
   /** Answers for friction in a joint. */
   R jointFriction(JointFriction force);
 

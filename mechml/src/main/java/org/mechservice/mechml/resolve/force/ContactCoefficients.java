@@ -1,0 +1,108 @@
+package org.mechservice.mechml.resolve.force;
+
+import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.call;
+import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.isZero;
+import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.larger;
+import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.power;
+import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.product;
+import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.quotient;
+import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.root;
+import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.square;
+import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.sum;
+import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.times;
+
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.Function;
+
+/**
+ * Coefficients of a contact: the push N = k pos(d)ⁿ + c d′ pos′(d) at the depth d, and friction.
+ *
+ * @param stiffness k, N/mⁿ
+ * @param damping c, N·s/m
+ * @param exponent n ≥ 1
+ * @param smoothing ε of pos(d) = (d + √(d² + ε²)) / 2, m
+ * @param friction coefficient μ; zero for none
+ * @param slidingSpeed v₀ of friction without sticking, m/s
+ * @param stickLength δ of friction that sticks, m; zero for friction without sticking
+ * @param stickTime τ, s
+ */
+record ContactCoefficients(
+    Expression stiffness,
+    Expression damping,
+    double exponent,
+    Expression smoothing,
+    Expression friction,
+    Expression slidingSpeed,
+    Expression stickLength,
+    Expression stickTime) {
+
+  boolean rubs() {
+    return !isZero(friction);
+  }
+
+  boolean sticks() {
+    return rubs() && !isZero(stickLength);
+  }
+
+  /** The smooth positive part of a depth. */
+  final class Positive {
+    private final Expression depth;
+    private final Expression root;
+
+    /** pos(d), without cancellation: max(d, 0) + pos(−|d|), pos(−|d|) = ε² / (2 (|d| + root)). */
+    final Expression value;
+
+    /** pos′(d) = pos(d) / root. */
+    final Expression slope;
+
+    Positive(Expression depth) {
+      this.depth = depth;
+      Expression above = larger(Expression.ZERO, depth);
+      if (isZero(smoothing)) {
+        root = Expression.ZERO;
+        value = above;
+        slope = call(Function.STEP, depth);
+        return;
+      }
+      root = root(sum(square(depth), square(smoothing)));
+      Expression size = call(Function.ABS, depth);
+      value = sum(above, quotient(times(0.5, square(smoothing)), sum(size, root)));
+      slope = quotient(value, root);
+    }
+
+    /** Returns the elastic part of the push, N. */
+    Expression elastic() {
+      return product(stiffness, power(value, exponent));
+    }
+
+    /** Returns the push, N. */
+    Expression push(Expression rate) {
+      return sum(elastic(), product(product(damping, rate), slope));
+    }
+
+    /** Returns k ∫ posⁿ, J: from d = 0 for n = 1, else from d = −∞. */
+    Expression potential() {
+      Expression quarter = times(0.25, square(smoothing));
+      if (exponent == 1) {
+        Expression half = times(0.5, square(value));
+        Expression log =
+            isZero(smoothing)
+                ? Expression.ZERO
+                : call(Function.LOG, quotient(times(2, value), smoothing));
+        return product(stiffness, sum(half, product(quarter, sum(log, Expression.of(-0.5)))));
+      }
+      Expression rest =
+          isZero(quarter)
+              ? Expression.ZERO
+              : product(times(1 / (exponent - 1), quarter), power(value, exponent - 1));
+      return product(stiffness, sum(times(1 / (exponent + 1), power(value, exponent + 1)), rest));
+    }
+
+    /** Returns how far the bodies touch: 1 from first touch on, 0 when they are ε apart. */
+    Expression touch() {
+      return isZero(smoothing)
+          ? slope
+          : call(Function.SMOOTH_STEP, sum(Expression.of(1), quotient(depth, smoothing)));
+    }
+  }
+}
