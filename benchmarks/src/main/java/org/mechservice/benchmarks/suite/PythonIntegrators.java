@@ -130,6 +130,10 @@ final class PythonIntegrators {
 
   private void add(String line) {
     String[] fields = line.split(",", FIELDS);
+    if (fields.length < FIELDS) {
+      // SUNDIALS prints what it fails with by itself; the run's own line tells it, too.
+      return;
+    }
     runs.add(
         new SuiteRun(
             fields[0],
