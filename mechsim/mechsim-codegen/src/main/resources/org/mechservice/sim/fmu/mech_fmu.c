@@ -17,10 +17,9 @@ enum { MOST_TRIES = 1000000, MOST_EVENTS = 1000 };
 
 /* The tolerance of a run is meant for its results; errors of steps add up and grow, so that the
  * method works at a part of it. Closed loops, whose dependent coordinates run through dead points
- * many times as fast as the others, need a smaller part, and so do the backward formulas, whose
- * errors add up with one sign. docs/reports/export.md has the errors. Below the last number
- * round-off outweighs what it gains. */
-static const double SAFETY = MODEL_LOOPS ? 300 : MODEL_STIFF ? 100 : 30, FINEST = 1e-13;
+ * many times as fast as the others, need a smaller part. docs/reports/export.md has the errors.
+ * Below the last number round-off outweighs what it gains. */
+static const double SAFETY = MODEL_LOOPS ? 300 : 100, FINEST = 1e-13;
 
 /* Parts of a step at whose ends the event functions are looked at. */
 enum { LOOKS = 4 };
