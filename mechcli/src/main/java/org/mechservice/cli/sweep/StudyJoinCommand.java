@@ -31,13 +31,13 @@ public final class StudyJoinCommand implements Callable<Integer> {
   @Option(
       names = {"-o", "--output"},
       required = true,
-      paramLabel = "ALL.csv",
-      description = "The table to write.")
+      paramLabel = "ALL",
+      description = "The table to write, .csv or .parquet.")
   private Path out = Path.of("");
 
   @Override
   public Integer call() throws IOException {
-    StudyCommand.requireCsv(out);
+    StudyCommand.requireTable(out);
     OutputFile.requireUsable(out);
     StudyJoin.join(parts, out);
     return ExitStatus.DONE;
