@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
@@ -45,7 +44,7 @@ final class TimeJumps {
           Collections.newSetFromMap(new IdentityHashMap<>()),
           Collections.newSetFromMap(new IdentityHashMap<>()));
 
-  private final Map<Expression, Optional<Line>> lines = new IdentityHashMap<>();
+  private final IdentityHashMap<Expression, Optional<Line>> lines = new IdentityHashMap<>();
 
   private TimeJumps(List<Parameter> parameters, double from, double to) {
     this.parameters = parameters;
