@@ -34,7 +34,7 @@ class Trajectory:
     def values(self) -> npt.NDArray[np.float64]:
         """All numbers, one row per output time and one column per quantity; not to be written to."""
         view = np.asarray(memoryview(self._java.values()), dtype=np.float64)
-        values = view.reshape(-1, len(self._columns))
+        values = view.reshape(len(self), -1 if len(view) else len(self._columns))
         values.flags.writeable = False
         return values
 

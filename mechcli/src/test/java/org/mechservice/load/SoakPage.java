@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Locale;
 
 /** A page of docs/reports: what was done, what was counted, with which seed, on what machine. */
-final class SoakPage {
+public final class SoakPage {
   private static final Path REPORTS = Path.of("../docs/reports");
 
   private final List<String> lines = new ArrayList<>();
@@ -19,7 +19,7 @@ final class SoakPage {
    * @param what the paragraph that says what was done
    * @param seed where the random choices begin
    */
-  SoakPage(String title, String what, long seed) {
+  public SoakPage(String title, String what, long seed) {
     lines.add("# " + title + "\n");
     lines.add(what + "\n");
     lines.add(
@@ -48,13 +48,13 @@ final class SoakPage {
   }
 
   /** Adds a line of text, or of a table. */
-  SoakPage line(String format, Object... values) {
+  public SoakPage line(String format, Object... values) {
     lines.add(String.format(Locale.ROOT, format, values));
     return this;
   }
 
   /** Writes the page. */
-  void write(String name) throws IOException {
+  public void write(String name) throws IOException {
     Files.createDirectories(REPORTS);
     Files.writeString(REPORTS.resolve(name), String.join("\n", lines) + "\n");
   }

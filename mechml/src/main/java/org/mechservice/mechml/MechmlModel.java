@@ -15,6 +15,7 @@ import org.mechservice.solver.mechanism.Output;
 /** A model file after reading: a mechanism and settings in SI units, with all names resolved. */
 public final class MechmlModel {
   private final Mechanism mechanism;
+  private final int inputCount;
   private final SimulationSettings settings;
   private final List<SimulationSettings> simulations;
   private final List<ModelParameter> parameters;
@@ -29,6 +30,7 @@ public final class MechmlModel {
    * Creates a model.
    *
    * @param mechanism the mechanism
+   * @param inputCount number of the last of its parameters that are inputs
    * @param settings the chosen simulation
    * @param simulations every simulation of the file, in file order
    * @param parameters in file order
@@ -39,6 +41,7 @@ public final class MechmlModel {
    */
   public MechmlModel(
       Mechanism mechanism,
+      int inputCount,
       SimulationSettings settings,
       List<SimulationSettings> simulations,
       List<ModelParameter> parameters,
@@ -46,12 +49,25 @@ public final class MechmlModel {
       List<String> unused,
       List<Diagnostic> warnings) {
     this.mechanism = mechanism;
+    this.inputCount = inputCount;
     this.settings = settings;
     this.simulations = List.copyOf(simulations);
     this.parameters = List.copyOf(parameters);
     this.outputs = List.copyOf(outputs);
     this.unused = List.copyOf(unused);
     this.warnings = List.copyOf(warnings);
+  }
+
+  /** Creates a model none of whose parameters is an input. */
+  public MechmlModel(
+      Mechanism mechanism,
+      SimulationSettings settings,
+      List<SimulationSettings> simulations,
+      List<ModelParameter> parameters,
+      List<Output> outputs,
+      List<String> unused,
+      List<Diagnostic> warnings) {
+    this(mechanism, 0, settings, simulations, parameters, outputs, unused, warnings);
   }
 
   /** Creates a model with one simulation and without parameters and outputs. */
@@ -62,6 +78,14 @@ public final class MechmlModel {
   /** Returns the mechanism. */
   public Mechanism mechanism() {
     return mechanism;
+  }
+
+  /**
+   * Returns the number of the last of the mechanism's parameters that are inputs: all inputs of the
+   * file if it was read so, else none.
+   */
+  public int inputCount() {
+    return inputCount;
   }
 
   /** Returns the chosen simulation. */
@@ -116,7 +140,8 @@ public final class MechmlModel {
             settings.closure(),
             settings.columns(),
             settings.events());
-    return new MechmlModel(mechanism, other, simulations, parameters, outputs, unused, warnings);
+    return new MechmlModel(
+        mechanism, inputCount, other, simulations, parameters, outputs, unused, warnings);
   }
 
   /** Returns the mechanism with the events of the chosen simulation. */

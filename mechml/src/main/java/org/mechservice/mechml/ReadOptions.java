@@ -14,14 +14,14 @@ import org.mechservice.solver.catalogue.AnalysisKind;
  *     parameter
  * @param tunable names of parameters that stay inputs of the model, besides those marked in the
  *     file
- * @param inputsFromOutside whether inputs are set during the run, also those with a table
+ * @param inputs what becomes of inputs
  * @param analysis what is computed instead of the chosen simulation; empty for the simulation
  */
 public record ReadOptions(
     Optional<String> simulation,
     Map<String, String> values,
     Set<String> tunable,
-    boolean inputsFromOutside,
+    Inputs inputs,
     Optional<AnalysisKind> analysis) {
   /** Default options: the first simulation, all parameters as in the file. */
   public static final ReadOptions NONE = new ReadOptions(Optional.empty(), Map.of(), Set.of());
@@ -33,17 +33,32 @@ public record ReadOptions(
 
   /** Creates options for a run without inputs from outside. */
   public ReadOptions(Optional<String> simulation, Map<String, String> values, Set<String> tunable) {
-    this(simulation, values, tunable, false, Optional.empty());
+    this(simulation, values, tunable, Inputs.AS_IN_FILE, Optional.empty());
+  }
+
+  /** What becomes of the inputs of a model. */
+  public enum Inputs {
+    /** Those with a table follow it, the others are states that keep their start values. */
+    AS_IN_FILE,
+    /** All are states that are set during the run. */
+    STATES,
+    /** All are parameters behind the tunable ones, for models that leave this program. */
+    PARAMETERS
   }
 
   /** Returns the same options for a run whose inputs are set from outside. */
   public ReadOptions withInputsFromOutside() {
-    return new ReadOptions(simulation, values, tunable, true, analysis);
+    return new ReadOptions(simulation, values, tunable, Inputs.STATES, analysis);
+  }
+
+  /** Returns the same options for a model whose inputs are parameters behind the tunable ones. */
+  public ReadOptions withInputsAsParameters() {
+    return new ReadOptions(simulation, values, tunable, Inputs.PARAMETERS, analysis);
   }
 
   /** Returns the same options for an analysis in place of the chosen simulation. */
   public ReadOptions withAnalysis(AnalysisKind kind) {
-    return new ReadOptions(simulation, values, tunable, inputsFromOutside, Optional.of(kind));
+    return new ReadOptions(simulation, values, tunable, inputs, Optional.of(kind));
   }
 
   /** Returns options that set parameters. */

@@ -39,9 +39,9 @@ final class ParquetReader {
     long end = file.size() - TAIL;
     ByteBuffer tail = bytes(Math.max(0, end), TAIL);
     long length = tail.getInt();
-    byte[] magic = new byte[ParquetWriter.MAGIC.length];
+    byte[] magic = new byte[ParquetTable.MAGIC.length];
     tail.get(magic);
-    if (!Arrays.equals(magic, ParquetWriter.MAGIC) || length < 0 || length > end) {
+    if (!Arrays.equals(magic, ParquetTable.MAGIC) || length < 0 || length > end) {
       throw new IOException("it has no footer of a Parquet file, it may be incomplete");
     }
     Map<Integer, Object> footer = new ThriftReader(bytes(end - length, (int) length)).struct();
@@ -74,8 +74,8 @@ final class ParquetReader {
     String name = String.valueOf(element.get(4));
     require(
         element.containsKey(1)
-            && number(element, 1) == ParquetWriter.TYPE_DOUBLE
-            && number(element, 3) == ParquetWriter.REQUIRED,
+            && number(element, 1) == ParquetTable.TYPE_DOUBLE
+            && number(element, 3) == ParquetTable.REQUIRED,
         name);
     return new Variable(name, units.getOrDefault(name, ""));
   }
@@ -97,15 +97,15 @@ final class ParquetReader {
       Map<Integer, Object> chunk = struct(list(struct(group), 1).get(column));
       Map<Integer, Object> meta = struct(chunk.get(3));
       String name = String.valueOf(list(meta, 3));
-      require(number(meta, 4) == ParquetWriter.UNCOMPRESSED && !meta.containsKey(11), name);
+      require(number(meta, 4) == ParquetTable.UNCOMPRESSED && !meta.containsKey(11), name);
       long at = number(meta, 9);
       long last = filled + number(meta, 5);
       while (filled < last) {
         ByteBuffer head = bytes(at, (int) Math.min(LONGEST_PAGE_HEADER, file.size() - at));
         Map<Integer, Object> page = new ThriftReader(head).struct();
-        require(number(page, 1) == ParquetWriter.DATA_PAGE, name);
+        require(number(page, 1) == ParquetTable.DATA_PAGE, name);
         Map<Integer, Object> data = struct(page.get(5));
-        require(number(data, 2) == ParquetWriter.PLAIN, name);
+        require(number(data, 2) == ParquetTable.PLAIN, name);
         int count = Math.toIntExact(number(data, 1));
         at += head.position();
         bytes(at, count * Double.BYTES).asDoubleBuffer().get(values, filled, count);

@@ -623,7 +623,7 @@ public final class MechModel {
    * @return what URDF cannot express and is left out: warnings M-087; empty if the robot is the
    *     whole mechanism
    * @throws MechmlException M-086 if the mechanism would be another one: closed loops, constraints,
-   *     joints of other types than R, P, F and W
+   *     joints of types S, PL and H
    * @throws IOException if the file cannot be written
    */
   public List<Diagnostic> writeUrdf(Path urdf) throws IOException, MechmlException {

@@ -8,6 +8,7 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
+import java.util.Locale;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -55,7 +56,8 @@ final class SparkEngine {
 
   /**
    * @param file the study's file, on this machine
-   * @param table the table to write, .csv, in a file system that driver and executors share
+   * @param table the table to write, .csv or .parquet, in a file system that driver and executors
+   *     share
    */
   SparkEngine(JavaSparkContext spark, Path file, StudyPlan plan, String table) throws IOException {
     this.spark = spark;
@@ -186,15 +188,15 @@ final class SparkEngine {
         table,
         raw -> {
           BufferedOutputStream out = new BufferedOutputStream(raw, 1 << 16);
-          out.write(rows.header().getBytes(StandardCharsets.UTF_8));
-          int[] left = {rows.taken()};
-          for (Chunk chunk : used) {
-            store.read(
-                chunk,
+          StudyRows.Lines lines = reader -> each(store, rows, used, reader);
+          if (table.getName().toLowerCase(Locale.ROOT).endsWith(".parquet")) {
+            rows.writeParquet(out, lines);
+          } else {
+            out.write(rows.header().getBytes(StandardCharsets.UTF_8));
+            lines.each(
                 line -> {
                   out.write(line.getBytes(StandardCharsets.UTF_8));
                   out.write('\n');
-                  return --left[0] > 0;
                 });
           }
           out.flush();
@@ -204,5 +206,19 @@ final class SparkEngine {
     store.write(
         new org.apache.hadoop.fs.Path(table.getParent(), beside),
         out -> out.write(rows.provenance().getBytes(StandardCharsets.UTF_8)));
+  }
+
+  private static void each(
+      RowFiles store, StudyRows rows, List<Chunk> used, StudyRows.LineReader reader)
+      throws IOException {
+    int[] left = {rows.taken()};
+    for (Chunk chunk : used) {
+      store.read(
+          chunk,
+          line -> {
+            reader.take(line);
+            return --left[0] > 0;
+          });
+    }
   }
 }

@@ -48,8 +48,10 @@ public final class SparkStudy {
       Path file = Path.of(study.orElseThrow(() -> refused("no study is named; " + USAGE)));
       String name = String.valueOf(file.getFileName()).replaceFirst("\\.[^.]*$", "") + ".csv";
       Asked asked = new Asked(file, table.orElse(name), quiet);
-      if (!asked.table.toLowerCase(Locale.ROOT).endsWith(".csv")) {
-        throw refused("-o " + asked.table + ": the table of a study is written to a .csv file");
+      String ending = asked.table.toLowerCase(Locale.ROOT);
+      if (!ending.endsWith(".csv") && !ending.endsWith(".parquet")) {
+        throw refused(
+            "-o " + asked.table + ": the table of a study is written to a .csv or a .parquet file");
       }
       return asked;
     }

@@ -199,21 +199,13 @@ public final class PointModel implements PointEvaluation {
                 + (known.isEmpty() ? "" : "; it has " + String.join(", ", known)));
       }
     }
-    MechModel model = withColumns(read, reductions);
-    Set<String> tunable = new LinkedHashSet<>();
-    for (String factor : factors) {
-      try {
-        model = model.tunable(Set.of(factor));
-        tunable.add(factor);
-      } catch (MechmlException e) {
-        if (e.diagnostics().stream()
-            .noneMatch(d -> d.code() == MessageCode.TUNABLE_PARAMETER_MISPLACED)) {
-          throw e;
-        }
-      }
-    }
+    ModelInputs inputs = ModelInputs.of(withColumns(read, reductions), factors);
     return new PointModel(
-        model, new LinkedHashSet<>(factors), tunable, reductions, columnsOf(model));
+        inputs.model(),
+        new LinkedHashSet<>(factors),
+        inputs.names(),
+        reductions,
+        columnsOf(inputs.model()));
   }
 
   private static MechModel withColumns(MechModel model, List<Reduction> reductions) {

@@ -68,7 +68,10 @@ final class AdminActions {
   }
 
   /** {@code mech admin stop}. */
-  @Command(name = "stop", description = "Ends a simulation; its rows so far are kept.")
+  @Command(
+      name = "stop",
+      description = "Ends a simulation; its rows so far are kept.",
+      footer = "mech admin stop 3f2a --reason 'maintenance at noon'")
   static final class Stop extends Acting {
     @Parameters(
         paramLabel = "ID",
@@ -123,7 +126,8 @@ final class AdminActions {
       description = {
         "Lets a host or server take nothing new; what runs moves to other hosts or finishes.",
         "A server is emptied together with the host in its process; other hosts by their names."
-      })
+      },
+      footer = "mech admin drain host2")
   static final class Drain extends ActingAtPlace {
     @Override
     AdminAction action(String host) {
@@ -132,7 +136,10 @@ final class AdminActions {
   }
 
   /** {@code mech admin undrain}. */
-  @Command(name = "undrain", description = "Lets a host or server take new work again.")
+  @Command(
+      name = "undrain",
+      description = "Lets a host or server take new work again.",
+      footer = "mech admin undrain host2")
   static final class Undrain extends ActingAtPlace {
     @Override
     AdminAction action(String host) {
@@ -141,7 +148,10 @@ final class AdminActions {
   }
 
   /** {@code mech admin shutdown}. */
-  @Command(name = "shutdown", description = "Ends a server.")
+  @Command(
+      name = "shutdown",
+      description = "Ends a server.",
+      footer = "mech admin --server sim.example.org:15000 shutdown")
   static final class Shutdown extends Acting {
     @Parameters(
         arity = "0..1",
@@ -169,7 +179,10 @@ final class AdminActions {
   }
 
   /** {@code mech admin limits}. */
-  @Command(name = "limits", description = "Shows what is bounded, or sets bounds.")
+  @Command(
+      name = "limits",
+      description = "Shows what is bounded, or sets bounds.",
+      footer = {"mech admin limits", "mech admin limits --host host2 wallTime=3600 queue=100"})
   static final class Limits extends Acting {
     @Option(
         names = "--host",
@@ -251,7 +264,8 @@ final class AdminActions {
   /** {@code mech admin placement}. */
   @Command(
       name = "placement",
-      description = "Shows how hosts are chosen, or sets it: order, least-loaded, pinned.")
+      description = "Shows how hosts are chosen, or sets it: order, least-loaded, pinned.",
+      footer = {"mech admin placement", "mech admin placement least-loaded"})
   static final class Placement extends Acting {
     @Parameters(arity = "0..1", paramLabel = "POLICY", description = "None: show it.")
     private String policy = "";

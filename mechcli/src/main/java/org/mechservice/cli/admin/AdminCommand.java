@@ -176,7 +176,10 @@ public final class AdminCommand implements Callable<Integer> {
   }
 
   /** Prints the state of every server. */
-  @Command(name = "status", description = "Lists servers, hosts and running simulations.")
+  @Command(
+      name = "status",
+      description = "Lists servers, hosts and running simulations.",
+      footer = {"mech admin status", "mech admin --json status"})
   int status() throws Exception {
     return show(
         new Shown() {
@@ -193,7 +196,10 @@ public final class AdminCommand implements Callable<Integer> {
   }
 
   /** Prints the servers. */
-  @Command(name = "servers", description = "Lists servers.")
+  @Command(
+      name = "servers",
+      description = "Lists servers.",
+      footer = "mech admin --server a.example.org,b.example.org servers")
   int listServers() throws Exception {
     return show(
         new Shown() {
@@ -210,7 +216,10 @@ public final class AdminCommand implements Callable<Integer> {
   }
 
   /** Prints the hosts. */
-  @Command(name = "hosts", description = "Lists hosts with their load, also those lately lost.")
+  @Command(
+      name = "hosts",
+      description = "Lists hosts with their load, also those lately lost.",
+      footer = "mech admin hosts")
   int listHosts() throws Exception {
     return show(
         new Shown() {
@@ -229,7 +238,8 @@ public final class AdminCommand implements Callable<Integer> {
   /** Prints simulations. */
   @Command(
       name = "sims",
-      description = "Lists simulations that wait or run; with --all or --state also others.")
+      description = "Lists simulations that wait or run; with --all or --state also others.",
+      footer = {"mech admin sims", "mech admin sims --state failed"})
   int listSimulations(
       @Option(names = "--all", description = "Also those that have ended.") boolean all,
       @Option(
@@ -270,7 +280,10 @@ public final class AdminCommand implements Callable<Integer> {
   }
 
   /** Prints one simulation in full. */
-  @Command(name = "show", description = "Shows one simulation in full.")
+  @Command(
+      name = "show",
+      description = "Shows one simulation in full.",
+      footer = {"mech admin show 3f2a", "mech admin show 3f2a --model"})
   int show(
       @Parameters(
               paramLabel = "ID",
@@ -294,7 +307,10 @@ public final class AdminCommand implements Callable<Integer> {
   }
 
   /** Prints log lines. */
-  @Command(name = "logs", description = "Shows the latest log lines of servers or of a host.")
+  @Command(
+      name = "logs",
+      description = "Shows the latest log lines of servers or of a host.",
+      footer = "mech admin logs host2 --lines 20")
   int logs(
       @Parameters(
               arity = "0..1",

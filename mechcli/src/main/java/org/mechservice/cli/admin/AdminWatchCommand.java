@@ -15,7 +15,8 @@ import picocli.CommandLine.ParentCommand;
 /** {@code mech admin watch}: the console over the whole screen of a terminal. */
 @Command(
     name = "watch",
-    description = "Shows servers, hosts and simulations live; keys sort, inspect and cancel.")
+    description = "Shows servers, hosts and simulations live; keys sort, inspect and cancel.",
+    footer = "mech admin --server sim.example.org watch")
 final class AdminWatchCommand implements Callable<Integer> {
   @ParentCommand private AdminCommand admin = new AdminCommand();
 

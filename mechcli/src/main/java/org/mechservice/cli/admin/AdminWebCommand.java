@@ -19,7 +19,8 @@ import picocli.CommandLine.ParentCommand;
 /** {@code mech admin web}: the console in a browser of this machine. */
 @Command(
     name = "web",
-    description = "Serves the console as a page on this machine, until it is stopped with Ctrl-C.")
+    description = "Serves the console as a page on this machine, until it is stopped with Ctrl-C.",
+    footer = "mech admin web --port 15080 --tokens tokens.json --audit audit.jsonl")
 final class AdminWebCommand implements Callable<Integer> {
   private static final int DEFAULT_PORT = 15080;
 

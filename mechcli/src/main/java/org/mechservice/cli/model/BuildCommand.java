@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
@@ -124,8 +123,14 @@ public final class BuildCommand implements Callable<Integer> {
     if (target.isPresent()) {
       OutputFile.requireUsable(target.get());
     }
-    if (unit.isAskedFor(target.orElse(Path.of("")))) {
+    if (unit.isAskedFor(target.orElse(Path.of("")), cFolder.isPresent())) {
       return buildUnit(target.orElse(Path.of("")));
+    }
+    if (cFolder.isPresent()) {
+      writeC(cFolder.get());
+    }
+    if (target.isEmpty() && sourceFolder.isEmpty()) {
+      return ExitStatus.DONE;
     }
     SimulationOptions asInFile = parameters.addTo(SimulationOptions.asInFile());
     SimulationOptions laidOut = code.isEmpty() ? asInFile : asInFile.code(code);
@@ -133,18 +138,12 @@ public final class BuildCommand implements Callable<Integer> {
     try (ServiceConnection service = ServiceConnection.open(server);
         MechSession session = service.connection().openSession(host)) {
       session.loadModel(model, userCode.folder()).forEach(spec.commandLine().getErr()::println);
-      List<GeneratedSource> inC =
-          cFolder.isPresent() ? session.generatedSources(options.inC()) : List.of();
       Optional<BuiltJar> jar =
           target.isPresent() ? Optional.of(session.build(options, standalone)) : Optional.empty();
       if (sourceFolder.isPresent()) {
         for (GeneratedSource source : session.generatedSources(options)) {
           writeSource(source, sourceFolder.get());
         }
-      }
-      for (GeneratedSource source : inC) {
-        writeSource(source, cFolder.orElseThrow());
-        size(source.fileName(), source.text().getBytes(StandardCharsets.UTF_8).length);
       }
       if (jar.isPresent()) {
         write(jar.get(), target.orElseThrow());
@@ -175,10 +174,25 @@ public final class BuildCommand implements Callable<Integer> {
     return ExitStatus.DONE;
   }
 
+  private void writeC(Path folder) throws IOException {
+    Map<String, String> files = leaving().filesInC(unit.asInputs());
+    Files.createDirectories(folder);
+    for (Map.Entry<String, String> file : files.entrySet()) {
+      byte[] bytes = file.getValue().getBytes(StandardCharsets.UTF_8);
+      OutputFile.write(folder.resolve(file.getKey()), bytes);
+      size(file.getKey(), bytes.length);
+    }
+  }
+
+  /** Returns the model for other programs, which set its inputs. */
+  private ModelToExport leaving() throws IOException {
+    return ModelToExport.read(
+        model, method.reading(parameters.values()).withInputsAsParameters(), method);
+  }
+
   private Integer buildUnit(Path file) throws IOException {
     refuseOptionsOfJar("an FMU");
-    FmuArchive archive =
-        unit.build(ModelToExport.read(model, method.reading(parameters.values()), method));
+    FmuArchive archive = unit.build(leaving());
     byte[] bytes = archive.bytes();
     OutputFile.write(file, bytes);
     size(file.toString(), bytes.length);

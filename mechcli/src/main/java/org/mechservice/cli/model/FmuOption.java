@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Set;
 import org.mechservice.cli.shell.UsageException;
 import org.mechservice.sim.fmu.FmiVersion;
@@ -36,28 +37,39 @@ public final class FmuOption {
       names = "--class-as-input",
       paramLabel = "FORCE",
       description =
-          "For a FILE.fmu: a force written as a Java class becomes inputs of the unit, its loads on"
+          "For a FILE.fmu or --c: a force written as a Java class becomes inputs, its loads on"
               + " every body and joint; may be given several times, and then is their sum.")
   private List<String> asInputs = List.of();
 
   /**
    * Returns whether an FMU is asked for.
    *
+   * @param inC whether the model is written as C, too
    * @throws UsageException if only a FILE.fmu has the options that are given, and the file is none
    */
-  boolean isAskedFor(Path target) {
+  boolean isAskedFor(Path target, boolean inC) {
     boolean unit = String.valueOf(target.getFileName()).toLowerCase(Locale.ROOT).endsWith(ENDING);
-    if (!unit && !(version.isEmpty() && platforms.isEmpty() && asInputs.isEmpty())) {
+    Optional<String> wrong =
+        !version.isEmpty()
+            ? Optional.of("--fmi")
+            : !platforms.isEmpty()
+                ? Optional.of("--platforms")
+                : !asInputs.isEmpty() && !inC ? Optional.of("--class-as-input") : Optional.empty();
+    if (!unit && wrong.isPresent()) {
       throw new UsageException(
           MessageCode.OPTION_UNUSABLE
-              + (!version.isEmpty()
-                  ? " --fmi"
-                  : platforms.isEmpty() ? " --class-as-input" : " --platforms")
+              + " "
+              + wrong.get()
               + " is for an FMU, and "
               + target
               + " is none: write -o FILE.fmu");
     }
     return unit;
+  }
+
+  /** Returns the names of forces written as classes whose loads are inputs. */
+  Set<String> asInputs() {
+    return Set.copyOf(asInputs);
   }
 
   /**
@@ -70,10 +82,10 @@ public final class FmuOption {
     try {
       FmiVersion fmi = version.isEmpty() ? FmiVersion.FMI_2 : FmiVersion.of(version.strip());
       if (platforms.isEmpty()) {
-        return FmuArchive.build(local.inC(Set.copyOf(asInputs)), fmi);
+        return FmuArchive.build(local.inC(asInputs()), fmi);
       }
       Set<FmuPlatform> wanted = FmuPlatform.parse(platforms);
-      return FmuArchive.build(local.inC(Set.copyOf(asInputs)), fmi, wanted);
+      return FmuArchive.build(local.inC(asInputs()), fmi, wanted);
     } catch (IllegalArgumentException e) {
       throw new UsageException(MessageCode.OPTION_UNUSABLE + " " + e.getMessage());
     }

@@ -3,6 +3,7 @@ package org.mechservice.cli.model;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.mechservice.cli.shell.UsageException;
@@ -12,6 +13,7 @@ import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.SimulationTask;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.resolve.MechmlReader;
+import org.mechservice.sim.emit.c.CModel;
 import org.mechservice.sim.emit.plan.CodeForm;
 import org.mechservice.sim.fmu.FmuModel;
 import org.mechservice.sim.fmu.WebAssemblyModule;
@@ -96,10 +98,23 @@ public record ModelToExport(MechmlModel model, BuildOptions options) {
    *     there is none of
    */
   public FmuModel inC(Set<String> asInputs) {
+    return FmuModel.of(codeInC(asInputs), options.settings());
+  }
+
+  /**
+   * Derives the model's files in C: header, code, elementary functions and an example.
+   *
+   * @throws UsageException as {@link #inC}
+   */
+  Map<String, String> filesInC(Set<String> asInputs) {
+    return codeInC(asInputs).files();
+  }
+
+  private CModel codeInC(Set<String> asInputs) {
     try {
       // Refuses names of formulations and closures that there are not; C has one formulation.
       FormulationChoice.of(options.formulation(), options.closure(), options.settings(), model);
-      return FmuModel.of(ModelFactory.inC(model, options, asInputs), options.settings());
+      return ModelFactory.inC(model, options, asInputs);
     } catch (ModelBuildException e) {
       throw new UsageException(String.valueOf(e.getMessage()));
     }

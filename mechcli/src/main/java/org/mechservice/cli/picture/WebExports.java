@@ -23,7 +23,9 @@ import org.mechservice.view.web.ModelReader;
 final class WebExports implements ModelExports {
   @Override
   public byte[] unit(String text, ModelReader.Choice choice) throws IOException {
-    ReadOptions reading = new ReadOptions(choice.simulation(), choice.parameters(), Set.of());
+    ReadOptions reading =
+        new ReadOptions(choice.simulation(), choice.parameters(), Set.of())
+            .withInputsAsParameters();
     try {
       byte[] content = text.getBytes(StandardCharsets.UTF_8);
       ModelToExport model = ModelToExport.read(content, reading);

@@ -59,15 +59,15 @@ public final class StudyCommand implements Callable<Integer> {
   @Parameters(
       arity = "0..1",
       paramLabel = "STUDY.xml",
-      description = "The study: model, factors, design, outputs.")
+      description = "The study, XML or YAML: model, factors, design, outputs.")
   private @Nullable Path file;
 
   @Option(
       names = {"-o", "--output"},
-      paramLabel = "FILE.csv",
+      paramLabel = "FILE",
       description =
-          "The table to write (default: the study's name with .csv, in this folder); beside it"
-              + " FILE.study.json says where it comes from.")
+          "The table to write, .csv or .parquet (default: the study's name with .csv, in this folder); beside it"
+              + " a file with the ending .study.json says where it comes from.")
   private @Nullable String out;
 
   @Option(
@@ -131,8 +131,17 @@ public final class StudyCommand implements Callable<Integer> {
       return SparkSubmit.run(
           SparkSubmit.command(System.getenv(), master, settings, wordsForSpark(file, asked)));
     }
+    if (!asked.equals(StudyPart.WHOLE)
+        && out != null
+        && !out.toLowerCase(Locale.ROOT).endsWith(".csv")) {
+      throw new UsageException(
+          MessageCode.RESULT_FILE_NAME
+              + " -o "
+              + out
+              + ": a part is written to a .csv file; mech study join writes .parquet of all parts");
+    }
     Path table = out == null ? Path.of(nameOf(file, asked)) : Path.of(out);
-    requireCsv(table);
+    requireTable(table);
     OutputFile.requireUsable(table);
     StudyPlan plan;
     try {
@@ -207,13 +216,14 @@ public final class StudyCommand implements Callable<Integer> {
   }
 
   /** Refuses names of tables in other formats. */
-  static void requireCsv(Path table) {
-    if (!table.toString().toLowerCase(Locale.ROOT).endsWith(".csv")) {
+  static void requireTable(Path table) {
+    String name = table.toString().toLowerCase(Locale.ROOT);
+    if (!name.endsWith(".csv") && !name.endsWith(".parquet")) {
       throw new UsageException(
           MessageCode.RESULT_FILE_NAME
               + " -o "
               + table
-              + ": the table of a study is written to a .csv file");
+              + ": the table of a study is written to a .csv or a .parquet file");
     }
   }
 

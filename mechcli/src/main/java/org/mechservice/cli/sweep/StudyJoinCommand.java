@@ -18,6 +18,7 @@ import picocli.CommandLine.Parameters;
     description =
         "Puts the tables of all parts of a study together to the table that the whole study would"
             + " have written, byte by byte.",
+    footer = "mech study join part-1of2.csv part-2of2.csv -o all.csv",
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class StudyJoinCommand implements Callable<Integer> {
@@ -30,13 +31,13 @@ public final class StudyJoinCommand implements Callable<Integer> {
   @Option(
       names = {"-o", "--output"},
       required = true,
-      paramLabel = "ALL.csv",
-      description = "The table to write.")
+      paramLabel = "ALL",
+      description = "The table to write, .csv or .parquet.")
   private Path out = Path.of("");
 
   @Override
   public Integer call() throws IOException {
-    StudyCommand.requireCsv(out);
+    StudyCommand.requireTable(out);
     OutputFile.requireUsable(out);
     StudyJoin.join(parts, out);
     return ExitStatus.DONE;

@@ -3,6 +3,7 @@ package org.mechservice.mechml.resolve;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.mechservice.mechml.ReadOptions;
 import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.SimulationTask;
 import org.mechservice.mechml.diagnosis.Diagnostics;
@@ -68,7 +69,7 @@ final class MechanismReader {
       NameTable<BodyDefinition> bodies,
       Optional<Root> root,
       BodyIndex index,
-      boolean holdsInputs) {
+      ReadOptions.Inputs inputs) {
     this.model = model;
     this.values = values;
     this.diagnostics = diagnostics;
@@ -82,7 +83,7 @@ final class MechanismReader {
     this.names = new MechanismNames(bodies, index, diagnostics);
     this.formulas = new FormulaReader(values, names, diagnostics);
     TablesReader.read(model, values, names, diagnostics);
-    this.states = StatesReader.begin(model, values, names, holdsInputs, diagnostics);
+    this.states = StatesReader.begin(model, values, names, inputs, diagnostics);
     checkTree();
     placeJoints();
   }
@@ -90,10 +91,10 @@ final class MechanismReader {
   /**
    * Returns a reader that knows the names; empty if there is no root or a limit is exceeded.
    *
-   * @param holdsInputs whether inputs with a table are states nevertheless
+   * @param inputs what becomes of inputs
    */
   static Optional<MechanismReader> begin(
-      Element model, ValueReader values, boolean holdsInputs, Diagnostics diagnostics) {
+      Element model, ValueReader values, ReadOptions.Inputs inputs, Diagnostics diagnostics) {
     NameRule.check(model, diagnostics);
     Element rootElement = model.requiredChild("topology").requiredChild("root");
     NameTable<BodyDefinition> names = new NameTable<>("body", "does not exist", diagnostics);
@@ -111,7 +112,7 @@ final class MechanismReader {
             names,
             root,
             new BodyIndex(bodies, rootBody.get()),
-            holdsInputs));
+            inputs));
   }
 
   private static List<BodyDefinition> bodies(
@@ -290,7 +291,13 @@ final class MechanismReader {
               tunable.unit().numerator(),
               tunable.unit().denominator()));
     }
+    parameters.addAll(states.inputParameters());
     return parameters;
+  }
+
+  /** Returns the number of parameters that are inputs. */
+  int inputCount() {
+    return states.inputParameters().size();
   }
 
   private List<Element> joints() {

@@ -51,7 +51,7 @@ public final class ModelResolver {
     ValueReader values = new ValueReader(units, parameters, diagnostics);
     List<Element> blocks = document.children("MBSsimulation");
     Optional<MechanismReader> reader =
-        MechanismReader.begin(model, values, holdsInputs(blocks), diagnostics);
+        MechanismReader.begin(model, values, inputs(blocks), diagnostics);
     Optional<Mechanism> mechanism = reader.flatMap(MechanismReader::mechanism);
     List<Output> outputs = reader.map(MechanismReader::outputs).orElse(List.of());
     SimulationsReader simulations =
@@ -67,6 +67,7 @@ public final class ModelResolver {
     diagnostics.throwIfErrors();
     return new MechmlModel(
         mechanism.get(),
+        reader.get().inputCount(),
         settings.get(chosen),
         settings,
         parameters.all(),
@@ -75,11 +76,12 @@ public final class ModelResolver {
         diagnostics.inFileOrder());
   }
 
-  /** Returns whether inputs with a table are states nevertheless, set or varied from outside. */
-  private boolean holdsInputs(List<Element> blocks) {
+  /** Returns what becomes of inputs: a linearisation varies them, also those with a table. */
+  private ReadOptions.Inputs inputs(List<Element> blocks) {
     OptionalInt chosen = SimulationsReader.index(blocks, options.simulation());
-    return options.inputsFromOutside()
-        || (chosen.isPresent() && blocks.get(chosen.getAsInt()).child("linearize").isPresent());
+    boolean linearizes =
+        chosen.isPresent() && blocks.get(chosen.getAsInt()).child("linearize").isPresent();
+    return linearizes ? ReadOptions.Inputs.STATES : options.inputs();
   }
 
   private static List<String> unused(

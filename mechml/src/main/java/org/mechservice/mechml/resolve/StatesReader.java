@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.stream.Collectors;
+import org.mechservice.mechml.ReadOptions;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.mechml.diagnosis.Phrase;
@@ -28,6 +29,7 @@ import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.Table;
 import org.mechservice.solver.mechanism.FurtherChange;
 import org.mechservice.solver.mechanism.FurtherState;
+import org.mechservice.solver.mechanism.Parameter;
 import org.mechservice.solver.mechanism.Sampling;
 
 /**
@@ -43,9 +45,10 @@ final class StatesReader {
 
   private final ValueReader values;
   private final MechanismNames names;
-  private final boolean holdsInputs;
+  private final ReadOptions.Inputs inputs;
   private final Diagnostics diagnostics;
   private final List<Entry> entries = new ArrayList<>();
+  private final List<Parameter> inputParameters = new ArrayList<>();
   private final Map<Clock, Samples> samples = new LinkedHashMap<>();
   private Optional<ControllerBlocks> blocks = Optional.empty();
 
@@ -54,6 +57,7 @@ final class StatesReader {
     private final Element element;
     private final List<String> suffixes;
     private final int first;
+    private final int inputsBefore;
     private Optional<ControllerBlocks.Block> block = Optional.empty();
     private boolean done;
     private boolean open;
@@ -61,6 +65,7 @@ final class StatesReader {
     Entry(Element element, int first) {
       this.element = element;
       this.first = first;
+      inputsBefore = (int) entries.stream().filter(Entry::isInput).count();
       suffixes =
           switch (element.name()) {
             case "pid" -> ControllerBlocks.statesOfPid(element);
@@ -85,7 +90,8 @@ final class StatesReader {
 
     /** Returns whether an input is a state; one with a table is a function of time otherwise. */
     boolean isHeld() {
-      return holdsInputs || element.attribute("table").isEmpty();
+      return inputs == ReadOptions.Inputs.STATES
+          || (inputs == ReadOptions.Inputs.AS_IN_FILE && element.attribute("table").isEmpty());
     }
 
     Optional<ControllerBlocks.Block> block() {
@@ -104,6 +110,10 @@ final class StatesReader {
 
     @Override
     public Expression value(int offset) throws ExpressionException {
+      if (isInput() && inputs == ReadOptions.Inputs.PARAMETERS) {
+        int tunable = values.parameters().tunable().size();
+        return new Expression.ParameterValue(tunable + inputsBefore);
+      }
       if (isInput() && !isHeld()) {
         // an unknown table is reported when the states are read
         return names
@@ -135,25 +145,28 @@ final class StatesReader {
   private record Samples(Element first, List<FurtherChange> changes) {}
 
   private StatesReader(
-      ValueReader values, MechanismNames names, boolean holdsInputs, Diagnostics diagnostics) {
+      ValueReader values,
+      MechanismNames names,
+      ReadOptions.Inputs inputs,
+      Diagnostics diagnostics) {
     this.values = values;
     this.names = names;
-    this.holdsInputs = holdsInputs;
+    this.inputs = inputs;
     this.diagnostics = diagnostics;
   }
 
   /**
    * Returns a reader that has made the names of the states known to formulas.
    *
-   * @param holdsInputs whether inputs with a table are states nevertheless
+   * @param inputs what becomes of inputs
    */
   static StatesReader begin(
       Element model,
       ValueReader values,
       MechanismNames names,
-      boolean holdsInputs,
+      ReadOptions.Inputs inputs,
       Diagnostics diagnostics) {
-    StatesReader reader = new StatesReader(values, names, holdsInputs, diagnostics);
+    StatesReader reader = new StatesReader(values, names, inputs, diagnostics);
     model.child("States").ifPresent(states -> reader.register(states.children()));
     reader.checkColumns(model);
     return reader;
@@ -240,6 +253,11 @@ final class StatesReader {
     return samplings;
   }
 
+  /** Returns the inputs that are parameters, in file order, after {@link #read}. */
+  List<Parameter> inputParameters() {
+    return inputParameters;
+  }
+
   /** Returns the states without errors, in file order. */
   List<FurtherState> read(FormulaReader formulas) {
     blocks = Optional.of(new ControllerBlocks(formulas, diagnostics));
@@ -281,14 +299,19 @@ final class StatesReader {
               NearestName.suggestion(name.get(), names.tableNames())));
     } else if (name.isPresent() && element.attribute("x0").isPresent()) {
       error(element, "x0 has no meaning beside table, which gives the start, too; leave one out");
-    } else if (start.isPresent() && entry.isHeld()) {
-      states.add(
-          FurtherState.held(
-              element.required("name"),
-              table.map(t -> t.curve().at(0)).orElse(start.getAsDouble()),
-              unit(element),
-              FurtherState.Role.INPUT,
-              names.origin(element)));
+    } else if (start.isPresent()) {
+      double first = table.map(t -> t.curve().at(0)).orElse(start.getAsDouble());
+      if (inputs == ReadOptions.Inputs.PARAMETERS) {
+        inputParameters.add(new Parameter(element.required("name"), first, unit(element)));
+      } else if (entry.isHeld()) {
+        states.add(
+            FurtherState.held(
+                element.required("name"),
+                first,
+                unit(element),
+                FurtherState.Role.INPUT,
+                names.origin(element)));
+      }
     }
   }
 
@@ -379,13 +402,13 @@ final class StatesReader {
       return OptionalDouble.of(0);
     }
     List<AttributeText> items = AttributeText.itemsOf(entry.element, "x0");
-    if (items.size() > entry.suffixes.size()) {
+    int states = entry.isInput() ? 1 : entry.suffixes.size();
+    if (items.size() > states) {
       diagnostics.error(
           MessageCode.VALUE_COUNT,
           entry.element.position(),
           Phrase.of(
-              "%s: x0 has %d values for %d states",
-              entry.element.label(), items.size(), entry.suffixes.size()));
+              "%s: x0 has %d values for %d states", entry.element.label(), items.size(), states));
       return OptionalDouble.empty();
     }
     return index < items.size()

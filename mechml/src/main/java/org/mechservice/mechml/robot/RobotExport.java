@@ -25,7 +25,8 @@ public record RobotExport(String text, List<Diagnostic> losses) {
 
   /**
    * Translates a mechanism: bodies with their inertia and shapes, joints of types R, P, F and W
-   * with their limits, damping and friction, and coordinates that follow others.
+   * with their limits, damping and friction, joints C and U as two of them, and coordinates that
+   * follow others.
    *
    * @param fileName name of the model file, for messages
    * @param model what the file says

@@ -1,6 +1,7 @@
 package org.mechservice.mechml.robot;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -21,10 +22,12 @@ import org.mechservice.solver.mechanism.force.JointFriction;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
 import org.mechservice.solver.mechanism.force.Side;
 import org.mechservice.solver.mechanism.joint.Attachment;
+import org.mechservice.solver.mechanism.joint.Cylindrical;
 import org.mechservice.solver.mechanism.joint.Free;
 import org.mechservice.solver.mechanism.joint.Joint;
 import org.mechservice.solver.mechanism.joint.Prismatic;
 import org.mechservice.solver.mechanism.joint.Revolute;
+import org.mechservice.solver.mechanism.joint.Universal;
 import org.mechservice.solver.mechanism.joint.Weld;
 import org.mechservice.solver.spatial.EulerParameters;
 import org.mechservice.solver.spatial.InertiaTensor;
@@ -36,7 +39,8 @@ import org.mechservice.solver.text.ShortestDecimal;
 /**
  * A mechanism as the elements of a robot. The frame of a link has the axes of its body and its
  * origin at the point of the joint that leads to it, where URDF wants it. With A = Rot(a, q) A0 of
- * MechML and A = A0 Rot(b, q) of URDF, the axis in the child is b = A0ᵀ a.
+ * MechML and A = A0 Rot(b, q) of URDF, the axis in the child is b = A0ᵀ a. Joints C and U become
+ * two joints with a link without mass between them.
  */
 final class UrdfWriter {
   /** Free fall as the import and most programs assume it: URDF does not say it, m/s². */
@@ -47,39 +51,21 @@ final class UrdfWriter {
 
   private static final Vector3 DOWN = new Vector3(0, 0, -1);
 
-  /** A range that no motion reaches, m: a prismatic joint of URDF must have one. */
-  private static final double UNBOUNDED = 1e6;
-
-  /** Limits of a motor, which URDF requires beside a range: MechML has none, N, N·m, m/s, rad/s. */
-  private static final String NO_MOTOR = "1000000";
-
-  /** What URDF has along the one coordinate of a joint. */
-  private static final class Along {
-    private Optional<Double> lower = Optional.empty();
-    private Optional<Double> upper = Optional.empty();
-    private double damping;
-    private double friction;
-    private Optional<Mimicry> mimicry = Optional.empty();
-  }
-
-  /** A coordinate follows that of another joint: q = multiplier · other + offset. */
-  private record Mimicry(int other, double multiplier, double offset) {}
-
   /**
-   * A linear expression of positions of joints.
+   * A linear expression of coordinates of joints.
    *
-   * @param factors of the positions, by joint
+   * @param factors of the positions
    */
-  private record Linear(double constant, Map<Integer, Double> factors) {
+  private record Linear(double constant, Map<JointCoordinate, Double> factors) {
     Linear plus(Linear other) {
-      Map<Integer, Double> sum = new HashMap<>(factors);
-      other.factors.forEach((joint, factor) -> sum.merge(joint, factor, Double::sum));
+      Map<JointCoordinate, Double> sum = new HashMap<>(factors);
+      other.factors.forEach((of, factor) -> sum.merge(of, factor, Double::sum));
       return new Linear(constant + other.constant, sum);
     }
 
     Linear times(double factor) {
-      Map<Integer, Double> scaled = new HashMap<>();
-      factors.forEach((joint, old) -> scaled.put(joint, old * factor));
+      Map<JointCoordinate, Double> scaled = new HashMap<>();
+      factors.forEach((of, old) -> scaled.put(of, old * factor));
       return new Linear(constant * factor, scaled);
     }
   }
@@ -88,17 +74,28 @@ final class UrdfWriter {
   private final Mechanism mechanism;
   private final UrdfShapes shapes;
   private final ExportLosses losses;
-  private final Along[] along;
+  private final List<List<UrdfCoordinate>> along = new ArrayList<>();
 
   UrdfWriter(MechmlModel model, UrdfShapes shapes, ExportLosses losses) {
     this.model = model;
     this.shapes = shapes;
     this.losses = losses;
     mechanism = model.mechanism();
-    along = new Along[mechanism.joints().size()];
-    for (int j = 0; j < along.length; j++) {
-      along[j] = new Along();
+    for (Joint joint : mechanism.joints()) {
+      along.add(coordinates(joint));
     }
+  }
+
+  /** Returns the coordinates of a joint to each of which URDF gives a joint. */
+  private List<UrdfCoordinate> coordinates(Joint joint) {
+    if (joint instanceof Revolute || joint instanceof Prismatic) {
+      return List.of(new UrdfCoordinate(joint.name(), joint instanceof Revolute));
+    } else if (joint instanceof Universal || joint instanceof Cylindrical) {
+      return List.of(
+          new UrdfCoordinate(unusedJoint(joint.name() + "_1"), joint instanceof Universal),
+          new UrdfCoordinate(unusedJoint(joint.name() + "_2"), true));
+    }
+    return List.of();
   }
 
   Element robot() {
@@ -113,8 +110,8 @@ final class UrdfWriter {
     for (int b = 0; b < mechanism.bodies().size(); b++) {
       robot.add(link(b));
     }
-    for (int j = 0; j < along.length; j++) {
-      joint(j).ifPresent(robot::add);
+    for (int j = 0; j < mechanism.joints().size(); j++) {
+      joint(j).forEach(robot::add);
     }
     return robot.element();
   }
@@ -202,51 +199,81 @@ final class UrdfWriter {
     return link;
   }
 
-  private Optional<TagBuilder> joint(int index) {
+  private List<TagBuilder> joint(int index) {
     Joint joint = mechanism.joints().get(index);
     if (mechanism.isDriven(index)) {
       losses.add(
           joint.origin(),
           "the motion of joint \"" + joint.name() + "\" is prescribed; in URDF it is free");
     }
-    Optional<String> type = type(joint, along[index]);
-    if (type.isEmpty()) {
-      losses.refuse(
-          joint.origin(),
-          "joint \""
-              + joint.name()
-              + "\" is of type "
-              + joint.type()
-              + ", which URDF does not have; it has R, P, F and W");
-      return Optional.empty();
-    }
     Attachment at = joint.attachment();
-    TagBuilder tag = new TagBuilder("joint").set("name", joint.name()).set("type", type.get());
-    Frame zero = joint instanceof Free free ? start(free) : zero(at);
-    UrdfFrames.origin(zero).ifPresent(tag::add);
-    tag.add(end("parent", name(at.parent()))).add(end("child", name(at.child())));
-    if (!(joint instanceof Free)) {
-      loseStart(index, joint);
+    String parent = name(at.parent());
+    String child = name(at.child());
+    if (joint instanceof Free free) {
+      return List.of(joint(joint.name(), "floating", start(free), parent, child));
     }
-    if (joint.type().velocityCount() == 1) {
-      Vector3 axis = joint.axes().get(0);
-      Vector3 inChild = at.zeroRotation().transposed().apply(axis);
-      tag.add(new TagBuilder("axis").set("xyz", UrdfFrames.text(inChild)));
-      coordinate(tag, along[index], type.get());
+    loseStart(index, joint);
+    Rotation toChild = at.zeroRotation().transposed();
+    List<UrdfCoordinate> has = along.get(index);
+    if (joint instanceof Weld) {
+      return List.of(joint(joint.name(), "fixed", zero(at), parent, child));
+    } else if (joint instanceof Revolute || joint instanceof Prismatic) {
+      Vector3 axis = toChild.apply(joint.axes().get(0));
+      return List.of(moving(has.get(0), zero(at), parent, child, axis));
+    } else if (joint instanceof Cylindrical) {
+      Vector3 axis = toChild.apply(joint.axes().get(0));
+      return chain(at, has.get(0), axis, has.get(1), axis);
+    } else if (joint instanceof Universal universal) {
+      // A = Rot(a1, q1) A0 Rot(a2, q2) = A0 Rot(A0ᵀ a1, q1) Rot(a2, q2); the tree's other direction
+      // is Aᵀ = A0ᵀ Rot(-A0 a2, q2) Rot(-a1, q1), whose zero rotation is A0ᵀ.
+      return universal.fileBody2IsParent()
+          ? chain(
+              at,
+              has.get(1),
+              toChild.apply(universal.axis2().negated()),
+              has.get(0),
+              universal.axis1().negated())
+          : chain(at, has.get(0), toChild.apply(universal.axis1()), has.get(1), universal.axis2());
     }
-    return Optional.of(tag);
+    losses.refuse(
+        joint.origin(),
+        "joint \""
+            + joint.name()
+            + "\" is of type "
+            + joint.type()
+            + ", which URDF does not have; it has R, P, F and W, and C and U as two of them");
+    return List.of();
   }
 
-  private static Optional<String> type(Joint joint, Along along) {
-    if (joint instanceof Revolute) {
-      boolean bounded = along.lower.isPresent() || along.upper.isPresent();
-      return Optional.of(bounded ? "revolute" : "continuous");
-    } else if (joint instanceof Prismatic) {
-      return Optional.of("prismatic");
-    } else if (joint instanceof Free) {
-      return Optional.of("floating");
-    }
-    return joint instanceof Weld ? Optional.of("fixed") : Optional.empty();
+  /** Returns two joints one after the other, and the link without mass between them. */
+  private List<TagBuilder> chain(
+      Attachment at, UrdfCoordinate inner, Vector3 first, UrdfCoordinate outer, Vector3 second) {
+    String between = unused(inner.name() + "_" + outer.name());
+    Frame same = new Frame(Vector3.ZERO, Rotation.IDENTITY);
+    return List.of(
+        new TagBuilder("link").set("name", between),
+        moving(inner, zero(at), name(at.parent()), between, first),
+        moving(outer, same, between, name(at.child()), second));
+  }
+
+  private static TagBuilder joint(
+      String name, String type, Frame frame, String parent, String child) {
+    TagBuilder tag = new TagBuilder("joint").set("name", name).set("type", type);
+    UrdfFrames.origin(frame).ifPresent(tag::add);
+    return tag.add(end("parent", parent)).add(end("child", child));
+  }
+
+  /**
+   * Returns a joint with one coordinate.
+   *
+   * @param axis in the axes of the child
+   */
+  private static TagBuilder moving(
+      UrdfCoordinate coordinate, Frame frame, String parent, String child, Vector3 axis) {
+    TagBuilder tag = joint(coordinate.name(), coordinate.type(), frame, parent, child);
+    tag.add(new TagBuilder("axis").set("xyz", UrdfFrames.text(axis)));
+    coordinate.addTo(tag);
+    return tag;
   }
 
   private Frame zero(Attachment at) {
@@ -272,47 +299,23 @@ final class UrdfWriter {
   }
 
   private void loseStart(int index, Joint joint) {
-    double[] y = new double[mechanism.stateCount()];
     if (mechanism.isDriven(index)) {
       return;
     }
+    double[] y = new double[mechanism.stateCount()];
+    int positions = joint.type().positionCount();
     joint.initialPositions(y, 0);
-    joint.initialVelocities(y, joint.type().positionCount());
-    double position = y[0];
-    boolean kept = mimickedOrZero(along[index], position);
-    boolean moves = joint.type().velocityCount() == 1 && y[joint.type().positionCount()] != 0;
-    if (joint.type().velocityCount() == 1 && (!kept || moves)) {
+    joint.initialVelocities(y, positions);
+    List<UrdfCoordinate> has = along.get(index);
+    boolean lost = false;
+    for (int k = 0; k < has.size(); k++) {
+      lost |= !has.get(k).startsAt(y[k]) || y[positions + k] != 0;
+    }
+    if (lost) {
       losses.add(
           joint.origin(),
           "the start values of joint \"" + joint.name() + "\" are left out: URDF has none");
     }
-  }
-
-  private static boolean mimickedOrZero(Along along, double position) {
-    double assumed =
-        Math.max(
-            along.lower.orElse(Double.NEGATIVE_INFINITY),
-            Math.min(along.upper.orElse(Double.POSITIVE_INFINITY), 0));
-    return along.mimicry.isPresent() || position == assumed;
-  }
-
-  private void coordinate(TagBuilder tag, Along has, String type) {
-    if (!type.equals("continuous")) {
-      TagBuilder limit = new TagBuilder("limit");
-      limit.set("lower", has.lower.orElse(-UNBOUNDED)).set("upper", has.upper.orElse(UNBOUNDED));
-      tag.add(limit.set("effort", NO_MOTOR).set("velocity", NO_MOTOR));
-    }
-    if (has.damping != 0 || has.friction != 0) {
-      TagBuilder dynamics = new TagBuilder("dynamics").set("damping", has.damping);
-      tag.add(has.friction == 0 ? dynamics : dynamics.set("friction", has.friction));
-    }
-    has.mimicry.ifPresent(
-        mimicry ->
-            tag.add(
-                new TagBuilder("mimic")
-                    .set("joint", mechanism.joints().get(mimicry.other).name())
-                    .set("multiplier", mimicry.multiplier)
-                    .set("offset", mimicry.offset)));
   }
 
   /** Takes a coupling of two coordinates; refuses everything else that closes a loop. */
@@ -321,18 +324,25 @@ final class UrdfWriter {
         closure instanceof CoordinateClosure coupling
             ? linear(coupling.relation())
             : Optional.empty();
-    List<Integer> joints =
-        relation.map(r -> r.factors.keySet().stream().sorted().toList()).orElse(List.of());
-    if (joints.size() == 2) {
+    List<JointCoordinate> moved =
+        relation
+            .map(
+                r ->
+                    r.factors.keySet().stream()
+                        .sorted(
+                            Comparator.comparingInt(JointCoordinate::joint)
+                                .thenComparingInt(JointCoordinate::component))
+                        .toList())
+            .orElse(List.of());
+    if (moved.size() == 2) {
       Linear all = relation.orElseThrow();
       // The coordinate with the factor 1 follows, as the import writes it; else the second.
-      boolean first = all.factors.getOrDefault(joints.get(0), 0.0) == 1.0;
-      int follower = joints.get(first ? 0 : 1);
-      int other = joints.get(first ? 1 : 0);
+      boolean first = all.factors.getOrDefault(moved.get(0), 0.0) == 1.0;
+      JointCoordinate follower = moved.get(first ? 0 : 1);
+      JointCoordinate other = moved.get(first ? 1 : 0);
       double own = all.factors.getOrDefault(follower, 0.0);
-      if (own != 0 && along[follower].mimicry.isEmpty()) {
-        double multiplier = -all.factors.getOrDefault(other, 0.0) / own;
-        along[follower].mimicry = Optional.of(new Mimicry(other, multiplier, -all.constant / own));
+      double multiplier = -all.factors.getOrDefault(other, 0.0) / own;
+      if (own != 0 && at(follower).follow(at(other).name(), multiplier, -all.constant / own)) {
         return;
       }
     }
@@ -355,16 +365,19 @@ final class UrdfWriter {
           ? linear(product.right()).map(a -> a.times(factor.get()))
           : number(product.right()).flatMap(f -> linear(product.left()).map(a -> a.times(f)));
     } else if (expression instanceof Expression.CoordinatePosition position) {
-      return position.coordinate() instanceof JointCoordinate of && isSingle(of.joint())
-          ? Optional.of(new Linear(0, Map.of(of.joint(), 1.0)))
+      return position.coordinate() instanceof JointCoordinate of && has(of)
+          ? Optional.of(new Linear(0, Map.of(of, 1.0)))
           : Optional.empty();
     }
     return number(expression).map(value -> new Linear(value, Map.of()));
   }
 
-  private boolean isSingle(int joint) {
-    Joint moved = mechanism.joints().get(joint);
-    return moved instanceof Revolute || moved instanceof Prismatic;
+  private boolean has(JointCoordinate of) {
+    return of.component() < along.get(of.joint()).size();
+  }
+
+  private UrdfCoordinate at(JointCoordinate of) {
+    return along.get(of.joint()).get(of.component());
   }
 
   /** Returns the value of a number or a parameter. */
@@ -381,7 +394,7 @@ final class UrdfWriter {
 
   /** Takes what URDF has along a coordinate: damping, friction and stops; the rest is lost. */
   private void force(ForceElement force) {
-    Optional<Along> place = force.jointCoordinate().flatMap(this::along);
+    Optional<UrdfCoordinate> place = force.jointCoordinate().flatMap(this::along);
     boolean taken =
         place.isPresent()
             && ((force instanceof JointSpringDamper spring && spring(spring, place.get()))
@@ -393,13 +406,13 @@ final class UrdfWriter {
     }
   }
 
-  private Optional<Along> along(Coordinate coordinate) {
-    return coordinate instanceof JointCoordinate of && isSingle(of.joint())
-        ? Optional.of(along[of.joint()])
+  private Optional<UrdfCoordinate> along(Coordinate coordinate) {
+    return coordinate instanceof JointCoordinate of && has(of)
+        ? Optional.of(at(of))
         : Optional.empty();
   }
 
-  private boolean spring(JointSpringDamper spring, Along at) {
+  private boolean spring(JointSpringDamper spring, UrdfCoordinate at) {
     Optional<Double> damping = number(spring.damping());
     Optional<Double> stiffness = number(spring.stiffness());
     Optional<Double> position = number(spring.position0());
@@ -407,18 +420,14 @@ final class UrdfWriter {
     if (damping.isEmpty() || stiffness.isEmpty() || position.isEmpty() || force.isEmpty()) {
       return false;
     }
-    if (spring.side() == Side.ABOVE && at.upper.isEmpty()) {
-      at.upper = position;
-      loseStop(spring);
-      return true;
-    } else if (spring.side() == Side.BELOW && at.lower.isEmpty()) {
-      at.lower = position;
-      loseStop(spring);
-      return true;
-    } else if (spring.side() != Side.BOTH) {
-      return false;
+    if (spring.side() != Side.BOTH) {
+      boolean taken = at.stop(spring.side(), position.get());
+      if (taken) {
+        loseStop(spring, at);
+      }
+      return taken;
     }
-    at.damping += damping.get();
+    at.damp(damping.get());
     if (stiffness.get() != 0 || force.get() != 0) {
       losses.add(
           spring.origin(),
@@ -428,10 +437,8 @@ final class UrdfWriter {
   }
 
   /** Reports stops that the import would not give the joint again. */
-  private void loseStop(JointSpringDamper stop) {
-    boolean turns =
-        stop.coordinate() instanceof JointCoordinate of
-            && mechanism.joints().get(of.joint()) instanceof Revolute;
+  private void loseStop(JointSpringDamper stop, UrdfCoordinate at) {
+    boolean turns = at.turns();
     boolean same =
         number(stop.stiffness()).orElse(Double.NaN) == (turns ? 1e4 : 1e6)
             && number(stop.damping()).orElse(Double.NaN) == (turns ? 10 : 1e3)
@@ -445,18 +452,14 @@ final class UrdfWriter {
     }
   }
 
-  private boolean friction(JointFriction friction, Along at) {
+  private boolean friction(JointFriction friction, UrdfCoordinate at) {
     Optional<Double> coulomb = number(friction.coulomb());
     Optional<Double> viscous = number(friction.viscous());
-    if (coulomb.isEmpty() || viscous.isEmpty() || at.friction != 0) {
+    if (coulomb.isEmpty() || viscous.isEmpty() || !at.rub(coulomb.get())) {
       return false;
     }
-    at.friction = coulomb.get();
-    at.damping += viscous.get();
-    boolean turns =
-        friction.coordinate() instanceof JointCoordinate of
-            && mechanism.joints().get(of.joint()) instanceof Revolute;
-    if (number(friction.speed()).orElse(Double.NaN) != (turns ? 0.01 : 0.001)) {
+    at.damp(viscous.get());
+    if (number(friction.speed()).orElse(Double.NaN) != (at.turns() ? 0.01 : 0.001)) {
       losses.add(
           friction.origin(),
           "the transition speed of \""

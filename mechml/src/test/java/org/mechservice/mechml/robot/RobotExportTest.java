@@ -45,8 +45,8 @@ class RobotExportTest {
     return read(DocumentWriter.write(robot.document()));
   }
 
-  /** A tree of joints R, P, F and W whose frames, inertias and directions are random. */
-  private static String randomTree(long seed) {
+  /** A tree of joints whose frames, inertias and directions are random. */
+  private static String randomTree(long seed, List<String> types) {
     Random random = new Random(seed);
     StringBuilder bodies = new StringBuilder();
     StringBuilder joints = new StringBuilder();
@@ -55,7 +55,7 @@ class RobotExportTest {
     frames[0] = new StringBuilder();
     for (int i = 1; i < frames.length; i++) {
       int parent = random.nextInt(i);
-      String type = List.of("R", "P", "F", "W").get(i % 4);
+      String type = types.get(i % types.size());
       frames[i] = new StringBuilder();
       boolean oriented = !type.equals("F");
       frame(frames[parent], "j" + i, oriented, random);
@@ -64,7 +64,9 @@ class RobotExportTest {
       joints
           .append("<joint name='j%d' type='%s'>".formatted(i, type))
           .append(end("body1", outward ? parent : i, i, oriented))
-          .append(end("body2", outward ? i : parent, i, oriented))
+          .append(
+              end("body2", outward ? i : parent, i, oriented)
+                  .replaceFirst(type.equals("U") ? " vector2='.*?'" : "^", ""))
           .append("</joint>\n");
       if (type.equals("F")) {
         start.append("<jointVal name='j%d' posVals='0.6;0;0.8;0;0.3;-0.2;0.1'/>".formatted(i));
@@ -170,10 +172,64 @@ class RobotExportTest {
   @ParameterizedTest
   @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10})
   void randomTreesMoveTheSame(long seed) throws MechmlException {
-    String mechml = randomTree(seed);
+    String mechml = randomTree(seed, List.of("R", "P", "F", "W"));
     RobotExport robot = exported(mechml);
     assertThat(robot.losses()).isEmpty();
     assertSameMotion(read(mechml), imported(robot.text()), new Random(seed));
+  }
+
+  /** Joints C and U are two joints each, whose coordinates have the names of the one. */
+  @ParameterizedTest
+  @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10})
+  void jointsOfTwoCoordinatesMoveAsTheirChains(long seed) throws MechmlException {
+    String mechml = randomTree(seed, List.of("U", "C", "R"));
+    RobotExport robot = exported(mechml);
+    assertThat(robot.losses()).isEmpty();
+    MechmlModel model = read(mechml);
+    MechmlModel chains = imported(robot.text());
+    Mechanism one = model.mechanism();
+    Mechanism other = chains.mechanism();
+    assertThat(other.stateCount()).isEqualTo(one.stateCount());
+    List<String> names = other.joints().stream().map(Joint::name).toList();
+    Random random = new Random(seed);
+    for (int i = 0; i < 10; i++) {
+      double[] y = new double[one.stateCount()];
+      double[] same = new double[y.length];
+      int[] place = new int[y.length];
+      for (int j = 0; j < one.joints().size(); j++) {
+        int count = one.joints().get(j).type().velocityCount();
+        for (int k = 0; k < count; k++) {
+          String name = one.joints().get(j).name();
+          int there = names.indexOf(count == 1 ? name : name + "_" + (k + 1));
+          place[one.positionOffset(j) + k] = other.positionOffset(there);
+          place[one.positionCount() + one.velocityOffset(j) + k] =
+              other.positionCount() + other.velocityOffset(there);
+        }
+      }
+      for (int k = 0; k < y.length; k++) {
+        y[k] = random.nextGaussian();
+        same[place[k]] = y[k];
+      }
+      double[] here = accelerations(model, y);
+      double[] there = accelerations(chains, same);
+      double largest = Math.max(1, Arrays.stream(here).map(Math::abs).max().orElseThrow());
+      for (int k = 0; k < y.length; k++) {
+        assertThat(there[place[k]] - here[k]).isBetween(-ROUNDING * largest, ROUNDING * largest);
+      }
+    }
+  }
+
+  /** The dampers of a joint C are each at the joint of its coordinate. */
+  @Test
+  void forcesOfTwoCoordinatesAreKept() throws Exception {
+    RobotExport robot = exported(Files.readString(EXAMPLES.resolve("elements/joint-C.xml")));
+    assertThat(robot.losses()).hasSize(2);
+    assertThat(robot.losses().get(1).toString()).contains("start values of joint \"bead\"");
+    assertThat(robot.text().replaceAll("\\s+", " "))
+        .contains(
+            "<joint name=\"bead_1\" type=\"prismatic\">",
+            "<dynamics damping=\"1\"/>",
+            "<joint name=\"bead_2\" type=\"continuous\">");
   }
 
   private static void assertSameMotion(MechmlModel model, MechmlModel again, Random random) {
@@ -290,8 +346,8 @@ class RobotExportTest {
     MechmlException joint =
         catchThrowableOfType(
             MechmlException.class,
-            () -> exported(Files.readString(EXAMPLES.resolve("elements/joint-U.xml"))));
-    assertThat(joint).hasMessageContaining("is of type U");
+            () -> exported(Files.readString(EXAMPLES.resolve("elements/joint-S.xml"))));
+    assertThat(joint).hasMessageContaining("is of type S");
   }
 
   @Test

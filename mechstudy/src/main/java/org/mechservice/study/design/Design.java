@@ -1,5 +1,6 @@
 package org.mechservice.study.design;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.function.IntFunction;
 import org.apache.commons.math3.random.SobolSequenceGenerator;
@@ -63,19 +64,51 @@ public interface Design {
    * @param spreads 1 to 1000
    */
   static Design sobol(List<Spread> spreads, int points, long seed) {
-    double[] shift = new double[spreads.size()];
+    IntFunction<double[]> sequence = sequence(spreads.size(), seed);
+    return of(points, point -> spread(spreads, sequence.apply(point)));
+  }
+
+  private static IntFunction<double[]> sequence(int dimension, long seed) {
+    double[] shift = new double[dimension];
     for (int j = 0; j < shift.length && seed != 0; j++) {
       shift[j] = Uniform.at(seed, j);
     }
     ThreadLocal<SobolSequenceGenerator> sequence =
-        ThreadLocal.withInitial(() -> new SobolSequenceGenerator(shift.length));
+        ThreadLocal.withInitial(() -> new SobolSequenceGenerator(dimension));
+    return point -> {
+      double[] u = sequence.get().skipTo(point + 1);
+      for (int j = 0; j < shift.length; j++) {
+        double shifted = u[j] + shift[j];
+        u[j] = Uniform.inside(shifted >= 1 ? shifted - 1 : shifted);
+      }
+      return u;
+    };
+  }
+
+  /**
+   * Points for indices of sensitivity: blocks of A, B and, for each factor, A with this factor's
+   * value of B. A and B together are a point of Sobol's sequence of twice as many dimensions, as
+   * {@link #sobol} takes it.
+   *
+   * @param spreads 1 to 500
+   * @param blocks number of A; there are as many points for each as factors and two
+   * @throws IllegalArgumentException if there are more than 2^31 - 1 points
+   */
+  static Design indices(List<Spread> spreads, int blocks, long seed) {
+    int d = spreads.size();
+    long size = (long) blocks * (d + 2);
+    if (size > Integer.MAX_VALUE) {
+      throw new IllegalArgumentException("there are more than 2147483647 points; take fewer");
+    }
+    IntFunction<double[]> sequence = sequence(2 * d, seed);
     return of(
-        points,
+        (int) size,
         point -> {
-          double[] u = sequence.get().skipTo(point + 1);
-          for (int j = 0; j < shift.length; j++) {
-            double shifted = u[j] + shift[j];
-            u[j] = Uniform.inside(shifted >= 1 ? shifted - 1 : shifted);
+          double[] both = sequence.apply(point / (d + 2));
+          int place = point % (d + 2);
+          double[] u = Arrays.copyOfRange(both, place == 1 ? d : 0, place == 1 ? 2 * d : d);
+          if (place >= 2) {
+            u[place - 2] = both[d + place - 2];
           }
           return spread(spreads, u);
         });

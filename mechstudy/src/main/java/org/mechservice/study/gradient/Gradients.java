@@ -14,9 +14,9 @@ import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.sim.gradient.ModelFunctions;
 import org.mechservice.solver.api.ModelParameter;
 import org.mechservice.solver.api.run.RunSettings;
-import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.Parameter;
 import org.mechservice.solver.text.ShortestDecimal;
+import org.mechservice.study.ModelInputs;
 import org.mechservice.study.Reduction;
 
 /**
@@ -69,6 +69,7 @@ public final class Gradients {
   private final List<String> columns;
   private final List<Wanted> wanted;
   private final List<String> units;
+  private final List<String> names;
   private long memory = MEMORY;
 
   private Gradients(
@@ -86,6 +87,7 @@ public final class Gradients {
     functions = new ModelFunctions(model.content(), run, columns, chosen);
     wanted = this.reductions.stream().map(r -> new Wanted(columns.indexOf(r.column()), r)).toList();
     units = this.reductions.stream().map(r -> unit(r, functions.unit(r.column()))).toList();
+    names = this.reductions.stream().map(Reduction::toString).toList();
     beside = new ArrayList<>();
     for (String name : by) {
       beside.add(isSettled(name) ? shifted(name) : List.of());
@@ -155,22 +157,9 @@ public final class Gradients {
     if (new LinkedHashSet<>(by).size() < by.size()) {
       throw new IllegalArgumentException("a parameter is given twice");
     }
-    MechModel read = model;
-    Set<String> tunable = new LinkedHashSet<>();
-    for (String name : by) {
-      if (isParameter(model, name)) {
-        try {
-          read = read.tunable(Set.of(name));
-          tunable.add(name);
-        } catch (MechmlException e) {
-          if (e.diagnostics().stream()
-              .noneMatch(d -> d.code() == MessageCode.TUNABLE_PARAMETER_MISPLACED)) {
-            throw e;
-          }
-        }
-      }
-    }
-    return new Gradients(read, List.copyOf(by), outputs, tunable);
+    List<String> parameters = by.stream().filter(name -> isParameter(model, name)).toList();
+    ModelInputs inputs = ModelInputs.of(model, parameters);
+    return new Gradients(inputs.model(), List.copyOf(by), outputs, inputs.names());
   }
 
   /** Sets the bound of the memory in which the adjoint keeps the motion, bytes. */
@@ -246,7 +235,7 @@ public final class Gradients {
       }
     }
     return new Gradient(
-        reductions.stream().map(Reduction::toString).toList(),
+        names,
         units,
         by,
         equations.directions.stream().map(Direction::unit).toList(),

@@ -19,6 +19,11 @@ final class Transition {
   /** Rate of the function, relative to the sizes of its terms, from which it is crossed. */
   private static final double GRAZING = 1e-9;
 
+  /** First distance from a switch at which its sides are looked at, as a part of the time. */
+  private static final double LITTLE = 1e-10;
+
+  private static final int TRIES = 20;
+
   private final GradientModel model;
   private final Part part;
   private final int index;
@@ -97,9 +102,9 @@ final class Transition {
       model.derivative(t, before, rateBefore);
       model.derivative(t, after, rateAfter);
     } else {
-      model.derivative(t, before, rateAfter);
+      double sign = rateBehind(t, before, rateAfter);
       inside = new double[n];
-      insideTime = stepBack(t, before, rateAfter, rateBefore, inside);
+      insideTime = stepBack(t, before, sign, rateAfter, rateBefore, inside);
     }
     double speed = model.along(part, t, before, rateBefore, 1, -1)[index];
     double size = 0;
@@ -119,20 +124,53 @@ final class Transition {
   }
 
   /**
+   * Evaluates f behind a switch. Where its function is exactly zero, f may still have the form of
+   * before: it is extrapolated from two states on the way on then.
+   *
+   * @param rateAfter overwritten
+   * @return sign of the function behind the switch
+   */
+  private double rateBehind(double t, double[] at, double[] rateAfter) {
+    int n = model.n;
+    model.derivative(t, at, rateAfter);
+    double sign = Math.signum(value(t, at));
+    double[] near = new double[n];
+    double[] far = new double[n];
+    double[] rateFar = new double[n];
+    double ahead = LITTLE * Math.max(1e-3, Math.abs(t));
+    for (int tries = 0; tries < TRIES && sign == 0; tries++) {
+      for (int i = 0; i < n; i++) {
+        near[i] = at[i] + ahead * rateAfter[i];
+        far[i] = at[i] + 2 * ahead * rateAfter[i];
+      }
+      sign = Math.signum(value(t + ahead, near));
+      if (sign != 0) {
+        model.derivative(t + ahead, near, rateAfter);
+        model.derivative(t + 2 * ahead, far, rateFar);
+        for (int i = 0; i < n; i++) {
+          rateAfter[i] = 2 * rateAfter[i] - rateFar[i];
+        }
+      }
+      ahead *= 4;
+    }
+    return sign;
+  }
+
+  /**
    * Evaluates f before a switch, extrapolated from two states on the way to it.
    *
+   * @param sign of the function behind the switch
    * @param near overwritten with the nearer state
    * @return its time
    */
   private double stepBack(
-      double t, double[] at, double[] rateAfter, double[] rateBefore, double[] near) {
+      double t, double[] at, double sign, double[] rateAfter, double[] rateBefore, double[] near) {
     int n = model.n;
     double[] far = new double[n];
     double[] rateFar = new double[n];
-    double sign = Math.signum(value(t, at));
-    double back = 1e-10 * Math.max(1e-3, Math.abs(t));
+    double back = LITTLE * Math.max(1e-3, Math.abs(t));
     System.arraycopy(rateAfter, 0, rateBefore, 0, n);
-    for (int tries = 0; tries < 20; tries++) {
+    for (int tries = 0; tries < TRIES; tries++) {
       for (int i = 0; i < n; i++) {
         near[i] = at[i] - back * rateBefore[i];
         far[i] = at[i] - 2 * back * rateBefore[i];

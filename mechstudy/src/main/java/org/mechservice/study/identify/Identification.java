@@ -7,6 +7,8 @@ import java.util.Locale;
 import java.util.Optional;
 import org.apache.commons.math3.distribution.TDistribution;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
+import org.apache.commons.math3.linear.QRDecomposition;
+import org.apache.commons.math3.linear.RealMatrix;
 import org.apache.commons.math3.linear.SingularValueDecomposition;
 import org.mechservice.study.optimise.CentralDifferences;
 import org.mechservice.study.optimise.Derivatives;
@@ -138,8 +140,12 @@ public record Identification(
     int n = parts.length;
     double sum = Arrays.stream(residuals).map(r -> r * r).sum();
     double noise = Math.sqrt(sum / (residuals.length - n));
-    SingularValueDecomposition svd =
-        new SingularValueDecomposition(new Array2DRowRealMatrix(jacobian));
+    // the triangle R of J = Q R has the singular values and the right vectors of J
+    RealMatrix triangle =
+        new QRDecomposition(new Array2DRowRealMatrix(jacobian))
+            .getR()
+            .getSubMatrix(0, n - 1, 0, n - 1);
+    SingularValueDecomposition svd = new SingularValueDecomposition(triangle);
     double[] sigma = svd.getSingularValues();
     double least = Math.max(WEAKEST * sigma[0], noise);
     double[][] covariance = new double[n][n];

@@ -9,6 +9,7 @@ import org.mechservice.library.MechModel;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.result.SignalTable;
 import org.mechservice.solver.api.result.Variable;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.study.PointModel;
 import org.mechservice.study.Reduction;
 import org.mechservice.study.gradient.RowGradients;
@@ -27,6 +28,9 @@ import org.mechservice.study.optimise.Response;
  */
 public final class Measurements {
   private static final String DEVIATION = ".sigma";
+
+  /** Relative tolerance of the steps of derivatives. */
+  private static final double ENOUGH = 1e-6;
 
   /**
    * One measured value.
@@ -141,7 +145,10 @@ public final class Measurements {
   }
 
   /**
-   * Returns the exact derivatives of the residuals by the variables.
+   * Returns the derivatives of the residuals by the variables, from the equations: exact for the
+   * steps, whose relative tolerance is {@link #ENOUGH} or that of the run where this is larger. A
+   * fit needs no more: an error of this size moves what it finds by as much of a standard
+   * deviation.
    *
    * @throws MechmlException if the model cannot be used
    * @throws IllegalArgumentException if there are none; says why
@@ -153,7 +160,8 @@ public final class Measurements {
             .map(each -> new Reduction(each.output(), Reduction.Kind.AT, each.time()))
             .toList();
     RowGradients gradients =
-        RowGradients.of(model, variables.stream().map(DesignVariable::name).toList(), reductions);
+        RowGradients.of(
+            loosened(model), variables.stream().map(DesignVariable::name).toList(), reductions);
     return point -> {
       double[][] slopes;
       try {
@@ -168,6 +176,19 @@ public final class Measurements {
       }
       return slopes;
     };
+  }
+
+  private static MechModel loosened(MechModel model) {
+    RunSettings run = model.request().settings();
+    double factor = ENOUGH / run.relativeTolerance();
+    return factor <= 1
+        ? model
+        : model.tolerances(
+            ENOUGH,
+            factor * run.absoluteTolerance(),
+            factor * run.angleTolerance(),
+            factor * run.velocityTolerance(),
+            factor * run.angularVelocityTolerance());
   }
 
   private double[] weighted(double[] computed) throws PointFailedException {

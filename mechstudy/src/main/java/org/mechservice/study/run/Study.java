@@ -51,7 +51,7 @@ public final class Study {
   /**
    * Runs the points that no earlier process has finished, and writes the table.
    *
-   * @param file the table, .csv; the journal stands beside it
+   * @param file the table, .csv or .parquet; the journal stands beside it
    * @param threads runs at once
    * @throws IOException if a file cannot be written, S-181 if the journal is that of another study
    * @throws InterruptedException if the thread is interrupted
@@ -82,7 +82,7 @@ public final class Study {
             });
       }
       if (rows.isComplete()) {
-        StudyTable.write(file, rows.header(), rows.provenance(), journal::rows);
+        rows.table().write(file, rows.header(), rows.provenance(), journal::rows);
         journal.delete();
       }
       return new Result(rows.statistics(), all, before, rows.isComplete(), rows.isEndedByRule());

@@ -63,6 +63,9 @@ public final class StudyJoin {
   }
 
   private static Part read(Path table) throws IOException {
+    if (StudyTable.isParquet(table)) {
+      throw refused(table + " is a Parquet table; parts are joined from .csv tables");
+    }
     Path beside = StudyTable.beside(table);
     try {
       JsonObject json = JsonParser.parseString(Files.readString(beside)).getAsJsonObject();
@@ -82,7 +85,7 @@ public final class StudyJoin {
     List<StudyOutput> outputs = outputs(first.json);
     StopRule stop = stop(identity, outputs);
     StudyTable table = new StudyTable(identity.getAsJsonObject("units").size(), outputs.size());
-    StudyStatistics statistics = new StudyStatistics(outputs);
+    StudyStatistics statistics = new StudyStatistics(outputs, StudyRows.factorsOfIndices(identity));
     List<String> header = new ArrayList<>();
     List<Integer> rows = new ArrayList<>();
     for (Part part : parts) {
@@ -102,7 +105,7 @@ public final class StudyJoin {
       }
       rows.add(taken);
     }
-    StudyTable.write(
+    table.write(
         out,
         header.get(0) + "\n",
         StudyTable.text(StudyTable.provenance(identity, StudyPart.WHOLE, statistics)),

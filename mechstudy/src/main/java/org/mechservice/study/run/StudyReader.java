@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -59,7 +60,7 @@ public final class StudyReader {
           "stop", Set.of("failures", "output", "error"));
 
   private static final List<String> DESIGNS =
-      List.of("grid", "list", "sobol", "latin-hypercube", "monte-carlo");
+      List.of("grid", "list", "sobol", "latin-hypercube", "monte-carlo", "indices");
 
   private static final int MOST_SOBOL_FACTORS = 1000;
 
@@ -101,7 +102,8 @@ public final class StudyReader {
   /**
    * Reads a study.
    *
-   * @param file XML file; files that it names are sought beside it
+   * @param file XML file, or YAML file by the ending of its name; files that it names are sought
+   *     beside it
    * @throws IOException if a file cannot be read
    * @throws MechmlException if the study or its model cannot be used; says what, where and what to
    *     write instead
@@ -123,9 +125,17 @@ public final class StudyReader {
     return places.getOrDefault(name, file.resolveSibling(name));
   }
 
+  private static boolean isYaml(Path file) {
+    String name = file.toString().toLowerCase(Locale.ROOT);
+    return name.endsWith(".yaml") || name.endsWith(".yml");
+  }
+
   private StudyPlan read() throws IOException, MechmlException {
     byte[] content = Files.readAllBytes(file);
-    Element root = DocumentReader.readForeign(content, diagnostics);
+    Element root =
+        isYaml(file)
+            ? YamlStudy.read(content, diagnostics)
+            : DocumentReader.readForeign(content, diagnostics);
     if (!root.name().equals("study")) {
       error(root, "the outermost element is <" + root.name() + ">; that of a study is <study>");
     }
@@ -457,6 +467,12 @@ public final class StudyReader {
           Design.latinHypercube(spreads, whole(element, "points", 1), seed(element, 1));
       case "monte-carlo" ->
           Design.monteCarlo(spreads, whole(element, "points", 1), seed(element, 1));
+      case "indices" -> {
+        if (2 * spreads.size() > MOST_SOBOL_FACTORS) {
+          throw new Refusal("indices have 500 factors at most");
+        }
+        yield Design.indices(spreads, whole(element, "points", 1), seed(element, 0));
+      }
       default ->
           throw new Refusal(
               "there is no design \""

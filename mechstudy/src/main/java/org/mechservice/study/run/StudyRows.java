@@ -1,7 +1,10 @@
 package org.mechservice.study.run;
 
+import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import java.io.IOException;
+import java.io.OutputStream;
+import java.util.List;
 import org.mechservice.study.PointEvaluation;
 
 /**
@@ -22,7 +25,18 @@ public final class StudyRows {
     this.plan = plan;
     this.part = part;
     table = new StudyTable(plan.factors().size(), plan.outputs().size());
-    statistics = new StudyStatistics(plan.outputs());
+    statistics =
+        new StudyStatistics(
+            plan.outputs(), part.isWhole() ? factorsOfIndices(plan.identity()) : List.of());
+  }
+
+  /** Returns the factors of a study whose design is one of indices; empty for others. */
+  static List<String> factorsOfIndices(JsonObject identity) {
+    JsonArray design = identity.getAsJsonArray("design");
+    boolean isOfIndices =
+        !design.isEmpty()
+            && design.get(0).getAsJsonObject().get("kind").getAsString().strip().equals("indices");
+    return isOfIndices ? List.copyOf(identity.getAsJsonObject("units").keySet()) : List.of();
   }
 
   /** Returns what the lines depend on, as one line: equal for equal bytes. */
@@ -81,6 +95,32 @@ public final class StudyRows {
   /** Returns whether no line is missing. */
   public boolean isComplete() {
     return ended || taken() == to() - from();
+  }
+
+  StudyTable table() {
+    return table;
+  }
+
+  /**
+   * Writes the table in Parquet.
+   *
+   * @param lines hands out the lines that were taken
+   * @throws IOException if it cannot be written
+   */
+  public void writeParquet(OutputStream out, Lines lines) throws IOException {
+    table.writeParquet(out, header(), provenance(), row -> lines.each(row::take));
+  }
+
+  /** Lines of the table, once more. */
+  public interface Lines {
+    /** Hands out all lines without their line breaks, in the order of the points. */
+    void each(LineReader reader) throws IOException;
+  }
+
+  /** Receives lines. */
+  public interface LineReader {
+    /** Takes a line without its line break. */
+    void take(String line) throws IOException;
   }
 
   public StudyStatistics statistics() {

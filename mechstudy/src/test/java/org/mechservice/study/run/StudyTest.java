@@ -3,9 +3,11 @@ package org.mechservice.study.run;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.channels.FileChannel;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
@@ -248,5 +250,89 @@ class StudyTest {
         .hasMessageContaining("study.xml:2:")
         .hasMessageContaining("S-180")
         .hasMessageContaining(why);
+  }
+
+  private static final String YAML =
+      """
+      # the study POINTS
+      model: spring.xml
+      factors:
+        - {name: k, distribution: uniform, from: 10, to: 40}
+        - name: m
+          values: [1, 2, 3, -1]
+      design: {kind: monte-carlo, points: 60, seed: 4}
+      outputs:
+        - {name: end, of: last(x.q), unit: mm, failing: 5}
+        - of: series(x.q,0.5)
+      """;
+
+  @Test
+  void studyInYamlHasTheTableOfTheSameInXml() throws Exception {
+    Path file = folder.resolve("study.yaml");
+    Files.writeString(file, YAML);
+    Path table = run(StudyReader.read(file), StudyPart.WHOLE, 2);
+
+    assertThat(Files.readString(table))
+        .isEqualTo(Files.readString(run(plan(POINTS), StudyPart.WHOLE, 2)));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = ';',
+      value = {
+        "name: k, distribution: u; name: kk, distribution: u; study.yaml:4:; did you mean \"k\"?",
+        "- name: m; - nmae: m; study.yaml:5:; did you mean \"name\"?",
+        "design: {; desing: {; study.yaml:7:; did you mean \"design\"?",
+        "[1, 2, 3, -1]; [1, [2]]; study.yaml:6:; list in a list",
+        "[1, 2, 3, -1]; [1, 2; study.yaml:7:; this is no YAML",
+        "to: 40; from: 40; study.yaml:4:; from is given twice",
+        "- of: series(x.q,0.5); - series(x.q,0.5); study.yaml:10:; {of: max(height.q)}",
+      })
+  void badYamlSaysWhereAndWhatToWrite(String good, String bad, String where, String why)
+      throws IOException {
+    Path file = folder.resolve("study.yaml");
+    Files.writeString(file, YAML.replace(good, bad));
+
+    assertThatThrownBy(() -> StudyReader.read(file))
+        .isInstanceOf(MechmlException.class)
+        .hasMessageContaining(where)
+        .hasMessageContaining("S-180")
+        .hasMessageContaining(why);
+  }
+
+  /** Arrow and DuckDB find the cells of the CSV table; an empty cell of a number is NaN. */
+  @Test
+  void parquetTableHasTheCellsOfTheCsvTable() throws Exception {
+    String python = System.getenv().getOrDefault("MECH_PYTHON", "python3");
+    assumeTrue(
+        new ProcessBuilder(python, "-c", "import pandas, pyarrow, duckdb").start().waitFor() == 0,
+        python + " has no pandas, pyarrow or duckdb");
+    StudyPlan plan = plan(POINTS);
+    Path csv = run(plan, StudyPart.WHOLE, 2);
+    Path parquet = folder.resolve("table.parquet");
+    new Study(plan, StudyPart.WHOLE, plan.model()).run(parquet, 2, (done, before, all) -> {});
+    String program =
+        """
+        import sys, json, pandas, duckdb, pyarrow.parquet as pq
+        texts = {"code": str, "message": str}
+        csv = pandas.read_csv(sys.argv[1], dtype=texts, float_precision="round_trip")
+        csv = csv.fillna({"code": "", "message": ""}).astype({"point": float, "m": float})
+        table = pq.read_table(sys.argv[2])
+        pandas.testing.assert_frame_equal(csv, table.to_pandas(), check_exact=True)
+        same = duckdb.sql(f"select * from '{sys.argv[2]}'").df()
+        pandas.testing.assert_frame_equal(csv, same, check_exact=True)
+        study = json.loads(table.schema.metadata[b"study"])
+        print(study["rows"], study["identity"]["design"][0]["kind"])
+        """;
+    Process process =
+        new ProcessBuilder(
+                python, "-W", "ignore", "-c", program, csv.toString(), parquet.toString())
+            .redirectErrorStream(true)
+            .start();
+
+    assertThat(new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8))
+        .isEqualTo("60 monte-carlo\n");
+    assertThat(Files.readString(StudyTable.beside(parquet)))
+        .isEqualTo(Files.readString(StudyTable.beside(csv)));
   }
 }

@@ -35,6 +35,7 @@ final class FmuSources {
           "event",
           "project",
           "close",
+          "begin",
           "accepted",
           "next_jump",
           "go_on",
@@ -43,17 +44,18 @@ final class FmuSources {
 
   /** What stands for a function that a model does not have. */
   private static final Map<String, String> WITHOUT =
-      Map.of(
-          "event_values", "(m, t, x, g) 0",
-          "event", "(m, occurred, t, x) ((void)(occurred), 0)",
-          "project", "(m, t, x) 0",
-          "close", "(m, t, x, set) MODEL_project(m, t, x)",
-          "accepted", "(m, t, x) ((void)0)",
-          "next_jump", "(m, t) HUGE_VAL",
-          "go_on", "(m, t) ((void)0)",
-          "outputs", "(m, t, x, y) 0",
-          "jacobian", "(m, t, x, J) ((void)(J), -1)",
-          "failure", "(m) \"\"");
+      Map.ofEntries(
+          Map.entry("event_values", "(m, t, x, g) 0"),
+          Map.entry("event", "(m, occurred, t, x) ((void)(occurred), 0)"),
+          Map.entry("project", "(m, t, x) 0"),
+          Map.entry("close", "(m, t, x, set) MODEL_project(m, t, x)"),
+          Map.entry("accepted", "(m, t, x) ((void)0)"),
+          Map.entry("next_jump", "(m, t) HUGE_VAL"),
+          Map.entry("begin", "(m, t, x) 0"),
+          Map.entry("go_on", "(m, t, x) ((void)(t), 0)"),
+          Map.entry("outputs", "(m, t, x, y) 0"),
+          Map.entry("jacobian", "(m, t, x, J) ((void)(J), -1)"),
+          Map.entry("failure", "(m) \"\""));
 
   private FmuSources() {}
 
@@ -144,6 +146,7 @@ final class FmuSources {
       }
     }
     define(text, "TOKEN", "\"" + token + "\"");
+    define(text, "LOOPS", model.sources().containsKey("mech_loops.h") ? "1" : "0");
     define(text, "STIFF", run.stiff() ? "1" : "0");
     define(text, "START", number(run.start()));
     define(text, "INTERVAL", number(run.end() - run.start()));

@@ -33,6 +33,7 @@ public final class DifferentiableFunction {
   private @Nullable ProgramCode value;
   private @Nullable ProgramCode tangent;
   private @Nullable ProgramCode adjoint;
+  private @Nullable JacobianCode jacobian;
   private List<Chunk> chunks = List.of();
   private int[] units = {};
 
@@ -144,17 +145,25 @@ public final class DifferentiableFunction {
   }
 
   /**
-   * Prepares {@link #tangents} for some directions at once.
+   * Prepares {@link #tangents} for some directions at once: by a program for each of them, or, for
+   * more than half as many as y has elements, by products with the Jacobian.
    *
    * @param unit for each direction the place among the chosen parameters of the one that changes
    *     with it by 1; −1: none does
    */
   public void directions(int[] unit) {
-    if (!chunks.isEmpty() && Arrays.equals(unit, units)) {
+    boolean isPrepared = jacobian != null || !chunks.isEmpty();
+    if (isPrepared && Arrays.equals(unit, units)) {
       return;
     }
     units = unit.clone();
     chunks = new ArrayList<>();
+    jacobian = null;
+    if (2 * unit.length > inputs) {
+      int[] of = Arrays.stream(unit).map(k -> k < 0 ? -1 : Program.PARAMETER + chosen[k]).toArray();
+      jacobian = new JacobianCode(program, outputs, inputs, count, of, parameters);
+      return;
+    }
     int size = Math.max(1, unit.length);
     while (true) {
       Program first = ofDirections(0, Math.min(size, unit.length));
@@ -194,6 +203,9 @@ public final class DifferentiableFunction {
    * @return as {@link #value}
    */
   public int tangents(double t, double[] y, double[] seeds, double[] out) {
+    if (jacobian != null) {
+      return jacobian.tangents(t, y, seeds, out);
+    }
     int result = ProgramCode.REGULAR;
     for (int i = 0; i < chunks.size() && result == ProgramCode.REGULAR; i++) {
       result = chunks.get(i).code().run(t, y, seeds, out);

@@ -52,9 +52,9 @@ import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.linear.SparseMatrix;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Event;
-import org.mechservice.solver.mechanism.FurtherState;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Output;
+import org.mechservice.solver.mechanism.Parameter;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.text.ShortestDecimal;
 
@@ -138,14 +138,6 @@ final class MechanismInC {
               + "); give them as expressions, or make them inputs of an FMU by --class-as-input "
               + left.get(0));
     }
-    if (!mechanism.samplings().isEmpty()) {
-      beyond.add("sampled states (" + mechanism.samplings().get(0).name() + " is one)");
-    }
-    mechanism.furtherStates().stream()
-        .filter(state -> state.role() == FurtherState.Role.INPUT)
-        .findFirst()
-        .ifPresent(
-            state -> beyond.add("states that are set from outside (" + state.name() + " is one)"));
     beyond.addAll(JumpsInC.notExported(mechanism, options.settings()));
     beyond.addAll(turnsOfCutJoints());
     if (!mechanism.closures().isEmpty()
@@ -192,17 +184,24 @@ final class MechanismInC {
   }
 
   /**
-   * Returns the loads of the forces written as classes: for each body moment and force in its axes
-   * at its link's reference point, for each velocity of a joint a force.
+   * Returns the inputs of the file, and the loads of the forces written as classes: for each body
+   * moment and force in its axes at its link's reference point, for each velocity of a joint a
+   * force.
    */
   private CInputs inputs(List<Variable> states) {
+    List<CVariable> variables = new ArrayList<>();
+    List<Integer> places = new ArrayList<>();
+    List<Parameter> parameters = mechanism.parameters();
+    int count = model.inputCount();
+    for (Parameter input : parameters.subList(parameters.size() - count, parameters.size())) {
+      places.add(places.size());
+      variables.add(new CVariable(input.name(), input.unit(), "input", input.value()));
+    }
     if (asInputs.isEmpty()) {
-      return CInputs.NONE;
+      return new CInputs(variables, places, count, 0);
     }
     String force = String.join("+", asInputs);
     TreeGeometry tree = new TreeGeometry(mechanism);
-    List<CVariable> variables = new ArrayList<>();
-    List<Integer> places = new ArrayList<>();
     for (int body = 0; body < mechanism.bodies().size(); body++) {
       int link = tree.linkOfBody[body];
       String name = mechanism.bodies().get(body).name();
@@ -217,7 +216,7 @@ final class MechanismInC {
       for (int k = 0; k < WRENCH.size(); k++) {
         Variable part = WRENCH.get(k);
         variables.add(new CVariable(force + "." + name + "." + part.name(), part.unit(), place, 0));
-        places.add(6 * link + k);
+        places.add(count + 6 * link + k);
       }
     }
     for (int k = 0; k < mechanism.velocityCount(); k++) {
@@ -229,9 +228,9 @@ final class MechanismInC {
               turns ? "N*m" : "N",
               force + " along " + velocity.name(),
               0));
-      places.add(6 * tree.linkCount + k);
+      places.add(count + 6 * tree.linkCount + k);
     }
-    return new CInputs(variables, places, 6 * tree.linkCount + tree.velocityCount);
+    return new CInputs(variables, places, count, 6 * tree.linkCount + tree.velocityCount);
   }
 
   private static String number(double value) {
@@ -365,7 +364,10 @@ final class MechanismInC {
         PowerEquations.formulas(links, events.stream().map(Event::trigger).toList()),
         PowerEquations.formulas(links, StateEvents.assigned(mechanism)),
         assignments,
-        JumpsInC.times(mechanism, options.settings()));
+        JumpsInC.of(mechanism, options.settings()),
+        mechanism.samplings().stream()
+            .map(sampling -> new CEvents.Sampled(sampling.period(), sampling.offset()))
+            .toList());
   }
 
   private List<COutputs> outputs(Links links, Program energy) {

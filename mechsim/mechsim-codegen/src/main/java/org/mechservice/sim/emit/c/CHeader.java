@@ -76,7 +76,7 @@ final class CHeader {
             + " model's.");
     line(" */");
     line("typedef struct {");
-    int loads = model.inputs().loads();
+    int loads = model.inputs().parameters() + model.inputs().loads();
     line("  double p[" + Math.max(1, model.parameters().size() + loads) + "];");
     line("  double u[" + Math.max(1, model.inputs().variables().size()) + "];");
     line("  double w[" + Math.max(1, slots) + "];");
@@ -136,9 +136,19 @@ final class CHeader {
     function(
         "double",
         "next_jump(const @ *m, double t)",
-        "Returns the next time at which the equations jump, s; HUGE_VAL if there is none. No step"
+        "Returns the next time at which the equations jump or states are sampled, s; HUGE_VAL if there is none. No step"
             + " may pass it.");
-    function("void", "go_on(@ *m, double t)", "Records that the run goes on behind the jump at t.");
+    function(
+        "int",
+        "begin(@ *m, double t, double *x)",
+        "Applies the samples at the start of a run to the state, loops closed. Returns 1 if it"
+            + " changed, 0, or -1.");
+    function(
+        "int",
+        "go_on(@ *m, double t, double *x)",
+        "Records that the run goes on behind the jump at t, and changes the state there: samples,"
+            + " and impulses where a prescribed velocity jumps. Returns 1 if the state changed, 0,"
+            + " or -1.");
     function("const char *", "failure(const @ *m)", "Returns why the last evaluation failed.");
     line("#endif");
     return text.toString();

@@ -96,6 +96,25 @@ public final class CModel {
     return Character.isLetter(name.charAt(0)) && !taken ? name : "model_" + name;
   }
 
+  /** Returns the statements by which a function takes the present inputs. */
+  List<String> inputLines() {
+    return inputs.variables().isEmpty() ? List.of() : List.of("take_inputs(m);");
+  }
+
+  /** Returns the statements by which a function evaluates with the inputs, beside a jump. */
+  List<String> placeLines() {
+    List<String> lines = new ArrayList<>(inputLines());
+    if (!events.jumps().isEmpty()) {
+      lines.add("t = beside(m, t);");
+    }
+    return lines;
+  }
+
+  /** Returns whether the programs take unwrapped angles behind the state. */
+  boolean hasAngles() {
+    return motion instanceof CLoops loops && loops.angles().isPresent();
+  }
+
   /** Returns the identifier that the names of all its functions begin with. */
   public String name() {
     return name;
@@ -127,7 +146,8 @@ public final class CModel {
 
   /** Returns the tunable parameters in order. */
   public List<CVariable> parameters() {
-    return mechanism.parameters().stream().map(CModel::variable).toList();
+    List<Parameter> all = mechanism.parameters();
+    return all.subList(0, all.size() - inputs.parameters()).stream().map(CModel::variable).toList();
   }
 
   private static CVariable variable(Parameter parameter) {

@@ -1,6 +1,5 @@
 package org.mechservice.sim.emit.c;
 
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -17,15 +16,12 @@ import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.capability.BodyPoses;
 import org.mechservice.solver.api.capability.DirectedForces;
 import org.mechservice.solver.api.capability.ExplicitModel;
-import org.mechservice.solver.api.capability.ModelEvents;
 import org.mechservice.solver.closure.PenaltySettings;
 import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.mechanism.force.ForceElement;
 
 /** Writes the code of a model in C. */
 final class CSource {
-  private static final int NUMBERS_PER_LINE = 12;
-
   private record Part(MethodSignature head, ProgramPlan plan) {}
 
   /**
@@ -41,6 +37,7 @@ final class CSource {
   private final List<Part> parts = new ArrayList<>();
   private final NumberText numbers = new NumberText();
   private final SourceLines source = new SourceLines();
+  private final CArrays arrays = new CArrays(source, numbers);
 
   CSource(CModel model) {
     this.model = model;
@@ -104,13 +101,14 @@ final class CSource {
     programs();
     inputs();
     loops();
-    jumps();
+    CJumps jumps = new CJumps(model, source, arrays);
+    jumps.times();
     start();
     derivatives();
     outputs();
     project();
     close();
-    events();
+    jumps.changes();
     failure();
     return source.toString();
   }
@@ -134,25 +132,15 @@ final class CSource {
       source.line(
           "    {%s, %s, %s, %s},"
               .formatted(
-                  literal(one.name()),
-                  literal(one.unit()),
-                  literal(one.description()),
+                  CArrays.literal(one.name()),
+                  CArrays.literal(one.unit()),
+                  CArrays.literal(one.description()),
                   numbers.of(one.start())));
     }
     if (variables.isEmpty()) {
       source.line("    {\"\", \"\", \"\", 0},");
     }
     source.line("};").blank();
-  }
-
-  /** Returns a literal in UTF-8 by octal escapes, which no following digit joins. */
-  private static String literal(String text) {
-    StringBuilder literal = new StringBuilder("\"");
-    for (byte b : text.getBytes(StandardCharsets.UTF_8)) {
-      boolean plain = b >= ' ' && b <= '~' && b != '"' && b != '\\' && b != '?';
-      literal.append(plain ? Character.toString(b) : "\\%03o".formatted(b & 0xff));
-    }
-    return literal.append('"').toString();
   }
 
   private void open(String result, String function, String parameters) {
@@ -177,17 +165,21 @@ final class CSource {
     int nq = coordinates.positionCount();
     int nv = coordinates.velocityCount();
     int balls = coordinates.ballCount();
-    integers("LOOP_START", loops.rowStart());
-    integers("LOOP_COLUMN", loops.column());
-    integers("VELOCITY_OF", IntStream.range(0, nq).map(coordinates::velocityOf).boxed().toList());
-    integers("POSITION_OF", IntStream.range(0, nv).map(coordinates::positionOf).boxed().toList());
-    integers("BALL_Q", IntStream.range(0, balls).map(coordinates::ballPosition).boxed().toList());
-    integers("BALL_V", IntStream.range(0, balls).map(coordinates::ballVelocity).boxed().toList());
-    doubles("UNIT", loops.unit());
-    doubles("SIZE", loops.size());
-    doubles("PLACE_ROUNDING", loops.placeRounding());
+    arrays.integers("LOOP_START", loops.rowStart());
+    arrays.integers("LOOP_COLUMN", loops.column());
+    arrays.integers(
+        "VELOCITY_OF", IntStream.range(0, nq).map(coordinates::velocityOf).boxed().toList());
+    arrays.integers(
+        "POSITION_OF", IntStream.range(0, nv).map(coordinates::positionOf).boxed().toList());
+    arrays.integers(
+        "BALL_Q", IntStream.range(0, balls).map(coordinates::ballPosition).boxed().toList());
+    arrays.integers(
+        "BALL_V", IntStream.range(0, balls).map(coordinates::ballVelocity).boxed().toList());
+    arrays.doubles("UNIT", loops.unit());
+    arrays.doubles("SIZE", loops.size());
+    arrays.doubles("PLACE_ROUNDING", loops.placeRounding());
     if (loops.angles().isPresent()) {
-      doubles("ANGLE_STARTS", loops.angleStarts());
+      arrays.doubles("ANGLE_STARTS", loops.angleStarts());
     }
     source.line("static const mech_loops LOOPS = {");
     int further = model.states().size() - nq - nv;
@@ -220,59 +212,10 @@ final class CSource {
     source.close().blank();
   }
 
-  private void integers(String array, List<Integer> values) {
-    array("int", array, values.stream().map(String::valueOf).toList());
-  }
-
-  private void doubles(String array, List<Double> values) {
-    array("double", array, values.stream().map(numbers::of).toList());
-  }
-
-  /** Writes an array, which has a zero where there is nothing to hold. */
-  private void array(String type, String array, List<String> texts) {
-    source.line("static const " + type + " " + array + "[] = {");
-    if (texts.isEmpty()) {
-      source.line("    0,");
-    }
-    for (int i = 0; i < texts.size(); i += NUMBERS_PER_LINE) {
-      List<String> part = texts.subList(i, Math.min(texts.size(), i + NUMBERS_PER_LINE));
-      source.line("    " + String.join(", ", part) + ",");
-    }
-    source.line("};");
-  }
-
-  /** Writes the times at which the equations jump, and on which side of them they are evaluated. */
-  private void jumps() {
-    List<Double> times = model.events().jumpTimes();
-    if (!times.isEmpty()) {
-      doubles("JUMPS", times);
-      source.line("enum { JUMP_COUNT = " + times.size() + " };").blank();
-      source.line("/* Time on the side of a jump on which the run is: at the jump both meet. */");
-      source.open("static double beside(const " + instance() + ", double t)");
-      source.open("for (int i = 0; i < JUMP_COUNT; i++)");
-      source.line("double margin = 4 * DBL_EPSILON * fabs(JUMPS[i]) + DBL_MIN;");
-      source.open("if (fabs(t - JUMPS[i]) < margin)");
-      source.line("return m->went_on >= JUMPS[i] ? JUMPS[i] + margin : JUMPS[i] - margin;");
-      source.close().close();
-      source.line("return t;").close().blank();
-    }
-    open("double ", "next_jump", "const " + instance() + ", double t");
-    if (times.isEmpty()) {
-      source.line("(void)m;").line("(void)t;");
-    } else {
-      source.open("for (int i = 0; i < JUMP_COUNT; i++)");
-      source.open("if (JUMPS[i] > t && JUMPS[i] > m->went_on)");
-      source.line("return JUMPS[i];").close().close();
-    }
-    source.line("return HUGE_VAL;").close();
-    open("void ", "go_on", instance() + ", double t");
-    source.line("m->went_on = t;").close();
-  }
-
   /** Writes where the programs read the inputs. */
   private void inputs() {
     if (!model.inputs().variables().isEmpty()) {
-      integers("LOAD_OF", model.inputs().places());
+      arrays.integers("LOAD_OF", model.inputs().places());
       source.blank().open("static void take_inputs(" + instance() + ")");
       source.open("for (int i = 0; i < " + name + "_NU; i++)");
       source.line("m->p[" + name + "_NP + LOAD_OF[i]] = m->u[i];");
@@ -282,17 +225,12 @@ final class CSource {
 
   /** Writes that a function evaluates with the present inputs, beside a jump. */
   private void beside() {
-    if (!model.inputs().variables().isEmpty()) {
-      source.line("take_inputs(m);");
-    }
-    if (!model.events().jumpTimes().isEmpty()) {
-      source.line("t = beside(m, t);");
-    }
+    model.placeLines().forEach(source::line);
   }
 
   /** Writes that a function evaluates programs of a state with unwrapped angles behind it. */
   private void behind() {
-    if (model.motion() instanceof CLoops loops && loops.angles().isPresent()) {
+    if (model.hasAngles()) {
       source.line("x = mech_loops_state(&LOOPS, m->loop, x);");
     }
   }
@@ -305,6 +243,12 @@ final class CSource {
     List<CVariable> parameters = model.parameters();
     for (int i = 0; i < parameters.size(); i++) {
       source.line("m->p[" + i + "] = " + numbers.of(parameters.get(i).start()) + ";");
+    }
+    List<CVariable> inputs = model.inputs().variables();
+    for (int i = 0; i < inputs.size(); i++) {
+      if (inputs.get(i).start() != 0) {
+        source.line("m->u[" + i + "] = " + numbers.of(inputs.get(i).start()) + ";");
+      }
     }
     if (model.motion() instanceof CLoops loops && loops.angles().isPresent()) {
       source.line("memcpy(m->loop, ANGLE_STARTS, sizeof ANGLE_STARTS);");
@@ -427,89 +371,6 @@ final class CSource {
     source.close();
   }
 
-  private static String joined(List<Integer> numbers) {
-    return String.join(", ", numbers.stream().map(String::valueOf).toList());
-  }
-
-  private void events() {
-    CEvents events = model.events();
-    open("int ", "event_values", instance() + ", double t, const double *x, double *g");
-    if (events.kinds().isEmpty()) {
-      source.line("(void)m;").line("(void)t;").line("(void)x;").line("(void)g;");
-    } else {
-      beside();
-      behind();
-      source.line("triggers(m, t, x, g);");
-    }
-    source.line("return 0;").close();
-    open("int ", "event", instance() + ", const signed char *occurred, double t, double *x");
-    if (events.kinds().isEmpty()) {
-      source.line("(void)m;").line("(void)occurred;").line("(void)t;").line("(void)x;");
-      source.line("return 0;").close();
-      return;
-    }
-    int count = events.kinds().size();
-    source.line("/* Sense of the crossings that count: +1 rising, -1 falling, 0 both. */");
-    source.line(
-        "static const signed char SENSE[] = {"
-            + joined(events.kinds().stream().map(CSource::sense).toList())
-            + "};");
-    source.line(
-        "static const unsigned char ENDS[] = {"
-            + joined(
-                events.kinds().stream()
-                    .map(kind -> kind.action() == ModelEvents.Action.STOP ? 1 : 0)
-                    .toList())
-            + "};");
-    source.line("int counts[" + count + "], ends = 0;");
-    source.open("for (int i = 0; i < " + count + "; i++)");
-    source.line("counts[i] = occurred[i] != 0 && SENSE[i] * occurred[i] >= 0;");
-    source.line("ends |= counts[i] && ENDS[i];").close();
-    if (events.assignments().isEmpty()) {
-      source.line("(void)m;").line("(void)t;").line("(void)x;");
-      source.line("return ends ? 2 : 0;").close();
-      return;
-    }
-    changes(events);
-    source.close();
-  }
-
-  private static int sense(ModelEvents.Kind kind) {
-    return switch (kind.direction()) {
-      case RISING -> 1;
-      case FALLING -> -1;
-      case BOTH -> 0;
-    };
-  }
-
-  /** Writes the changes of the state, the values being those before all of them. */
-  private void changes(CEvents events) {
-    int count = events.assignments().size();
-    source.line(
-        "static const int EVENT[] = {"
-            + joined(events.assignments().stream().map(CEvents.Assignment::event).toList())
-            + "};");
-    source.line(
-        "static const int COMPONENT[] = {"
-            + joined(events.assignments().stream().map(CEvents.Assignment::component).toList())
-            + "};");
-    source.line("double values[" + count + "];");
-    source.line("unsigned char set[" + name + "_NX] = {0};");
-    source.line("int changed = 0;");
-    boolean angles = model.motion() instanceof CLoops loops && loops.angles().isPresent();
-    beside();
-    source.line(
-        "assigned(m, t, " + (angles ? "mech_loops_state(&LOOPS, m->loop, x)" : "x") + ", values);");
-    source.open("for (int i = 0; i < " + count + "; i++)");
-    source.open("if (counts[EVENT[i]])");
-    source.line("x[COMPONENT[i]] = values[i];");
-    source.line("set[COMPONENT[i]] = 1;");
-    source.line("changed = 1;").close().close();
-    source.open("if (changed && " + name + "_close(m, t, x, set) < 0)");
-    source.line("return -1;").close();
-    source.line("return (ends ? 2 : 0) + changed;");
-  }
-
   private void failure() {
     open("const char *", "failure", "const " + instance());
     List<String> joints = new ArrayList<>();
@@ -520,13 +381,18 @@ final class CSource {
     for (ForceElement force : model.mechanism().forces()) {
       forces.add("force " + force.name() + " has no direction, as its points coincide");
     }
-    texts("JOINTS", joints);
-    texts("FORCES", forces);
+    arrays.texts("JOINTS", joints);
+    arrays.texts("FORCES", forces);
     source.open("if (m->failure == LOOPS_OPEN)");
     source.line("return \"the closed loops cannot be closed, as near a singular position\";");
     source.close();
+    if (model.events().jumps().stream().anyMatch(CEvents.Jump::impulse)) {
+      source.open("if (m->failure == NO_IMPULSE)");
+      source.line("return \"a prescribed velocity jumps, and a free coordinate has no inertia\";");
+      source.close();
+    }
     if (model.motion() instanceof CLoops) {
-      integers("JOINT_OF", jointsOfVelocities());
+      arrays.integers("JOINT_OF", jointsOfVelocities());
       source.open("if (m->failure >= " + WITHOUT_INERTIA + ")");
       source.line("return JOINTS[JOINT_OF[m->failure - " + WITHOUT_INERTIA + "]];").close();
     }
@@ -542,11 +408,5 @@ final class CSource {
         .flatMap(j -> IntStream.generate(() -> j).limit(joints.get(j).type().velocityCount()))
         .boxed()
         .toList();
-  }
-
-  private void texts(String array, List<String> texts) {
-    source.line("static const char *const " + array + "[] = {");
-    texts.forEach(text -> source.line("    " + literal(text) + ","));
-    source.line("    \"\",").line("};");
   }
 }

@@ -28,16 +28,25 @@ static void step(MODEL_t *m, double t, double h, double *x) {
 int main(int count, char **values) {
   double end = count > 1 ? atof(values[1]) : 1;
   double h = count > 2 ? atof(values[2]) : 1e-3;
-  long steps = (long)(end / h + 0.5);
   MODEL_t m;
-  double x[MODEL_NX];
+  double x[MODEL_NX], t = 0;
+  long i = 1;
   MODEL_init(&m);
-  MODEL_start(&m, 0, x);
-  for (long i = 0; i < steps; i++) {
-    step(&m, (double)i * h, h, x);
+  MODEL_start(&m, t, x);
+  MODEL_begin(&m, t, x);
+  while (t < end) {
+    double next = (double)i * h < end ? (double)i * h : end, jump = MODEL_next_jump(&m, t);
+    if (jump <= next) { /* no step passes a jump of the equations or a sample */
+      step(&m, t, jump - t, x);
+      MODEL_go_on(&m, t = jump, x);
+    } else {
+      step(&m, t, next - t, x);
+      t = next;
+      i++;
+    }
   }
-  for (int i = 0; i < MODEL_NX; i++) {
-    printf("%s = %.15g %s\n", MODEL_states[i].name, x[i], MODEL_states[i].unit);
+  for (int k = 0; k < MODEL_NX; k++) {
+    printf("%s = %.15g %s\n", MODEL_states[k].name, x[k], MODEL_states[k].unit);
   }
   return 0;
 }

@@ -100,6 +100,15 @@ final class CCode {
     return result;
   }
 
+  /** Runs a program without input; returns the lines that it wrote. */
+  static List<String> lines(Path program, List<String> arguments) throws IOException {
+    List<String> words = new ArrayList<>(List.of(program.toString()));
+    words.addAll(arguments);
+    Ended ended = ended(program.resolveSibling("."), words, new byte[0]);
+    assertThat(ended.status()).as(ended.said()).isZero();
+    return Files.readAllLines(ended.output());
+  }
+
   private record Ended(int status, Path output, String said) {}
 
   private static Ended ended(Path folder, List<String> words, byte[] input) throws IOException {

@@ -2,6 +2,7 @@ package org.mechservice.sim.emit.c;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
@@ -17,7 +18,10 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.mechservice.mechml.MechmlModel;
+import org.mechservice.mechml.ReadOptions;
 import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.sim.model.BuildOptions;
 import org.mechservice.sim.model.GeneratedModel;
@@ -213,20 +217,51 @@ class SameBitsInCTest {
     assertThat(count.found).isEmpty();
   }
 
-  @Test
-  void exampleProgramRunsAsItIs() throws IOException {
+  private List<String> exampleOf(MechmlModel model, BuildOptions options, String end)
+      throws IOException {
     CCode.compiler();
-    CModel inC = ModelFactory.inC(Scenes.model(Scenes.pendulum()), options(1));
+    Path place = Files.createTempDirectory(folder, "example");
     List<Path> sources = new ArrayList<>();
-    for (Map.Entry<String, String> file : inC.files().entrySet()) {
-      Path path = folder.resolve(file.getKey());
+    for (Map.Entry<String, String> file : ModelFactory.inC(model, options).files().entrySet()) {
+      Path path = place.resolve(file.getKey());
       Files.writeString(path, file.getValue());
       if (file.getKey().endsWith(".c")) {
         sources.add(path);
       }
     }
-    Path program = CCode.compiled(folder, CCode.FAST, sources);
-    assertThat(CCode.run(program, List.of("0.1", "1e-3"), new double[0])).isNotEmpty();
+    Path program = CCode.compiled(place, CCode.FAST, sources);
+    return CCode.lines(program, List.of(end, "1e-2"));
+  }
+
+  @Test
+  void exampleProgramRunsAsItIs() throws IOException {
+    assertThat(exampleOf(Scenes.model(Scenes.pendulum()), options(1), "0.1")).hasSize(10);
+  }
+
+  /**
+   * The motions are parabolas between the instants, which the method of order four follows but for
+   * rounding; the ends are those that the comments of the files derive.
+   */
+  @ParameterizedTest
+  @CsvSource({
+    "elements/sampled.xml, slide.q, 0.828506, 1e-6",
+    "elements/sampled.xml, slide.v, 0.806854, 1e-6",
+    "elements/input.xml, slide.v, 2.5, 1e-13",
+    "extremes/kinked_drive.xml, hinge.v, 3, 1e-13"
+  })
+  void exampleProgramTakesSamplesInputsAndImpulses(
+      String file, String state, double end, double tolerance) throws Exception {
+    Path path = Path.of("..", "..", "examples").resolve(file);
+    ReadOptions reading = ReadOptions.NONE.withInputsAsParameters();
+    MechmlModel model = MechmlReader.read(file, Files.readAllBytes(path), reading);
+    BuildOptions options =
+        new BuildOptions("DTR", EnumSet.of(ColumnGroup.ENERGY), model.settings().run());
+    String line =
+        exampleOf(model, options, "1").stream()
+            .filter(one -> one.startsWith(state + " = "))
+            .findFirst()
+            .orElseThrow();
+    assertThat(Double.parseDouble(line.split(" ", -1)[2])).isCloseTo(end, within(tolerance));
   }
 
   @Test
