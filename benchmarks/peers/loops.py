@@ -658,6 +658,19 @@ def evaluations(lengths):
                   "open, data, µs", "one loop, data, µs", "ratio"], rows)
 
 
+def steps(lengths):
+    """Processor time of the equations of an implicit step of a chain."""
+    out, _, _ = process("java", "-XX:+UseSerialGC", "-cp", ROOT / "benchmarks/target/benchmarks.jar",
+                        "org.mechservice.benchmarks.study.StepsOfChains", *lengths)
+    rows = []
+    for n, line in zip(lengths, out.splitlines()):
+        cost = [float(part) for part in line.split()]
+        formed = [short(c) for c in cost[3:]] if cost[3] else ["not measured"] * 3
+        rows.append([str(n), *(short(c) for c in cost[:3]), *formed])
+    return table(["links", "derivatives, µs", "factors, µs", "a solution, µs",
+                  "with the matrix: derivatives, µs", "factors, µs", "a solution, µs"], rows)
+
+
 def others(repetitions):
     rows = []
     for name, text in (("track of 100 shoes", track(100)), ("net of 10 x 10 plates", net(10)),
@@ -761,6 +774,7 @@ def main():
         chains=chains([50] if given.short else [50, 100, 200, 400, 1000], repetitions),
         equal=equal_error(python, repetitions),
         evaluations=evaluations([200] if given.short else [200, 400, 1000]),
+        steps=steps([100, 200] if given.short else [100, 200, 400, 800, 1600, 3200]),
         others=others(repetitions))
     if given.short:
         print(text)

@@ -15,6 +15,9 @@
 
 #include "connection.hh"
 
+#include <omniORB4/omniInterceptors.h>
+
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <iostream>
@@ -220,6 +223,46 @@ void fail(ms::MechSim_ptr session, ms::ModelFile model) {
   require(std::string(failure->code).substr(0, 2) == "N-", "a code of the catalogue");
 }
 
+// How many connections this process has opened.
+std::atomic<int> opened{0};
+
+CORBA::Boolean countConnection(omni::omniInterceptors::clientOpenConnection_T::info_T&) {
+  ++opened;
+  return true;
+}
+
+template <typename Call>
+void requireTooLarge(const char* operation, Call call) {
+  try {
+    call();
+  } catch (const ms::LimitExceeded& e) {
+    require(std::string(e.code) == "S-105", "the code of a request that is too large");
+    std::cout << operation << " is refused: " << e.code << " " << e.text << std::endl;
+    return;
+  }
+  throw std::runtime_error(std::string(operation) + " takes 50 MB");
+}
+
+// Models of 50 MB are refused as such, and the connections over which they came go on.
+void sendLargeModels(ms::MechServer_ptr server, ms::MechSim_ptr session) {
+  ms::ModelFile large;
+  large.fileName = "large.xml";
+  large.content.length(50u << 20);
+  std::fill_n(large.content.get_buffer(), large.content.length(), CORBA::Octet(' '));
+  int before = opened;
+  require(before > 0, "connections are counted");
+  requireTooLarge("importModel", [&] {
+    ms::DiagnosticSeq_var losses;
+    ms::ModelFile_var imported = server->importModel(large, losses.out());
+  });
+  requireTooLarge("loadModel", [&] {
+    ms::DiagnosticSeq_var warnings = session->loadModel(large, ms::ModelFileSeq());
+  });
+  ms::ServerInfo_var info = server->getInfo();
+  CORBA::String_var id = session->sessionId();
+  require(opened == before, "the connections go on");
+}
+
 void askOfModel(ms::MechSim_ptr session) {
   ms::ModelInfo_var info = CALL(MechSim, getModelInfo, session);
   require(std::string(info->sha256).size() == 64, "the model's SHA-256");
@@ -265,6 +308,7 @@ void useServer(ms::MechServer_ptr server, const ms::ModelFile& model, const ms::
   CORBA::String_var id = CALL(MechSim, sessionId, session);
   CORBA::String_var host = CALL(MechSim, hostName, session);
   ms::MechSim_var same = CALL(MechServer, findSession, server, id);
+  sendLargeModels(server, session);
   ms::DiagnosticSeq_var warnings = CALL(MechSim, loadModel, session, model, ms::ModelFileSeq());
   askOfModel(session);
   runToTheEnd(session, callback);
@@ -393,11 +437,15 @@ int main(int argc, char** argv) {
   try {
     std::string endPoint = std::string("giop:tcp:127.0.0.1:") + argv[1];
     CORBA::ORB_var orb = startOrb(argc, argv, endPoint);
+    omni::omniInterceptors* interceptors = omniORB::getInterceptors();
+    interceptors->clientOpenConnection.add(countConnection);
     everyOperation(orb, argv, registry, self);
     orb->destroy();
     return 0;
   } catch (const std::exception& e) {
     std::cerr << e.what() << '\n';
+  } catch (const ms::LimitExceeded& e) {
+    std::cerr << e.code << " " << e.text << '\n';
   } catch (const ms::InvalidOption& e) {
     std::cerr << e.code << " " << e.text << '\n';
   } catch (const ms::InvalidState& e) {

@@ -78,6 +78,8 @@ class CppContractIT {
         assertThat(host.stdout()).contains("127.0.0.1:");
         assertThat(ended.stdout().lines().filter(line -> line.contains(".")))
             .containsAll(operations());
+        assertThat(ended.stdout())
+            .contains("importModel is refused: S-105", "loadModel is refused: S-105");
       }
       server.awaitEnd().orFail();
     }

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -25,6 +26,9 @@ import org.mechservice.idl.SimSummary;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.server.MechServerProcess;
 import org.mechservice.server.ServerSettings;
+import org.mechservice.sim.host.HostOptions;
+import org.mechservice.sim.service.limits.HostLimits;
+import org.mechservice.sim.worker.UserCodePolicy;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.Outcome;
@@ -39,6 +43,10 @@ class LostHostTest {
   /** Goes on for as long as a test needs. */
   private static final SimulationOptions ENDLESS =
       SimulationOptions.asInFile().endTime(1e7).outputStep(5);
+
+  /** The five-point suspension, with forces given as Java classes. */
+  private static final Path USER_FORCES =
+      Path.of("../examples/five-point-suspension/five-point-suspension.xml");
 
   /** Takes all rows; acts once, at a row far from the start. */
   private static final class Taker implements ResultSink {
@@ -87,13 +95,7 @@ class LostHostTest {
         }
       }
       List<String> told = new CopyOnWriteArrayList<>();
-      RunListener listener =
-          new RunListener() {
-            @Override
-            public void onMessages(List<ModelMessage> messages) {
-              messages.forEach(message -> told.add(message.toString()));
-            }
-          };
+      RunListener listener = keptIn(told);
       Taker taken = new Taker(host::kill);
       try (MechSession session = connection.openSession("far")) {
         session.loadModel(Runs.PENDULUM);
@@ -111,6 +113,47 @@ class LostHostTest {
   }
 
   @Test
+  void runWhoseWorkerIsKilledIsComputedAgainToTheSameBits() throws Exception {
+    SimulationOptions options = SimulationOptions.asInFile().endTime(200).outputStep(0.01);
+    HostOptions host =
+        new HostOptions("s", 1, HostLimits.DEFAULT, Optional.empty(), UserCodePolicy.UNCONFINED);
+    try (MechServerProcess server =
+            MechServerProcess.start(new ServerSettings("127.0.0.1", 0, host));
+        MechConnection connection = MechConnection.open(server.url());
+        MechSession session = connection.openSession()) {
+      session.loadModel(USER_FORCES);
+      Taker undisturbed = new Taker(() -> {});
+      try (RemoteRun run = session.prepareRemoteRun(options)) {
+        run.toEnd(undisturbed);
+      }
+      List<String> told = new CopyOnWriteArrayList<>();
+      Taker taken = new Taker(LostHostTest::killWorkers);
+      try (RemoteRun run = session.prepareRemoteRun(options, keptIn(told))) {
+        assertThat(run.toEnd(taken).outcome()).isInstanceOf(Outcome.Completed.class);
+      }
+      assertThat(taken.rows).isEqualTo(undisturbed.rows).isEqualTo(20_001);
+      assertThat(taken.bits).isEqualTo(undisturbed.bits);
+      assertThat(told).anyMatch(text -> text.contains("S-118"));
+    }
+  }
+
+  private static RunListener keptIn(List<String> told) {
+    return new RunListener() {
+      @Override
+      public void onMessages(List<ModelMessage> messages) {
+        messages.forEach(message -> told.add(message.toString()));
+      }
+    };
+  }
+
+  /** This process has no others but those in which the users' forces are computed. */
+  private static void killWorkers() {
+    List<ProcessHandle> workers = ProcessHandle.current().children().toList();
+    assertThat(workers).isNotEmpty();
+    workers.forEach(ProcessHandle::destroyForcibly);
+  }
+
+  @Test
   void hostThatIsTerminatedPassesItsRunsOnBeforeItEnds() throws Exception {
     try (MechServerProcess server =
             MechServerProcess.start(new ServerSettings("s", "127.0.0.1", 0, 1));
@@ -120,13 +163,7 @@ class LostHostTest {
       session.loadModel(Runs.PENDULUM);
       List<String> told = new CopyOnWriteArrayList<>();
       List<Integer> status = new CopyOnWriteArrayList<>();
-      RunListener listener =
-          new RunListener() {
-            @Override
-            public void onMessages(List<ModelMessage> messages) {
-              messages.forEach(message -> told.add(message.toString()));
-            }
-          };
+      RunListener listener = keptIn(told);
       RemoteRun run = session.prepareRemoteRun(ENDLESS, listener);
       try (run) {
         RunResult result = run.toEnd(new Taker(() -> terminateThenCancel(host, status, run)));
@@ -179,23 +216,7 @@ class LostHostTest {
         ServiceOrb orb = ServiceOrb.client()) {
       MechAdmin admin = orb.connectAdmin(server.address());
       List<Integer> status = new ArrayList<>();
-      Thread simulate =
-          new Thread(
-              () ->
-                  status.add(
-                      Mech.run(
-                          new PrintWriter(new StringWriter()),
-                          new PrintWriter(err, true),
-                          "simulate",
-                          Runs.PENDULUM.toString(),
-                          "--server",
-                          server.address(),
-                          "--t-end",
-                          "1e7",
-                          "--t-step",
-                          "5",
-                          "--out",
-                          file.toString())));
+      Thread simulate = new Thread(() -> status.add(simulateForLong(server.address(), file, err)));
       simulate.start();
       SimSummary run = awaitRows(admin);
       server.kill();
@@ -206,6 +227,42 @@ class LostHostTest {
           .contains("; rows up to t=");
       assertThat(Files.readString(file)).startsWith("t,");
     }
+  }
+
+  @Test
+  void simulateThatAnOperatorStopsSaysWhy(@TempDir Path folder) throws Exception {
+    StringWriter err = new StringWriter();
+    try (MechServerProcess server =
+            MechServerProcess.start(new ServerSettings("s", "127.0.0.1", 0, 1));
+        ServiceOrb orb = ServiceOrb.client()) {
+      MechAdmin admin = orb.connectAdmin(server.url());
+      List<Integer> status = new ArrayList<>();
+      Thread simulate =
+          new Thread(() -> status.add(simulateForLong(server.url(), folder.resolve("r.csv"), err)));
+      simulate.start();
+      admin.killSimulation(awaitRows(admin).simId, "maintenance");
+      simulate.join();
+      assertThat(status).containsExactly(130);
+      assertThat(err.toString())
+          .contains("S-018 cancelled by the operator: maintenance")
+          .contains("S-045 the run was stopped at t=");
+    }
+  }
+
+  private static int simulateForLong(String server, Path file, StringWriter err) {
+    return Mech.run(
+        new PrintWriter(new StringWriter()),
+        new PrintWriter(err, true),
+        "simulate",
+        Runs.PENDULUM.toString(),
+        "--server",
+        server,
+        "--t-end",
+        "1e7",
+        "--t-step",
+        "5",
+        "--out",
+        file.toString());
   }
 
   private static SimSummary awaitRows(MechAdmin admin) throws Exception {

@@ -9,14 +9,17 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Predicate;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** A server or host in a process of its own, whose inside can be counted. */
 final class ServiceJvm implements AutoCloseable {
   private static final Path JAVA_HOME = Path.of(System.getProperty("java.home"));
   private static final long PATIENCE_SECONDS = 60;
+  private static final long SETTLING_MINUTES = 2;
   private static final Pattern TOTAL = Pattern.compile("Total\\s+\\d+\\s+(\\d+)");
   private static final Pattern SERVANTS =
       Pattern.compile("\\s(\\d+)\\s+\\d+\\s+org\\.mechservice\\.idl\\.\\w+POATie\\s");
@@ -153,6 +156,27 @@ final class ServiceJvm implements AutoCloseable {
       throw new IOException("no histogram: " + histogram);
     }
     return new Inside(heap, objects, entries("task"), entries("fd"));
+  }
+
+  /**
+   * Counts until what is counted is as it is to be, for two minutes at most: connections that are
+   * late are closed after ten seconds, and on a busy machine that takes its time.
+   */
+  Inside insideOnce(Predicate<Inside> settled) throws IOException, InterruptedException {
+    long start = System.nanoTime();
+    while (true) {
+      Inside now = inside();
+      if (settled.test(now)
+          || System.nanoTime() - start > TimeUnit.MINUTES.toNanos(SETTLING_MINUTES)) {
+        return now;
+      }
+      Thread.sleep(1000);
+    }
+  }
+
+  /** Returns the classes whose objects take most of the heap after a full collection. */
+  String largest() throws IOException, InterruptedException {
+    return jcmd("GC.class_histogram").lines().limit(20).collect(Collectors.joining("\n"));
   }
 
   private long entries(String kind) throws IOException {

@@ -303,20 +303,45 @@ public final class MechSession implements AutoCloseable {
       SimulationOptions options, @Nullable IMechClient callback, Consumer<ModelMessage> listener) {
     ModelFile model = modelLoaded;
     ModelFile[] classes = classesLoaded;
+    HostedRun first = place(options, callback);
     return new RemoteRun(
-        place(options, callback),
-        earlierIds -> elsewhere(model, classes, options, callback, earlierIds),
+        first,
+        earlierIds -> elsewhere(first, model, classes, options, callback, earlierIds),
         listener);
   }
 
-  /** Sets up a run in a new session, on any host of any server with a free place. */
+  /**
+   * Sets up a run in a new session, on any host of any server with a free place; on the host that
+   * had it, if that goes on and no other takes it.
+   */
   private HostedRun elsewhere(
+      HostedRun first,
       ModelFile model,
       ModelFile[] classes,
       SimulationOptions options,
       @Nullable IMechClient callback,
       List<String> earlierIds) {
-    MechSession other = connection.openSessionAnywhere();
+    try {
+      return in(connection.openSessionAnywhere(), model, classes, options, callback, earlierIds);
+    } catch (ServiceException e) {
+      try {
+        MechSession same = connection.openSession(first.hostName());
+        return in(same, model, classes, options, callback, earlierIds);
+      } catch (ServiceException own) {
+        e.addSuppressed(own);
+        throw e;
+      }
+    }
+  }
+
+  /** Sets up a run in a new session, which ends with it. */
+  private static HostedRun in(
+      MechSession other,
+      ModelFile model,
+      ModelFile[] classes,
+      SimulationOptions options,
+      @Nullable IMechClient callback,
+      List<String> earlierIds) {
     try {
       other.load(model, classes);
       SimulationOptions named =

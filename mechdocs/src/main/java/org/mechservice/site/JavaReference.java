@@ -73,6 +73,12 @@ final class JavaReference {
     if (javadoc.run(out, out, words.toArray(String[]::new)) != 0) {
       throw new IOException("javadoc failed:\n" + said);
     }
+    // Its pages ask for this file, which Debian's javadoc leaves out together with the fonts.
+    Path fonts = target.resolve(Path.of("resources", "fonts", "dejavu.css"));
+    if (!Files.exists(fonts)) {
+      Files.createDirectories(target.resolve(Path.of("resources", "fonts")));
+      Files.writeString(fonts, "/* The fonts of the reader's machine. */\n");
+    }
   }
 
   /** Returns the libraries of a module: javadoc takes no patterns when a program calls it. */

@@ -156,6 +156,11 @@ class CertificatesTest {
       Eventually.holds(() -> !accepts(ofAlice));
       assertThat(accepts(ofAlice)).isFalse();
       assertThat(connects("alice", server)).isFalse();
+      try (ServiceOrb again = as("alice")) {
+        assertThatThrownBy(() -> again.connect(server.url()))
+            .isInstanceOf(ServiceUnreachableException.class)
+            .hasMessageContaining("certificate");
+      }
       assertThat(accepts(ofBob)).isTrue();
       assertThat(connects("bob", server)).isTrue();
 

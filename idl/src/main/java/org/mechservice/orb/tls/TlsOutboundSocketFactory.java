@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.Socket;
+import java.net.SocketException;
 import java.security.cert.CertPathBuilderException;
 import java.security.cert.CertPathValidatorException;
 import java.security.cert.CertificateParsingException;
@@ -91,9 +92,22 @@ public final class TlsOutboundSocketFactory extends AbstractSocketFactory {
     return String.valueOf(refusal.getMessage());
   }
 
+  /**
+   * A server that refuses this process's certificate closes the connection while this side still
+   * sends: the alert that says so is lost.
+   */
   private static void shakeHands(SSLSocket socket) throws IOException {
     socket.setSoTimeout(HANDSHAKE_MILLIS);
-    socket.startHandshake();
+    try {
+      socket.startHandshake();
+    } catch (SocketException e) {
+      SSLException refused =
+          new SSLHandshakeException(
+              "it closed the connection when this process showed its certificate, which may be"
+                  + " revoked, out of date or of another authority");
+      refused.initCause(e);
+      throw refused;
+    }
     socket.setSoTimeout(NO_TIMEOUT);
   }
 

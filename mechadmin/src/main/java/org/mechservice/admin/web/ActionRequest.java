@@ -34,7 +34,8 @@ record ActionRequest(String server, AdminAction action) {
       case "stop" -> new AdminAction.StopSimulation(text(json, "id"), text(json, "reason"));
       case "drain" -> new AdminAction.Drain(text(json, "host"));
       case "undrain" -> new AdminAction.Undrain(text(json, "host"));
-      case "shutdown" -> new AdminAction.Shutdown(Math.toIntExact(number(json.get("grace"))));
+      case "shutdown" ->
+          new AdminAction.Shutdown(Math.toIntExact(number("grace", json.get("grace"))));
       case "limits" -> new AdminAction.SetLimits(text(json, "host"), limits(json.get("limits")));
       case "placement" -> new AdminAction.SetPlacement(text(json, "policy"));
       default -> throw Refused.notUnderstood("there is no action \"" + name + "\"");
@@ -49,11 +50,15 @@ record ActionRequest(String server, AdminAction action) {
     return member.getAsString();
   }
 
-  private static long number(JsonElement element) {
+  private static long number(String name, JsonElement element) {
     try {
       return new BigDecimal(element.getAsString()).longValueExact();
     } catch (RuntimeException e) { // absent, no number, or not a whole one
-      throw Refused.notUnderstood("\"" + element + "\" is no whole number");
+      String written =
+          element != null && element.isJsonPrimitive()
+              ? element.getAsString()
+              : String.valueOf(element);
+      throw Refused.notUnderstood(name + " takes a whole number, not \"" + written + "\"");
     }
   }
 
@@ -62,7 +67,10 @@ record ActionRequest(String server, AdminAction action) {
       throw Refused.notUnderstood("it lacks \"limits\"");
     }
     Map<String, Long> limits = new TreeMap<>();
-    element.getAsJsonObject().asMap().forEach((name, value) -> limits.put(name, number(value)));
+    element
+        .getAsJsonObject()
+        .asMap()
+        .forEach((name, value) -> limits.put(name, number(name, value)));
     return limits;
   }
 

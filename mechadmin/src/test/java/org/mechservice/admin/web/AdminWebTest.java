@@ -236,6 +236,17 @@ class AdminWebTest {
   }
 
   @Test
+  void limitThatIsNoNumberIsNamedWithItsValue() throws Exception {
+    HttpResponse<String> refusal =
+        admin.post(
+            "/api/preview",
+            "{\"server\":\"s\",\"action\":\"limits\",\"host\":\"\",\"limits\":{\"queue\":\"abc\"}}");
+    assertThat(refusal.statusCode()).isEqualTo(400);
+    assertThat(refusal.body())
+        .contains("S-135 the request cannot be used: queue takes a whole number, not \\\"abc\\\"");
+  }
+
+  @Test
   void serversOutsideTheConsoleAreNotToBeReached() throws Exception {
     HttpResponse<String> refusal =
         admin.post(

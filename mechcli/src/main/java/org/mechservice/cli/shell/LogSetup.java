@@ -15,6 +15,7 @@ import ch.qos.logback.core.OutputStreamAppender;
 import ch.qos.logback.core.encoder.Encoder;
 import ch.qos.logback.core.joran.spi.JoranException;
 import ch.qos.logback.core.spi.ContextAwareBase;
+import java.nio.charset.StandardCharsets;
 import org.mechservice.sim.service.contract.Journal;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.slf4j.LoggerFactory;
@@ -119,7 +120,14 @@ public final class LogSetup extends ContextAwareBase implements Configurator {
   }
 
   private static PatternLayoutEncoder pattern(String pattern) {
-    PatternLayoutEncoder encoder = new PatternLayoutEncoder();
+    PatternLayoutEncoder encoder =
+        new PatternLayoutEncoder() {
+          @Override
+          public byte[] encode(ILoggingEvent event) {
+            String text = getLayout().doLayout(event);
+            return SafeWriter.withoutColours(text).getBytes(StandardCharsets.UTF_8);
+          }
+        };
     encoder.setPattern(pattern);
     return encoder;
   }

@@ -44,4 +44,9 @@ public final class SafeWriter extends PrintWriter {
     Matcher found = COLOUR_OR_CONTROL.matcher(text);
     return found.replaceAll(match -> match.group().length() > 1 ? match.group() : "?");
   }
+
+  /** Returns text that nobody gives a colour to, with question marks for what steers a terminal. */
+  static String withoutColours(String text) {
+    return safe(text.replace('\u001b', '?'));
+  }
 }

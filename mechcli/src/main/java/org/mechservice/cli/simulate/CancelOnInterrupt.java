@@ -20,14 +20,22 @@ public final class CancelOnInterrupt implements AutoCloseable {
   private final CountDownLatch finished = new CountDownLatch(1);
   private final Thread hook = new Thread(this::interrupted, "cancel-on-interrupt");
   private volatile Optional<Runnable> cancel = Optional.empty();
+  private volatile boolean setUp;
+  private volatile boolean interrupted;
 
   public CancelOnInterrupt() {
     Runtime.getRuntime().addShutdownHook(hook);
   }
 
-  /** Names the run to cancel. */
-  void cancels(PreparedRun run) {
+  /** Names the run to cancel, which is set up now. */
+  void cancelsRun(PreparedRun run) {
+    setUp = true;
     cancels(run::cancel);
+  }
+
+  /** Returns whether the process was interrupted before there was a run. */
+  boolean endsSetUp() {
+    return interrupted && !setUp;
   }
 
   /** Says how to cancel. */
@@ -36,6 +44,7 @@ public final class CancelOnInterrupt implements AutoCloseable {
   }
 
   private void interrupted() {
+    interrupted = true;
     if (cancel.isEmpty()) {
       return;
     }

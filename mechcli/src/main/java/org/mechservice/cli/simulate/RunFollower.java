@@ -15,9 +15,10 @@ import org.mechservice.solver.catalogue.MessageCode;
 
 /** Progress and warnings of a run: sent by the server, or read from the local run. */
 final class RunFollower implements RunListener {
-  /** Codes of the messages about a run whose host is being drained or is lost. */
-  private static final Set<String> OF_MOVES =
+  /** Codes of the messages about a run whose host is drained or lost, or that was cancelled. */
+  private static final Set<String> TOLD_AT_ONCE =
       Set.of(
+          MessageCode.CANCELLED_BY_OPERATOR.code(),
           MessageCode.RUN_STAYS_ON_DRAINING_HOST.code(),
           MessageCode.RUN_MOVED.code(),
           MessageCode.RUN_PLACED_AGAIN.code());
@@ -29,7 +30,8 @@ final class RunFollower implements RunListener {
   private volatile Supplier<Optional<RunProgress>> latest = () -> told;
 
   /**
-   * @param aloud receives at once that the run has moved or has to wait
+   * @param aloud receives at once that the run has moved, has to wait or was cancelled by an
+   *     operator
    */
   RunFollower(Consumer<String> aloud) {
     this.aloud = aloud;
@@ -53,7 +55,7 @@ final class RunFollower implements RunListener {
   @Override
   public void onMessages(List<ModelMessage> messages) {
     messages.stream()
-        .filter(message -> OF_MOVES.contains(message.code()))
+        .filter(message -> TOLD_AT_ONCE.contains(message.code()))
         .map(ModelMessage::toString)
         .forEach(aloud);
     messages.stream()

@@ -27,6 +27,7 @@ import org.mechservice.client.run.RunProgress;
 import org.mechservice.client.run.RunResult;
 import org.mechservice.idl.OPT_T_STEP;
 import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.view.scene.SceneDescription;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -105,12 +106,19 @@ public final class SimulateCommand implements Callable<Integer> {
     try (CancelOnInterrupt interrupt = new CancelOnInterrupt();
         ServiceConnection service = ServiceConnection.open(server);
         MechSession session = service.connection().openSession(host)) {
+      interrupt.cancels(session::close);
       RunFollower news = new RunFollower(this::tell);
       try (PreparedRun run = setUp(session, options, news);
           ResultFiles files = results.open(expectedRows(session, run), animations)) {
-        interrupt.cancels(run);
+        interrupt.cancelsRun(run);
         String id = tellIdentity(run);
         return simulate(run, id, news, files, store);
+      } catch (ServiceException e) {
+        if (!interrupt.endsSetUp()) {
+          throw e;
+        }
+        err().println(MessageCode.RUN_STOPPED + " the set-up was stopped; there are no rows.");
+        return ExitStatus.INTERRUPTED;
       }
     }
   }

@@ -48,6 +48,17 @@ class LogSetupTest {
   }
 
   @Test
+  void messagesSteerNoTerminal() throws IOException {
+    Path file = folder.resolve("colours.log");
+    LoggerContext context = new LoggerContext();
+    context.setMDCAdapter(new LogbackMDCAdapter());
+    new LogSetup().configure(context, file.toString());
+    context.getLogger("org.mechservice.test").warn("S-068 threw \u001b[31mred\u0007");
+    context.stop();
+    assertThat(Files.readString(file)).endsWith("S-068 threw ?[31mred?\n");
+  }
+
+  @Test
   void configurationOfTheReleaseWritesFilesThatTurn() throws IOException {
     LoggerContext context = new LoggerContext();
     context.setMDCAdapter(new LogbackMDCAdapter());

@@ -10,6 +10,7 @@ import org.apache.commons.math3.linear.EigenDecomposition;
 import org.mechservice.report.method.ModelProblem;
 import org.mechservice.report.solution.Reference;
 import org.mechservice.solver.api.JointVariables;
+import org.mechservice.solver.api.run.RunReport;
 
 /**
  * Eigenvalues of the linearised equations along a run: ∂f/∂y by central differences in the
@@ -240,9 +241,6 @@ public record Spectrum(List<Sample> samples, double interval) {
     OSCILLATORY
   }
 
-  /** Time constants within the interval from which fast decay is called stiff. */
-  private static final double MANY_TIME_CONSTANTS = 500;
-
   /** Periods within the interval from which fast swinging is called so. */
   private static final double MANY_RADIANS = 300;
 
@@ -256,7 +254,7 @@ public record Spectrum(List<Sample> samples, double interval) {
     }
     double size = fastest.get().modulus() * interval;
     if (fastest.get().damping() >= WELL_DAMPED) {
-      return size > MANY_TIME_CONSTANTS ? Verdict.STIFF : Verdict.NOT_STIFF;
+      return size > RunReport.MANY_TIME_CONSTANTS ? Verdict.STIFF : Verdict.NOT_STIFF;
     }
     return size > MANY_RADIANS ? Verdict.OSCILLATORY : Verdict.NOT_STIFF;
   }

@@ -40,8 +40,11 @@ public final class MeshFolder {
         return List.of(StlReader.read(content));
       } else if (lower.endsWith(".obj")) {
         return List.of(ObjReader.read(content));
+      } else if (lower.endsWith(".glb") || lower.endsWith(".gltf")) {
+        return GltfReader.read(content);
       }
-      throw new MeshException("its name must end in .wrl (VRML 97), .stl or .obj");
+      throw new MeshException(
+          "its name must end in .wrl (VRML 97), .stl, .obj, .glb or .gltf (glTF 2.0)");
     } catch (MeshException e) {
       throw new MeshException("graphSrc " + Words.quoted(name) + ": " + e.getMessage());
     }

@@ -10,6 +10,8 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Base64;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -224,5 +226,95 @@ class MeshFolderTest {
     assertThatThrownBy(() -> read("a.txt", "solid"))
         .isInstanceOf(MeshException.class)
         .hasMessageContaining(".stl");
+  }
+
+  /** A square of two triangles in a node that is moved within a node that is turned and scaled. */
+  private static final String GLTF =
+      """
+      {"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+       "nodes": [{"rotation": [0, 0, 0.7071067811865476, 0.7071067811865476], "scale": [2, 1, 1],
+                  "children": [1]}, {"mesh": 0, "translation": [10, 0, 0]}],
+       "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "material": 0}]}],
+       "materials": [{"alphaMode": "BLEND",
+                      "pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, 0.25]}}],
+       "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"},
+                     {"bufferView": 1, "componentType": 5123, "count": 6, "type": "SCALAR"}],
+       "bufferViews": [{"buffer": 0, "byteLength": 48}, {"buffer": 0, "byteOffset": 48,
+                       "byteLength": 12}],
+       "buffers": [{%s"byteLength": 60}]}\
+      """;
+
+  private static byte[] square() {
+    ByteBuffer numbers = ByteBuffer.allocate(60).order(ByteOrder.LITTLE_ENDIAN);
+    for (float x : new float[] {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}) {
+      numbers.putFloat(x);
+    }
+    for (int corner : new int[] {0, 1, 2, 0, 2, 3}) {
+      numbers.putShort((short) corner);
+    }
+    return numbers.array();
+  }
+
+  private static String gltf() {
+    String numbers = Base64.getEncoder().encodeToString(square());
+    return GLTF.formatted("\"uri\": \"data:application/octet-stream;base64," + numbers + "\", ");
+  }
+
+  private static byte[] glb() {
+    byte[] json = GLTF.formatted("").getBytes(StandardCharsets.UTF_8);
+    int padding = -json.length & 3;
+    ByteBuffer file =
+        ByteBuffer.allocate(12 + 8 + json.length + padding + 8 + 60).order(ByteOrder.LITTLE_ENDIAN);
+    file.putInt(0x46546c67).putInt(2).putInt(file.capacity());
+    file.putInt(json.length + padding)
+        .putInt(0x4e4f534a)
+        .put(json)
+        .put(" ".repeat(padding).getBytes(StandardCharsets.US_ASCII));
+    file.putInt(60).putInt(0x004e4942).put(square());
+    return file.array();
+  }
+
+  @Test
+  void nodesOfGltfScaleThenTurnThenMove() throws IOException {
+    Files.write(folder.resolve("a.glb"), glb());
+    for (Mesh square :
+        List.of(read("a.gltf", gltf()).get(0), new MeshFolder(folder).read("a.glb").get(0))) {
+      assertThat(square.triangles()).containsExactly(0, 1, 2, 0, 2, 3);
+      // x from 10 to 11 is doubled and turned to y, y from 0 to 1 to -x
+      assertThat(range(square, 0)).containsExactly(new double[] {-1, 0}, within(1e-5));
+      assertThat(range(square, 1)).containsExactly(new double[] {20, 22}, within(1e-5));
+      assertThat(square.colour()).isEqualTo(0xff0000);
+      assertThat(square.opacity()).isEqualTo(0.25);
+    }
+  }
+
+  @Test
+  void gltfThatIsNotAsItShouldBeIsRefused() throws IOException {
+    refuse(gltf().replace("\"data:", "\"other.bin?"), "in another file");
+    refuse(gltf().replace("\"mesh\": 0", "\"mesh\": 7"), "number 7 of 1 meshes");
+    refuse(gltf().replace("\"count\": 4", "\"count\": 400"), "it is no glTF 2.0");
+    refuse(gltf().replace("\"mesh\": 0", "\"children\": [0]"), "64 deep");
+    String twice = "{\"children\": [%d, %<d]}, ";
+    StringBuilder nodes = new StringBuilder();
+    for (int k = 1; k < 30; k++) {
+      nodes.append(twice.formatted(k));
+    }
+    refuse(
+        "{\"scenes\": [{\"nodes\": [0]}], \"nodes\": [" + nodes + "{}]}", "more than 100000 nodes");
+    refuse(
+        gltf().replace("{\"asset\"", "{\"extensionsRequired\": [\"DRACO\"], \"asset\""), "DRACO");
+    refuse("no glTF", "it is no glTF 2.0");
+    byte[] whole = glb();
+    for (int length = 0; length < whole.length - 1; length += 7) {
+      Files.write(folder.resolve("cut.glb"), Arrays.copyOf(whole, length));
+      assertThatThrownBy(() -> new MeshFolder(folder).read("cut.glb"))
+          .isInstanceOf(MeshException.class);
+    }
+  }
+
+  private void refuse(String text, String why) {
+    assertThatThrownBy(() -> read("a.gltf", text))
+        .isInstanceOf(MeshException.class)
+        .hasMessageContaining(why);
   }
 }

@@ -23,9 +23,9 @@ export const stopButton = (simulation, small = false) => actionButton("Stop", {
   request: values => ({ server: simulation.server, action: "stop", id: simulation.id, reason: values.reason }),
 });
 
-const DRAIN_HOST = "The host accepts no new sessions. Runs that can be saved continue on other hosts; the others finish here.";
+const DRAIN_HOST = "The host accepts no new sessions. Runs that can be saved continue on other hosts that are free; the others finish here.";
 const DRAIN_SERVER = "The server accepts no new sessions. Runs in its own process continue on another server if their client knows one; "
-  + "otherwise they finish here. Registered hosts keep their runs: drain them by their names.";
+  + "the others finish here. Registered hosts keep their runs: drain them by their names.";
 
 export function drainButton(server, host, draining, small = false) {
   const what = host ? `host ${host}` : "the server";
@@ -88,6 +88,8 @@ function confirm({ title, note, label, request, fields, danger }) {
       setText(command, said.command);
       setText(error, "");
     } catch (failure) {
+      setText(summary, "");
+      setText(command, "");
       setText(error, failure.message);
     }
   }

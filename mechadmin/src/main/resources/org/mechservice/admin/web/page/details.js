@@ -4,7 +4,7 @@ import { drainButton, shutdownButton, stopButton } from "./actions.js";
 import { stream } from "./api.js";
 import { chart } from "./chart.js";
 import { el, fill, liveFacts, meter, setText, showJson } from "./dom.js";
-import { age, certificate, clock, codeOf, memory, moment, number, percent, stateKind, statistic } from "./format.js";
+import { age, certificate, clock, codeOf, memory, moment, number, percent, stateKind, statistics } from "./format.js";
 import { goesOn, loading, path, serverName, store } from "./store.js";
 import { simulationTable } from "./table.js";
 import { docLink, limitCard, logCard, serverState } from "./views.js";
@@ -88,7 +88,7 @@ export function hostView(server, name) {
     about.show([["Address", host.address], ["Problem", host.problem], ["Up", age(host.startedAt)], ["Last heard of", `${age(host.lastSeen)} ago`],
       ["Version", host.version], ["Processors", host.cores], ["Memory", `${memory(host.memoryUsed)} of ${memory(host.memoryBytes)}`],
       ["Running", `${host.running} of ${host.capacity}`], ["Queued", host.queued], ["Sessions", host.sessions],
-      ...Object.entries(host.statistics).map(statistic)]);
+      ...statistics(host.statistics)]);
     table.update();
   }
 }

@@ -51,16 +51,21 @@ export function certificate(millis) {
 }
 
 const STATISTICS = {
-  spoolBytes: ["Rows kept", value => memory(Number(value))], connections: ["Connections"],
-  sessionsOpened: ["Sessions since start"], completed: ["Runs completed"], failed: ["Runs failed"], cancelled: ["Runs cancelled"],
-  freeDisk: ["Disk free", value => memory(Number(value))], userCode: ["Classes of users"], processLoad: ["CPU of this process", value => percent(Number(value))],
+  sessionsOpened: ["Sessions since start"], connections: ["Connections"],
+  completed: ["Runs completed"], failed: ["Runs failed"], cancelled: ["Runs cancelled"],
+  spoolBytes: ["Rows kept", value => memory(Number(value))], freeDisk: ["Disk free", value => memory(Number(value))],
+  processLoad: ["CPU of this process", value => percent(Number(value))], userCode: ["Classes of users"],
   certificateExpires: ["Certificate", certificate],
 };
 
-/** A figure of a host with its label. */
-export function statistic([name, value]) {
-  const [label, show] = STATISTICS[name] || [sentence(words(name))];
-  return [label, show ? show(value) : value];
+/** The figures of a host with their labels, in the order above; those of a later version come last. */
+export function statistics(all) {
+  const order = Object.keys(STATISTICS);
+  const place = name => order.includes(name) ? order.indexOf(name) : order.length;
+  return Object.entries(all).sort(([a], [b]) => place(a) - place(b)).map(([name, value]) => {
+    const [label, show] = STATISTICS[name] || [sentence(words(name))];
+    return [label, show ? show(value) : value];
+  });
 }
 
 /** The value of a limit in a unit that reads well. */

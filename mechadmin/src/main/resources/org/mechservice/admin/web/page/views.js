@@ -260,7 +260,7 @@ export function serverState(server) {
 export function limitCard(server, host) {
   const body = el("tbody");
   const placement = el("div", { class: "actions" });
-  const node = el("details", { class: "card" }, el("summary", {}, "Limits"), placement,
+  const node = el("details", { class: "card limits" }, el("summary", {}, "Limits"), placement,
     el("div", { class: "scroll" }, el("table", {}, body)));
   let loaded = false;
   node.addEventListener("toggle", () => { if (node.open && !loaded) load(); });

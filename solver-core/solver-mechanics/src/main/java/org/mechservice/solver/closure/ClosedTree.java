@@ -9,7 +9,7 @@ import org.mechservice.solver.dynamics.OpenTree;
 import org.mechservice.solver.dynamics.SemiRecursive;
 import org.mechservice.solver.dynamics.WorldMotion;
 import org.mechservice.solver.dynamics.derivative.FurtherDerivatives;
-import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
+import org.mechservice.solver.dynamics.derivative.StepDerivatives;
 import org.mechservice.solver.dynamics.recursion.MassiveRods;
 import org.mechservice.solver.force.ForceSet;
 import org.mechservice.solver.force.formula.FurtherRates;
@@ -152,6 +152,14 @@ public class ClosedTree {
   /** Returns whether accelerations are solved for with sparse matrices. */
   public boolean isLarge() {
     return loops.isLarge() && rods.isEmpty();
+  }
+
+  /**
+   * Returns whether the derivatives of all forces and loops are by the nearest links and
+   * coordinates alone.
+   */
+  public boolean isLocal() {
+    return rods.isEmpty() && forces.isLocal() && loops.isLocal();
   }
 
   /** Evaluates the applied forces at the last sweep; returns whether all have values. */
@@ -317,7 +325,7 @@ public class ClosedTree {
    * @return whether all forces have values
    */
   public boolean linearise(
-      double t, double[] a, int aAt, double[] lambda, ResidualJacobian jacobian) {
+      double t, double[] a, int aAt, double[] lambda, StepDerivatives jacobian) {
     System.arraycopy(wrench, 0, loaded, 0, loaded.length);
     loops.addForces(lambda, -1, loaded, tau);
     jacobian.evaluate(loaded);

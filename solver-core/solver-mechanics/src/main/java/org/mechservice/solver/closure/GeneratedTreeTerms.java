@@ -8,6 +8,7 @@ import org.mechservice.solver.closure.equations.LoopTerms;
 import org.mechservice.solver.closure.equations.UnwrappedAngles;
 import org.mechservice.solver.dynamics.derivative.FurtherDerivatives;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
+import org.mechservice.solver.dynamics.derivative.StepDerivatives;
 import org.mechservice.solver.force.user.UserForceSource;
 
 /**
@@ -261,12 +262,13 @@ final class GeneratedTreeTerms extends ClosedTree {
   /** {@inheritDoc} The data are used if the code has no derivatives or a force has no value. */
   @Override
   public boolean linearise(
-      double t, double[] a, int aAt, double[] lambda, ResidualJacobian jacobian) {
+      double t, double[] a, int aAt, double[] lambda, StepDerivatives jacobian) {
     derived = false;
-    if (terms instanceof LoopTerms.OfDerivatives coded) {
+    if (terms instanceof LoopTerms.OfDerivatives coded
+        && jacobian instanceof ResidualJacobian elements) {
       System.arraycopy(a, aAt, acceleration, 0, nv);
       if (coded.derivatives(t, state, acceleration, lambda, derivatives) == ExplicitModel.REGULAR) {
-        jacobian.take(derivatives);
+        elements.take(derivatives);
         derived = true;
         return true;
       }

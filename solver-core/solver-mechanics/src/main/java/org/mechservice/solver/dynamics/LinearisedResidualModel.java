@@ -5,9 +5,12 @@ import java.util.List;
 import org.mechservice.solver.api.capability.LinearisedModel;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.Formulation;
+import org.mechservice.solver.dynamics.derivative.ArticulatedIteration;
 import org.mechservice.solver.dynamics.derivative.BorderedStep;
 import org.mechservice.solver.dynamics.derivative.FurtherDerivatives;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
+import org.mechservice.solver.dynamics.derivative.StepDerivatives;
+import org.mechservice.solver.dynamics.derivative.StepReduction;
 import org.mechservice.solver.dynamics.derivative.TreeIteration;
 import org.mechservice.solver.dynamics.tree.TreePattern;
 import org.mechservice.solver.force.ForceSet;
@@ -32,8 +35,8 @@ public final class LinearisedResidualModel extends RecursiveResidualModel
   }
 
   private final Mode mode;
-  private final ResidualJacobian jacobian;
-  private final TreeIteration iteration;
+  private final StepDerivatives derivatives;
+  private final StepReduction iteration;
   private final FurtherDerivatives furtherDerivatives;
   private final BorderedStep bordered;
 
@@ -52,9 +55,16 @@ public final class LinearisedResidualModel extends RecursiveResidualModel
       Mechanism mechanism, RunSettings defaults, UserForceSource userForces, Mode mode) {
     super(mechanism, Formulation.RR_JF.label(), defaults, userForces);
     this.mode = mode;
-    TreePattern pattern = new TreePattern(tree, coupledLinks(loads.forces()));
-    jacobian = new ResidualJacobian(motion, pattern);
-    iteration = new TreeIteration(tree, pattern, jacobian);
+    if (mode == Mode.FULL && loads.forces().isLocal() && ArticulatedIteration.pays(tree)) {
+      ArticulatedIteration fromLinkToLink = new ArticulatedIteration(motion);
+      derivatives = fromLinkToLink;
+      iteration = fromLinkToLink;
+    } else {
+      TreePattern pattern = new TreePattern(tree, coupledLinks(loads.forces()));
+      ResidualJacobian byElements = new ResidualJacobian(motion, pattern);
+      derivatives = byElements;
+      iteration = new TreeIteration(tree, pattern, byElements);
+    }
     furtherDerivatives =
         new FurtherDerivatives(tree.statePositionCount, tree.stateVelocityCount, further.count());
     bordered = new BorderedStep(coordinates, furtherDerivatives, iteration::solve);
@@ -77,20 +87,20 @@ public final class LinearisedResidualModel extends RecursiveResidualModel
       return false;
     }
     motion.accelerationSweep(yDot, tree.statePositionCount);
-    if (mode == Mode.FULL) {
-      jacobian.evaluate(loads.wrench());
+    if (mode == Mode.FORCES_ONLY && derivatives instanceof ResidualJacobian elements) {
+      elements.evaluateMass();
     } else {
-      jacobian.evaluateMass();
+      derivatives.evaluate(loads.wrench());
     }
-    if (loads.forces().linearise(t, jacobian.forces()) != ForceSet.REGULAR) {
+    if (loads.forces().linearise(t, derivatives.forces()) != ForceSet.REGULAR) {
       fail(loads.forces().defect());
       return false;
     }
-    jacobian.finish();
+    derivatives.finish();
     iteration.setState(y);
     bordered.setState(y);
     furtherDerivatives.evaluate(motion, loads.forces(), further, coordinates, t, y);
-    return jacobian.isFinite() && furtherDerivatives.isFinite();
+    return derivatives.isFinite() && furtherDerivatives.isFinite();
   }
 
   @Override

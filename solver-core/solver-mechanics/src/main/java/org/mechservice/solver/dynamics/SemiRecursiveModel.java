@@ -7,9 +7,9 @@ import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /** DSR without generated code: an open tree by composite inertias. */
-public class SemiRecursiveModel extends OpenTreeModel {
+public final class SemiRecursiveModel extends OpenTreeModel {
   private final SemiRecursive dynamics;
-  final SemiRecursive.Workspace workspace;
+  private final SemiRecursive.Workspace workspace;
   private final double[] residual;
   private final double[] solution;
 
@@ -21,12 +21,7 @@ public class SemiRecursiveModel extends OpenTreeModel {
    *     be used
    */
   public SemiRecursiveModel(Mechanism mechanism, RunSettings defaults, UserForceSource userForces) {
-    this(mechanism, Formulation.DSR.label(), defaults, userForces);
-  }
-
-  SemiRecursiveModel(
-      Mechanism mechanism, String formulation, RunSettings defaults, UserForceSource userForces) {
-    super(mechanism, formulation, defaults, userForces);
+    super(mechanism, Formulation.DSR.label(), defaults, userForces);
     dynamics = new SemiRecursive(tree);
     workspace = dynamics.newWorkspace(motion);
     residual = new double[tree.velocityCount];
@@ -34,19 +29,19 @@ public class SemiRecursiveModel extends OpenTreeModel {
   }
 
   @Override
-  final int accelerate(double[] a, int aAt) {
+  int accelerate(double[] a, int aAt) {
     int singular = dynamics.accelerations(workspace, loads.wrench(), loads.tau(), a, aAt);
     System.arraycopy(a, aAt, solution, 0, solution.length);
     return singular;
   }
 
   @Override
-  final PivotCheck check() {
+  PivotCheck check() {
     return workspace.check();
   }
 
   @Override
-  final void drivingForces(double[] force) {
+  void drivingForces(double[] force) {
     motion.accelerationSweep(solution);
     workspace.formResidual(loads.wrench(), loads.tau(), residual);
     System.arraycopy(residual, tree.stateVelocityCount, force, 0, force.length);

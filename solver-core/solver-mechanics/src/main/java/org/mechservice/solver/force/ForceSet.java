@@ -1,6 +1,7 @@
 package org.mechservice.solver.force;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.mechservice.solver.api.capability.Defects.Defect;
 import org.mechservice.solver.api.result.Variable;
@@ -200,6 +201,11 @@ public final class ForceSet {
     for (int i = 0; i < forces.length; i++) {
       forces[i].values(out, at + valueAt[i]);
     }
+  }
+
+  /** Returns whether all forces have derivatives by the nearest links and coordinates alone. */
+  public boolean isLocal() {
+    return Arrays.stream(forces).allMatch(AppliedForce::isLocal);
   }
 
   /** Adds the pairs of links whose ancestors are coupled in the Jacobian, some more than once. */

@@ -273,4 +273,13 @@ public final class TreeGeometry {
     target[at + 1] = v.y();
     target[at + 2] = v.z();
   }
+
+  /** Returns whether two links are one, next to each other, or one of them is the root. */
+  public boolean areNeighbours(int first, int second) {
+    return first == second
+        || first == ROOT
+        || second == ROOT
+        || parent[first] == second
+        || parent[second] == first;
+  }
 }

@@ -49,6 +49,7 @@ final class LeastDegree {
       }
     }
     while (!queue.isEmpty()) {
+      Interruption.check();
       Candidate candidate = queue.remove();
       int row = candidate.row;
       if (!done[row] && candidate.degree == coupled.get(row).size()) {

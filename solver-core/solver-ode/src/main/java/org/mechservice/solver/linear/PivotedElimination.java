@@ -47,6 +47,7 @@ public final class PivotedElimination {
     }
     eliminated = 0;
     while (eliminated < steps && bringLargest(eliminated)) {
+      Interruption.check();
       eliminateBelow(eliminated);
       eliminated++;
     }

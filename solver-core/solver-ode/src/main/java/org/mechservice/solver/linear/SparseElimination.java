@@ -87,6 +87,7 @@ public final class SparseElimination {
   private void eliminateAbove(double least, int steps) {
     active.waken();
     while (eliminated < steps) {
+      Interruption.check();
       int found = active.choose(least, OF_ROW, CANDIDATES);
       if (found < 0) {
         return;

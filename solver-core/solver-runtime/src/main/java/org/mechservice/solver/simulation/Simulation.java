@@ -467,7 +467,7 @@ public final class Simulation implements Solver {
           (System.nanoTime() - startedAt) * 1e-9,
           energy.drift(),
           energy.scale(),
-          done.stiffnessSuspected(),
+          done.stiffnessSuspected() && done.timeConstants() > RunReport.MANY_TIME_CONSTANTS,
           done.jacobians(),
           done.factorisations(),
           failures.limits(done),

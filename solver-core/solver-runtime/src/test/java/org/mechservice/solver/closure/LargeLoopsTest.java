@@ -174,6 +174,24 @@ class LargeLoopsTest {
     }
   }
 
+  /**
+   * Its implicit steps are eliminated from link to link; a wrong matrix would need more of them.
+   */
+  @Test
+  void aWideRingIsSteppedByItsOwnMatrix() {
+    Mechanism ring = Linkages.ring(150);
+    SceneRun expected = LoopModels.run(ring, "DSR", SceneRun.settings(0.2, 0.1, "ode113", 1e-8));
+    SceneRun run = LoopModels.run(ring, "RR-JF", SceneRun.settings(0.2, 0.1, "ode15sR", 1e-6));
+    assertThat(run.report.outcome()).isInstanceOf(Outcome.Completed.class);
+    assertThat(run.report.evaluations()).isLessThanOrEqualTo(4 * run.report.steps());
+    for (int row = 0; row < run.rows.size(); row++) {
+      for (int i = 1; i <= 150; i++) {
+        // error ≤ 10 rtol, the run's promise
+        assertThat(run.rows.get(row)[i]).isCloseTo(expected.rows.get(row)[i], within(1e-5));
+      }
+    }
+  }
+
   /** Angles and velocities that do not close the loops are moved until they do. */
   @Test
   void aStartOffTheLoopsIsAssembled() {

@@ -90,13 +90,13 @@ class LoopIterationTest {
       RealMatrix along = motionsAlong(model);
       assertThat(model.factor(hGamma)).isTrue();
       double[] mass = new double[n * n];
-      model.jacobian.mass().toDense(mass);
+      model.jacobian().mass().toDense(mass);
       RealMatrix whole =
           new WholeStep(model.work.coordinates, y)
               .matrix(
                   WholeStep.square(mass, n),
-                  dense(model.jacobian.byVelocity(), n),
-                  dense(model.jacobian.byPosition(), n),
+                  dense(model.jacobian().byVelocity(), n),
+                  dense(model.jacobian().byPosition(), n),
                   hGamma);
       RealMatrix schur = WholeStep.schurComplement(whole, nq);
       RealMatrix expected = along.transpose().multiply(schur).multiply(along);
@@ -119,7 +119,7 @@ class LoopIterationTest {
     double[] a = model.acceleration.clone();
     double[] lambda = model.lambda.clone();
     double[] exact = new double[n * n];
-    model.jacobian.byPosition().toDense(exact);
+    model.jacobian().byPosition().toDense(exact);
     double difference = 0;
     double size = 0;
     for (int j = 0; j < n; j++) {

@@ -4,8 +4,10 @@ import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Executor;
 import java.util.function.Supplier;
 import java.util.function.ToLongFunction;
@@ -25,7 +27,7 @@ final class BoundedCache<K, V> {
   private final ToLongFunction<V> size;
 
   /** In the order of use, the latest last. */
-  private final Map<K, CompletableFuture<V>> kept = new LinkedHashMap<>(16, 0.75f, true);
+  private final Map<K, Making<V>> kept = new LinkedHashMap<>(16, 0.75f, true);
 
   /**
    * @param most largest number of values
@@ -40,37 +42,69 @@ final class BoundedCache<K, V> {
 
   /** Returns a value that is in the cache. */
   synchronized Optional<V> known(K key) {
-    CompletableFuture<V> future = kept.get(key);
-    return future == null ? Optional.empty() : Optional.ofNullable(made(future));
+    Making<V> making = kept.get(key);
+    return making == null ? Optional.empty() : Optional.ofNullable(made(making));
   }
 
   /**
-   * Returns a value; makes it if it is not in the cache.
+   * Returns a value; makes it if it is not in the cache. If the thread is interrupted it waits no
+   * longer; the making is stopped by an interrupt once nobody waits for it.
    *
    * @param make runs in the executor; its exception is thrown here, and the next call makes it
    *     again
+   * @throws CancellationException if the thread is interrupted, which it stays
    */
   V get(K key, Executor executor, Supplier<V> make) {
-    CompletableFuture<V> future;
-    synchronized (this) {
-      future = kept.get(key);
-      if (future == null) {
-        future = CompletableFuture.supplyAsync(make, executor);
-        kept.put(key, future);
+    while (true) {
+      try {
+        return once(key, executor, make);
+      } catch (CancellationException e) {
+        if (Thread.currentThread().isInterrupted()) {
+          throw e;
+        }
+        // the thread of another caller was interrupted while it made the value for both
       }
     }
+  }
+
+  private V once(K key, Executor executor, Supplier<V> make) {
+    Making<V> making;
+    boolean begins;
+    synchronized (this) {
+      begins = !kept.containsKey(key);
+      making = kept.computeIfAbsent(key, absent -> new Making<>());
+      making.waiting++;
+    }
+    if (begins) {
+      executor.execute(() -> making.make(make));
+    }
     try {
-      V value = future.join();
-      bound(future);
+      V value = making.value.get();
+      bound(making);
       return value;
-    } catch (CompletionException e) {
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      CancellationException cancelled = new CancellationException("the caller was interrupted");
+      cancelled.initCause(e);
+      throw cancelled;
+    } catch (ExecutionException e) {
       synchronized (this) {
-        kept.remove(key, future);
+        kept.remove(key, making);
       }
       if (e.getCause() instanceof RuntimeException cause) {
         throw cause;
       }
-      throw e;
+      throw new CompletionException(e.getCause());
+    } finally {
+      leave(key, making);
+    }
+  }
+
+  private synchronized void leave(K key, Making<V> making) {
+    making.waiting--;
+    if (making.waiting == 0 && !making.value.isDone()) {
+      kept.remove(key, making);
+      making.cancel();
     }
   }
 
@@ -80,24 +114,64 @@ final class BoundedCache<K, V> {
   }
 
   /** Removes the least recently used values; a value that is still being made has no size yet. */
-  private synchronized void bound(CompletableFuture<V> wanted) {
+  private synchronized void bound(Making<V> wanted) {
     long sum = kept.values().stream().mapToLong(this::sizeOf).sum();
-    Iterator<CompletableFuture<V>> oldest = kept.values().iterator();
+    Iterator<Making<V>> oldest = kept.values().iterator();
     while (oldest.hasNext() && (sum > largest || kept.size() > most)) {
-      CompletableFuture<V> next = oldest.next();
-      if (next != wanted && next.isDone()) {
+      Making<V> next = oldest.next();
+      if (next != wanted && next.value.isDone()) {
         sum -= sizeOf(next);
         oldest.remove();
       }
     }
   }
 
-  private long sizeOf(CompletableFuture<V> future) {
-    V value = made(future);
+  private long sizeOf(Making<V> making) {
+    V value = made(making);
     return value == null ? 0 : size.applyAsLong(value);
   }
 
-  private static <V> @Nullable V made(CompletableFuture<V> future) {
-    return future.isDone() && !future.isCompletedExceptionally() ? future.join() : null;
+  private static <V> @Nullable V made(Making<V> making) {
+    CompletableFuture<V> value = making.value;
+    return value.isDone() && !value.isCompletedExceptionally() ? value.join() : null;
+  }
+
+  /** A value that is being made, or is there. */
+  private static final class Making<V> {
+    final CompletableFuture<V> value = new CompletableFuture<>();
+
+    /** Callers that wait; guarded by the cache. */
+    int waiting;
+
+    private Optional<Thread> maker = Optional.empty();
+    private boolean cancelled;
+
+    void make(Supplier<V> supplier) {
+      synchronized (this) {
+        if (cancelled) {
+          value.completeExceptionally(new CancellationException());
+          return;
+        }
+        maker = Optional.of(Thread.currentThread());
+      }
+      try {
+        value.complete(supplier.get());
+      } catch (Throwable e) { // the caller throws it
+        value.completeExceptionally(e);
+      } finally {
+        synchronized (this) {
+          maker = Optional.empty();
+          if (cancelled) {
+            Thread.interrupted(); // the thread makes other values next
+          }
+        }
+      }
+    }
+
+    /** Stops the making. */
+    synchronized void cancel() {
+      cancelled = true;
+      maker.ifPresent(Thread::interrupt);
+    }
   }
 }

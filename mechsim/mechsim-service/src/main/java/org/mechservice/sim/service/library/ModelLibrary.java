@@ -1,10 +1,14 @@
 package org.mechservice.sim.service.library;
 
+import java.lang.ref.WeakReference;
 import java.nio.charset.StandardCharsets;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.atomic.AtomicInteger;
+import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.ReadOptions;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.resolve.MechmlReader;
@@ -49,6 +53,10 @@ public final class ModelLibrary implements AutoCloseable {
 
   private final BoundedCache<ModelText, String> checkReports =
       new BoundedCache<>(CHECK_REPORTS_KEPT, Long.MAX_VALUE, report -> 0);
+
+  /** Models of which sessions hold the set-up, for their check reports. */
+  private final Map<ModelText, WeakReference<MechmlModel>> held = new LinkedHashMap<>();
+
   private final AtomicInteger builders = new AtomicInteger();
   private final ExecutorService builds =
       Executors.newFixedThreadPool(
@@ -66,6 +74,7 @@ public final class ModelLibrary implements AutoCloseable {
    * @throws IllegalArgumentException if the model does not fit the options
    */
   public GeneratedModel generated(LoadedModel loaded, BuildOptions options, SetUpTimes times) {
+    hold(loaded);
     return generated.get(
         key(loaded, options),
         builds,
@@ -116,22 +125,48 @@ public final class ModelLibrary implements AutoCloseable {
 
   /**
    * Returns the check report of a model as JSON; empty if its text is, or cannot be read. The
-   * latest reports are kept.
+   * latest reports are kept. The loops of a model that a session holds are not analysed again.
    */
   public String checkReport(String fileName, String text) {
     return text.isEmpty()
         ? ""
         : checkReports.get(
-            new ModelText(fileName, text), Runnable::run, () -> newCheckReport(fileName, text));
+            new ModelText(fileName, text),
+            Runnable::run,
+            () -> newCheckReport(new ModelText(fileName, text)));
   }
 
-  private static String newCheckReport(String fileName, String text) {
+  private String newCheckReport(ModelText file) {
     try {
-      byte[] content = text.getBytes(StandardCharsets.UTF_8);
-      return CheckReport.of(MechmlReader.read(fileName, content)).json();
+      Optional<MechmlModel> model = heldModel(file);
+      return CheckReport.of(model.isPresent() ? model.get() : read(file)).json();
     } catch (MechmlException e) {
       return ""; // its encoding is not UTF-8
     }
+  }
+
+  /** Remembers the model of a file as it stands, without values of its own for parameters. */
+  private void hold(LoadedModel loaded) {
+    if (!loaded.options().equals(ReadOptions.NONE)) {
+      return;
+    }
+    ModelText file = new ModelText(loaded.fileName(), loaded.text());
+    synchronized (held) {
+      held.put(file, new WeakReference<>(loaded.model()));
+      if (held.size() > CHECK_REPORTS_KEPT) {
+        held.remove(held.keySet().iterator().next());
+      }
+    }
+  }
+
+  private Optional<MechmlModel> heldModel(ModelText file) {
+    synchronized (held) {
+      return Optional.ofNullable(held.get(file)).map(WeakReference::get);
+    }
+  }
+
+  private static MechmlModel read(ModelText file) throws MechmlException {
+    return MechmlReader.read(file.fileName(), file.text().getBytes(StandardCharsets.UTF_8));
   }
 
   @Override

@@ -98,8 +98,7 @@ public final class HostLimits {
               + value
               + "; it must be at least "
               + limit.least()
-              + " "
-              + limit.unit()
+              + (limit.unit().equals("1") ? "" : " " + limit.unit())
               + (NEVER_UNLIMITED.contains(limit) ? "" : ", or -1 for unlimited"));
     }
     Map<HostLimit, Long> all = new EnumMap<>(HostLimit.class);

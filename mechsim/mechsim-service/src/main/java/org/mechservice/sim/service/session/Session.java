@@ -64,6 +64,7 @@ final class Session implements SimulationRun.Listener, ResultCursors.Owner {
   private final List<EndedRunServant> reopened = new ArrayList<>();
   private final OwnersOnly gate;
   private volatile long renewedAt = System.nanoTime();
+  private Runnable stopCalls = () -> {};
   private boolean ended;
 
   /** A simulation with its servant, its reference and the client that is called back about it. */
@@ -174,6 +175,11 @@ final class Session implements SimulationRun.Listener, ResultCursors.Owner {
       reopened.add(servant);
     }
     return IMechSimRemoteHelper.unchecked_narrow(object.reference());
+  }
+
+  /** Says what stops the calls that are under way when the session ends. */
+  synchronized void endsWith(Runnable stop) {
+    stopCalls = stop;
   }
 
   /** Returns whether the session has reopened an ended run. */
@@ -343,6 +349,7 @@ final class Session implements SimulationRun.Listener, ResultCursors.Owner {
     List<EndedRunServant> others;
     synchronized (this) {
       ended = true;
+      stopCalls.run();
       own.forEach(ActiveObject::close);
       others = List.copyOf(reopened);
     }

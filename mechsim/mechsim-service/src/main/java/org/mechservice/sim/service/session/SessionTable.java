@@ -172,10 +172,12 @@ public final class SessionTable implements AutoCloseable {
       MechSimServant servant =
           new MechSimServant(
               session, library, runs, admission, () -> end(session, "was ended by its client"));
+      SessionCalls calls = new SessionCalls(servant);
       ActiveObject object =
           session.activateSelf(
               new MechSimPOATie(
-                  GuardedServant.of(MechSimOperations.class, servant, session.gate())));
+                  GuardedServant.of(MechSimOperations.class, calls.watched(), session.gate())));
+      session.endsWith(calls::end);
       MechSim reference = MechSimHelper.unchecked_narrow(object.reference());
       sessions.put(session.id(), new Entry(session, Optional.of(reference)));
       opened.incrementAndGet();

@@ -11,6 +11,7 @@ import org.mechservice.solver.closure.equations.LoopRounding;
 import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
+import org.mechservice.solver.linear.Interruption;
 import org.mechservice.solver.linear.SparseMatrix;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.joint.StartRole;
@@ -179,6 +180,7 @@ public final class Assembly {
     double merit = merit(t, y);
     double damping = 0;
     for (int i = 0; i < ITERATIONS && rounding.excess(y) > CLOSED; i++) {
+      Interruption.check();
       differentiate(last, true);
       double[] tried = y.clone();
       least.solve(damping, right, step);

@@ -17,6 +17,7 @@ import org.mechservice.solver.dynamics.SemiRecursive;
 import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
+import org.mechservice.solver.linear.Interruption;
 import org.mechservice.solver.linear.SparseMatrix;
 
 /**
@@ -92,6 +93,7 @@ public final class RankAnalysis {
     rankAtStart = judge(t, y);
     Random random = new Random(314159);
     for (int i = 0; i < NEIGHBOURS && m > 0; i++) {
+      Interruption.check();
       double[] near = near(t, y, random);
       judge(t, near);
     }

@@ -3,6 +3,7 @@ package org.mechservice.solver.closure.equations;
 import java.util.BitSet;
 import org.mechservice.solver.force.applied.Couplings;
 import org.mechservice.solver.force.applied.ForceJacobian;
+import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 
@@ -100,4 +101,12 @@ abstract class ClosureRows {
 
   /** Stores the unwrapped angles after an accepted step. */
   abstract void accepted();
+
+  /**
+   * Returns whether the derivatives of its forces are by the motion of the links that they act on,
+   * or of those next to them, alone.
+   */
+  boolean isLocal(TreeGeometry tree) {
+    return false;
+  }
 }

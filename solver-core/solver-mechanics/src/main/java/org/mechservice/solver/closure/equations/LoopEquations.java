@@ -404,6 +404,11 @@ public final class LoopEquations {
     closures.forEach(rows -> rows.couplings(couplings));
   }
 
+  /** Returns whether all couplings are between links next to each other, or with the root. */
+  public boolean isLocal() {
+    return closures.stream().allMatch(rows -> rows.isLocal(tree));
+  }
+
   /** Records an accepted step: angles of cut joints are unwrapped from here. */
   public void accepted() {
     for (int i = 0; i < closures.size(); i++) {

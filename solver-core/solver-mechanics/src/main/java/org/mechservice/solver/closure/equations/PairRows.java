@@ -274,5 +274,10 @@ final class PairRows extends ClosureRows {
   }
 
   @Override
+  boolean isLocal(TreeGeometry tree) {
+    return tree.areNeighbours(relative.linkA(), relative.linkB());
+  }
+
+  @Override
   void accepted() {}
 }

@@ -1,5 +1,6 @@
 package org.mechservice.solver.closure.model;
 
+import org.mechservice.solver.dynamics.derivative.TreeIteration;
 import org.mechservice.solver.dynamics.tree.TreeSquare;
 import org.mechservice.solver.linear.DenseLu;
 import org.mechservice.solver.linear.LinearSolver;
@@ -9,6 +10,7 @@ import org.mechservice.solver.linear.SparseMatrix;
 final class DenseStepAlongLoops extends StepAlongLoops {
   private final Partition velocities;
   private final SparseMatrix jacobian;
+  private final TreeIteration iteration;
   private final ProjectedMotion directions;
 
   /** A as a square matrix, n × n; empty if it is multiplied in its sparsity. */
@@ -25,7 +27,9 @@ final class DenseStepAlongLoops extends StepAlongLoops {
    * @param jacobian J of the linearisation
    * @param large whether A is multiplied in its sparsity
    */
-  DenseStepAlongLoops(Partition velocities, SparseMatrix jacobian, boolean large) {
+  DenseStepAlongLoops(
+      Partition velocities, SparseMatrix jacobian, TreeIteration iteration, boolean large) {
+    this.iteration = iteration;
     this.velocities = velocities;
     this.jacobian = jacobian;
     int n = velocities.n;
@@ -38,7 +42,9 @@ final class DenseStepAlongLoops extends StepAlongLoops {
   }
 
   @Override
-  int factor(TreeSquare a) {
+  int factor(double hGamma) {
+    iteration.form(hGamma);
+    TreeSquare a = iteration.matrix();
     directions.formTransformation(jacobian);
     if (full.length == 0) {
       directions.reduceSparse(a, reduced);

@@ -5,10 +5,13 @@ import java.util.Optional;
 import org.mechservice.solver.api.capability.LinearisedModel;
 import org.mechservice.solver.closure.ClosedMechanism;
 import org.mechservice.solver.closure.model.ResidualPenaltyModel.Derivatives;
+import org.mechservice.solver.dynamics.derivative.ArticulatedIteration;
 import org.mechservice.solver.dynamics.derivative.BorderedStep;
 import org.mechservice.solver.dynamics.derivative.FurtherDerivatives;
 import org.mechservice.solver.dynamics.derivative.ResidualDifferences;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
+import org.mechservice.solver.dynamics.derivative.StepDerivatives;
+import org.mechservice.solver.dynamics.derivative.StepReduction;
 import org.mechservice.solver.dynamics.derivative.TreeIteration;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.linear.SparseMatrix;
@@ -26,9 +29,9 @@ import org.mechservice.solver.linear.SparseMatrix;
  */
 public final class LinearisedProjectionModel extends ResidualProjectionModel
     implements LinearisedModel {
-  public final ResidualJacobian jacobian;
+  private final StepDerivatives jacobian;
   private final Optional<ResidualDifferences> differences;
-  private final TreeIteration iteration;
+  private final StepReduction iteration;
   private final FurtherDerivatives further;
   private final BorderedStep bordered;
 
@@ -74,15 +77,7 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
    */
   public LinearisedProjectionModel(
       ClosedMechanism closed, UserForceSource userForces, Derivatives derivatives) {
-    super(closed, userForces);
-    jacobian = new ResidualJacobian(work.motion, pattern);
-    iteration = new TreeIteration(work.tree, pattern, jacobian);
-    differences =
-        derivatives == Derivatives.DIFFERENCES
-            ? Optional.of(
-                new ResidualDifferences(
-                    jacobian, work.coordinates, pattern, work.tree.velocityCount))
-            : Optional.empty();
+    super(closed, userForces, derivatives);
     further = new FurtherDerivatives(work.nq, work.nv, work.furtherCount());
     bordered = new BorderedStep(work.coordinates, further, this::solveMechanism);
     int rank = closed.start().rank();
@@ -96,10 +91,29 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
     loopJacobian = work.loops.jacobian.sameShape();
     positionMatrix = completion.positionMatrix().sameShape();
     lambda = new double[work.loops.count()];
-    step =
-        byMultipliers
-            ? new SparseStepAlongLoops(velocities, work.loops, work.units.velocities, pattern)
-            : new DenseStepAlongLoops(velocities, loopJacobian, work.isLarge());
+    if (fromLinkToLink) {
+      ArticulatedIteration links = new ArticulatedIteration(work.motion);
+      jacobian = links;
+      iteration = links;
+      differences = Optional.empty();
+      step = new ArticulatedStepAlongLoops(velocities, work.loops, links);
+    } else {
+      ResidualJacobian elements = new ResidualJacobian(work.motion, pattern);
+      TreeIteration tree = new TreeIteration(work.tree, pattern, elements);
+      jacobian = elements;
+      iteration = tree;
+      differences =
+          derivatives == Derivatives.DIFFERENCES
+              ? Optional.of(
+                  new ResidualDifferences(
+                      elements, work.coordinates, pattern, work.tree.velocityCount))
+              : Optional.empty();
+      step =
+          byMultipliers
+              ? new SparseStepAlongLoops(
+                  velocities, work.loops, work.units.velocities, tree, pattern)
+              : new DenseStepAlongLoops(velocities, loopJacobian, tree, work.isLarge());
+    }
     right = new double[f];
     dependent = new double[positions.rank()];
   }
@@ -158,9 +172,7 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
     iteration.setState(y);
     completion.formPositionMatrix(y);
     loopJacobian.copy(work.loops.jacobian);
-    if (step instanceof SparseStepAlongLoops sparse) {
-      sparse.linearise();
-    }
+    step.linearise();
     positionMatrix.copy(completion.positionMatrix());
     bordered.setState(y);
     work.lineariseFurther(t, y, further);
@@ -191,11 +203,22 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
       isRegular = false;
       return false;
     }
-    iteration.form(hGamma);
-    int velocity = step.factor(iteration.matrix());
+    int velocity = step.factor(hGamma);
     isRegular = velocity == StepAlongLoops.REGULAR;
     singular = isRegular ? 0 : velocity;
     return isRegular && bordered.factor(hGamma);
+  }
+
+  /**
+   * Returns the derivatives of the open tree element by element.
+   *
+   * @throws IllegalStateException if they are not formed, for long chains
+   */
+  public ResidualJacobian jacobian() {
+    if (jacobian instanceof ResidualJacobian elements) {
+      return elements;
+    }
+    throw new IllegalStateException("the equations of the step are eliminated from link to link");
   }
 
   /**

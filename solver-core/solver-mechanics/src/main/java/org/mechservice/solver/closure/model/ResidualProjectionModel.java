@@ -3,6 +3,7 @@ package org.mechservice.solver.closure.model;
 import org.mechservice.solver.api.capability.ResidualModel;
 import org.mechservice.solver.closure.ClosedMechanism;
 import org.mechservice.solver.closure.model.ResidualPenaltyModel.Derivatives;
+import org.mechservice.solver.dynamics.derivative.ArticulatedIteration;
 import org.mechservice.solver.dynamics.tree.TreePattern;
 import org.mechservice.solver.force.user.UserForceSource;
 
@@ -14,7 +15,13 @@ public class ResidualProjectionModel extends ProjectionModel implements Residual
   /** Elements of Rᵀ A R to one of A above which neither R nor the former is formed. */
   private static final int ELEMENTS = 8;
 
-  /** Pattern of the matrices of an implicit step. */
+  /** Most equations of loops for which a step is eliminated from link to link. */
+  private static final int MOST_EQUATIONS = 20;
+
+  /** Whether a step is eliminated from link to link, so that no matrix has a pattern. */
+  final boolean fromLinkToLink;
+
+  /** Pattern of the matrices of an implicit step; of no place if there are none. */
   final TreePattern pattern;
 
   /** Whether motions along the loops are found by multipliers instead of R. */
@@ -35,13 +42,27 @@ public class ResidualProjectionModel extends ProjectionModel implements Residual
    * Makes a model of a mechanism whose loops are closed.
    *
    * @param userForces creates the user forces
+   * @param derivatives how the derivatives of the residual are evaluated
    * @throws IllegalArgumentException if the loops are not closed at the start
    */
-  ResidualProjectionModel(ClosedMechanism closed, UserForceSource userForces) {
+  ResidualProjectionModel(
+      ClosedMechanism closed, UserForceSource userForces, Derivatives derivatives) {
     super(closed, userForces);
     int f = closed.freedom();
-    pattern = new TreePattern(work.tree, work.coupledLinks());
-    byMultipliers = work.isLarge() && pattern.elementCount() < f * (double) f / ELEMENTS;
+    fromLinkToLink =
+        derivatives == Derivatives.RECURSIVE
+            && work.isLarge()
+            && work.isLocal()
+            && work.loops.count() <= MOST_EQUATIONS
+            && closed.start().rank() == work.loops.count()
+            && ArticulatedIteration.pays(work.tree);
+    int[] none = {};
+    pattern =
+        fromLinkToLink
+            ? new TreePattern(none, none, none)
+            : new TreePattern(work.tree, work.coupledLinks());
+    byMultipliers =
+        fromLinkToLink || (work.isLarge() && pattern.elementCount() < f * (double) f / ELEMENTS);
     pushed = new double[work.loops.count()];
     withPush = new double[work.nv];
     acceleration = new double[work.nv];
@@ -58,7 +79,8 @@ public class ResidualProjectionModel extends ProjectionModel implements Residual
    * @throws IllegalArgumentException if the loops are not closed at the start
    */
   public static ResidualProjectionModel of(ClosedMechanism closed, UserForceSource userForces) {
-    ResidualProjectionModel plain = new ResidualProjectionModel(closed, userForces);
+    ResidualProjectionModel plain =
+        new ResidualProjectionModel(closed, userForces, Derivatives.DIFFERENCES);
     return plain.byMultipliers
         ? new LinearisedProjectionModel(closed, userForces, Derivatives.DIFFERENCES)
         : plain;

@@ -3,6 +3,7 @@ package org.mechservice.solver.closure.model;
 import org.mechservice.solver.closure.PenaltySettings;
 import org.mechservice.solver.closure.SparseAugmentedEquations;
 import org.mechservice.solver.closure.equations.LoopEquations;
+import org.mechservice.solver.dynamics.derivative.TreeIteration;
 import org.mechservice.solver.dynamics.tree.TreePattern;
 import org.mechservice.solver.dynamics.tree.TreeSquare;
 import org.mechservice.solver.linear.SparseMatrix;
@@ -14,6 +15,7 @@ import org.mechservice.solver.linear.SparseMatrix;
 final class SparseStepAlongLoops extends StepAlongLoops {
   private final Partition velocities;
   private final LoopEquations loops;
+  private final TreeIteration iteration;
 
   /** J with scaled rows at the linearisation. */
   private final SparseMatrix rows;
@@ -29,7 +31,12 @@ final class SparseStepAlongLoops extends StepAlongLoops {
    * @param pattern of A
    */
   SparseStepAlongLoops(
-      Partition velocities, LoopEquations loops, double[] units, TreePattern pattern) {
+      Partition velocities,
+      LoopEquations loops,
+      double[] units,
+      TreeIteration iteration,
+      TreePattern pattern) {
+    this.iteration = iteration;
     this.velocities = velocities;
     this.loops = loops;
     this.units = units;
@@ -39,13 +46,15 @@ final class SparseStepAlongLoops extends StepAlongLoops {
     none = new double[loops.count()];
   }
 
-  /** Takes up J at the placed state. */
+  @Override
   void linearise() {
     loops.scaledRows(rows);
   }
 
   @Override
-  int factor(TreeSquare a) {
+  int factor(double hGamma) {
+    iteration.form(hGamma);
+    TreeSquare a = iteration.matrix();
     double largest = 0;
     for (int j = 0; j < units.length; j++) {
       largest = Math.max(largest, Math.abs(a.get(j, j)) * units[j] * units[j]);

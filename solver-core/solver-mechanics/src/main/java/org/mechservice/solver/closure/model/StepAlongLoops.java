@@ -1,7 +1,5 @@
 package org.mechservice.solver.closure.model;
 
-import org.mechservice.solver.dynamics.tree.TreeSquare;
-
 /**
  * The equations of an implicit step, restricted to motions along the loops:
  *
@@ -9,17 +7,21 @@ import org.mechservice.solver.dynamics.tree.TreeSquare;
  *
  * <p>with A the iteration matrix of the open tree. Workspace of one thread.
  */
-abstract sealed class StepAlongLoops permits DenseStepAlongLoops, SparseStepAlongLoops {
+abstract sealed class StepAlongLoops
+    permits ArticulatedStepAlongLoops, DenseStepAlongLoops, SparseStepAlongLoops {
   /** Result of {@link #factor} if there are pivots for all velocities. */
   static final int REGULAR = -1;
 
+  /** Takes up J at the placed state. */
+  void linearise() {}
+
   /**
-   * Factors the equations; the partition and J are those of the linearisation.
+   * Forms and factors the equations; the partition and J are those of the linearisation.
    *
-   * @param a A; not modified
+   * @param hGamma hγ, s
    * @return {@link #REGULAR}, or a velocity without a pivot
    */
-  abstract int factor(TreeSquare a);
+  abstract int factor(double hGamma);
 
   /**
    * Solves with the last factors.

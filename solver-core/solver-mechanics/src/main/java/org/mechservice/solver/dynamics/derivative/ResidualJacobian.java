@@ -2,8 +2,6 @@ package org.mechservice.solver.dynamics.derivative;
 
 import static org.mechservice.solver.spatial.Blocks.addCross;
 import static org.mechservice.solver.spatial.Blocks.apply;
-import static org.mechservice.solver.spatial.Blocks.applyTransposed;
-import static org.mechservice.solver.spatial.Blocks.cross;
 import static org.mechservice.solver.spatial.Blocks.dot;
 
 import java.util.Arrays;
@@ -45,7 +43,7 @@ import org.mechservice.solver.kinematics.TreeMotion;
  * <p>External wrenches are held constant in the axes of their links, and joint forces constant; the
  * caller adds their derivatives through {@link #forces}. Workspace of one thread.
  */
-public final class ResidualJacobian {
+public final class ResidualJacobian implements StepDerivatives {
   private final TreeGeometry tree;
   private final TreePattern pattern;
   private final TreeMotion motion;
@@ -67,16 +65,10 @@ public final class ResidualJacobian {
   private final double[] residual;
   private final double[] noForces;
 
-  /** ψ', ψ'' and ψ' + S', 6 per extended velocity. */
+  private final MotionColumns columns;
   private final double[] first;
-
   private final double[] second;
   private final double[] both;
-
-  /** Velocity and acceleration of the parent in link axes, [angular; linear]. */
-  private final double[] parentVelocity = new double[6];
-
-  private final double[] parentAcceleration = new double[6];
 
   /** Values carried towards the root: Iᶜ S, the wrenches of ∂/∂v and ∂/∂q, and (2Bᶜ)ᵀ S. */
   private final double[] inertiaWrench = new double[6];
@@ -109,9 +101,10 @@ public final class ResidualJacobian {
     byPosition = new TreeSquare(pattern);
     residual = new double[tree.velocityCount];
     noForces = new double[tree.velocityCount];
-    first = new double[6 * tree.velocityCount];
-    second = new double[6 * tree.velocityCount];
-    both = new double[6 * tree.velocityCount];
+    columns = new MotionColumns(motion, newtonEuler);
+    first = columns.first;
+    second = columns.second;
+    both = columns.both;
     rods = new MassiveRods(tree);
     loads = new double[6 * tree.linkCount];
     rodEnds = new RodDerivatives(motion, newtonEuler);
@@ -123,6 +116,7 @@ public final class ResidualJacobian {
    * Returns the sink for the derivatives of applied forces, for use between {@link #evaluate} or
    * {@link #evaluateMass} and {@link #finish}.
    */
+  @Override
   public ForceJacobian forces() {
     return forces;
   }
@@ -151,7 +145,7 @@ public final class ResidualJacobian {
     clear();
     full = false;
     for (int link = 0; link < tree.linkCount; link++) {
-      formColumns(link);
+      columns.form(link);
     }
     for (int place = 0; place < pattern.size; place++) {
       int k = pattern.velocityAt[place];
@@ -180,7 +174,7 @@ public final class ResidualJacobian {
     clear();
     full = false;
     for (int link = 0; link < tree.linkCount; link++) {
-      formColumns(link);
+      columns.form(link);
     }
   }
 
@@ -206,6 +200,7 @@ public final class ResidualJacobian {
    *
    * @param wrench external wrenches, 6 per link, or empty; not modified
    */
+  @Override
   public void evaluate(double[] wrench) {
     composites.compose();
     changes.compose();
@@ -216,7 +211,7 @@ public final class ResidualJacobian {
     clear();
     full = true;
     for (int link = 0; link < tree.linkCount; link++) {
-      formColumns(link);
+      columns.form(link);
     }
     for (int place = 0; place < pattern.size; place++) {
       formRowAndColumn(place);
@@ -229,6 +224,7 @@ public final class ResidualJacobian {
    * Completes ∂F/∂q for balls whose velocities are given in the axes of the parent, after
    * everything else has been added to the derivatives.
    */
+  @Override
   public void finish() {
     for (int ball = 0; ball < balls.count(); ball++) {
       int k = balls.velocity(ball);
@@ -264,51 +260,9 @@ public final class ResidualJacobian {
   }
 
   /** Returns whether all derivatives are finite. */
+  @Override
   public boolean isFinite() {
     return byPosition.isFinite() && byVelocity.isFinite();
-  }
-
-  /** ψ' = V_p × S, ψ'' = A_p × S + V_p × ψ', and ψ' + S'. */
-  private void formColumns(int link) {
-    if (tree.driven[link]) {
-      return;
-    }
-    carryParent(link);
-    int end = tree.velocityAt[link] + tree.kind[link].velocityCount();
-    for (int k = tree.velocityAt[link]; k < end; k++) {
-      double[] s = motion.subspace;
-      crossMotion(parentVelocity, 0, s, 6 * k, first, 6 * k);
-      crossMotion(parentVelocity, 0, first, 6 * k, second, 6 * k);
-      crossMotion(parentAcceleration, 0, s, 6 * k, work, 0);
-      crossMotion(motion.relativeVelocity, 6 * link, s, 6 * k, both, 6 * k);
-      for (int i = 0; i < 6; i++) {
-        second[6 * k + i] += work[i];
-        both[6 * k + i] += 2 * first[6 * k + i];
-      }
-    }
-  }
-
-  /** Writes V_p and A_p, seen at the link in its axes; gravity is in A_p. */
-  private void carryParent(int link) {
-    int parent = tree.parent[link];
-    if (parent == TreeGeometry.ROOT) {
-      Arrays.fill(parentVelocity, 0);
-      Arrays.fill(parentAcceleration, 0);
-    } else {
-      carry(link, motion.angularVelocity, motion.linearVelocity, parentVelocity);
-      carry(link, motion.angularAcceleration, motion.linearAcceleration, parentAcceleration);
-    }
-    for (int i = 0; i < 3; i++) {
-      parentAcceleration[3 + i] -= newtonEuler.gravity[3 * link + i];
-    }
-  }
-
-  private void carry(int link, double[] angular, double[] linear, double[] out) {
-    int parent = tree.parent[link];
-    applyTransposed(motion.rotation, 9 * link, angular, 3 * parent, out, 0);
-    System.arraycopy(linear, 3 * parent, work, 0, 3);
-    addCross(angular, 3 * parent, motion.position, 3 * link, work, 0);
-    applyTransposed(motion.rotation, 9 * link, work, 0, out, 3);
   }
 
   private void formRowAndColumn(int place) {
@@ -322,7 +276,7 @@ public final class ResidualJacobian {
     changes.addApplied(link, first, 6 * k, positionWrench, 0);
     changes.applyTransposedTo(link, s, 6 * k, changeMoment, 0);
     formInLink(place, k, link);
-    addForceTurned(s, 6 * k, newtonEuler.force, 6 * link, positionWrench);
+    addForceTurned(s, 6 * k, newtonEuler.force, 6 * link, positionWrench, 0);
     for (int i = link; tree.parent[i] != TreeGeometry.ROOT; i = tree.parent[i]) {
       motion.wrenches.toParent(i, inertiaWrench, 0);
       motion.wrenches.toParent(i, velocityWrench, 0);
@@ -361,17 +315,10 @@ public final class ResidualJacobian {
   }
 
   /** out += S ×* f = [ω × n + u × l; ω × l]. */
-  private static void addForceTurned(double[] s, int is, double[] f, int at, double[] out) {
-    addCross(s, is, f, at, out, 0);
-    addCross(s, is + 3, f, at + 3, out, 0);
-    addCross(s, is, f, at + 3, out, 3);
-  }
-
-  /** out = a × b = [ω_a × ω_b; ω_a × u_b + u_a × ω_b]. */
-  private static void crossMotion(double[] a, int ia, double[] b, int ib, double[] out, int at) {
-    cross(a, ia, b, ib, out, at);
-    cross(a, ia, b, ib + 3, out, at + 3);
-    addCross(a, ia + 3, b, ib, out, at + 3);
+  static void addForceTurned(double[] s, int is, double[] f, int at, double[] out, int to) {
+    addCross(s, is, f, at, out, to);
+    addCross(s, is + 3, f, at + 3, out, to);
+    addCross(s, is, f, at + 3, out, to + 3);
   }
 
   private static double dot6(double[] columns, int at, double[] wrench) {

@@ -40,11 +40,16 @@ final class VelocityDerivatives {
     momentum = new double[3 * tree.linkCount];
   }
 
-  /** Sums inwards for the last sweep. */
-  void compose() {
+  /** Evaluates each link alone for the last sweep. */
+  void formAlone() {
     for (int link = 0; link < tree.linkCount; link++) {
       start(link);
     }
+  }
+
+  /** Sums inwards for the last sweep. */
+  void compose() {
+    formAlone();
     for (int link = tree.linkCount - 1; link >= 0; link--) {
       if (tree.parent[link] != TreeGeometry.ROOT) {
         addToParent(link);

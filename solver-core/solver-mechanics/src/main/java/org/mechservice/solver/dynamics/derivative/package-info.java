@@ -6,7 +6,9 @@
  * applied forces add theirs. {@link org.mechservice.solver.dynamics.derivative.ResidualDifferences}
  * computes the same derivatives by difference quotients, for formulations without analytic ones.
  * {@link org.mechservice.solver.dynamics.derivative.TreeIteration} forms the matrix of an implicit
- * step, M + hγ C + hγ² K, from either, factors it along the tree and solves the Newton step.
+ * step, M + hγ C + hγ² K, from either, factors it along the tree and solves the Newton step. {@link
+ * org.mechservice.solver.dynamics.derivative.ArticulatedIteration} solves it for long chains, whose
+ * matrix has no zeros, without forming it: link after link, in O(n).
  *
  * <p>Sources: Singh, Russell and Wensing 2022; Carpentier and Mansard 2018.
  */

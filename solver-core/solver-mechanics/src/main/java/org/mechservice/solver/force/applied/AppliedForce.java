@@ -61,6 +61,14 @@ public abstract class AppliedForce {
   /** Writes the values of the last {@link #apply}. */
   public abstract void values(double[] out, int at);
 
+  /**
+   * Returns whether its derivatives are those of joint forces by coordinates of the same link, and
+   * of wrenches by the motion of the same link or of a link next to it.
+   */
+  public boolean isLocal() {
+    return false;
+  }
+
   /** Adds the pairs of links that it couples. */
   public abstract void couplings(Couplings couplings);
 

@@ -67,6 +67,11 @@ public final class CoordinateForce extends AppliedForce {
   }
 
   @Override
+  public boolean isLocal() {
+    return true;
+  }
+
+  @Override
   public void couplings(Couplings couplings) {
     // its only entry is on the diagonal
   }

@@ -144,6 +144,11 @@ public final class FrameForce extends AppliedForce {
   }
 
   @Override
+  public boolean isLocal() {
+    return motion.isOfNeighbours();
+  }
+
+  @Override
   public void couplings(Couplings couplings) {
     if (motion.link1() != TreeGeometry.ROOT && motion.link2() != TreeGeometry.ROOT) {
       couplings.couple(motion.link1(), motion.link2());

@@ -79,6 +79,11 @@ public final class FrameMotion {
     return link2;
   }
 
+  /** Returns whether the links are one, next to each other, or one of them is the root. */
+  boolean isOfNeighbours() {
+    return motion.tree().areNeighbours(link1, link2);
+  }
+
   private static void put(double[] m, Rotation r) {
     m[0] = r.xx();
     m[1] = r.xy();

@@ -200,10 +200,12 @@ public final class AppliedUserForce extends AppliedForce implements ForceBlocks 
    * Returns class and message of an exception of the user's class; getting the message runs code of
    * that class.
    */
+  /** Returns what was thrown in one line, without characters that would steer a terminal. */
   private static String described(Throwable thrown) {
     try {
       String text = thrown.toString();
-      return text.length() > MOST_TEXT ? text.substring(0, MOST_TEXT) + "..." : text;
+      String shown = text.length() > MOST_TEXT ? text.substring(0, MOST_TEXT) + "..." : text;
+      return shown.replaceAll("\\p{Cntrl}", "?");
     } catch (RuntimeException | Error e) {
       return thrown.getClass().getName();
     }

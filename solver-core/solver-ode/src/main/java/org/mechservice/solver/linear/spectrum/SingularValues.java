@@ -1,6 +1,7 @@
 package org.mechservice.solver.linear.spectrum;
 
 import java.util.Arrays;
+import org.mechservice.solver.linear.Interruption;
 
 /**
  * Singular values A = U Σ Vᵀ of a small m × n matrix by one-sided Jacobi rotations: the rows are
@@ -60,6 +61,7 @@ public final class SingularValues {
   private boolean sweep() {
     boolean turned = false;
     for (int i = 0; i < m; i++) {
+      Interruption.check();
       for (int j = i + 1; j < m; j++) {
         turned |= makeOrthogonal(i, j);
       }

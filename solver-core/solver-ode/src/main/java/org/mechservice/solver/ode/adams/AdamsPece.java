@@ -539,6 +539,7 @@ abstract class AdamsPece extends SteppingIntegrator {
         0,
         0,
         stiffness.suspectsStiffness(),
+        stiffness.timeConstants(),
         toleranceFactor,
         progress.limits());
   }

@@ -64,9 +64,13 @@ public final class StiffnessMonitor {
   private boolean suspected;
   private boolean verdict;
 
+  /** Sum of h L over the steps that stability along a damped direction limited. */
+  private double timeConstants;
+
   void clear() {
     beginAgain();
     verdict = false;
+    timeConstants = 0;
   }
 
   /** Takes note that the history was forgotten: order and step start low anew. */
@@ -126,7 +130,9 @@ public final class StiffnessMonitor {
   }
 
   private void lookAtLimit(double hL, double cosine) {
-    boolean atLimit = hL >= LIMIT || (hL >= LIMIT_DAMPED && cosine <= DAMPED);
+    boolean damped = hL >= LIMIT_DAMPED && cosine <= DAMPED;
+    boolean atLimit = hL >= LIMIT || damped;
+    timeConstants += damped ? hL : 0;
     int entering = atLimit ? 1 : 0;
     int leavingLatest = (slot + WINDOW - LATEST) % WINDOW;
     latestLimitedSteps += entering - (limited[leavingLatest] ? 1 : 0);
@@ -166,6 +172,11 @@ public final class StiffnessMonitor {
     return verdict;
   }
 
+  /** Returns the time constants of damped motions that passed while stability limited the steps. */
+  double timeConstants() {
+    return timeConstants;
+  }
+
   /** Carries the state between two steps over. */
   void transfer(SavedState state) {
     for (int i = 0; i < WINDOW; i++) {
@@ -179,5 +190,6 @@ public final class StiffnessMonitor {
     largestError = state.number(largestError);
     suspected = state.flag(suspected);
     verdict = state.flag(verdict);
+    timeConstants = state.number(timeConstants);
   }
 }

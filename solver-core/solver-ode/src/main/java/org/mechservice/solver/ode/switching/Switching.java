@@ -461,6 +461,7 @@ public final class Switching implements Integrator {
         ofBackward.factorisations(),
         ofBackward.solutions(),
         ofAdams.stiffnessSuspected(),
+        ofAdams.timeConstants(),
         ofAdams.toleranceFactor(),
         ofAdams.limits());
   }

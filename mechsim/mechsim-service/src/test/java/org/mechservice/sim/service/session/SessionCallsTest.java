@@ -1,0 +1,65 @@
+package org.mechservice.sim.service.session;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.lang.reflect.Proxy;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.mechservice.idl.MechSimOperations;
+import org.mechservice.solver.linear.Interruption;
+import org.omg.CORBA.OBJECT_NOT_EXIST;
+
+/** A session of which one call sets up a model without end. */
+class SessionCallsTest {
+  private final CountDownLatch begun = new CountDownLatch(1);
+  private final ExecutorService client = Executors.newSingleThreadExecutor();
+  private final SessionCalls calls = new SessionCalls(servant());
+
+  private MechSimOperations servant() {
+    return (MechSimOperations)
+        Proxy.newProxyInstance(
+            MechSimOperations.class.getClassLoader(),
+            new Class<?>[] {MechSimOperations.class},
+            (proxy, operation, arguments) -> {
+              switch (operation.getName()) {
+                case "checkReport" -> {
+                  begun.countDown();
+                  while (true) {
+                    Interruption.check();
+                  }
+                }
+                case "destroy" -> calls.end();
+                default -> {}
+              }
+              return operation.getReturnType() == int.class ? 1 : null;
+            });
+  }
+
+  @AfterEach
+  void close() {
+    client.shutdownNow();
+  }
+
+  @Test
+  void theEndOfTheSessionStopsItsSetUp() throws Exception {
+    MechSimOperations session = calls.watched();
+    Callable<String> setUp = () -> session.checkReport(true);
+    Future<String> report = client.submit(setUp);
+    begun.await();
+    assertThat(session.renewLease()).isEqualTo(1);
+    session.destroy();
+    assertThatThrownBy(report::get)
+        .isInstanceOf(ExecutionException.class)
+        .hasCauseInstanceOf(OBJECT_NOT_EXIST.class);
+    assertThat(client.submit(() -> Thread.currentThread().isInterrupted()).get()).isFalse();
+    assertThatThrownBy(session::renewLease).isInstanceOf(OBJECT_NOT_EXIST.class);
+    session.destroy();
+  }
+}

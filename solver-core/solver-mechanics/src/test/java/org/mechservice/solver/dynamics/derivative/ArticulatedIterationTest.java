@@ -1,0 +1,220 @@
+package org.mechservice.solver.dynamics.derivative;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Random;
+import java.util.stream.LongStream;
+import org.apache.commons.math3.linear.ArrayRealVector;
+import org.apache.commons.math3.linear.RealMatrix;
+import org.apache.commons.math3.linear.RealVector;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.mechservice.solver.dynamics.Evaluation;
+import org.mechservice.solver.dynamics.WholeStep;
+import org.mechservice.solver.dynamics.tree.TreePattern;
+import org.mechservice.solver.force.applied.ForceJacobian;
+import org.mechservice.solver.kinematics.TreeGeometry;
+import org.mechservice.solver.mechanism.Body;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.RandomTrees;
+import org.mechservice.solver.mechanism.Root;
+import org.mechservice.solver.mechanism.joint.Attachment;
+import org.mechservice.solver.mechanism.joint.Joint;
+import org.mechservice.solver.mechanism.joint.Revolute;
+import org.mechservice.solver.spatial.InertiaTensor;
+import org.mechservice.solver.spatial.Rotation;
+import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.text.Origin;
+
+/** Elimination from link to link against the matrix formed element by element. */
+class ArticulatedIterationTest {
+  /** Rounding of two ways to the same elements, relative to the largest terms of a row. */
+  private static final double ROUNDING = 1e-11;
+
+  static LongStream seeds() {
+    return LongStream.rangeClosed(1, 40);
+  }
+
+  private static final class Step {
+    final Evaluation at;
+    final ArticulatedIteration articulated;
+    final TreeIteration elements;
+    final RealMatrix matrix;
+
+    Step(long seed, double hGamma) {
+      at = new Evaluation(RandomTrees.ofAllJoints(seed, 1 + (int) (seed % 12))).loaded(seed);
+      for (int i = 0; i < at.nv; i++) {
+        at.y[at.nq + i] *= 10;
+      }
+      at.motion.sweep(0, at.y);
+      at.motion.accelerationSweep(new Random(seed).doubles(at.nv, -3, 3).toArray());
+      TreePattern pattern = new TreePattern(at.tree, pairs());
+      ResidualJacobian jacobian = new ResidualJacobian(at.motion, pattern);
+      jacobian.evaluate(at.wrench);
+      addForces(seed, jacobian.forces());
+      jacobian.finish();
+      elements = new TreeIteration(at.tree, pattern, jacobian);
+      articulated = new ArticulatedIteration(at.motion);
+      articulated.evaluate(at.wrench);
+      addForces(seed, articulated.forces());
+      articulated.finish();
+      at.motion.sweep(0, new double[at.y.length]); // the derivatives stay where they were formed
+      for (StepReduction each : new StepReduction[] {elements, articulated}) {
+        each.setState(at.y);
+        assertThat(each.factor(hGamma)).isTrue();
+      }
+      double[] dense = new double[at.nv * at.nv];
+      elements.matrix().toDense(dense);
+      matrix = WholeStep.square(dense, at.nv);
+      assertThat(articulated.isFinite()).isTrue();
+    }
+
+    private int[] pairs() {
+      TreeGeometry tree = at.tree;
+      int[] pairs = new int[2 * tree.linkCount];
+      for (int link = 0; link < tree.linkCount; link++) {
+        pairs[2 * link] = link;
+        pairs[2 * link + 1] = tree.parent[link];
+      }
+      return pairs;
+    }
+
+    /** Springs and dampers of no law in particular, on each link, to its parent, and in joints. */
+    private void addForces(long seed, ForceJacobian sink) {
+      Random random = new Random(seed);
+      TreeGeometry tree = at.tree;
+      for (int link = 0; link < tree.linkCount; link++) {
+        int parent = tree.parent[link];
+        addWrench(random, sink, link, link);
+        if (parent != TreeGeometry.ROOT && random.nextBoolean()) {
+          addWrench(random, sink, link, parent);
+          addWrench(random, sink, parent, link);
+        }
+        int end = tree.velocityAt[link] + tree.kind[link].velocityCount();
+        for (int k = tree.velocityAt[link]; k < end; k++) {
+          sink.forceByCoordinate(k, tree.velocityAt[link], -random.nextDouble(), -10);
+        }
+      }
+    }
+
+    private static void addWrench(Random random, ForceJacobian sink, int on, int by) {
+      sink.wrenchByLink(
+          on, by, random.doubles(36, -1, 1).toArray(), random.doubles(36, -1, 1).toArray());
+    }
+  }
+
+  @MethodSource("seeds")
+  @ParameterizedTest
+  void productIsThatOfTheMatrix(long seed) {
+    for (double hGamma : new double[] {1e-3, 0.1, 2}) {
+      Step step = new Step(seed, hGamma);
+      double[] x = new Random(seed).doubles(step.at.nv, -1, 1).toArray();
+      double[] product = new double[x.length];
+      step.articulated.addMatrixProduct(1, x, product);
+      requireSmall(step, product, x);
+      double[] places = new double[x.length];
+      double[] expected = new double[x.length];
+      step.articulated.addByPosition(-2, x, places);
+      step.elements.addByPosition(-2, x, expected);
+      double size = Evaluation.norm(expected) + step.matrix.getFrobeniusNorm();
+      for (int i = 0; i < x.length; i++) {
+        assertThat(Math.abs(places[i] - expected[i])).isLessThanOrEqualTo(ROUNDING * size);
+      }
+    }
+  }
+
+  private static void requireSmall(Step step, double[] product, double[] x) {
+    if (x.length == 0) {
+      return;
+    }
+    RealVector error =
+        step.matrix.operate(new ArrayRealVector(x)).subtract(new ArrayRealVector(product));
+    double size = step.matrix.getFrobeniusNorm() * Evaluation.norm(x) + Evaluation.norm(product);
+    assertThat(error.getNorm()).isLessThanOrEqualTo(ROUNDING * size);
+  }
+
+  /** Judged by the residual of the equations, as a factorisation is. */
+  @MethodSource("seeds")
+  @ParameterizedTest
+  void solutionObeysTheEquations(long seed) {
+    for (double hGamma : new double[] {1e-3, 0.1, 2}) {
+      Step step = new Step(seed, hGamma);
+      double[] r = new Random(seed).doubles(step.at.nv, -1, 1).toArray();
+      double[] x = r.clone();
+      step.articulated.solveReduced(x);
+      requireSmall(step, r, x);
+    }
+  }
+
+  /** Steps whose positions have residuals too, and masses alone while the factors stay. */
+  @MethodSource("seeds")
+  @ParameterizedTest
+  void stepsAndDerivativesAreThoseOfTheElements(long seed) {
+    Step step = new Step(seed, 0.01);
+    double[] r = new Random(seed).doubles(step.at.nq + step.at.nv, -1, 1).toArray();
+    double[] expected = r.clone();
+    double[] found = r.clone();
+    assertThat(step.elements.solveForDerivative(expected)).isTrue();
+    assertThat(step.articulated.solveForDerivative(found)).isTrue();
+    requireEqual(found, expected);
+    expected = r.clone();
+    found = r.clone();
+    step.elements.solve(expected);
+    step.articulated.solve(found);
+    requireEqual(found, expected);
+  }
+
+  /** The matrix of this chain would have 9 million elements. */
+  @Test
+  void aChainOf3000LinksIsSolvedFromLinkToLink() {
+    Evaluation at = new Evaluation(chain(3000));
+    assertThat(ArticulatedIteration.pays(at.tree)).isTrue();
+    at.motion.sweep(0, at.y);
+    at.motion.accelerationSweep(new Random(1).doubles(at.nv, -3, 3).toArray());
+    ArticulatedIteration articulated = new ArticulatedIteration(at.motion);
+    articulated.evaluate(at.wrench);
+    for (int k = 0; k < at.nv; k++) {
+      articulated.forces().forceByCoordinate(k, k, -1e5, -1e3);
+    }
+    articulated.finish();
+    articulated.setState(at.y);
+    assertThat(articulated.factor(1e-3)).isTrue();
+    assertThat(articulated.denseFactorizations()).isZero();
+    double[] x = new Random(2).doubles(at.nv, -1, 1).toArray();
+    double[] b = new double[at.nv];
+    articulated.addMatrixProduct(1, x, b);
+    articulated.solveReduced(b);
+    // the condition of the chain's matrix, some 1e6, times rounding
+    for (int k = 0; k < at.nv; k++) {
+      assertThat(Math.abs(b[k] - x[k])).isLessThanOrEqualTo(1e-8);
+    }
+  }
+
+  /** Bars that turn about y and about z in turn. */
+  private static Mechanism chain(int links) {
+    List<Body> bodies = new ArrayList<>();
+    List<Joint> joints = new ArrayList<>();
+    for (int i = 0; i < links; i++) {
+      InertiaTensor inertia = new InertiaTensor(1e-3, 1.0 / 12, 1.0 / 12, 0, 0, 0);
+      bodies.add(new Body("link" + i, 1, new Vector3(0.5, 0, 0), inertia, Origin.NONE));
+      Vector3 onParent = i == 0 ? Vector3.ZERO : new Vector3(1, 0, 0);
+      Vector3 axis = i % 2 == 0 ? new Vector3(0, 1, 0) : new Vector3(0, 0, 1);
+      Attachment attachment = new Attachment(i - 1, onParent, i, Vector3.ZERO, Rotation.IDENTITY);
+      joints.add(new Revolute("joint" + i, attachment, axis, 0.1, 0.2, Origin.NONE));
+    }
+    Root root = new Root("Ground", Vector3.ZERO, Rotation.IDENTITY);
+    return new Mechanism("chain", root, new Vector3(0, 0, -9.81), bodies, joints);
+  }
+
+  /** The condition of random trees of twelve bodies costs up to five digits. */
+  private static void requireEqual(double[] found, double[] expected) {
+    double largest = Arrays.stream(expected).map(Math::abs).max().orElse(0);
+    for (int i = 0; i < found.length; i++) {
+      assertThat(Math.abs(found[i] - expected[i])).isLessThanOrEqualTo(1e-10 * largest);
+    }
+  }
+}
