@@ -232,7 +232,7 @@ class Builder(Element):
         """Adds a simulation."""
         ...
     def sphereContact(self, name: str, radius2: float, stiffness: float) -> ConnectionElement:
-        """Adds a contact of a sphere of body 2 with a sphere, capsule or box of body 1"""
+        """Adds a contact of a sphere of body 2 with a sphere, capsule or box of body 1, whose sizes are to be set."""
         ...
     def springDamper(self, name: str) -> ConnectionElement:
         """Adds a spring and damper between two points"""

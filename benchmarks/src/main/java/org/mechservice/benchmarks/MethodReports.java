@@ -10,6 +10,7 @@ import java.util.List;
 import org.mechservice.benchmarks.paper.PaperReport;
 import org.mechservice.benchmarks.study.MethodStudy;
 import org.mechservice.benchmarks.study.StudyContext;
+import org.mechservice.benchmarks.suite.EqualErrorRatios;
 import org.mechservice.benchmarks.suite.SuiteReport;
 import org.mechservice.client.MechConnection;
 import org.mechservice.report.ProgressLine;
@@ -29,6 +30,7 @@ public final class MethodReports {
       """
       usage: java -cp benchmarks.jar org.mechservice.benchmarks.MethodReports COMMAND DIR [OPTION...]
         suite DIR [--quick]        the integrators alone, on problems with verified solutions
+        ratios DIR                 ode15s and ode15sR beside CVODE and IDA at equal errors
         paper DIR EXAMPLES         the paper's tables, on the scenes of folder EXAMPLES
         study DIR NAME [--quick] [CASE...]
                                    one study (STUDIES) or all;
@@ -72,6 +74,7 @@ public final class MethodReports {
     List<String> rest = words.subList(2, words.size());
     switch (words.get(0)) {
       case "suite" -> System.out.println(new SuiteReport(quick, line).write(folder));
+      case "ratios" -> System.out.println(new EqualErrorRatios(line).write(folder));
       case "paper" -> {
         if (rest.size() != 1) {
           return false;

@@ -267,8 +267,8 @@ public final class MechanismBuilder extends BuiltElement<MechanismBuilder> {
   }
 
   /**
-   * Adds a contact of a sphere of body 2 with a sphere, capsule or box of body 1; {@code radius1},
-   * {@code length1} or {@code box1} are to be set.
+   * Adds a contact of a sphere of body 2 with a sphere, capsule or box of body 1, whose sizes are
+   * to be set.
    */
   public ConnectionElement sphereContact(String name, double radius2, double stiffness) {
     return connection(

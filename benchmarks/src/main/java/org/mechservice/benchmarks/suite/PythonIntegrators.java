@@ -26,6 +26,14 @@ final class PythonIntegrators {
 
   private static final int FIELDS = 7;
 
+  /** Which integrators are to run. */
+  enum Which {
+    /** All on explicit problems. */
+    EXPLICIT,
+    /** CVODE with BDF on explicit problems, IDA on those with algebraic components. */
+    STIFF_SUNDIALS
+  }
+
   private final List<SuiteRun> runs = new ArrayList<>();
   private String version = "";
 
@@ -43,9 +51,14 @@ final class PythonIntegrators {
    * Runs the peers.
    *
    * @param limit of the processor time of one run, s
+   * @param which those of which package
    */
   static PythonIntegrators of(
-      List<ProblemFile> problems, double[] tolerances, double limit, ReportProgress progress)
+      List<ProblemFile> problems,
+      double[] tolerances,
+      double limit,
+      Which which,
+      ReportProgress progress)
       throws IOException {
     PythonIntegrators peers = new PythonIntegrators();
     Path script = Files.createTempFile("mech-peers", ".py");
@@ -54,7 +67,7 @@ final class PythonIntegrators {
         throw new IllegalStateException("resource " + SCRIPT + " is missing");
       }
       Files.write(script, in.readAllBytes());
-      peers.run(script, problems, tolerances, limit, progress);
+      peers.run(script, problems, tolerances, limit, which, progress);
     } finally {
       Files.delete(script);
     }
@@ -66,6 +79,7 @@ final class PythonIntegrators {
       List<ProblemFile> problems,
       double[] tolerances,
       double limit,
+      Which which,
       ReportProgress progress)
       throws IOException {
     Process python;
@@ -77,14 +91,15 @@ final class PythonIntegrators {
                   Arrays.stream(tolerances)
                       .mapToObj(Double::toString)
                       .collect(Collectors.joining(",")),
-                  Double.toString(limit))
+                  Double.toString(limit),
+                  which.name())
               .redirectError(ProcessBuilder.Redirect.DISCARD)
               .start();
     } catch (IOException e) {
       return;
     }
     try (Writer out = python.outputWriter(StandardCharsets.UTF_8)) {
-      out.write(input(problems));
+      out.write(input(problems, which));
     } catch (IOException e) {
       // Without SciPy the script has ended before it read its input; its output then says nothing.
       python.destroy();
@@ -115,6 +130,10 @@ final class PythonIntegrators {
 
   private void add(String line) {
     String[] fields = line.split(",", FIELDS);
+    if (fields.length < FIELDS) {
+      // SUNDIALS prints what it fails with by itself; the run's own line tells it, too.
+      return;
+    }
     runs.add(
         new SuiteRun(
             fields[0],
@@ -127,11 +146,12 @@ final class PythonIntegrators {
             fields[FIELDS - 1]));
   }
 
-  private static String input(List<ProblemFile> problems) {
+  private static String input(List<ProblemFile> problems, Which which) {
     Gson gson = new Gson();
     JsonArray all = new JsonArray();
     for (ProblemFile problem : problems) {
-      if (problem.isExplicit()) {
+      boolean multipliers = which == Which.STIFF_SUNDIALS && !problem.algebraic.isEmpty();
+      if (problem.isExplicit() || multipliers) {
         JsonObject one = gson.toJsonTree(problem).getAsJsonObject();
         one.addProperty("end", new SuiteEquations(problem).number(problem.t1));
         one.add("scored", gson.toJsonTree(problem.scored()));

@@ -43,7 +43,9 @@ public final class SuiteReport {
       progress.at(problem.id, 0.5 * i / problems.size(), left);
       runs.addAll(SuiteRunner.all(problem, tolerances, limitSeconds));
     }
-    PythonIntegrators peers = PythonIntegrators.of(problems, tolerances, peerSeconds, progress);
+    PythonIntegrators peers =
+        PythonIntegrators.of(
+            problems, tolerances, peerSeconds, PythonIntegrators.Which.EXPLICIT, progress);
     runs.addAll(peers.runs());
     Path page = folder.resolve("integrators.html");
     Files.writeString(page, SuitePage.of(problems, runs, peers.version()), StandardCharsets.UTF_8);

@@ -7,7 +7,9 @@
  * org.mechservice.benchmarks.suite.HipparchusRunner} those of Hipparchus on the same {@link
  * org.mechservice.benchmarks.suite.SuiteEquations}, and {@link
  * org.mechservice.benchmarks.suite.PythonIntegrators} those of SciPy and SUNDIALS where Python has
- * them. {@link org.mechservice.benchmarks.suite.SuiteReport} writes page and figures.
+ * them. {@link org.mechservice.benchmarks.suite.SuiteReport} writes page and figures, {@link
+ * org.mechservice.benchmarks.suite.EqualErrorRatios} those of the stiff methods beside CVODE and
+ * IDA, on further problems, too.
  */
 @NullMarked
 package org.mechservice.benchmarks.suite;

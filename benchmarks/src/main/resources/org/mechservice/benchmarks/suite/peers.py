@@ -1,4 +1,5 @@
 """Runs integrators of SciPy and SUNDIALS on the problems of standard input; one CSV line per run."""
+import functools
 import json
 import math
 import sys
@@ -11,12 +12,14 @@ from scipy.integrate import solve_ivp
 try:
     import sksundae
     from sksundae.cvode import CVODE
+    from sksundae.ida import IDA
 except ImportError:
     sksundae = None
 
 NAMES = {name: getattr(math, name) for name in ("sin", "cos", "exp", "sqrt", "log", "asin", "pi")}
 TOLERANCES = [float(text) for text in sys.argv[1].split(",")]
 LIMIT = float(sys.argv[2])
+STIFF_SUNDIALS = sys.argv[3] == "STIFF_SUNDIALS"
 TOO_LONG = "not finished within %g s" % LIMIT
 NOT_RUN = "not run: it did not finish at a looser tolerance"
 
@@ -29,7 +32,7 @@ class Failed(Exception):
     pass
 
 
-def right_hand_side(problem):
+def right_hand_side(problem, residual=False):
     given = dict(NAMES)
     for name, text in problem["params"].items():
         given[name] = eval(text, given)
@@ -40,7 +43,7 @@ def right_hand_side(problem):
     if problem["form"] == "mass":
         lines += ["    M = zeros((%d, %d))" % (problem["n"], problem["n"])]
         lines += [f"    M[{m['i']}, {m['j']}] = {m['expr']}" for m in problem["mass"]]
-        lines += ["    r = solve(M, r)"]
+        lines += ["    return M, r" if residual else "    r = solve(M, r)"]
     lines += ["    return r"]
     given.update(zeros=numpy.zeros, solve=numpy.linalg.solve, clock=time.process_time, TooLong=TooLong)
     exec("\n".join(lines), given)
@@ -66,8 +69,25 @@ def cvode_end(method, f, span, start, rtol, atol):
     return solution.y[-1, :], len(solution.t) - 1
 
 
+def ida_end(problem, left_out, f, span, start, rtol, atol):
+    def residual(t, y, yp, r):
+        mass, right = f(t, y)
+        r[:] = mass @ yp - right
+
+    algebraic = problem["algebraic"]
+    if left_out:
+        # No error test and no test of the iteration then sees them.
+        atol = numpy.where(numpy.isin(numpy.arange(problem["n"]), algebraic), 1e30, atol)
+    solver = IDA(residual, rtol=rtol, atol=atol, algebraic_idx=algebraic, max_num_steps=1_000_000)
+    slope = numpy.array([float(text) for text in problem["yp0"]])
+    solution = solver.solve(numpy.array(span), numpy.array(start), slope)
+    if not solution.success:
+        raise Failed(solution.message)
+    return solution.y[-1, :], len(solution.t) - 1
+
+
 def run(problem, solve, method, rtol):
-    f = right_hand_side(problem)
+    f = right_hand_side(problem, bool(problem["algebraic"]))
     scale = numpy.array([float(text) for text in problem["scale"]])
     expected = numpy.array([float(text) for text in problem["reference"]])
     start = [float(text) for text in problem["y0"]]
@@ -91,7 +111,15 @@ def run(problem, solve, method, rtol):
     return error, count[0], steps, cause
 
 
-def peers(klass):
+def peers(problem):
+    if STIFF_SUNDIALS:
+        if sksundae is not None and problem["algebraic"]:
+            for name, left_out in (("IDA", False), ("IDA, algebraic left out", True)):
+                yield name, functools.partial(ida_end, problem), left_out
+        elif sksundae is not None:
+            yield "CVODE", cvode_end, "BDF"
+        return
+    klass = problem["klass"]
     nonstiff = klass in ("nonstiff", "mechanical")
     names = ["DOP853"] if nonstiff else []
     for method in names + ["LSODA", "BDF", "Radau"]:
@@ -105,12 +133,12 @@ def main():
     sundials = "" if sksundae is None else ", SUNDIALS " + sksundae.SUNDIALS_VERSION
     print("SciPy " + scipy.__version__ + sundials, flush=True)
     for problem in json.load(sys.stdin):
-        for name, solve, method in peers(problem["klass"]):
+        for name, solve, method in peers(problem):
             hopeless = False
             for rtol in TOLERANCES:
                 result = (math.nan, 0, 0, NOT_RUN) if hopeless else run(problem, solve, method, rtol)
                 hopeless = hopeless or result[3] == TOO_LONG
-                fields = [problem["id"], name, rtol, *result]
+                fields = [problem["id"], name.replace(",", ";"), rtol, *result]
                 print(",".join("NaN" if field != field else str(field) for field in fields), flush=True)
 
 

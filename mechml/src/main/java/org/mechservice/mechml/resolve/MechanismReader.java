@@ -15,6 +15,7 @@ import org.mechservice.mechml.resolve.body.BodyIndex;
 import org.mechservice.mechml.resolve.body.BodyReader;
 import org.mechservice.mechml.resolve.body.RootReader;
 import org.mechservice.mechml.resolve.force.ForcesReader;
+import org.mechservice.mechml.resolve.force.GravityReader;
 import org.mechservice.mechml.resolve.force.JointAttributesReader;
 import org.mechservice.mechml.resolve.formula.FormulaReader;
 import org.mechservice.mechml.resolve.formula.MechanismNames;
@@ -29,7 +30,6 @@ import org.mechservice.mechml.resolve.value.NameRule;
 import org.mechservice.mechml.resolve.value.NameTable;
 import org.mechservice.mechml.resolve.value.ResolvedParameter;
 import org.mechservice.mechml.resolve.value.ValueReader;
-import org.mechservice.mechml.unit.Quantity;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.Body;
@@ -182,7 +182,8 @@ final class MechanismReader {
 
   /** Returns the mechanism; empty after a reported error. */
   Optional<Mechanism> mechanism() {
-    Optional<Vector3> gravity = gravity();
+    GravityReader gravities = new GravityReader(values, formulas, names, diagnostics);
+    Optional<Vector3> gravity = gravities.constant(model);
     DriveReader drives = new DriveReader(values, formulas, diagnostics);
     List<PrescribedMotion> motions = new ArrayList<>();
     List<StartRole> roles = new ArrayList<>();
@@ -203,7 +204,10 @@ final class MechanismReader {
     closures.addAll(
         new ConstraintsReader(values, formulas, jointsReader, names, diagnostics).read(model));
     List<FurtherState> further = states.read(formulas);
+    List<Body> bodies =
+        index.moving().stream().map(BodyDefinition::body).flatMap(Optional<Body>::stream).toList();
     List<ForceElement> forces = forces(further);
+    forces.addAll(gravities.overTime(model, bodies, closures));
     if (diagnostics.hasErrors()) {
       return Optional.empty();
     }
@@ -212,10 +216,7 @@ final class MechanismReader {
                 model.required("name"),
                 root.orElseThrow(),
                 gravity.orElseThrow(),
-                index.moving().stream()
-                    .map(BodyDefinition::body)
-                    .flatMap(Optional<Body>::stream)
-                    .toList(),
+                bodies,
                 tree.outward(),
                 motions,
                 roles,
@@ -297,14 +298,6 @@ final class MechanismReader {
   /** Returns the number of parameters that are inputs. */
   int inputCount() {
     return states.inputParameters().size();
-  }
-
-  private Optional<Vector3> gravity() {
-    return model
-        .child("Forces")
-        .flatMap(forces -> forces.child("gravity"))
-        .map(g -> values.vector(g, "gx", "gy", "gz", Quantity.ACCELERATION))
-        .orElse(Optional.of(Vector3.ZERO));
   }
 
   private List<Element> joints() {

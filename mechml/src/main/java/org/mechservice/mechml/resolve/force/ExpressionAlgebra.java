@@ -2,7 +2,6 @@ package org.mechservice.mechml.resolve.force;
 
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Expression.Call;
 import org.mechservice.solver.expression.Expression.Constant;
@@ -105,7 +104,8 @@ final class ExpressionAlgebra {
     return at(function, argument, new IdentityHashMap<>());
   }
 
-  private static Expression at(Expression e, Expression x, Map<Expression, Expression> done) {
+  private static Expression at(
+      Expression e, Expression x, IdentityHashMap<Expression, Expression> done) {
     Expression known = done.get(e);
     if (known == null) {
       known = substituted(e, x, done);
@@ -115,7 +115,7 @@ final class ExpressionAlgebra {
   }
 
   private static Expression substituted(
-      Expression e, Expression x, Map<Expression, Expression> done) {
+      Expression e, Expression x, IdentityHashMap<Expression, Expression> done) {
     if (e instanceof Expression.Argument) {
       return x;
     } else if (e instanceof Sum sum) {

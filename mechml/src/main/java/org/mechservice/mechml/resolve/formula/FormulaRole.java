@@ -6,6 +6,8 @@ public enum FormulaRole {
   COEFFICIENT("this value is constant during a run; use numbers and parameters only"),
   /** Prescribed motion. */
   MOTION("a prescribed motion depends on t and parameters only"),
+  /** Acceleration of free fall. */
+  GRAVITY("gravity depends on t and parameters only"),
   /** Height of a surface. */
   HEIGHT("a height depends on s, the arc length along the surface, and parameters only"),
   /** Relation between coordinates. */
@@ -25,7 +27,7 @@ public enum FormulaRole {
   }
 
   boolean allowsTime() {
-    return this == MOTION || this == RELATION || this == STATE;
+    return this == MOTION || this == GRAVITY || this == RELATION || this == STATE;
   }
 
   boolean allowsPositions() {

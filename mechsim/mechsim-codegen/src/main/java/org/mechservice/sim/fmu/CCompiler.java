@@ -15,7 +15,7 @@ import java.util.stream.Stream;
 
 /**
  * A C compiler of this machine: {@code cc}, {@code gcc} or {@code clang} for the machine itself,
- * {@code zig} for every platform.
+ * {@code zig} (or {@code python-zig}) for every platform.
  */
 final class CCompiler {
   /** The first build for another platform compiles that platform's C library. */
@@ -66,7 +66,7 @@ final class CCompiler {
           new CCompiler(
               List.of(clang.get().toString(), "--target=wasm32"), MODULE_OPTIONS, List.of()));
     }
-    return onPath("zig")
+    return zig()
         .map(
             zig ->
                 new CCompiler(
@@ -85,12 +85,17 @@ final class CCompiler {
         }
       }
     }
-    return onPath("zig")
+    return zig()
         .map(
             zig ->
                 ofUnits(
                     List.of(zig.toString(), "cc", "-target", platform.zigTarget(), "-s"),
                     platform));
+  }
+
+  /** Returns zig itself, or the command that its Python package installs. */
+  private static Optional<Path> zig() {
+    return onPath("zig").or(() -> onPath("python-zig"));
   }
 
   private static Optional<Path> onPath(String name) {

@@ -17,10 +17,9 @@ enum { MOST_TRIES = 1000000, MOST_EVENTS = 1000 };
 
 /* The tolerance of a run is meant for its results; errors of steps add up and grow, so that the
  * method works at a part of it. Closed loops, whose dependent coordinates run through dead points
- * many times as fast as the others, need a smaller part, and so do the backward formulas, whose
- * errors add up with one sign. docs/reports/export.md has the errors. Below the last number
- * round-off outweighs what it gains. */
-static const double SAFETY = MODEL_LOOPS ? 300 : MODEL_STIFF ? 100 : 30, FINEST = 1e-13;
+ * many times as fast as the others, need a smaller part. docs/reports/export.md has the errors.
+ * Below the last number round-off outweighs what it gains. */
+static const double SAFETY = MODEL_LOOPS ? 300 : 100, FINEST = 1e-13;
 
 /* Parts of a step at whose ends the event functions are looked at. */
 enum { LOOKS = 4 };
@@ -376,24 +375,29 @@ mech_status mech_get_indicators(mech_instance *c, const char *function, double *
   return status;
 }
 
-/* Signs from here on. Where a jump has just happened at a zero, the direction in which the function
- * leaves it counts: its value there is round-off. */
-static mech_status take_signs(mech_instance *c, const unsigned char *fired) {
-  double g[MECH_NG], ahead[MECH_NG], x[MECH_N];
+/* Event functions a little later, by the derivative: the direction in which they leave a zero. */
+static mech_status events_ahead(mech_instance *c, double *ahead) {
+  double x[MECH_N];
   double interval = c->s.stop_defined ? c->s.stop - c->s.start : MODEL_INTERVAL;
   double e = 1e-6 * (interval > 0 ? interval : 1);
-  mech_status status = events_at(c, c->s.t, c->s.x, g);
+  mech_status status = know_derivatives(c);
   int i;
-  if (MODEL_NG == 0 || status != MECH_OK) {
-    return status;
-  }
-  if ((status = know_derivatives(c)) != MECH_OK) {
-    return status;
-  }
   for (i = 0; i < MODEL_NX; i++) {
     x[i] = c->s.x[i] + e * c->dx[i];
   }
-  status = events_at(c, c->s.t + e, x, ahead);
+  return status == MECH_OK ? events_at(c, c->s.t + e, x, ahead) : status;
+}
+
+/* Signs from here on. Where a jump has just happened at a zero, the direction in which the function
+ * leaves it counts: its value there is round-off. */
+static mech_status take_signs(mech_instance *c, const unsigned char *fired) {
+  double g[MECH_NG], ahead[MECH_NG];
+  mech_status status = events_at(c, c->s.t, c->s.x, g);
+  int i;
+  if (MODEL_NG == 0 || status != MECH_OK || (status = know_derivatives(c)) != MECH_OK) {
+    return status;
+  }
+  status = events_ahead(c, ahead);
   for (i = 0; i < MODEL_NG; i++) {
     double value = g[i];
     if (status == MECH_OK && (value == 0 || (fired != NULL && fired[i] &&
@@ -423,19 +427,26 @@ static int crossed(const mech_instance *c, const double *g, int i) {
   return c->s.sign[i] != 0 && g[i] * c->s.sign[i] < 0;
 }
 
-/* Applies events at (t, x); a zero counts as crossed where an importer stops right on it. */
+/* Applies events at (t, x). Where an importer stops right on a zero, it counts as crossed if the
+ * function goes on to the other side; one that begins at a zero has crossed none. */
 static mech_status apply_events(mech_instance *c, int zero_counts, int *changed) {
-  double g[MECH_NG];
+  double g[MECH_NG], ahead[MECH_NG] = {0};
   unsigned char fired[MECH_NG] = {0};
   signed char occurred[MECH_NG] = {0};
-  int i, some = 0;
+  int i, some = 0, zeros = 0;
   mech_status status = events_at(c, c->s.t, c->s.x, g);
   *changed = 0;
   if (status != MECH_OK) {
     return status;
   }
   for (i = 0; i < MODEL_NG; i++) {
-    if (crossed(c, g, i) || (zero_counts && g[i] == 0 && c->s.sign[i] != 0)) {
+    zeros |= zero_counts && g[i] == 0;
+  }
+  if (zeros && (status = events_ahead(c, ahead)) != MECH_OK) {
+    return status;
+  }
+  for (i = 0; i < MODEL_NG; i++) {
+    if (crossed(c, g, i) || (zero_counts && g[i] == 0 && ahead[i] * c->s.sign[i] < 0)) {
       occurred[i] = (signed char)-c->s.sign[i];
       c->s.sign[i] = occurred[i];
       fired[i] = 1;

@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -22,6 +23,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.mechservice.mechml.MechmlModel;
+import org.mechservice.mechml.resolve.MechmlReader;
+import org.mechservice.sim.model.BuildOptions;
+import org.mechservice.sim.model.ModelFactory;
+import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.api.run.RunSettings;
 
 /**
  * Units run in other programs. The Python of the environment variable MECH_PYTHON, or else {@code
@@ -61,6 +68,20 @@ class FmuRunTest {
     assertThat(number(said, "CoSimulation", 1)).isLessThan(1e-8);
     assertThat(number(said, "CoSimulation", 2)).isLessThan(10 * 1e-8);
     assertThat(number(said, "angle", 0)).isCloseTo(2, Offset.offset(1e-8));
+  }
+
+  /** The event "top" waits for the falling zero of a speed that is zero at the start. */
+  @Test
+  void functionThatBeginsAtZeroHasNotCrossedIt() throws Exception {
+    Path file = Path.of("..", "..", "examples", "elements", "event.xml");
+    MechmlModel model = MechmlReader.read("event.xml", Files.readAllBytes(file));
+    RunSettings settings = model.settings().run();
+    BuildOptions options = new BuildOptions("DTR", EnumSet.of(ColumnGroup.JOINTS), settings);
+    FmuModel unit = FmuModel.of(ModelFactory.inC(model, options), settings);
+    Map<String, String> said = fmpy(unit, FmiVersion.FMI_2, "top");
+    assertThat(number(said, "ModelExchange", 0)).isCloseTo(1.5, Offset.offset(1e-6));
+    assertThat(number(said, "ModelExchange", 1)).isCloseTo(1.22625, Offset.offset(1e-6));
+    assertThat(number(said, "CoSimulation", 1)).isCloseTo(1.22625, Offset.offset(1e-8));
   }
 
   @Test

@@ -49,6 +49,12 @@ def tuned(fmu):
     print("angle", np.arctan2(r["y"][-1], r["x"][-1]))
 
 
+def top(fmu):
+    for kind in ("ModelExchange", "CoSimulation"):
+        r = run(fmu, kind, stop_time=10, output_interval=0.1)
+        print(kind, r["time"][-1], r["fall.q"][-1])
+
+
 def many(fmu):
     """100 instances on 8 threads give the bits of one."""
     folder = extract(fmu)

@@ -39,7 +39,7 @@ final class RecordWriter {
   private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
   private final DataOutputStream out = new DataOutputStream(bytes);
   private final Map<String, Integer> numbers = new HashMap<>();
-  private final Map<Expression, Integer> expressions = new IdentityHashMap<>();
+  private final IdentityHashMap<Expression, Integer> expressions = new IdentityHashMap<>();
 
   /**
    * Appends a value.

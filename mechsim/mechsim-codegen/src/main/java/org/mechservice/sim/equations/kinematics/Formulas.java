@@ -1,7 +1,6 @@
 package org.mechservice.sim.equations.kinematics;
 
 import java.util.IdentityHashMap;
-import java.util.Map;
 import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.MathFunction;
 import org.mechservice.sim.symbolic.Program;
@@ -15,7 +14,7 @@ public abstract class Formulas {
   private static final int LARGEST_PRODUCT = 64;
 
   private final Expressions e;
-  private final Map<Expression, Scalar> done = new IdentityHashMap<>();
+  private final IdentityHashMap<Expression, Scalar> done = new IdentityHashMap<>();
 
   public Formulas(Expressions expressions) {
     this.e = expressions;

@@ -10,4 +10,6 @@
 #define signbit(x) __builtin_signbit(x)
 #define copysign __builtin_copysign
 double ldexp(double x, int power);
+double fma(double a, double b, double c);
+double rint(double x);
 #endif

@@ -1,0 +1,166 @@
+package org.mechservice.benchmarks.suite;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.IntStream;
+import org.mechservice.report.measure.ReportProgress;
+
+/**
+ * Evaluations of ode15s and ode15sR over those of CVODE and IDA of SUNDIALS at equal errors, on the
+ * stiff problems of the suite, on further ones, and on mechanisms with multipliers; differences for
+ * all Jacobians, and counted.
+ *
+ * <p>Costs are interpolated, logarithm over logarithm, between tolerances half a decade apart to
+ * errors of 1e-3 to 1e-8, of mechanisms from 1e-1 on; where errors do not fall with the tolerance,
+ * the loosest tolerance that has the error counts.
+ */
+public final class EqualErrorRatios {
+  private static final int FIRST_HALF = 6;
+  private static final int LAST_HALF = 22;
+  private static final int LAST_ERROR = 16;
+  private static final int FIRST_ERROR_OF_MECHANISMS = 2;
+  private static final double LIMIT = 10;
+
+  private static final List<String> OF_THE_SUITE =
+      List.of(
+          "robertson", "hires", "vdp1000", "bruss20", "stiffchain", "pend_i1", "crank_rigid_i1");
+
+  private final ReportProgress progress;
+
+  public EqualErrorRatios(ReportProgress progress) {
+    this.progress = progress;
+  }
+
+  /**
+   * Runs all and writes the page.
+   *
+   * @throws IOException if the page cannot be written
+   */
+  public Path write(Path folder) throws IOException {
+    List<ProblemFile> problems = new ArrayList<>();
+    ProblemFile.all().stream().filter(one -> OF_THE_SUITE.contains(one.id)).forEach(problems::add);
+    problems.addAll(ProblemFile.further());
+    double[] tolerances =
+        IntStream.rangeClosed(FIRST_HALF, LAST_HALF)
+            .mapToDouble(half -> Math.pow(10, -0.5 * half))
+            .toArray();
+    PythonIntegrators peers =
+        PythonIntegrators.of(
+            problems, tolerances, LIMIT, PythonIntegrators.Which.STIFF_SUNDIALS, progress);
+    List<String> lines = new ArrayList<>();
+    Map<String, List<Double>> means = new TreeMap<>();
+    for (ProblemFile problem : problems) {
+      String ours = problem.algebraic.isEmpty() ? "ode15s" : "ode15sR";
+      List<SuiteRun> own = SuiteRunner.runs(problem, ours, tolerances, LIMIT);
+      List<String> names =
+          peers.runs().stream()
+              .filter(run -> run.problem().equals(problem.id))
+              .map(SuiteRun::solver)
+              .distinct()
+              .toList();
+      for (String name : names) {
+        List<SuiteRun> theirs =
+            peers.runs().stream()
+                .filter(run -> run.problem().equals(problem.id) && run.solver().equals(name))
+                .toList();
+        double[] ratios = ratios(own, theirs, problem.algebraic.isEmpty());
+        if (ratios.length > 0) {
+          double mean = geometricMean(ratios);
+          means.computeIfAbsent(name, any -> new ArrayList<>()).add(mean);
+          lines.add(line(problem, ours, name, mean, ratios));
+        }
+      }
+    }
+    Files.createDirectories(folder);
+    Path page = folder.resolve("equal-errors.md");
+    Files.writeString(page, text(peers.version(), lines, means), StandardCharsets.UTF_8);
+    return page;
+  }
+
+  private static double[] ratios(List<SuiteRun> own, List<SuiteRun> theirs, boolean explicit) {
+    return IntStream.rangeClosed(explicit ? FIRST_HALF : FIRST_ERROR_OF_MECHANISMS, LAST_ERROR)
+        .mapToDouble(half -> Math.pow(10, -0.5 * half))
+        .map(error -> cost(own, error) / cost(theirs, error))
+        .filter(Double::isFinite)
+        .toArray();
+  }
+
+  /** Returns the evaluations for an error, interpolated; NaN if no runs enclose it. */
+  static double cost(List<SuiteRun> runs, double error) {
+    List<SuiteRun> ended = runs.stream().filter(run -> run.error() > 0).toList();
+    for (int i = 1; i < ended.size(); i++) {
+      SuiteRun loose = ended.get(i - 1);
+      SuiteRun tight = ended.get(i);
+      if (loose.error() >= error && error >= tight.error()) {
+        double part =
+            loose.error() == tight.error()
+                ? 1
+                : Math.log(error / loose.error()) / Math.log(tight.error() / loose.error());
+        double ratio = (double) tight.evaluations() / loose.evaluations();
+        return loose.evaluations() * Math.pow(ratio, part);
+      }
+    }
+    return Double.NaN;
+  }
+
+  private static double geometricMean(double[] values) {
+    double sum = 0;
+    for (double value : values) {
+      sum += Math.log(value);
+    }
+    return Math.exp(sum / values.length);
+  }
+
+  private static String line(
+      ProblemFile problem, String ours, String peer, double mean, double[] ratios) {
+    double least = Double.POSITIVE_INFINITY;
+    double most = 0;
+    for (double ratio : ratios) {
+      least = Math.min(least, ratio);
+      most = Math.max(most, ratio);
+    }
+    return String.format(
+        Locale.ROOT,
+        "| %s | %d | %s | %s | %.2f | %.2f to %.2f | %d |",
+        problem.title,
+        problem.n,
+        ours,
+        peer.replace(";", ","),
+        mean,
+        least,
+        most,
+        ratios.length);
+  }
+
+  private static String text(String version, List<String> lines, Map<String, List<Double>> means) {
+    StringBuilder page = new StringBuilder();
+    page.append("# ode15s and ode15sR beside CVODE and IDA\n\n");
+    page.append("Evaluations over those of the peer at equal errors of the end, with differences");
+    page.append(" for all Jacobians, counted for both; interpolated between tolerances half a");
+    page.append(" decade apart to errors of 1e-3 to 1e-8, with multipliers from 1e-1 on. Below 1:");
+    page.append(
+        " ours needs fewer. Measured by [`MethodReports ratios`](../../benchmarks/README.md");
+    page.append("#pages-on-the-methods). ").append(version).append(".\n\n");
+    page.append("| problem | n | ours | peer | ratio | from, to | errors |\n");
+    page.append("|---|---|---|---|---|---|---|\n");
+    lines.forEach(line -> page.append(line).append('\n'));
+    page.append("\n| peer | problems | mean |\n|---|---|---|\n");
+    means.forEach(
+        (peer, ratios) ->
+            page.append(
+                String.format(
+                    Locale.ROOT,
+                    "| %s | %d | %.2f |%n",
+                    peer.replace(";", ","),
+                    ratios.size(),
+                    geometricMean(ratios.stream().mapToDouble(Double::doubleValue).toArray()))));
+    return page.toString();
+  }
+}
