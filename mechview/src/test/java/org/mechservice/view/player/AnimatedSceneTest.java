@@ -2,6 +2,7 @@ package org.mechservice.view.player;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import com.google.gson.JsonArray;
 import com.google.gson.JsonElement;
@@ -10,8 +11,10 @@ import com.google.gson.JsonParser;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.view.mesh.MeshFolder;
 import org.mechservice.view.scene.SceneDescription;
 
@@ -98,5 +101,31 @@ class AnimatedSceneTest {
     assertThat(gltf.getAsJsonArray("materials")).isNotEmpty();
     assertThat(element("scenes", 0).getAsJsonObject("extras").get("lengthUnit").getAsString())
         .isEqualTo("m");
+  }
+
+  /**
+   * The program of the Khronos Group that checks glTF files finds no error, and nothing to warn of.
+   * It is the package gltf-validator of npm, in the folder that MECH_GLTF_VALIDATOR names.
+   */
+  @Test
+  void validatorOfTheKhronosGroupFindsNothing(@TempDir Path directory) throws Exception {
+    String validator = System.getenv("MECH_GLTF_VALIDATOR");
+    assumeTrue(validator != null, "MECH_GLTF_VALIDATOR names no gltf-validator");
+    Path scene = Files.write(directory.resolve("scene.glb"), file.array());
+    String script =
+        "require(process.argv[1])"
+            + ".validateBytes(new Uint8Array(require('fs').readFileSync(process.argv[2])))"
+            + ".then(report => console.log(JSON.stringify(report.issues)))";
+
+    Process node =
+        new ProcessBuilder("node", "-e", script, validator, scene.toString())
+            .redirectErrorStream(true)
+            .start();
+    String printed = new String(node.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+
+    assertThat(node.waitFor()).as(printed).isZero();
+    JsonObject issues = JsonParser.parseString(printed).getAsJsonObject();
+    assertThat(issues.get("numErrors").getAsInt()).as(printed).isZero();
+    assertThat(issues.get("numWarnings").getAsInt()).as(printed).isZero();
   }
 }
