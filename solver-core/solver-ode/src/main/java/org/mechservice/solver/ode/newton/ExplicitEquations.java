@@ -363,11 +363,6 @@ public final class ExplicitEquations extends StepEquations {
   }
 
   @Override
-  public double dampingOfFastest() {
-    return jacobian.dampingOfFastest();
-  }
-
-  @Override
   double costOfDerivatives() {
     return differencing.evaluations();
   }

@@ -38,9 +38,7 @@ record IterationRules(
   /**
    * Trusts a rate for more, but not for long. Chosen on stiff problems of the suite and 14 others,
    * written for the comparison: on these the same digits for a fifth fewer evaluations on the mean
-   * than before, 0.77 instead of 0.95 of those of CVODE; a third instead of a fifth of the
-   * tolerance left spares slider cranks with bushings another twentieth and costs the others
-   * nothing.
+   * than before, 0.77 instead of 0.95 of those of CVODE.
    */
   static final IterationRules TRUSTING = new IterationRules(0.2, 20, true, 0, true, true);
 

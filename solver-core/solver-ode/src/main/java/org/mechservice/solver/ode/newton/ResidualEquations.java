@@ -359,11 +359,6 @@ public final class ResidualEquations extends StepEquations {
   }
 
   @Override
-  public double dampingOfFastest() {
-    return 0;
-  }
-
-  @Override
   IterationRules rules(Mode mode) {
     asPublished = mode == Mode.FAITHFUL;
     linearisation.watchForJumps(!asPublished);

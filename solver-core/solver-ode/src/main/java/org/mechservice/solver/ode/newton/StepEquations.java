@@ -220,9 +220,6 @@ public abstract class StepEquations {
   /** Returns whether the fastest motion is a decay or a growth, not an oscillation. */
   public abstract boolean fastestIsExponential();
 
-  /** Returns the damping ratio of the fastest motion; 0 if it is no damped oscillation. */
-  public abstract double dampingOfFastest();
-
   /** Returns the rules by which steps are solved in a mode. */
   abstract IterationRules rules(Mode mode);
 }

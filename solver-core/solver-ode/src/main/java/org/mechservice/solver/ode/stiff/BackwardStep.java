@@ -64,7 +64,7 @@ final class BackwardStep {
     this.formulas = formulas;
     this.mode = mode;
     allowance = turns ? ErrorAllowance.full() : ErrorAllowance.of(mode);
-    control = new BackwardOrderControl(formulas, mode == Mode.FAITHFUL, turns);
+    control = new BackwardOrderControl(formulas, turns);
     equations = StepEquations.none();
     solver = new StepSolver(equations, mode);
   }

@@ -109,42 +109,6 @@ class ErrorAllowanceTest {
     assertThat(exponential(new double[][] {{0, 1}, {0, 0}})).isFalse();
   }
 
-  @Test
-  void dampingOfTheFastestOscillationIsKnownWhateverTheUnits() {
-    assertThat(damping(new double[][] {{0, 1}, {-100, -0.4}})).isCloseTo(0.02, within(1e-9));
-    assertThat(damping(new double[][] {{0, 1e-6}, {-1e8, -0.4}})).isCloseTo(0.02, within(1e-9));
-    assertThat(damping(new double[][] {{0, 1}, {-1e8, -4e3}})).isCloseTo(0.2, within(1e-9));
-    assertThat(damping(new double[][] {{0, 1}, {-100, 0}})).isCloseTo(0, within(1e-9));
-    // It grows; it decays without turning.
-    assertThat(damping(new double[][] {{0, 1}, {-100, 0.4}})).isZero();
-    assertThat(damping(new double[][] {{-1, 0}, {0, -1000}})).isZero();
-    // A slower, undamped oscillation beside a fast damped one.
-    assertThat(
-            damping(
-                new double[][] {{0, 1, 0, 0}, {-1e6, -200, 0, 0}, {0, 0, 0, 1}, {0, 0, -1e4, 0}}))
-        .isCloseTo(0.1, within(1e-3));
-  }
-
-  private static double damping(double[][] rows) {
-    return kept(rows).dampingOfFastest();
-  }
-
-  @Test
-  void transientOfADampedOscillationCostsLittleMoreThanAsPublished() {
-    // 1e4 rad/s at a tenth of the critical damping, followed until it is gone.
-    OdeSystem oscillator =
-        new FunctionOde(
-            2,
-            (t, y, slope) -> {
-              slope[0] = y[1];
-              slope[1] = -1e8 * y[0] - 2e3 * y[1];
-            });
-    // A third of the tolerances costs at most 3^(1/3) at the orders used; a hundredth twice as
-    // much.
-    assertThat(cost(Mode.STANDARD, oscillator))
-        .isLessThanOrEqualTo((long) (1.4 * cost(Mode.FAITHFUL, oscillator)));
-  }
-
   private static boolean exponential(double[][] rows) {
     return kept(rows).fastestIsExponential();
   }
