@@ -37,6 +37,23 @@ def test_csv_has_the_rows_to_the_bit(tmp_path):
     assert np.array_equal(read, rows.values)
 
 
+def test_report_tells_its_progress_and_ends_with_it(tmp_path):
+    model = mechservice.read("examples/elements/Parameters.xml")
+    told = []
+
+    def enough(what, done, left):
+        told.append((what, done))
+        if what.startswith("errors"):
+            raise ValueError("enough")
+
+    with pytest.raises(ValueError, match="enough"):
+        model.report(tmp_path, quick=True, progress=enough)
+    assert told[0] == ("building the model in every formulation", 0)
+    assert (tmp_path / "Parameters-reference.csv").exists()
+    with pytest.raises(mechservice.MechError, match="S-008 the simulation is <static>"):
+        mechservice.read("examples/elements/static.xml").report(tmp_path)
+
+
 def test_values_outlive_the_trajectory():
     values = mechservice.read(PENDULUM).simulate().values
     before = values.copy()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import html
+import math
 import os
 import signal
 import socket
@@ -12,6 +13,8 @@ from functools import lru_cache
 from importlib import import_module
 from queue import SimpleQueue
 from typing import Any, Callable, Dict, Iterable, List, Optional, Sequence, Tuple, Union
+
+import jpype
 
 from ._errors import MechError, RunInterrupted, python_errors
 from ._java import java_class, java_path
@@ -224,6 +227,44 @@ class Model:
         with python_errors():
             return Trajectory(getattr(self._java, verb)())
 
+    def report(
+        self,
+        folder: "Union[str, os.PathLike[str]]",
+        *,
+        quick: bool = False,
+        progress: "Union[bool, Callable[[str, float, float], None]]" = False,
+    ) -> str:
+        """Measures error against run time of every method that fits; returns the path of the page.
+
+        folder: takes the page of ``mech report`` and its data. Ctrl-C ends the report at its next
+        measurement; with the same folder it is taken up again there.
+        quick: fewer tolerances and shorter limits, less than a minute; else some minutes.
+        progress: whether a line on standard error tells what is measured; or a function that is
+        called with it, the part done, from 0 to 1, and the time left, s, NaN if not known yet.
+
+        Of a model at a server, the server builds the methods; they are measured here.
+        """
+        effort = java_class("org.mechservice.report.measure.Effort")
+        wanted = effort.QUICK if quick else effort.FULL
+        told = progress if callable(progress) else _progress_line if progress else _silence
+        stop = threading.Event()
+
+        def at(what: Any, done: Any, left: Any) -> None:
+            if stop.is_set():
+                raise MechError("the report was interrupted")
+            told(str(what), float(done), float(left))
+
+        listener = jpype.JProxy("org.mechservice.report.measure.ReportProgress", dict={"at": at})
+        try:
+            with python_errors():
+                page = _cancellable(
+                    lambda: self._java.report(java_path(folder), wanted, listener), stop
+                )
+                return str(page.toString())
+        finally:
+            if progress is True:
+                print(file=sys.stderr)
+
     def write_jar(self, path: "Union[str, os.PathLike[str]]") -> None:
         """Writes the model as a JAR that ``java -jar`` runs."""
         with python_errors():
@@ -266,6 +307,15 @@ class Model:
             f"<details><summary>{html.escape(self.name)}</summary>"
             f"<pre>{html.escape(self.check())}</pre></details>"
         )
+
+
+def _progress_line(what: str, done: float, left: float) -> None:
+    known = "" if math.isnan(left) else f", {left:.0f} s left"
+    print(f"\r{100 * done:3.0f} %  {what}{known}".ljust(79)[:79], end="", file=sys.stderr, flush=True)
+
+
+def _silence(what: str, done: float, left: float) -> None:
+    pass
 
 
 def _group(name: str) -> Any:
@@ -376,6 +426,31 @@ class _Listener:
         if presses:
             self._acted.acquire(timeout=1)
         return rows, presses > 0 or self._stopped is control
+
+
+def _cancellable(work: Callable[[], Any], stop: threading.Event) -> Any:
+    """Does work in a thread of its own; Ctrl-C sets the event and is raised when the work ends."""
+    answer = _Answer()
+
+    def run() -> None:
+        try:
+            answer.rows = work()
+        except BaseException as error:  # handed to the caller's thread
+            answer.error = error
+        answer.done.release()
+
+    threading.Thread(target=run, name="mechservice-report", daemon=True).start()
+    while True:
+        try:
+            if answer.done.acquire(timeout=_LOOK_SECONDS):
+                break
+        except KeyboardInterrupt:
+            stop.set()
+    if stop.is_set():
+        raise KeyboardInterrupt("the report was interrupted; what was measured is kept")
+    if answer.error is not None:
+        raise answer.error
+    return answer.rows
 
 
 @lru_cache(maxsize=None)

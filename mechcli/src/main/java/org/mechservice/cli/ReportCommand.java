@@ -12,6 +12,7 @@ import org.mechservice.cli.shell.ServerOption;
 import org.mechservice.cli.shell.ServiceConnection;
 import org.mechservice.cli.shell.UsageException;
 import org.mechservice.client.MechSession;
+import org.mechservice.client.SessionBuilds;
 import org.mechservice.report.ModelReport;
 import org.mechservice.report.ProgressLine;
 import org.mechservice.report.measure.Effort;
@@ -105,7 +106,7 @@ final class ReportCommand implements Callable<Integer> {
     try (MechSession session = service.connection().openSession();
         ProgressLine line = new ProgressLine(err)) {
       session.loadModel(model).forEach(err::println);
-      tell(new ModelReport(session, folder, effort, line).write(model));
+      tell(new ModelReport(new SessionBuilds(session), folder, effort, line).write(model));
     }
   }
 

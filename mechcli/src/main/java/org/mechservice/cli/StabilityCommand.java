@@ -9,10 +9,18 @@ import org.mechservice.cli.shell.MechVersion;
 import org.mechservice.cli.shell.ServerOption;
 import org.mechservice.cli.shell.ServiceConnection;
 import org.mechservice.cli.shell.UsageException;
+import org.mechservice.client.MechConnection;
+import org.mechservice.client.MechSession;
+import org.mechservice.client.SessionBuilds;
+import org.mechservice.client.failure.ModelMessage;
+import org.mechservice.client.failure.ServiceException;
 import org.mechservice.report.ProgressLine;
+import org.mechservice.report.method.BuildRefusedException;
+import org.mechservice.report.method.MethodList;
 import org.mechservice.report.stability.CaseOutcome;
 import org.mechservice.report.stability.ExtremeCase;
 import org.mechservice.report.stability.StabilityReport;
+import org.mechservice.report.stability.SuiteBuilds;
 import org.mechservice.report.stability.SuiteTimeBudget;
 import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Command;
@@ -92,6 +100,19 @@ final class StabilityCommand implements Callable<Integer> {
     return suite.stream().filter(one -> cases.isEmpty() || cases.contains(one.name())).toList();
   }
 
+  private static SuiteBuilds.Built built(MechConnection service, ExtremeCase wanted)
+      throws BuildRefusedException {
+    try (MechSession session = service.openSession()) {
+      List<String> warnings =
+          session.loadModel(wanted.file(), wanted.content()).stream()
+              .map(ModelMessage::toString)
+              .toList();
+      return new SuiteBuilds.Built(MethodList.of(new SessionBuilds(session)), warnings);
+    } catch (ServiceException e) {
+      throw new BuildRefusedException(e);
+    }
+  }
+
   private int suite() throws IOException {
     Path page = folder.resolve("stability.html");
     List<CaseOutcome> outcomes;
@@ -99,7 +120,7 @@ final class StabilityCommand implements Callable<Integer> {
         ProgressLine line = new ProgressLine(spec.commandLine().getErr())) {
       outcomes =
           new StabilityReport(
-                  service.connection()::openSession,
+                  wanted -> built(service.connection(), wanted),
                   new SuiteTimeBudget(limitSeconds, budgetSeconds),
                   line)
               .write(page, wantedCases());

@@ -107,11 +107,12 @@ class ArchitectureTest {
     "mechsim-service,"
         + " mechsim-codegen idl mechml solver-runtime solver-api solver-ode solver-mechanics",
     "mechserver, mechsim-service idl solver-api",
-    "mechclient, idl solver-api solver-runtime",
+    "mechclient, idl mechreport solver-api solver-runtime",
     "mechadmin, idl solver-api",
-    "mechreport, mechclient solver-runtime solver-api solver-ode",
+    "mechreport, solver-runtime solver-api solver-ode",
     "mechresult, solver-api",
-    "mechservice, mechsim-codegen mechml solver-runtime solver-api solver-ode solver-mechanics",
+    "mechservice, mechsim-codegen mechreport mechml solver-runtime solver-api solver-ode"
+        + " solver-mechanics",
     "mechstudy, mechservice mechresult mechsim-codegen mechml solver-runtime solver-api"
         + " solver-ode solver-mechanics",
     "mechstudy-spark, mechstudy mechml solver-api",

@@ -13,7 +13,9 @@ import java.net.URLClassLoader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
@@ -32,6 +34,9 @@ import org.mechservice.client.RemoteModel;
 import org.mechservice.client.failure.InvalidModelException;
 import org.mechservice.library.MechModel;
 import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.report.measure.Effort;
+import org.mechservice.report.measure.MeasurementFile;
+import org.mechservice.report.measure.ReportProgress;
 import org.mechservice.server.MechServerProcess;
 import org.mechservice.server.ServerSettings;
 import org.mechservice.solver.api.program.RunFailedException;
@@ -130,6 +135,26 @@ class RemoteModelTest {
     assertThat(there.name()).isEqualTo(here.name());
     assertThat(there.check().text()).isEqualTo(here.check().text());
     assertThat(there.check().json()).isEqualTo(here.check().json());
+  }
+
+  @Test
+  void reportIsOfTheSameMethodsWithTheSameErrors() throws Exception {
+    Effort least = new Effort("least", new double[] {1e-3}, 1, 1, 0, 4, 0, 0);
+    List<List<String>> found = new ArrayList<>();
+    Path file = element("Parameters");
+    Path here = folder.resolve("here");
+    Path there = folder.resolve("there");
+    MechModel.read(file).set("push", 3).report(here, least, ReportProgress.SILENT);
+    service.read(file).set("push", 3).report(there, least, ReportProgress.SILENT);
+    for (Path place : List.of(here, there)) {
+      found.add(
+          MeasurementFile.read(place.resolve("Parameters.csv")).stream()
+              .map(run -> run.method() + " " + run.round() + " " + run.errors() + " " + run.steps())
+              .sorted()
+              .toList());
+      assertThat(place.resolve("Parameters.html")).isNotEmptyFile();
+    }
+    assertThat(found.get(1)).isEqualTo(found.get(0)).isNotEmpty();
   }
 
   @Test

@@ -24,6 +24,10 @@ import org.mechservice.client.run.RunProgress;
 import org.mechservice.client.run.RunResult;
 import org.mechservice.idl.ModelReading;
 import org.mechservice.idl.OPT_T_STEP;
+import org.mechservice.report.ModelReport;
+import org.mechservice.report.measure.Effort;
+import org.mechservice.report.measure.ReportProgress;
+import org.mechservice.report.method.MethodBuilds;
 import org.mechservice.solver.api.ModelParameter;
 import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.program.RowMemory;
@@ -50,7 +54,8 @@ import org.mechservice.solver.text.ResultFile;
  *
  * <p>Runs and analyses are computed at the server, and their rows come in blocks. Three verbs bring
  * the compiled model and the server's solver to this machine: {@link #stepped}, whose steps would
- * otherwise each wait for the network, {@link #instances} and {@link #writeJar}.
+ * otherwise each wait for the network, {@link #instances} and {@link #writeJar}; {@link #report}
+ * brings it with each method.
  *
  * <p>Immutable: each change returns another model of the same session. May be used by several
  * threads.
@@ -465,6 +470,43 @@ public final class RemoteModel {
 
   private Trajectory analysis(AnalysisKind kind) {
     return rows(options.analysis(kind), Optional.empty());
+  }
+
+  /**
+   * Measures error against run time of every method that fits the model, and writes the page of
+   * {@code mech report} and its data. The server builds the methods; they run, and are timed, on
+   * this machine.
+   *
+   * @param folder for the pages; a report that was interrupted is taken up again there
+   * @return the page, {@code folder/NAME.html} of a file {@code NAME.xml}
+   * @throws IOException if the page cannot be written
+   * @throws InterruptedException if this thread is interrupted while another Java machine runs
+   * @throws ServiceException if the model cannot be built; says why
+   */
+  public Path report(Path folder) throws IOException, InterruptedException {
+    return report(folder, Effort.FULL, ReportProgress.SILENT);
+  }
+
+  /**
+   * Measures error against run time with an effort, and writes the page of {@code mech report}.
+   *
+   * <pre>{@code
+   * Path page = model.report(Path.of("pages"), Effort.QUICK, ReportProgress.SILENT);
+   * }</pre>
+   *
+   * @param folder for the pages; a report that was interrupted is taken up again there
+   * @param effort {@link Effort#QUICK} takes less than a minute, as {@code mech report --quick};
+   *     {@link Effort#FULL} some minutes
+   * @param progress is told what is being measured; what it throws ends the report, which keeps
+   *     what was measured
+   * @return the page
+   * @throws IOException if the page cannot be written
+   * @throws InterruptedException if this thread is interrupted while another Java machine runs
+   */
+  public Path report(Path folder, Effort effort, ReportProgress progress)
+      throws IOException, InterruptedException {
+    MethodBuilds builds = new SessionBuilds(session, options);
+    return new ModelReport(builds, folder, effort, progress).write(Path.of(source));
   }
 
   /**

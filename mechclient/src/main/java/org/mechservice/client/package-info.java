@@ -14,9 +14,11 @@
  * grids of parameter values. Types there that are not named in their package's story as its
  * interface are public only because Java has no wider package; programs do not use them.
  *
- * <p>The library depends on the CORBA contract ({@code idl}) and on {@code solver-api}. Parser,
- * code generator and solver stay at the server; a local run loads the server's solver from the
- * fetched runtime JAR. The names of the set-up times are those of Rodríguez et al. 2003.
+ * <p>The library depends on the CORBA contract ({@code idl}), on {@code solver-api} and on {@code
+ * mechreport}, whose page a {@link org.mechservice.client.RemoteModel} writes of the methods that a
+ * {@link org.mechservice.client.SessionBuilds} has the server build. Parser, code generator and
+ * solver stay at the server; a local run loads the server's solver from the fetched runtime JAR.
+ * The names of the set-up times are those of Rodríguez et al. 2003.
  */
 @NullMarked
 package org.mechservice.client;

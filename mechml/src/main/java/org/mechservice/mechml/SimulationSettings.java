@@ -59,6 +59,12 @@ public record SimulationSettings(
         name, task, run, absoluteTolerances, other, closure, columns, events);
   }
 
+  /** Returns the same settings with another closure of loops, or {@code auto}. */
+  public SimulationSettings withClosure(String other) {
+    return new SimulationSettings(
+        name, task, run, absoluteTolerances, formulation, other, columns, events);
+  }
+
   /** Returns the same settings with other groups of result columns, by their labels. */
   public SimulationSettings withColumns(List<String> other) {
     return new SimulationSettings(

@@ -8,13 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.stream.IntStream;
-import org.mechservice.client.MechSession;
-import org.mechservice.client.ModelSummary;
-import org.mechservice.client.SimulationOptions;
-import org.mechservice.client.failure.ServiceException;
-import org.mechservice.client.jar.BuiltJar;
 import org.mechservice.report.measure.Campaign;
 import org.mechservice.report.measure.ColdRunTimes;
 import org.mechservice.report.measure.ColdRunTiming;
@@ -28,6 +22,7 @@ import org.mechservice.report.measure.SceneFindings;
 import org.mechservice.report.measure.Spectrum;
 import org.mechservice.report.measure.TimeShares;
 import org.mechservice.report.method.Candidate;
+import org.mechservice.report.method.MethodBuilds;
 import org.mechservice.report.method.MethodList;
 import org.mechservice.report.method.ModelProblem;
 import org.mechservice.report.method.SimulationMethod;
@@ -40,7 +35,6 @@ import org.mechservice.report.solution.ReferenceMaker;
 import org.mechservice.report.solution.RunGrid;
 import org.mechservice.report.solution.StateDistance;
 import org.mechservice.solver.api.capability.ExplicitModel;
-import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MethodNames;
 
@@ -49,32 +43,29 @@ public final class ModelReport {
   private static final int OUTPUT_INTERVALS = 50;
   private static final int SPECTRUM_SAMPLES = 11;
 
-  /** Hexadecimal digits of a hash that tell code from other code. */
-  private static final int SHOWN_DIGITS = 12;
-
-  private final MechSession session;
+  private final MethodBuilds builds;
   private final Path folder;
   private final Effort effort;
   private final ReportProgress progress;
 
   /**
-   * @param session with the model loaded
+   * @param builds builds the model
    * @param folder for the pages
    */
-  public ModelReport(MechSession session, Path folder, Effort effort, ReportProgress progress) {
-    this.session = session;
+  public ModelReport(MethodBuilds builds, Path folder, Effort effort, ReportProgress progress) {
+    this.builds = builds;
     this.folder = folder;
     this.effort = effort;
     this.progress = progress;
   }
 
   /**
-   * Measures the model and writes its page and the data behind it.
+   * Measures the model and writes its page and the data behind it. Throws what the builder refuses
+   * the model with if it cannot be built.
    *
    * @param file the model's file, for its name
    * @return the page
    * @throws IOException if the page cannot be written
-   * @throws ServiceException if the model cannot be built
    * @throws InterruptedException if interrupted; what was measured is kept and taken up again
    */
   public Path write(Path file) throws IOException, InterruptedException {
@@ -93,7 +84,7 @@ public final class ModelReport {
 
   private SceneFindings measure(String file) throws IOException, InterruptedException {
     progress.at("building the model in every formulation", 0, Double.NaN);
-    MethodList methods = MethodList.of(session);
+    MethodList methods = MethodList.of(builds);
     List<Candidate> candidates = methods.candidates();
     ExplicitModel model = candidates.get(0).equations();
     RunSettings settings = model.description().defaults();
@@ -145,8 +136,7 @@ public final class ModelReport {
     if (first.closure().equals(MethodNames.NONE)) {
       return Optional.empty();
     }
-    SimulationOptions options = MethodList.options(first).columns(Set.of(ColumnGroup.CONSTRAINTS));
-    return LoopForces.of(session.fetchModel(options).newModel());
+    return LoopForces.of(builds.withConstraints(first));
   }
 
   private static int freedoms(ModelProblem problem, ExplicitModel model) {
@@ -205,9 +195,8 @@ public final class ModelReport {
 
   /** A reference is taken up again only if it was made for the same model, effort and version. */
   private String purpose(String file) {
-    ModelSummary model = session.model();
     return String.join(
-        "; ", "mech report", file, model.sha256(), effort.name(), Machine.solverVersion());
+        "; ", "mech report", file, builds.identity(), effort.name(), Machine.solverVersion());
   }
 
   /**
@@ -215,11 +204,7 @@ public final class ModelReport {
    * are those of one solver and one generator, which a version does not tell while it is made.
    */
   private String code(Candidate candidate) {
-    BuiltJar jar = session.build(MethodList.options(candidate.method()), false);
-    return "code "
-        + jar.runtimeSha256().substring(0, SHOWN_DIGITS)
-        + " "
-        + jar.sha256().substring(0, SHOWN_DIGITS);
+    return "code " + builds.code(candidate.method());
   }
 
   private Map<String, TimeShares> shares(
@@ -250,7 +235,7 @@ public final class ModelReport {
       for (Candidate candidate : candidates) {
         String name = candidate.method().name();
         if (completes(points, name, effort.typicalTolerance())) {
-          fresh.add(name, session.build(MethodList.options(candidate.method()), true));
+          fresh.add(name, builds.standalone(candidate.method()));
         }
       }
       return fresh.run(

@@ -15,6 +15,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -29,6 +31,11 @@ import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.mechml.robot.RobotExport;
 import org.mechservice.mechml.robot.RobotImport;
+import org.mechservice.report.ModelReport;
+import org.mechservice.report.measure.Effort;
+import org.mechservice.report.measure.ReportProgress;
+import org.mechservice.report.method.MethodBuilds;
+import org.mechservice.report.method.SimulationMethod;
 import org.mechservice.sim.check.CheckReport;
 import org.mechservice.sim.emit.plan.CodeForm;
 import org.mechservice.sim.model.BuildOptions;
@@ -55,6 +62,7 @@ import org.mechservice.solver.api.run.RunReport;
 import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.AnalysisKind;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.mechanism.FurtherState;
 import org.mechservice.solver.simulation.RuntimeSolver;
@@ -78,6 +86,7 @@ import org.mechservice.solver.text.Sha256;
  * Trajectory modes = car.modes();
  * car.simulate(Path.of("car.csv"));
  * car.writeJar(Path.of("car.jar"));
+ * Path page = car.report(Path.of("pages"), Effort.QUICK, ReportProgress.SILENT);
  * }</pre>
  *
  * <p>Immutable: each change returns another model. Code is generated once, when it is first needed.
@@ -524,6 +533,11 @@ public final class MechModel {
     return compiled.get();
   }
 
+  /** With the settings of this model's runs, by which a model that goes elsewhere runs. */
+  private CompiledModel built() {
+    return built(changes.apply(model.settings()).run());
+  }
+
   private CompiledModel built(RunSettings run) {
     SimulationSettings asked = changes.apply(model.settings());
     IntegratorSelection chosen = selection(asked);
@@ -607,13 +621,79 @@ public final class MechModel {
   }
 
   /**
+   * Measures error against run time of every method that fits the model, and writes the page of
+   * {@code mech report} and its data. The methods are timed in this process, and their first runs
+   * in Java machines of their own.
+   *
+   * @param folder for the pages; a report that was interrupted is taken up again there
+   * @return the page, {@code folder/NAME.html} of a file {@code NAME.xml}
+   * @throws IOException if the page cannot be written
+   * @throws InterruptedException if this thread is interrupted while another Java machine runs
+   * @throws IllegalArgumentException if the model cannot be built, or its simulation is not
+   *     integrated in time (S-008)
+   */
+  public Path report(Path folder) throws IOException, InterruptedException {
+    return report(folder, Effort.FULL, ReportProgress.SILENT);
+  }
+
+  /**
+   * Measures error against run time with an effort, and writes the page of {@code mech report}.
+   *
+   * <pre>{@code
+   * Path page = model.report(Path.of("pages"), Effort.QUICK, ReportProgress.SILENT);
+   * }</pre>
+   *
+   * @param folder for the pages; a report that was interrupted is taken up again there
+   * @param effort {@link Effort#QUICK} takes less than a minute, as {@code mech report --quick};
+   *     {@link Effort#FULL} some minutes
+   * @param progress is told what is being measured; what it throws ends the report, which keeps
+   *     what was measured
+   * @return the page
+   * @throws IOException if the page cannot be written
+   * @throws InterruptedException if this thread is interrupted while another Java machine runs
+   */
+  public Path report(Path folder, Effort effort, ReportProgress progress)
+      throws IOException, InterruptedException {
+    return new ModelReport(builds(), folder, effort, progress).write(Path.of(source.fileName));
+  }
+
+  private MethodBuilds builds() {
+    if (!(model.settings().task() instanceof SimulationTask.Dynamic)) {
+      throw new IllegalArgumentException(
+          MessageCode.OPTION_VALUE
+              + " the simulation is <"
+              + model.settings().task().element()
+              + ">; a report compares methods of <dynamic>, which another simulation may be");
+    }
+    String asked =
+        String.join(
+            "; ",
+            reading.simulation().toString(),
+            new TreeMap<>(reading.values()).toString(),
+            new TreeSet<>(reading.tunable()).toString(),
+            changes.apply(model.settings()).toString());
+    String file = Sha256.of(source.content);
+    return new ModelBuilds(
+        file + " " + Sha256.of(asked.getBytes(StandardCharsets.UTF_8)),
+        file,
+        method -> with(method).built(),
+        method -> with(method).columns(ColumnGroup.CONSTRAINTS).built());
+  }
+
+  private MechModel with(SimulationMethod method) {
+    MechModel chosen = formulation(method.formulation()).integrator(method.integrator());
+    return method.closure().equals(MethodNames.NONE)
+        ? chosen
+        : chosen.changed(old -> old.withClosure(method.closure()));
+  }
+
+  /**
    * Writes the model as a JAR that holds the solver too: {@code java -jar} runs it.
    *
    * @throws IOException if it cannot be written
    */
   public void writeJar(Path jar) throws IOException {
-    CompiledModel model = built(changes.apply(this.model.settings()).run());
-    JarImage image = ModelJars.standalone(model, Sha256.of(source.content));
+    JarImage image = ModelJars.standalone(built(), Sha256.of(source.content));
     Files.write(jar, image.bytes());
   }
 

@@ -7,9 +7,9 @@
  * the reader checks as a whole, so that nothing of the language is written twice.
  *
  * <p>Everything else starts at {@link org.mechservice.library.MechModel}: it is read from a file or
- * a text, takes values of its parameters, and gives a run, its rows, an analysis or the compiled
- * JAR. No CORBA class is on the path. A program that is to run on a server instead uses the same
- * verbs of {@code mechclient}.
+ * a text, takes values of its parameters, and gives a run, its rows, an analysis, the report on its
+ * methods or the compiled JAR. No CORBA class is on the path. A program that is to run on a server
+ * instead uses the same verbs of {@code mechclient}.
  */
 @NullMarked
 package org.mechservice.library;

@@ -11,6 +11,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.function.Supplier;
 import org.mechservice.client.MechSession;
+import org.mechservice.client.SessionBuilds;
 import org.mechservice.client.SimulationOptions;
 import org.mechservice.client.jar.LocalModel;
 import org.mechservice.client.run.LocalRun;
@@ -21,7 +22,6 @@ import org.mechservice.report.measure.Quantiles;
 import org.mechservice.report.measure.ReportProgress;
 import org.mechservice.report.measure.WarmUpRounds;
 import org.mechservice.report.method.Candidate;
-import org.mechservice.report.method.MethodList;
 import org.mechservice.report.method.SimulationMethod;
 import org.mechservice.report.solution.Judge;
 import org.mechservice.report.solution.PublishedReference;
@@ -204,7 +204,7 @@ public final class PaperReport {
   }
 
   private static Candidate candidate(MechSession session, SimulationMethod method) {
-    LocalModel model = session.fetchModel(MethodList.options(method));
+    LocalModel model = session.fetchModel(SessionBuilds.options(method));
     return new Candidate(method, model::newModel, model.solver());
   }
 

@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import org.mechservice.client.MechSession;
+import org.mechservice.client.SessionBuilds;
 import org.mechservice.client.SimulationOptions;
 import org.mechservice.client.jar.LocalModel;
 import org.mechservice.report.measure.MeasuredRun;
@@ -128,7 +129,7 @@ final class AutoStudy implements MethodStudy {
         new SimulationMethod(
             description.formulation(), closure, description.defaults().integrator());
     Candidate auto = new Candidate(name, chosen::newModel, chosen.solver());
-    List<Candidate> fixed = MethodList.of(session).candidates();
+    List<Candidate> fixed = MethodList.of(new SessionBuilds(session)).candidates();
     Judge judge = judge(fixed);
     if (judge.reference().isEmpty()) {
       table.row(scene, "", judge.doubt(), "", "", "", "", "", "");

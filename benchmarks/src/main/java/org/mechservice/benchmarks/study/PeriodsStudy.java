@@ -11,9 +11,9 @@ import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 import org.apache.commons.math3.stat.regression.SimpleRegression;
 import org.mechservice.client.MechSession;
+import org.mechservice.client.SessionBuilds;
 import org.mechservice.report.measure.LoopForces;
 import org.mechservice.report.method.Candidate;
-import org.mechservice.report.method.MethodList;
 import org.mechservice.report.method.SimulationMethod;
 import org.mechservice.report.page.SolverChart;
 import org.mechservice.solver.api.Model;
@@ -156,7 +156,7 @@ final class PeriodsStudy implements MethodStudy {
     Model model =
         session
             .fetchModel(
-                MethodList.options(candidate.method()).columns(Set.of(ColumnGroup.CONSTRAINTS)))
+                SessionBuilds.options(candidate.method()).columns(Set.of(ColumnGroup.CONSTRAINTS)))
             .newModel();
     Optional<LoopForces> loops = LoopForces.of(model);
     List<Invariant> invariants = new ArrayList<>();

@@ -6,10 +6,10 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import org.mechservice.client.MechSession;
+import org.mechservice.client.SessionBuilds;
 import org.mechservice.client.failure.ServiceException;
 import org.mechservice.report.measure.LoopForces;
 import org.mechservice.report.method.Candidate;
-import org.mechservice.report.method.MethodList;
 import org.mechservice.report.method.SimulationMethod;
 import org.mechservice.report.page.SolverChart;
 import org.mechservice.report.solution.StateDistance;
@@ -173,7 +173,9 @@ final class StartStudy implements MethodStudy {
         LoopForces.of(
             session
                 .fetchModel(
-                    MethodList.options(method).compact().columns(Set.of(ColumnGroup.CONSTRAINTS)))
+                    SessionBuilds.options(method)
+                        .compact()
+                        .columns(Set.of(ColumnGroup.CONSTRAINTS)))
                 .newModel());
     double open = loops.map(known -> known.residual(0, start)).orElse(Double.NaN);
     double opening = loops.map(known -> known.residualRate(0, start)).orElse(Double.NaN);

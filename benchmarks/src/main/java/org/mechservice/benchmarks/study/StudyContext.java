@@ -14,10 +14,10 @@ import java.util.function.BiFunction;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import org.mechservice.client.MechSession;
+import org.mechservice.client.SessionBuilds;
 import org.mechservice.client.jar.LocalModel;
 import org.mechservice.report.measure.ReportProgress;
 import org.mechservice.report.method.Candidate;
-import org.mechservice.report.method.MethodList;
 import org.mechservice.report.method.SimulationMethod;
 import org.mechservice.report.stability.ExtremeCase;
 import org.mechservice.solver.api.Model;
@@ -136,13 +136,13 @@ public final class StudyContext {
 
   /** Builds a method for the scene of a session. */
   static Candidate candidate(MechSession session, SimulationMethod method) {
-    LocalModel model = session.fetchModel(MethodList.options(method));
+    LocalModel model = session.fetchModel(SessionBuilds.options(method));
     return new Candidate(method, model::newModel, model.solver());
   }
 
   /** Builds a method's data-driven form, which is there at once: where time is not measured. */
   static Candidate compact(MechSession session, SimulationMethod method) {
-    LocalModel model = session.fetchModel(MethodList.options(method).compact());
+    LocalModel model = session.fetchModel(SessionBuilds.options(method).compact());
     return new Candidate(method, model::newModel, model.solver());
   }
 

@@ -7,6 +7,7 @@ import java.util.Set;
 import org.mechservice.cli.model.ModelToExport;
 import org.mechservice.cli.shell.UsageException;
 import org.mechservice.client.MechSession;
+import org.mechservice.client.SessionBuilds;
 import org.mechservice.mechml.ReadOptions;
 import org.mechservice.orb.http.Refused;
 import org.mechservice.report.ModelReport;
@@ -38,7 +39,8 @@ final class WebExports implements ModelExports {
   @Override
   public Path report(MechSession session, Path folder, Progress progress)
       throws IOException, InterruptedException {
-    return new ModelReport(session, folder, Effort.QUICK, progress::at).write(Path.of("model.xml"));
+    return new ModelReport(new SessionBuilds(session), folder, Effort.QUICK, progress::at)
+        .write(Path.of("model.xml"));
   }
 
   @Override

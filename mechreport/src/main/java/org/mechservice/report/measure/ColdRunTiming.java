@@ -7,7 +7,6 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.concurrent.TimeUnit;
-import org.mechservice.client.jar.BuiltJar;
 
 /**
  * Times first runs in Java machines of their own, start of the machine included. All JARs are run
@@ -25,9 +24,9 @@ public final class ColdRunTiming implements AutoCloseable {
   }
 
   /** Adds a standalone JAR, which starts with {@code java -jar}. */
-  public void add(String name, BuiltJar jar) throws IOException {
+  public void add(String name, byte[] jar) throws IOException {
     Path file = folder.resolve(jars.size() + ".jar");
-    Files.write(file, jar.bytes());
+    Files.write(file, jar);
     jars.put(name, file);
   }
 

@@ -6,7 +6,7 @@ public interface ReportProgress {
   ReportProgress SILENT = (what, done, secondsLeft) -> {};
 
   /**
-   * Reports what is being measured.
+   * Reports what is being measured. What it throws ends the report; measurements are kept.
    *
    * @param what the current work, in a few words
    * @param done part of the whole, from 0 to 1

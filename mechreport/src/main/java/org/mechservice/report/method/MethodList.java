@@ -3,13 +3,6 @@ package org.mechservice.report.method;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import org.mechservice.client.MechSession;
-import org.mechservice.client.SimulationOptions;
-import org.mechservice.client.failure.InvalidOptionException;
-import org.mechservice.client.failure.NotAvailableException;
-import org.mechservice.client.failure.ServerLostException;
-import org.mechservice.client.failure.ServiceException;
-import org.mechservice.client.jar.LocalModel;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.DependentStates;
 import org.mechservice.solver.api.capability.ModelParts;
@@ -41,29 +34,21 @@ public record MethodList(List<Candidate> candidates, List<OmittedMethod> leftOut
   }
 
   /**
-   * Asks the service for all methods of the model a session has loaded.
-   *
-   * @throws ServiceException if the model cannot be built at all; says why
+   * Builds a model with all methods. Throws what the builder refuses it with if it cannot be built
+   * at all.
    */
-  public static MethodList of(MechSession session) {
+  public static MethodList of(MethodBuilds builds) {
     List<Candidate> candidates = new ArrayList<>();
     List<OmittedMethod> leftOut = new ArrayList<>();
-    boolean loops = hasLoops(chosenByService(session));
+    boolean loops = hasLoops(builds.chosen());
     for (String formulation : FORMULATIONS) {
       for (String closure : loops ? CLOSURES : List.of(MethodNames.NONE)) {
         for (String integrator : INTEGRATORS) {
           SimulationMethod method = new SimulationMethod(formulation, closure, integrator);
           try {
-            LocalModel model = session.fetchModel(options(method));
-            candidates.add(new Candidate(method, model::newModel, model.solver()));
-          } catch (InvalidOptionException | NotAvailableException e) {
-            leftOut.add(new OmittedMethod(method, String.valueOf(e.getMessage())));
-          } catch (ServerLostException e) {
-            // A build that takes too long is no reason to be silent about the other methods.
-            if (candidates.isEmpty()) {
-              throw e;
-            }
-            leftOut.add(new OmittedMethod(method, String.valueOf(e.getMessage())));
+            candidates.add(builds.candidate(method));
+          } catch (BuildRefusedException e) {
+            leftOut.add(new OmittedMethod(method, e.reason()));
           }
         }
       }
@@ -71,28 +56,9 @@ public record MethodList(List<Candidate> candidates, List<OmittedMethod> leftOut
     return new MethodList(candidates, leftOut);
   }
 
-  /** Builds the model with the service's own choice; a refusal of it holds for all methods. */
-  private static Model chosenByService(MechSession session) {
-    LocalModel chosen =
-        session.fetchModel(
-            SimulationOptions.asInFile()
-                .formulation(MethodNames.AUTO)
-                .integrator(MethodNames.AUTO));
-    return chosen.newModel();
-  }
-
   /** Returns whether the equations of a model close loops. */
   static boolean hasLoops(Model model) {
     Model equations = ModelParts.of(model).equations();
     return equations instanceof DependentStates || equations instanceof ProjectedStates;
-  }
-
-  /** Returns the options that choose a method. */
-  public static SimulationOptions options(SimulationMethod method) {
-    SimulationOptions options =
-        SimulationOptions.asInFile()
-            .formulation(method.formulation())
-            .integrator(method.integrator());
-    return method.closure().equals(MethodNames.NONE) ? options : options.closure(method.closure());
   }
 }

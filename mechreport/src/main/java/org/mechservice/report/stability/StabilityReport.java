@@ -9,13 +9,10 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Supplier;
-import org.mechservice.client.MechSession;
-import org.mechservice.client.failure.ModelMessage;
-import org.mechservice.client.failure.ServiceException;
 import org.mechservice.report.measure.MeasuredRun;
 import org.mechservice.report.measure.MethodRunner;
 import org.mechservice.report.measure.ReportProgress;
+import org.mechservice.report.method.BuildRefusedException;
 import org.mechservice.report.method.Candidate;
 import org.mechservice.report.method.MethodList;
 import org.mechservice.report.method.ModelProblem;
@@ -32,17 +29,16 @@ import org.mechservice.solver.api.run.RunSettings;
 public final class StabilityReport {
   private static final int INTERVALS = 4;
 
-  private final Supplier<MechSession> sessions;
+  private final SuiteBuilds builds;
   private final SuiteTimeBudget budget;
   private final ReportProgress progress;
 
   /**
-   * @param sessions opens one per case
+   * @param builds builds the models of the cases
    * @param budget of time, which begins when it is made
    */
-  public StabilityReport(
-      Supplier<MechSession> sessions, SuiteTimeBudget budget, ReportProgress progress) {
-    this.sessions = sessions;
+  public StabilityReport(SuiteBuilds builds, SuiteTimeBudget budget, ReportProgress progress) {
+    this.builds = builds;
     this.budget = budget;
     this.progress = progress;
   }
@@ -70,16 +66,13 @@ public final class StabilityReport {
 
   /** Runs one case. */
   public CaseOutcome run(ExtremeCase wanted) {
-    try (MechSession session = sessions.get()) {
-      List<String> warnings =
-          session.loadModel(wanted.file(), wanted.content()).stream()
-              .map(ModelMessage::toString)
-              .toList();
-      return run(wanted, MethodList.of(session), warnings);
-    } catch (ServiceException e) {
-      String why = String.valueOf(e.getMessage());
-      return new CaseOutcome(wanted, List.of(), why, List.of(), "");
+    SuiteBuilds.Built built;
+    try {
+      built = builds.build(wanted);
+    } catch (BuildRefusedException e) {
+      return new CaseOutcome(wanted, List.of(), e.reason(), List.of(), "");
     }
+    return run(wanted, built.methods(), built.warnings());
   }
 
   private CaseOutcome run(ExtremeCase wanted, MethodList methods, List<String> warnings) {

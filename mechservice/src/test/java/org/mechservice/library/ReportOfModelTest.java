@@ -1,0 +1,94 @@
+package org.mechservice.library;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.mechservice.report.measure.Effort;
+import org.mechservice.report.measure.MeasuredRun;
+import org.mechservice.report.measure.MeasurementFile;
+import org.mechservice.report.measure.ReportProgress;
+
+/** The report of a model in process: its page, what it keeps, and what it refuses. */
+class ReportOfModelTest {
+  private static final Path EXAMPLES = Path.of("../examples");
+
+  /** One tolerance, each point timed once, no warm-up and no other Java machine. */
+  private static final Effort LEAST = new Effort("least", new double[] {1e-3}, 1, 1, 0, 4, 0, 0);
+
+  @TempDir private Path folder = Path.of("");
+
+  private static MechModel read(String example) throws Exception {
+    return MechModel.read(EXAMPLES.resolve(example));
+  }
+
+  @Test
+  void pageIsOfEveryMethodAndWhatWasMeasuredIsTakenUpAgain() throws Exception {
+    MechModel model = read("elements/Parameters.xml").set("push", 3).until(0.2);
+    Path page = model.report(folder, LEAST, ReportProgress.SILENT);
+    Path runs = folder.resolve("Parameters.csv");
+
+    assertThat(page).isEqualTo(folder.resolve("Parameters.html"));
+    assertThat(Files.readString(page)).contains("DSR ode15s", "0.20 s");
+    assertThat(folder.resolve("Parameters.svg")).exists();
+    assertThat(MeasurementFile.read(runs).stream().map(MeasuredRun::method))
+        .contains("DTR ode113", "DSR ode113", "RR ode15sR");
+    assertThat(MeasurementFile.read(runs)).filteredOn(MeasuredRun::completed).isNotEmpty();
+
+    String measured = Files.readString(runs);
+    model.report(folder, LEAST, ReportProgress.SILENT);
+    assertThat(runs).hasContent(measured);
+
+    read("elements/Parameters.xml")
+        .set("push", 4)
+        .until(0.2)
+        .report(folder, LEAST, ReportProgress.SILENT);
+    assertThat(Files.readString(runs).lines().findFirst())
+        .as("another value of a parameter is another model")
+        .isNotEqualTo(measured.lines().findFirst());
+  }
+
+  @Test
+  void loopsAreMeasuredWithEveryClosure() throws Exception {
+    read("four-bar/four-bar.xml").until(0.1).report(folder, LEAST, ReportProgress.SILENT);
+
+    List<MeasuredRun> runs = MeasurementFile.read(folder.resolve("four-bar.csv"));
+    assertThat(runs.stream().map(MeasuredRun::method))
+        .contains("DSR penalty ode113", "DSR projection ode15s");
+    assertThat(runs)
+        .filteredOn(run -> run.completed() && run.round() == 0)
+        .isNotEmpty()
+        .as("loops are closed to far less than the tolerance 1e-3")
+        .allSatisfy(run -> assertThat(run.errors().residual()).isBetween(0.0, 1e-9));
+  }
+
+  @Test
+  void whatTheProgressThrowsEndsTheReport() throws Exception {
+    MechModel model = read("pendulum/pendulum.xml");
+    List<String> told = new ArrayList<>();
+    ReportProgress ending =
+        (what, done, left) -> {
+          told.add(what);
+          throw new CancellationException("enough");
+        };
+
+    assertThatThrownBy(() -> model.report(folder, LEAST, ending))
+        .isInstanceOf(CancellationException.class);
+    assertThat(told).hasSize(1);
+  }
+
+  @Test
+  void simulationThatIsNotIntegratedIsRefused() throws Exception {
+    MechModel still = read("elements/static.xml");
+
+    assertThatThrownBy(() -> still.report(folder))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageStartingWith("S-008 the simulation is <static>");
+  }
+}
