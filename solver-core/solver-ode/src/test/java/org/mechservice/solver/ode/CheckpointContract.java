@@ -79,6 +79,58 @@ public abstract class CheckpointContract {
     throw new AssertionError("the run is too short to be cut");
   }
 
+  @ParameterizedTest
+  @ValueSource(doubles = {1e-3, 1e-7, 1e-12})
+  void integrationSavedBeforeItsFirstStepGoesOnWithTheSameBits(double tolerance) {
+    SuiteProblem problem = new VanDerPol();
+    IntegratorSettings settings = Run.settings(problem, tolerance);
+    double[] y0 = problem.reference().initialState();
+    Integrator whole = create(settings);
+    List<Double> expected = trace(whole, whole.start(problem, 0, y0, 20), 2);
+    Integrator started = create(settings);
+    assertThat(started.start(problem, 0, y0, 20)).isEqualTo(StepResult.ADVANCED);
+    byte[] saved = started.save();
+    Integrator resumed = create(settings);
+    assertThat(resumed.resume(new VanDerPol(), saved)).isEqualTo(StepResult.ADVANCED);
+    assertThat(resumed.save()).isEqualTo(saved);
+    assertThat(resumed.time()).isZero();
+    assertThat(Run.state(resumed, 0, 2)).isEqualTo(y0);
+    assertThat(trace(resumed, StepResult.ADVANCED, 2)).isEqualTo(expected);
+    assertThat(resumed.statistics()).isEqualTo(whole.statistics());
+    // The one that was saved was not changed by it.
+    assertThat(trace(started, StepResult.ADVANCED, 2)).isEqualTo(expected);
+  }
+
+  @Test
+  void integrationSavedBeforeItsFirstStepKnowsJumpsManifoldAndEvents() {
+    Pushed pushed = new Pushed();
+    Integrator whole = create(1e-7);
+    List<Double> expected = trace(whole, whole.start(pushed, 0, new double[2], 5), 2);
+    Integrator started = create(1e-7);
+    started.start(pushed, 0, new double[2], 5);
+    Integrator resumed = create(1e-7);
+    assertThat(trace(resumed, resumed.resume(new Pushed(), started.save()), 2)).isEqualTo(expected);
+
+    whole = create(1e-8);
+    expected = trace(whole, whole.start(new SavedPendulum(), 0, LoopPendulum.start(), 5), 4);
+    started = create(1e-8);
+    started.start(new SavedPendulum(), 0, LoopPendulum.start(), 5);
+    resumed = create(1e-8);
+    assertThat(trace(resumed, resumed.resume(new SavedPendulum(), started.save()), 4))
+        .isEqualTo(expected);
+
+    double[] thrown = {0, 10};
+    Bounces all = new Bounces();
+    whole = new EventIntegration(create(1e-8), all);
+    expected = trace(whole, whole.start(FALL, 0, thrown, 10), 2);
+    started = new EventIntegration(create(1e-8), new Bounces());
+    started.start(FALL, 0, thrown, 10);
+    Bounces counted = new Bounces();
+    resumed = new EventIntegration(create(1e-8), counted);
+    assertThat(trace(resumed, resumed.resume(FALL, started.save()), 2)).isEqualTo(expected);
+    assertThat(counted.bounces).isEqualTo(all.bounces).isGreaterThan(5);
+  }
+
   @Test
   void savingChangesNothing() {
     SuiteProblem problem = new VanDerPol();
@@ -166,6 +218,14 @@ public abstract class CheckpointContract {
     assertThat(rest).isEqualTo(expected.subList(expected.size() - rest.size(), expected.size()));
   }
 
+  private static final FunctionOde FALL =
+      new FunctionOde(
+          2,
+          (t, y, yDot) -> {
+            yDot[0] = y[1];
+            yDot[1] = -9.81;
+          });
+
   /** A ball that keeps 80 % of its speed; the bounces are counted. */
   private static final class Bounces implements EventFunctions, SavedSystem {
     private int bounces;
@@ -200,26 +260,19 @@ public abstract class CheckpointContract {
 
   @Test
   void eventsAreFoundAsIfNothingHadBeenSaved() {
-    FunctionOde fall =
-        new FunctionOde(
-            2,
-            (t, y, yDot) -> {
-              yDot[0] = y[1];
-              yDot[1] = -9.81;
-            });
     double[] y0 = {10, 0};
     Bounces all = new Bounces();
     EventIntegration whole = new EventIntegration(create(1e-8), all);
-    List<Double> expected = trace(whole, whole.start(fall, 0, y0, 10), 2);
+    List<Double> expected = trace(whole, whole.start(FALL, 0, y0, 10), 2);
     Bounces counted = new Bounces();
     EventIntegration part = new EventIntegration(create(1e-8), counted);
-    StepResult result = part.start(fall, 0, y0, 10);
+    StepResult result = part.start(FALL, 0, y0, 10);
     while (result == StepResult.ADVANCED) {
       result = part.step();
       byte[] saved = part.save();
       counted = new Bounces();
       part = new EventIntegration(create(1e-8), counted);
-      assertThat(part.resume(fall, saved)).isEqualTo(result);
+      assertThat(part.resume(FALL, saved)).isEqualTo(result);
     }
     assertThat(counted.bounces).isEqualTo(all.bounces).isGreaterThan(5);
     double[] atEnd = Run.state(part, 10, 2);
