@@ -13,6 +13,8 @@
 static const double HUGE_NUMBER = 1.0e300;
 static const double TWO_54 = 1.80143985094819840000e+16;
 static const double TWO_POWER_24 = 16777216.0;
+/* 2^27 + 1, which parts a double in two halves. */
+static const double SPLITTER = 134217729.0;
 static const double LN2_HIGH = 6.93147180369123816490e-01;
 static const double LN2_LOW = 1.90821492927058770002e-10;
 static const double INVERSE_LN2 = 1.44269504088896338700e+00;
@@ -978,11 +980,22 @@ static int is_finite(double x) {
   return fabs(x) <= DBL_MAX;
 }
 
-/* exp(b ln a), the product carried to twice the precision. */
+/* What rounding took from a product of normal size (Dekker 1971): exact, and without fma, which
+ * not every C library has. */
+static double rounded_off(double a, double b, double product) {
+  double a_high = SPLITTER * a - (SPLITTER * a - a);
+  double b_high = SPLITTER * b - (SPLITTER * b - b);
+  double a_low = a - a_high;
+  double b_low = b - b_high;
+  return ((a_high * b_high - product) + a_high * b_low + a_low * b_high) + a_low * b_low;
+}
+
+/* exp(b ln a), the product carried to twice the precision. Where it is too large or too small to be
+ * carried so, the power is 0, 1 or infinite. */
 static double positive_power(double a, double b) {
   double logarithm = mech_log(a);
   double high = b * logarithm;
-  double low = fma(b, logarithm, -high);
+  double low = rounded_off(b, logarithm, high);
   double power = mech_exp(high);
   return is_finite(power) && is_finite(low) ? power + power * low : power;
 }

@@ -6,10 +6,9 @@
 #define NAN (__builtin_nanf(""))
 #define fabs __builtin_fabs
 #define floor __builtin_floor
+#define rint __builtin_rint
 #define sqrt __builtin_sqrt
 #define signbit(x) __builtin_signbit(x)
 #define copysign __builtin_copysign
 double ldexp(double x, int power);
-double fma(double a, double b, double c);
-double rint(double x);
 #endif
