@@ -10,7 +10,8 @@
  * org.mechservice.benchmarks.FirstEvaluations} write pages of docs/reports. {@link
  * org.mechservice.benchmarks.MethodReports} writes the pages that are evidence about the methods;
  * they are made in {@code suite}, {@code paper} and {@code study}. What compares the product with
- * other programs is in {@code peer}.
+ * other programs is in {@code peer}, but for {@link org.mechservice.benchmarks.LargeDiffusion},
+ * which a script runs beside CVODE.
  */
 @NullMarked
 package org.mechservice.benchmarks;

@@ -8,6 +8,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.solver.ode.events.EventFunctions;
 import org.mechservice.solver.ode.events.EventFunctions.Direction;
 import org.mechservice.solver.ode.events.EventFunctions.Reaction;
@@ -252,5 +253,35 @@ public abstract class EventLocationContract {
     assertThat(zeros.times).hasSize(2);
     assertThat(zeros.times.get(0)).isCloseTo(-Math.PI - Math.PI / 6, within(1e-7));
     assertThat(zeros.times.get(1)).isCloseTo(-2 * Math.PI + Math.PI / 6, within(1e-7));
+  }
+
+  /** Two zeros 3 ms apart at the top of a flight of 2 s, seen because the top is looked for. */
+  @ParameterizedTest
+  @ValueSource(doubles = {1e-6, 1e-9})
+  void functionThatOnlyJustCrossesZeroIsSeenIfItsRateIsWatchedBesideIt(double tolerance) {
+    double over = 1e-6;
+    FunctionOde flight =
+        new FunctionOde(
+            2,
+            (t, y, yDot) -> {
+              yDot[0] = y[1];
+              yDot[1] = -1;
+            });
+    Watch level =
+        new Watch(
+            2,
+            Direction.EITHER,
+            Reaction.CONTINUE,
+            (t, y, g) -> {
+              g[0] = y[0] - (0.5 - over);
+              g[1] = y[1];
+            });
+    run(new EventIntegration(create(tolerance), level), flight, new double[] {0, 1}, 2);
+    assertThat(level.functions).containsExactly(List.of(0), List.of(1), List.of(0));
+    // An error of the height is as much longer in time as the flight is slow there.
+    double speed = Math.sqrt(2 * over);
+    assertThat(level.times.get(0)).isCloseTo(1 - speed, within(tolerance / speed));
+    assertThat(level.times.get(1)).isCloseTo(1, within(10 * tolerance));
+    assertThat(level.times.get(2)).isCloseTo(1 + speed, within(tolerance / speed));
   }
 }

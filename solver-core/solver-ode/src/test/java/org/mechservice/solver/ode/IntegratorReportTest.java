@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.time.LocalDate;
 import java.time.ZoneId;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import org.junit.jupiter.api.Tag;
@@ -19,6 +20,7 @@ import org.mechservice.solver.ode.stiff.Ode15s;
 import org.mechservice.solver.ode.suite.ResidualProblem;
 import org.mechservice.solver.ode.suite.ResidualRun;
 import org.mechservice.solver.ode.suite.Run;
+import org.mechservice.solver.ode.suite.StiffnessFamily;
 import org.mechservice.solver.ode.suite.SuiteProblem;
 import org.mechservice.solver.ode.switching.Switching;
 
@@ -81,6 +83,7 @@ class IntegratorReportTest {
     shares();
     stiffness();
     switching();
+    changesOnFamilies();
     standing();
     Files.writeString(PAGE, page);
     assertThat(PAGE).exists();
@@ -224,13 +227,17 @@ class IntegratorReportTest {
   }
 
   private static IntegratorSettings bounded(IntegratorSettings settings) {
+    return bounded(settings, 20_000);
+  }
+
+  private static IntegratorSettings bounded(IntegratorSettings settings, long steps) {
     return new IntegratorSettings(
         settings.relativeTolerance(),
         settings.absoluteTolerance(),
         Double.POSITIVE_INFINITY,
         0,
         0,
-        20_000,
+        steps,
         () -> false);
   }
 
@@ -279,6 +286,68 @@ class IntegratorReportTest {
         ratios.get(ratios.size() / 2),
         ratios.get(ratios.size() * 9 / 10),
         ratios.get(ratios.size() - 1));
+  }
+
+  /** The change between methods on families of problems that are more or less stiff. */
+  private void changesOnFamilies() {
+    line("");
+    line("### Families of problems more or less stiff");
+    line("");
+    line(
+        "Problems on which nothing was chosen (`StiffnessFamily`), at 1e-3 to 1e-8, absolute alike:"
+            + " evaluations of the change over those of the better of ode113 and ode15s. Long runs"
+            + " are those of which the better method takes 200 evaluations and more.");
+    line("");
+    line("| family | runs | at most 1.3 | median | worst | long runs | at most 1.3 | worst |");
+    line("|---|---|---|---|---|---|---|---|");
+    List<double[]> all = new ArrayList<>();
+    for (StiffnessFamily family : StiffnessFamily.all()) {
+      List<double[]> runs = new ArrayList<>();
+      for (StiffnessFamily.Member member : family.members()) {
+        for (int k = LEAST_DIGITS; k <= 8; k++) {
+          runs.add(betterAndRatio(member, StrictMath.pow(10, -k)));
+        }
+      }
+      row(family.name(), runs);
+      all.addAll(runs);
+    }
+    row("all", all);
+  }
+
+  private static double[] betterAndRatio(StiffnessFamily.Member member, double tolerance) {
+    IntegratorSettings settings = new IntegratorSettings(tolerance, tolerance);
+    Run explicit = run(new Ode113(bounded(settings, 200_000)), member);
+    Run implicit = run(new Ode15s(settings), member);
+    Run changing = run(new Switching(settings), member);
+    assertThat(implicit.result()).as(member.name()).isEqualTo(StepResult.REACHED_END);
+    assertThat(changing.result()).as(member.name()).isEqualTo(StepResult.REACHED_END);
+    long better = implicit.statistics().evaluations();
+    if (explicit.result() == StepResult.REACHED_END) {
+      better = Math.min(better, explicit.statistics().evaluations());
+    }
+    return new double[] {better, (double) changing.statistics().evaluations() / better};
+  }
+
+  private static Run run(Integrator integrator, StiffnessFamily.Member member) {
+    return Run.of(integrator, member.ode(), 0, member.start(), member.end());
+  }
+
+  private void row(String name, List<double[]> runs) {
+    double[] ratios = runs.stream().mapToDouble(run -> run[1]).sorted().toArray();
+    double[] longRuns =
+        runs.stream().filter(run -> run[0] >= 200).mapToDouble(run -> run[1]).sorted().toArray();
+    line(
+        "| %s | %d | %d | %.2f | %.2f | %d | %d | %s |",
+        name,
+        ratios.length,
+        Arrays.stream(ratios).filter(ratio -> ratio <= 1.3).count(),
+        ratios[ratios.length / 2],
+        ratios[ratios.length - 1],
+        longRuns.length,
+        Arrays.stream(longRuns).filter(ratio -> ratio <= 1.3).count(),
+        longRuns.length == 0
+            ? "-"
+            : String.format(Locale.ROOT, "%.2f", longRuns[longRuns.length - 1]));
   }
 
   private double ratio(SuiteProblem problem, int digits) {

@@ -23,12 +23,13 @@ import org.mechservice.solver.ode.step.RecentSteps;
  * Looks for events in the steps of an integrator: changes of sign of functions g_i(t, y).
  *
  * <p>Every step is searched at its end and at three points inside, the first one after a restart
- * also at its very beginning; two zeros of a function between two such points are not seen. A zero
- * is located on the interpolated solution to max(100 u |t|, 10⁻¹² h), without evaluating the
- * problem. The first event counts; those that cannot be told apart from it are reported together.
- * If the reaction changes the state or the equations, the step ends there and the integrator
- * {@linkplain Integrator#restart restarts}; until the next step, the solution that led to the event
- * can be interpolated.
+ * also at its very beginning; two zeros of a function between two such points are not seen, unless
+ * its rate of change is a function beside it: then its extremum is one of the points. A zero is
+ * located on the interpolated solution to max(100 u |t|, 10⁻¹² h), without evaluating the problem.
+ * The first event counts; those that cannot be told apart from it are reported together. If the
+ * reaction changes the state or the equations, the step ends there and the integrator {@linkplain
+ * Integrator#restart restarts}; until the next step, the solution that led to the event can be
+ * interpolated.
  *
  * <p>Events that accumulate, like the bounces of a ball that comes to rest, end the integration
  * with {@link IntegrationFailure.Cause#EVENTS_ACCUMULATE}.
