@@ -24,10 +24,8 @@ import org.mechservice.client.run.RunProgress;
 import org.mechservice.client.run.RunResult;
 import org.mechservice.idl.ModelReading;
 import org.mechservice.idl.OPT_T_STEP;
-import org.mechservice.report.ModelReport;
 import org.mechservice.report.measure.Effort;
 import org.mechservice.report.measure.ReportProgress;
-import org.mechservice.report.method.MethodBuilds;
 import org.mechservice.solver.api.ModelParameter;
 import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.program.RowMemory;
@@ -475,16 +473,24 @@ public final class RemoteModel {
   /**
    * Measures error against run time of every method that fits the model, and writes the page of
    * {@code mech report} and its data. The server builds the methods; they run, and are timed, on
-   * this machine.
+   * this machine. The project needs {@code org.mechservice:mechreport} for it, which no other verb
+   * needs.
    *
    * @param folder for the pages; a report that was interrupted is taken up again there
    * @return the page, {@code folder/NAME.html} of a file {@code NAME.xml}
    * @throws IOException if the page cannot be written
    * @throws InterruptedException if this thread is interrupted while another Java machine runs
    * @throws ServiceException if the model cannot be built; says why
+   * @throws IllegalStateException if {@code mechreport} is not on the class path
    */
   public Path report(Path folder) throws IOException, InterruptedException {
-    return report(folder, Effort.FULL, ReportProgress.SILENT);
+    try {
+      return report(folder, Effort.FULL, ReportProgress.SILENT);
+    } catch (NoClassDefFoundError missing) {
+      throw new IllegalStateException(
+          "a report is measured in this process: add org.mechservice:mechreport to the project",
+          missing);
+    }
   }
 
   /**
@@ -505,8 +511,7 @@ public final class RemoteModel {
    */
   public Path report(Path folder, Effort effort, ReportProgress progress)
       throws IOException, InterruptedException {
-    MethodBuilds builds = new SessionBuilds(session, options);
-    return new ModelReport(builds, folder, effort, progress).write(Path.of(source));
+    return new SessionBuilds(session, options).report(Path.of(source), folder, effort, progress);
   }
 
   /**

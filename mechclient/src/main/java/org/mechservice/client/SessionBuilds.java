@@ -1,5 +1,7 @@
 package org.mechservice.client;
 
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.Set;
 import org.mechservice.client.failure.InvalidOptionException;
 import org.mechservice.client.failure.NotAvailableException;
@@ -7,6 +9,9 @@ import org.mechservice.client.failure.ServerLostException;
 import org.mechservice.client.failure.ServiceException;
 import org.mechservice.client.jar.BuiltJar;
 import org.mechservice.client.jar.LocalModel;
+import org.mechservice.report.ModelReport;
+import org.mechservice.report.measure.Effort;
+import org.mechservice.report.measure.ReportProgress;
 import org.mechservice.report.method.BuildRefusedException;
 import org.mechservice.report.method.Candidate;
 import org.mechservice.report.method.MethodBuilds;
@@ -37,6 +42,12 @@ public final class SessionBuilds implements MethodBuilds {
   SessionBuilds(MechSession session, SimulationOptions settings) {
     this.session = session;
     this.settings = settings;
+  }
+
+  /** Writes the page about a model. {@link RemoteModel} must be usable without mechreport. */
+  Path report(Path file, Path folder, Effort effort, ReportProgress progress)
+      throws IOException, InterruptedException {
+    return new ModelReport(this, folder, effort, progress).write(file);
   }
 
   /** Returns the options that choose a method. */
