@@ -208,9 +208,9 @@ final class Relay implements AutoCloseable {
     cut = false;
   }
 
-  /** Returns an address of this machine that nothing else of the tests uses. */
+  /** Returns an address of this machine whose port is free on the loopback address too. */
   static InetSocketAddress anyPortOf(String address) throws IOException {
-    return new InetSocketAddress(InetAddress.getByName(address), 0);
+    return new InetSocketAddress(InetAddress.getByName(address), freePort());
   }
 
   /** Returns a loopback port that was free a moment ago, none of those given to connections. */
