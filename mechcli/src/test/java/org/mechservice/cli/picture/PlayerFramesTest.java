@@ -4,8 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
@@ -15,8 +13,6 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.admin.web.Chromium;
-import org.mechservice.cli.Mech;
-import org.mechservice.cli.shell.ExitStatus;
 import org.mechservice.load.SoakPage;
 
 /**
@@ -96,7 +92,8 @@ class PlayerFramesTest {
               "five-point-suspension/five-point-suspension",
               "driver/driver-c0",
               "benchmarks/bouncing_ball")) {
-        browser.open(view(Path.of("..", "examples", model + ".xml")));
+        Path file = Path.of("..", "examples", model + ".xml");
+        browser.open(PlayerInBrowserTest.view(file, folder));
         browser.evaluate(ONE_TRIANGLE);
         measure(browser, page, model, "usual");
         for (String toggle : ALL) {
@@ -106,21 +103,6 @@ class PlayerFramesTest {
       }
     }
     page.write("player-frames.md");
-  }
-
-  private Path view(Path model) {
-    Path page = folder.resolve(model.getFileName() + ".html");
-    StringWriter err = new StringWriter();
-    int status =
-        Mech.run(
-            new PrintWriter(new StringWriter()),
-            new PrintWriter(err),
-            "view",
-            model.toString(),
-            "-o",
-            page.toString());
-    assertThat(status).as(err.toString()).isEqualTo(ExitStatus.DONE);
-    return page;
   }
 
   private static void measure(Chromium browser, SoakPage page, String model, String shown)

@@ -44,6 +44,11 @@ class PlayerInBrowserTest {
   }
 
   private static Path view(Path model) {
+    return view(model, folder);
+  }
+
+  /** Writes the player's page of a model into a folder. */
+  static Path view(Path model, Path folder) {
     Path page = folder.resolve(model.getFileName() + ".html");
     StringWriter err = new StringWriter();
     int status =

@@ -1,8 +1,10 @@
 package org.mechservice.solver.dynamics.derivative;
 
-import static org.mechservice.solver.spatial.Blocks.addCross;
-import static org.mechservice.solver.spatial.Blocks.apply;
-import static org.mechservice.solver.spatial.Blocks.applyTransposed;
+import static org.mechservice.solver.dynamics.derivative.PlacedLinks.BLOCK;
+import static org.mechservice.solver.dynamics.derivative.PlacedLinks.WIDTH;
+import static org.mechservice.solver.dynamics.derivative.PlacedLinks.add;
+import static org.mechservice.solver.dynamics.derivative.PlacedLinks.dot6;
+import static org.mechservice.solver.dynamics.derivative.PlacedLinks.multiply;
 
 import java.util.Arrays;
 import java.util.Optional;
@@ -40,17 +42,11 @@ import org.mechservice.solver.linear.LinearSolver;
  * they are subtracted from, the matrix is formed and factored with interchanges (NUMERICS §2).
  */
 public final class ArticulatedIteration extends StepReduction implements StepDerivatives {
-  /** As in factors along the tree: at most three digits are lost beyond the condition. */
-  private static final double GROWTH_ALLOWED = 1e3;
-
   /**
    * Mean square of the velocities on the way to the root above which elimination from link to link
    * pays. It takes some 2000 operations a link, two for each pair of them along the tree.
    */
   private static final double MEAN_SQUARE_PAYS = 2000;
-
-  private static final int WIDTH = 18;
-  private static final int BLOCK = 6 * WIDTH;
 
   private final TreeMotion motion;
   private final TreeGeometry tree;
@@ -62,14 +58,8 @@ public final class ArticulatedIteration extends StepReduction implements StepDer
   private final double[] noForces;
   private final double[] noWrench = {};
 
-  /**
-   * Where the links are at the derivatives, as in {@link TreeMotion}, which moves on: rotations,
-   * positions and columns S.
-   */
-  private final double[] rotation;
-
-  private final double[] position;
-  private final double[] subspace;
+  /** Where the links are at the derivatives. */
+  private final PlacedLinks links;
 
   /** P, R and Q, 6 × 18 for each link: P by its motion, R by its parent's, Q that on the parent. */
   private final double[] own;
@@ -97,8 +87,8 @@ public final class ArticulatedIteration extends StepReduction implements StepDer
   private final double[] velocityDirect;
   private final double[] direct;
 
-  private final Factors ofMatrix;
-  private final Factors ofInertia;
+  private final LinkElimination ofMatrix;
+  private final LinkElimination ofInertia;
   private boolean inertiaFactored;
   private boolean inertiaRegular;
 
@@ -130,14 +120,12 @@ public final class ArticulatedIteration extends StepReduction implements StepDer
     columns = new MotionColumns(motion, newtonEuler);
     residual = new double[tree.velocityCount];
     noForces = new double[tree.velocityCount];
-    int links = tree.linkCount;
-    rotation = new double[9 * links];
-    position = new double[3 * links];
-    subspace = new double[6 * tree.velocityCount];
-    own = new double[BLOCK * links];
-    byParent = new double[BLOCK * links];
-    onParent = new double[BLOCK * links];
-    coupled = new boolean[links];
+    int count = tree.linkCount;
+    links = new PlacedLinks(tree);
+    own = new double[BLOCK * count];
+    byParent = new double[BLOCK * count];
+    onParent = new double[BLOCK * count];
+    coupled = new boolean[count];
     int n = tree.velocityCount;
     placeColumn = new double[WIDTH * n];
     velocityColumn = new double[WIDTH * n];
@@ -147,10 +135,10 @@ public final class ArticulatedIteration extends StepReduction implements StepDer
     placeDirect = new double[3 * n];
     velocityDirect = new double[3 * n];
     direct = new double[3 * n];
-    ofMatrix = new Factors();
-    ofInertia = new Factors();
-    moved = new double[WIDTH * links];
-    wrench = new double[6 * links];
+    ofMatrix = new LinkElimination(links, own, byParent, onParent, coupled);
+    ofInertia = new LinkElimination(links, own, byParent, onParent, coupled);
+    moved = new double[WIDTH * count];
+    wrench = new double[6 * count];
     unit = new double[tree.stateVelocityCount];
   }
 
@@ -181,9 +169,7 @@ public final class ArticulatedIteration extends StepReduction implements StepDer
   @Override
   public void evaluate(double[] wrenches) {
     newtonEuler.evaluate(wrenches, noForces, residual);
-    System.arraycopy(motion.rotation, 0, rotation, 0, rotation.length);
-    System.arraycopy(motion.position, 0, position, 0, position.length);
-    System.arraycopy(motion.subspace, 0, subspace, 0, subspace.length);
+    links.placeAt(motion);
     changes.formAlone();
     Arrays.fill(own, 0);
     for (int link = 0; link < tree.linkCount; link++) {
@@ -194,23 +180,13 @@ public final class ArticulatedIteration extends StepReduction implements StepDer
       }
       formInertia(link);
       columns.form(link);
-      for (int k = first(link); k < end(link); k++) {
+      for (int k = links.first(link); k < links.end(link); k++) {
         formColumns(link, k);
       }
     }
     Arrays.fill(placeDirect, 0);
     Arrays.fill(velocityDirect, 0);
     inertiaFactored = false;
-  }
-
-  private int first(int link) {
-    return tree.velocityAt[link];
-  }
-
-  private int end(int link) {
-    return tree.driven[link]
-        ? tree.velocityAt[link]
-        : tree.velocityAt[link] + tree.kind[link].velocityCount();
   }
 
   /** P = [I, 2B, 0] with I = [J, h×; −h×, m]. */
@@ -256,7 +232,7 @@ public final class ArticulatedIteration extends StepReduction implements StepDer
   public void finish() {
     for (int link = 0; link < tree.linkCount; link++) {
       if (tree.kind[link] == LinkKind.BALL && !tree.driven[link] && !tree.inverse[link]) {
-        int k = first(link);
+        int k = links.first(link);
         addTurned(velocityColumn, WIDTH, k, 12, motion.v, placeColumn);
         addTurnedSubspace(k);
         addTurned(velocityDirect, 3, k, 3, motion.v, placeDirect);
@@ -330,7 +306,7 @@ public final class ArticulatedIteration extends StepReduction implements StepDer
     combine(placeDirect, velocityDirect, 3, direct);
     for (int k = 0; k < tree.stateVelocityCount; k++) {
       for (int r = 0; r < 6; r++) {
-        column[WIDTH * k + r] += subspace[6 * k + r];
+        column[WIDTH * k + r] += links.subspace[6 * k + r];
       }
     }
     isDense = !ofMatrix.eliminate(column, force, direct);
@@ -424,7 +400,7 @@ public final class ArticulatedIteration extends StepReduction implements StepDer
     if (!inertiaFactored) {
       double[] still = new double[column.length];
       for (int k = 0; k < tree.stateVelocityCount; k++) {
-        System.arraycopy(subspace, 6 * k, still, WIDTH * k, 6);
+        System.arraycopy(links.subspace, 6 * k, still, WIDTH * k, 6);
       }
       inertiaRegular =
           ofInertia.eliminate(still, new double[force.length], new double[direct.length]);
@@ -440,8 +416,8 @@ public final class ArticulatedIteration extends StepReduction implements StepDer
   private void addProduct(
       double[] x, double[] z, double[] g, double[] d, double factor, double[] sum) {
     for (int link = 0; link < tree.linkCount; link++) {
-      carry(link, moved);
-      for (int k = first(link); k < end(link); k++) {
+      links.carry(link, moved);
+      for (int k = links.first(link); k < links.end(link); k++) {
         for (int i = 0; i < WIDTH; i++) {
           moved[WIDTH * link + i] += z[WIDTH * k + i] * x[k];
         }
@@ -453,362 +429,26 @@ public final class ArticulatedIteration extends StepReduction implements StepDer
       }
     }
     for (int link = tree.linkCount - 1; link >= 0; link--) {
-      int first = first(link);
-      for (int j = first; j < end(link); j++) {
-        double row = dot6(subspace, 6 * j, wrench, 6 * link);
-        for (int k = first; k < end(link); k++) {
+      int first = links.first(link);
+      for (int j = first; j < links.end(link); j++) {
+        double row = dot6(links.subspace, 6 * j, wrench, 6 * link);
+        for (int k = first; k < links.end(link); k++) {
           row += d[3 * k + j - first] * x[k];
         }
         sum[j] += factor * row;
       }
-      for (int k = first; k < end(link); k++) {
+      for (int k = first; k < links.end(link); k++) {
         add(g, 6 * k, x[k], wrench, 6 * link);
       }
       int parent = tree.parent[link];
       if (parent != TreeGeometry.ROOT) {
-        toParent(link, wrench, 6 * link);
+        links.toParent(link, wrench, 6 * link);
         add(wrench, 6 * link, 1, wrench, 6 * parent);
         if (coupled[link]) {
           multiply(onParent, link, moved, WIDTH * link, work, 0);
           add(work, 0, 1, wrench, 6 * parent);
         }
       }
-    }
-  }
-
-  /** Writes z of the parent, seen at the link in its axes; zero at the root. */
-  private void carry(int link, double[] z) {
-    int parent = tree.parent[link];
-    int to = WIDTH * link;
-    if (parent == TreeGeometry.ROOT) {
-      Arrays.fill(z, to, to + WIDTH, 0);
-      return;
-    }
-    for (int i = 0; i < WIDTH; i += 6) {
-      int from = WIDTH * parent + i;
-      applyTransposed(rotation, 9 * link, z, from, z, to + i);
-      System.arraycopy(z, from + 3, triple, 0, 3);
-      addCross(z, from, position, 3 * link, triple, 0);
-      applyTransposed(rotation, 9 * link, triple, 0, z, to + i + 3);
-    }
-  }
-
-  /** Refers a wrench to the parent of a link: f_p = R f, n_p = R n + p × f_p. */
-  private void toParent(int link, double[] w, int at) {
-    apply(rotation, 9 * link, w, at + 3, triple, 0);
-    System.arraycopy(triple, 0, w, at + 3, 3);
-    apply(rotation, 9 * link, w, at, triple, 0);
-    System.arraycopy(triple, 0, w, at, 3);
-    addCross(position, 3 * link, w, at + 3, w, at);
-  }
-
-  /** Writes the product of a link's 6 × 18 matrix. */
-  private static void multiply(
-      double[] matrix, int link, double[] z, int at, double[] out, int to) {
-    int element = BLOCK * link;
-    for (int r = 0; r < 6; r++) {
-      double sum = 0;
-      for (int c = 0; c < WIDTH; c++) {
-        sum += matrix[element++] * z[at + c];
-      }
-      out[to + r] = sum;
-    }
-  }
-
-  private static void add(double[] x, int at, double factor, double[] sum, int to) {
-    for (int i = 0; i < 6; i++) {
-      sum[to + i] += factor * x[at + i];
-    }
-  }
-
-  private static double dot6(double[] a, int ia, double[] b, int ib) {
-    double sum = 0;
-    for (int i = 0; i < 6; i++) {
-      sum += a[ia + i] * b[ib + i];
-    }
-    return sum;
-  }
-
-  /** The equations of the joints, solved one after the other from the leaves to the root. */
-  private final class Factors {
-    /** Z as eliminated. */
-    private final double[] z = new double[WIDTH * tree.velocityCount];
-
-    /** Sᵀ Pᴬ by the parent's motion, 18 for each velocity. */
-    private final double[] row = new double[WIDTH * tree.velocityCount];
-
-    /** Rows of (Sᵀ Pᴬ Z + D)⁻¹, three for each velocity. */
-    private final double[] inverse = new double[3 * tree.velocityCount];
-
-    /** What a change of the velocity exerts on the parent, 6 for each, in the parent's axes. */
-    private final double[] push = new double[6 * tree.velocityCount];
-
-    /** Pᴬ, 6 × 18 for each link. */
-    private final double[] articulated = new double[BLOCK * tree.linkCount];
-
-    private final double[] pivots = new double[9];
-    private final double[] inverted = new double[9];
-    private final double[] solution = new double[3];
-    private final double[] lever = new double[18];
-    private final double[] largest = new double[3];
-
-    /** Eliminates; returns false if a pivot vanishes or digits are lost. */
-    boolean eliminate(double[] columns, double[] g, double[] d) {
-      System.arraycopy(columns, 0, z, 0, z.length);
-      System.arraycopy(own, 0, articulated, 0, articulated.length);
-      for (int link = tree.linkCount - 1; link >= 0; link--) {
-        if (!eliminate(link, g, d)) {
-          return false;
-        }
-      }
-      return true;
-    }
-
-    private boolean eliminate(int link, double[] g, double[] d) {
-      int first = first(link);
-      int count = end(link) - first;
-      int parent = tree.parent[link];
-      for (int k = first; k < first + count; k++) {
-        multiply(articulated, link, z, WIDTH * k, push, 6 * k);
-        for (int j = 0; j < count; j++) {
-          pivots[count * j + k - first] =
-              dot6(subspace, 6 * (first + j), push, 6 * k) + d[3 * k + j];
-        }
-        add(g, 6 * k, 1, push, 6 * k);
-      }
-      if (!invert(count)) {
-        return false;
-      }
-      for (int k = 0; k < count; k++) {
-        System.arraycopy(inverted, count * k, inverse, 3 * (first + k), count);
-      }
-      if (parent == TreeGeometry.ROOT) {
-        return true;
-      }
-      rowsToParent(articulated, link, articulated, link);
-      if (coupled[link]) {
-        for (int i = BLOCK * link; i < BLOCK * (link + 1); i++) {
-          articulated[i] += byParent[i];
-        }
-      }
-      for (int j = first; j < first + count; j++) {
-        formRow(link, j);
-      }
-      columnsToParent(link);
-      for (int k = first; k < first + count; k++) {
-        toParent(link, push, 6 * k);
-        if (coupled[link]) {
-          multiply(onParent, link, z, WIDTH * k, work, 0);
-          add(work, 0, 1, push, 6 * k);
-        }
-      }
-      return subtract(link, first, count) && addToParent(link, parent);
-    }
-
-    /** Sᵀ Pᴬ. */
-    private void formRow(int link, int j) {
-      for (int c = 0; c < WIDTH; c++) {
-        double sum = 0;
-        for (int r = 0; r < 6; r++) {
-          sum += subspace[6 * j + r] * articulated[BLOCK * link + WIDTH * r + c];
-        }
-        row[WIDTH * j + c] = sum;
-      }
-    }
-
-    /** Rows that multiply z of the link become rows that multiply that of its parent. */
-    private void rowsToParent(double[] from, int link, double[] to, int at) {
-      if (from != to) {
-        System.arraycopy(from, BLOCK * link, to, BLOCK * at, BLOCK);
-      }
-      for (int i = BLOCK * at; i < BLOCK * (at + 1); i += 6) {
-        toParent(link, to, i);
-      }
-    }
-
-    /** Wrenches on the link become wrenches on its parent. */
-    private void columnsToParent(int link) {
-      for (int c = 0; c < WIDTH; c++) {
-        for (int r = 0; r < 6; r++) {
-          work[r] = articulated[BLOCK * link + WIDTH * r + c];
-        }
-        toParent(link, work, 0);
-        for (int r = 0; r < 6; r++) {
-          articulated[BLOCK * link + WIDTH * r + c] = work[r];
-        }
-      }
-      if (coupled[link]) {
-        for (int r = 0; r < 6; r++) {
-          System.arraycopy(onParent, BLOCK * link + WIDTH * r, work, 0, WIDTH);
-          for (int c = 0; c < WIDTH; c += 6) {
-            toParent(link, work, c);
-          }
-          for (int c = 0; c < WIDTH; c++) {
-            articulated[BLOCK * link + WIDTH * r + c] += work[c];
-          }
-        }
-      }
-    }
-
-    /** Pᴬ −= push (Sᵀ Pᴬ Z + D)⁻¹ Sᵀ Pᴬ; returns false if that is too large beside Pᴬ. */
-    private boolean subtract(int link, int first, int count) {
-      for (int j = 0; j < count; j++) {
-        double size = 0;
-        for (int c = 0; c < WIDTH; c++) {
-          size = Math.max(size, Math.abs(row[WIDTH * (first + j) + c]));
-        }
-        largest[j] = size;
-      }
-      for (int r = 0; r < 6; r++) {
-        for (int j = 0; j < count; j++) {
-          double sum = 0;
-          for (int k = 0; k < count; k++) {
-            sum += push[6 * (first + k) + r] * inverse[3 * (first + k) + j];
-          }
-          lever[3 * r + j] = sum;
-        }
-      }
-      for (int block = 0; block < 6; block += 3) {
-        double allowed = GROWTH_ALLOWED * largest(link, block);
-        for (int r = block; r < block + 3; r++) {
-          for (int j = 0; j < count; j++) {
-            if (!(Math.abs(lever[3 * r + j]) * largest[j] <= allowed)) {
-              return false;
-            }
-          }
-        }
-      }
-      for (int r = 0; r < 6; r++) {
-        int at = BLOCK * link + WIDTH * r;
-        for (int j = 0; j < count; j++) {
-          double factor = lever[3 * r + j];
-          for (int c = 0; c < WIDTH; c++) {
-            articulated[at + c] -= factor * row[WIDTH * (first + j) + c];
-          }
-        }
-      }
-      return true;
-    }
-
-    /** Returns the largest element of three rows of Pᴬ. */
-    private double largest(int link, int block) {
-      double size = 0;
-      int from = BLOCK * link + WIDTH * block;
-      for (int i = from; i < from + 3 * WIDTH; i++) {
-        size = Math.max(size, Math.abs(articulated[i]));
-      }
-      return size;
-    }
-
-    private boolean addToParent(int link, int parent) {
-      for (int i = 0; i < BLOCK; i++) {
-        articulated[BLOCK * parent + i] += articulated[BLOCK * link + i];
-      }
-      return true;
-    }
-
-    /**
-     * Inverts up to three equations with interchanges of rows; returns whether they are regular.
-     */
-    private boolean invert(int count) {
-      Arrays.fill(inverted, 0);
-      for (int i = 0; i < count; i++) {
-        inverted[count * i + i] = 1;
-      }
-      for (int k = 0; k < count; k++) {
-        int pivot = k;
-        for (int i = k + 1; i < count; i++) {
-          if (Math.abs(pivots[count * i + k]) > Math.abs(pivots[count * pivot + k])) {
-            pivot = i;
-          }
-        }
-        double size = Math.abs(pivots[count * pivot + k]);
-        if (!(size >= Double.MIN_NORMAL && size < Double.POSITIVE_INFINITY)) {
-          return false;
-        }
-        swap(pivots, count, k, pivot);
-        swap(inverted, count, k, pivot);
-        for (int i = 0; i < count; i++) {
-          double factor = i == k ? 0 : pivots[count * i + k] / pivots[count * k + k];
-          for (int c = 0; c < count; c++) {
-            pivots[count * i + c] -= factor * pivots[count * k + c];
-            inverted[count * i + c] -= factor * inverted[count * k + c];
-          }
-        }
-      }
-      for (int i = 0; i < count; i++) {
-        double pivot = pivots[count * i + i];
-        for (int c = 0; c < count; c++) {
-          inverted[count * i + c] /= pivot;
-        }
-      }
-      return true;
-    }
-
-    private static void swap(double[] matrix, int count, int i, int j) {
-      for (int c = 0; c < count; c++) {
-        double kept = matrix[count * i + c];
-        matrix[count * i + c] = matrix[count * j + c];
-        matrix[count * j + c] = kept;
-      }
-    }
-
-    /** Solves in place. */
-    void solve(double[] b) {
-      Arrays.fill(wrench, 0);
-      for (int link = tree.linkCount - 1; link >= 0; link--) {
-        int first = first(link);
-        int count = end(link) - first;
-        for (int j = 0; j < count; j++) {
-          solution[j] = b[first + j] - dot6(subspace, 6 * (first + j), wrench, 6 * link);
-        }
-        for (int k = first; k < first + count; k++) {
-          b[k] = ofSolution(k, count);
-        }
-        int parent = tree.parent[link];
-        if (parent != TreeGeometry.ROOT) {
-          toParent(link, wrench, 6 * link);
-          add(wrench, 6 * link, 1, wrench, 6 * parent);
-          for (int k = first; k < first + count; k++) {
-            add(push, 6 * k, b[k], wrench, 6 * parent);
-          }
-        }
-      }
-      for (int link = 0; link < tree.linkCount; link++) {
-        substitute(link, b);
-      }
-    }
-
-    private void substitute(int link, double[] b) {
-      int first = first(link);
-      int count = end(link) - first;
-      int parent = tree.parent[link];
-      if (parent != TreeGeometry.ROOT) {
-        for (int j = 0; j < count; j++) {
-          double sum = 0;
-          for (int c = 0; c < WIDTH; c++) {
-            sum += row[WIDTH * (first + j) + c] * moved[WIDTH * parent + c];
-          }
-          solution[j] = sum;
-        }
-        for (int k = first; k < first + count; k++) {
-          b[k] -= ofSolution(k, count);
-        }
-      }
-      carry(link, moved);
-      for (int k = first; k < first + count; k++) {
-        for (int i = 0; i < WIDTH; i++) {
-          moved[WIDTH * link + i] += z[WIDTH * k + i] * b[k];
-        }
-      }
-    }
-
-    private double ofSolution(int k, int count) {
-      double sum = 0;
-      for (int j = 0; j < count; j++) {
-        sum += inverse[3 * k + j] * solution[j];
-      }
-      return sum;
     }
   }
 
