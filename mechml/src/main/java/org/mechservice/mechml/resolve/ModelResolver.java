@@ -99,9 +99,11 @@ public final class ModelResolver {
     return UnusedNames.of(reader.names(), parameters, hasClasses(mechanism));
   }
 
-  private static List<ResolvedParameter> unusedParameters(
-      ParameterTable parameters, Mechanism mechanism) {
-    return UnusedNames.parameters(parameters, hasClasses(mechanism));
+  /** Returns none if a value is set: the expression that it replaces may be the one that uses it. */
+  private List<ResolvedParameter> unusedParameters(ParameterTable parameters, Mechanism mechanism) {
+    return !options.values().isEmpty()
+        ? List.of()
+        : UnusedNames.parameters(parameters, hasClasses(mechanism));
   }
 
   /** Returns whether forces are classes of users, which may read points and tunable parameters. */

@@ -49,7 +49,7 @@ final class RunNoteCollector {
     notes.addAll(events.notes());
     notes.addAll(MethodNotes.of(integrator));
     momentum.ifPresent(balance -> notes.add(balance.note()));
-    notes.removeIf(note -> note.warning() && silenced.contains(note.code()));
+    notes.removeIf(note -> silenced.contains(note.code()));
     return notes;
   }
 
