@@ -81,7 +81,7 @@ class TablesRunTest {
   }
 
   @Test
-  void largeTablesRunFromData() throws Exception {
+  void largeTablesAreCode() throws Exception {
     String x = list(0, "%d*0.01");
     String y = list(0, "sin(%d*0.01)");
     String table = "<table name='wave' x='" + x + "' y='" + y + "' method='cubic'/>";

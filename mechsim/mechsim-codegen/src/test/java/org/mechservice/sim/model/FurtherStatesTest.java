@@ -194,6 +194,40 @@ class FurtherStatesTest {
     return r;
   }
 
+  /** Tables of several hundred points, at, between and beyond the points. */
+  @ParameterizedTest
+  @CsvSource({"linear, hold", "linear, linear", "akima, error", "cubic, linear", "cubic, hold"})
+  void codeOfLargeTablesHasTheBitsOfTheData(String method, String outside) throws Exception {
+    Random random = new Random(7);
+    StringBuilder x = new StringBuilder("-50");
+    StringBuilder y = new StringBuilder("0");
+    double at = -50;
+    for (int i = 1; i < 700; i++) {
+      at += 0.05 + 0.1 * random.nextDouble();
+      x.append(';').append(at);
+      y.append(';').append(random.nextGaussian());
+    }
+    String table =
+        "<table name='big' x='%s' y='%s' method='%s' extrapolation='%s'/></Tables>"
+            .formatted(x, y, method, outside);
+    String text =
+        TREE.replace("</Tables>", table)
+            .replace("derivative='sin(hinge.q)*k", "derivative='0*big(a) + big(10*t)+0*sin(k")
+            .replace(" + hinge.v^2 - a*b + bob.p.vx + lin(hinge.q)'", ")'");
+    ExplicitModel code = model(text, "DTR", "auto", false);
+    ExplicitModel data = model(text, "DTR", "auto", true);
+    double[] state = start(code);
+    int a = code.description().stateCount() - 2;
+    double[] expected = new double[state.length];
+    double[] actual = new double[state.length];
+    for (int i = 0; i < 400; i++) {
+      double time = i < 200 ? 10 * random.nextGaussian() : at * random.nextInt(2) / 10 - 5;
+      int ended = data.derivative(time, state, expected);
+      assertThat(code.derivative(time, state, actual)).isEqualTo(ended);
+      assertThat(actual[a]).isEqualTo(Double.valueOf(expected[a]));
+    }
+  }
+
   @ParameterizedTest
   @CsvSource({"false", "true"})
   void stepSolvesTheLinearisedResidual(boolean data) throws Exception {

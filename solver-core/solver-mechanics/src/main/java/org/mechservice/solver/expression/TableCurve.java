@@ -2,6 +2,7 @@ package org.mechservice.solver.expression;
 
 import org.mechservice.solver.expression.Table.Extrapolation;
 import org.mechservice.solver.expression.Table.Method;
+import org.mechservice.solver.spatial.NumberTable;
 
 /**
  * The curve of a table: one polynomial c0 + d (c1 + d (c2 + d c3)) with d = x − origin for each
@@ -127,43 +128,32 @@ public final class TableCurve implements TapeStep {
     return slope;
   }
 
-  /** Returns the number of points. */
-  public int pointCount() {
-    return knots.length;
-  }
-
   /** Returns whether there are no values beyond the ends. */
   public boolean isBounded() {
     return bounded;
   }
 
-  /** Returns the argument of a point. */
-  public double knot(int point) {
-    return knots[point];
+  /** Returns the arguments of the points, ascending; a copy. */
+  public double[] knots() {
+    return knots.clone();
   }
 
   /**
-   * Returns a number of a polynomial.
+   * Returns one number of all polynomials, by how many points are not above the argument: one more
+   * than there are points.
    *
-   * @param place how many points are not above the argument: 0 to {@link #pointCount}
    * @param number 0: the origin; 1 to 4: c0 to c3
    */
-  public double number(int place, int number) {
-    return polynomials[NUMBERS * place + number];
+  public double[] numbers(int number) {
+    double[] all = new double[knots.length + 1];
+    for (int place = 0; place < all.length; place++) {
+      all[place] = polynomials[NUMBERS * place + number];
+    }
+    return all;
   }
 
   private int polynomialAt(double x) {
-    int low = 0;
-    int high = knots.length;
-    while (low < high) {
-      int middle = (low + high) >>> 1;
-      if (knots[middle] <= x) {
-        low = middle + 1;
-      } else {
-        high = middle;
-      }
-    }
-    return NUMBERS * low;
+    return NUMBERS * (int) NumberTable.interval(knots, 0, knots.length, x);
   }
 
   /** Returns the value at an argument. */

@@ -3,6 +3,7 @@ package org.mechservice.sim.equations.kinematics;
 import java.util.IdentityHashMap;
 import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.MathFunction;
+import org.mechservice.sim.symbolic.NumberRow;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.solver.expression.Expression;
@@ -121,16 +122,10 @@ public abstract class Formulas {
 
   /** Returns the polynomial of the interval that an argument is in, in the solver's order. */
   private Scalar table(TableCurve curve, Scalar x) {
+    Scalar place = e.interval(new NumberRow(curve.knots()), x);
     Scalar[] chosen = new Scalar[5];
     for (int number = 0; number < chosen.length; number++) {
-      chosen[number] = e.constant(curve.number(0, number));
-      for (int point = 0; point < curve.pointCount(); point++) {
-        Scalar next = e.constant(curve.number(point + 1, number));
-        if (!next.equals(chosen[number])) {
-          Scalar knot = e.constant(curve.knot(point));
-          chosen[number] = e.function(MathFunction.CHOOSE, knot, x, next, chosen[number]);
-        }
-      }
+      chosen[number] = e.element(new NumberRow(curve.numbers(number)), place);
     }
     Scalar d = x.minus(chosen[0]);
     Scalar inner = chosen[3].plus(d.times(chosen[4]));
@@ -141,9 +136,10 @@ public abstract class Formulas {
   /** Returns 0 between the ends of a table, NaN beyond them. */
   private Scalar nothingOutside(TableCurve curve, Scalar x) {
     Scalar none = e.constant(-1).minus(x.squared()).squareRoot();
-    Scalar last = e.constant(curve.knot(curve.pointCount() - 1));
+    double[] knots = curve.knots();
+    Scalar last = e.constant(knots[knots.length - 1]);
     Scalar below = e.function(MathFunction.CHOOSE, x, last, e.zero(), none);
-    return e.function(MathFunction.CHOOSE, e.constant(curve.knot(0)), x, below, none);
+    return e.function(MathFunction.CHOOSE, e.constant(knots[0]), x, below, none);
   }
 
   private Scalar second(Expression.Call call) {
