@@ -99,7 +99,9 @@ public final class ModelResolver {
     return UnusedNames.of(reader.names(), parameters, hasClasses(mechanism));
   }
 
-  /** Returns none if a value is set: the expression that it replaces may be the one that uses it. */
+  /**
+   * Returns none if a value is set: the expression that it replaces may be the one that uses it.
+   */
   private List<ResolvedParameter> unusedParameters(ParameterTable parameters, Mechanism mechanism) {
     return !options.values().isEmpty()
         ? List.of()
