@@ -165,6 +165,11 @@ final class MechanismReader {
     }
   }
 
+  /** Returns the joints in file order. */
+  List<JointLink> links() {
+    return links;
+  }
+
   /** Returns the names of bodies, points and joints. */
   MechanismNames names() {
     return names;
