@@ -348,7 +348,9 @@ final class MechanismInC {
         DoubleStream.of(new CoordinateUnits(mechanism, equations.length()).velocities)
             .boxed()
             .toList(),
-        penalty);
+        penalty,
+        start.rank(),
+        equations.isHolonomic());
   }
 
   private CEvents events(Links links) {

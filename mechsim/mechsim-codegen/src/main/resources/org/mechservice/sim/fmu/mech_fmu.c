@@ -86,6 +86,16 @@ static void forget(mech_instance *c) { c->derivatives_known = c->outputs_known =
 
 static mech_status model_failed(mech_instance *c, mech_status status, const char *what) {
   const char *why = MODEL_failure(&c->s.model);
+  if (MODEL_LOST(&c->s.model)) {
+    status = MECH_FAILED; /* no shorter step leads on */
+  } else if (MODEL_IS_LOSING(&c->s.model) && status < MECH_FAILED) {
+    /* importers that do not take shorter steps end here: their log has the reason */
+    int logging = c->logging;
+    c->logging = 1;
+    mech_say(c, status, "%s at t = %.17g: %s", what, c->s.t, why);
+    c->logging = logging;
+    return status;
+  }
   return mech_say(c, status, "%s at t = %.17g: %s", what, c->s.t,
                   why != NULL && why[0] != 0 ? why : "a value is not finite.");
 }
@@ -227,11 +237,11 @@ mech_status mech_get(mech_instance *c, const char *function, unsigned reference,
     *value = c->dx[reference - MECH_DERIVATIVE];
 #if MODEL_NP > 0
   } else if (reference < MECH_INPUT) {
-    *value = c->s.model.p[reference - MECH_PARAMETER];
+    *value = MODEL_P(&c->s.model)[reference - MECH_PARAMETER];
 #endif
 #if MODEL_NU > 0
   } else if (reference < MECH_OUTPUT) {
-    *value = c->s.model.u[reference - MECH_INPUT];
+    *value = MODEL_U(&c->s.model)[reference - MECH_INPUT];
 #endif
 #if MODEL_NY > 0
   } else if (reference < MECH_INDICATOR) {
@@ -278,8 +288,8 @@ mech_status mech_set(mech_instance *c, const char *function, unsigned reference,
                       "%s: parameter %u cannot be set in continuous-time mode; enter event mode.",
                       function, reference);
     }
-    if (c->s.model.p[reference - MECH_PARAMETER] != value) {
-      c->s.model.p[reference - MECH_PARAMETER] = value;
+    if (MODEL_P(&c->s.model)[reference - MECH_PARAMETER] != value) {
+      MODEL_P(&c->s.model)[reference - MECH_PARAMETER] = value;
       c->s.start_known = 0;
       changed_here(c);
     }
@@ -288,8 +298,8 @@ mech_status mech_set(mech_instance *c, const char *function, unsigned reference,
 #endif
 #if MODEL_NU > 0
   if (reference >= MECH_INPUT && reference < MECH_OUTPUT) {
-    if (c->s.model.u[reference - MECH_INPUT] != value) {
-      c->s.model.u[reference - MECH_INPUT] = value;
+    if (MODEL_U(&c->s.model)[reference - MECH_INPUT] != value) {
+      MODEL_U(&c->s.model)[reference - MECH_INPUT] = value;
       changed_here(c);
     }
     return MECH_OK;
@@ -533,9 +543,15 @@ static mech_status step_failed(mech_instance *c, mech_step_result result) {
   c->s.mode = MECH_STEP_FAILED;
   switch (result) {
     case MECH_STEP_NOT_FINITE:
+      if (MODEL_LOST(&c->s.model)) {
+        return mech_say(c, MECH_FAILED, "No step can be made at t = %.17g: %s.", a->t, why);
+      }
       return mech_say(c, MECH_FAILED, "No step can be made at t = %.17g: %s%s", a->t,
                       why != NULL && why[0] != 0 ? why : "a value is not finite.", stiff);
     case MECH_STEP_TOO_SMALL:
+      if (MODEL_LOST(&c->s.model)) {
+        return mech_say(c, MECH_FAILED, "No step can be made at t = %.17g: %s.", a->t, why);
+      }
       return mech_say(c, MECH_FAILED,
                       "The steps at t = %.17g are smaller than the arithmetic can hold.%s", a->t,
                       stiff);
@@ -744,11 +760,11 @@ static mech_status shifted(mech_instance *c, const char *function, const unsigne
       c->s.x[r - MECH_STATE] += e * seed[i];
 #if MODEL_NP > 0
     } else if (r >= MECH_PARAMETER && r < MECH_INPUT) {
-      c->s.model.p[r - MECH_PARAMETER] += e * seed[i];
+      MODEL_P(&c->s.model)[r - MECH_PARAMETER] += e * seed[i];
 #endif
 #if MODEL_NU > 0
     } else if (r >= MECH_INPUT && r < MECH_OUTPUT) {
-      c->s.model.u[r - MECH_INPUT] += e * seed[i];
+      MODEL_U(&c->s.model)[r - MECH_INPUT] += e * seed[i];
 #endif
     } else {
       status = mech_say(c, MECH_FAILED, "%s: %u is not the reference of a known.", function, r);

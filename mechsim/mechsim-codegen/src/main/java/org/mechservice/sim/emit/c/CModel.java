@@ -165,15 +165,18 @@ public final class CModel {
     return outputs;
   }
 
-  Mechanism mechanism() {
+  /** Returns the mechanism. */
+  public Mechanism mechanism() {
     return mechanism;
   }
 
-  ModelDescription description() {
+  /** Returns its joints, states and settings. */
+  public ModelDescription description() {
     return description;
   }
 
-  CMotion motion() {
+  /** Returns what gives the derivative of the state. */
+  public CMotion motion() {
     return motion;
   }
 
