@@ -195,7 +195,7 @@ final class MechanismReader {
     List<LoopClosure> closures = new ArrayList<>();
     for (int j = 0; j < links.size(); j++) {
       JointLink link = links.get(j);
-      List<Expression> motion = drives.motion(link);
+      List<Expression> motion = drives.motion(link, tree.isCut(j));
       StartRole role = DriveReader.role(link);
       if (tree.isCut(j)) {
         link.joint().ifPresent(joint -> closures.add(new JointClosure(joint, role, motion)));
@@ -244,10 +244,15 @@ final class MechanismReader {
   void checkStates(Mechanism mechanism, SimulationSettings settings) {
     boolean integrates =
         settings.task() instanceof SimulationTask.Dynamic
-            || (settings.task() instanceof SimulationTask.Linearization linear
-                && !linear.atEquilibrium());
+            || settings.task() instanceof SimulationTask.Linearization;
+    // At rest the rates of integrated states are zero; samples depend on the time before.
+    FurtherState.Role most =
+        settings.task() instanceof SimulationTask.StaticEquilibrium
+            ? FurtherState.Role.SAMPLED
+            : FurtherState.Role.INTEGRATED;
     boolean changing =
-        mechanism.furtherStates().stream().anyMatch(s -> s.role() != FurtherState.Role.INPUT);
+        mechanism.furtherStates().stream()
+            .anyMatch(s -> s.role() == FurtherState.Role.SAMPLED || s.role() == most);
     if (!integrates && changing) {
       Element first = states.firstChanging().orElseGet(() -> carrier(mechanism));
       diagnostics.error(

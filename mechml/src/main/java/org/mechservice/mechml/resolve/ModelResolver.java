@@ -68,6 +68,8 @@ public final class ModelResolver {
     diagnostics.throwIfErrors();
     reader.orElseThrow().checkMotions(mechanism.orElseThrow(), settings.get(chosen));
     reader.orElseThrow().checkStates(mechanism.orElseThrow(), settings.get(chosen));
+    TrimCheck.of(
+        settings.get(chosen).task(), blocks.get(chosen), mechanism.get(), outputs, diagnostics);
     Set<MessageCode> silenced = SilencedWarnings.of(model, options.silenced(), diagnostics);
     diagnostics.throwIfErrors();
     new ModelRemarks(model, reader.get(), mechanism.get(), diagnostics)
