@@ -162,7 +162,10 @@ final class CHeader {
         "Records that the run goes on behind the jump at t, and changes the state there: samples,"
             + " and impulses where a prescribed velocity jumps. Returns 1 if the state changed, 0,"
             + " or -1.");
-    function("const char *", "failure(const @ *m)", "Returns why the last evaluation failed.");
+    function(
+        "const char *",
+        "failure(const @ *m)",
+        "Returns why the last evaluation failed; empty if it did not.");
     line("#endif");
     return text.toString();
   }

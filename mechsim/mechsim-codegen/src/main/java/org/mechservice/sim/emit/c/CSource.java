@@ -418,7 +418,7 @@ final class CSource {
     source.open("if (m->failure >= 0)").line("return JOINTS[m->failure];").close();
     source.open("if (m->failure <= " + DirectedForces.FIRST + ")");
     source.line("return FORCES[" + DirectedForces.FIRST + " - m->failure];").close();
-    source.line("return \"nothing has failed\";").close();
+    source.line("return \"\";").close();
   }
 
   private List<Integer> jointsOfVelocities() {
