@@ -8,6 +8,7 @@ import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.dynamics.OpenTree;
 import org.mechservice.solver.dynamics.SemiRecursive;
 import org.mechservice.solver.dynamics.WorldMotion;
+import org.mechservice.solver.dynamics.derivative.ArticulatedIteration;
 import org.mechservice.solver.dynamics.derivative.FurtherDerivatives;
 import org.mechservice.solver.dynamics.derivative.StepDerivatives;
 import org.mechservice.solver.dynamics.recursion.MassiveRods;
@@ -23,6 +24,9 @@ import org.mechservice.solver.kinematics.TreeMotion;
  * time. Workspace of one thread; nothing allocates after construction.
  */
 public class ClosedTree {
+  /** Most equations of loops for which a step is eliminated from link to link. */
+  private static final int MOST_EQUATIONS = 20;
+
   public final TreeGeometry tree;
   public final TreeMotion motion;
   public final LoopEquations loops;
@@ -160,6 +164,14 @@ public class ClosedTree {
    */
   public boolean isLocal() {
     return rods.isEmpty() && forces.isLocal() && loops.isLocal();
+  }
+
+  /** Returns whether the equations of an implicit step are best eliminated from link to link. */
+  public boolean isEliminatedByLinks() {
+    return isLarge()
+        && isLocal()
+        && loops.count() <= MOST_EQUATIONS
+        && ArticulatedIteration.pays(tree);
   }
 
   /** Evaluates the applied forces at the last sweep; returns whether all have values. */
