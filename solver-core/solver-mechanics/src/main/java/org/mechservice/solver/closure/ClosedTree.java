@@ -32,7 +32,7 @@ public class ClosedTree {
   public final LoopEquations loops;
   public final StateCoordinates coordinates;
   public final CoordinateUnits units;
-  final MassiveRods rods;
+  public final MassiveRods rods;
   final OpenTree open;
   public final ForceSet forces;
   private final FurtherRates furtherRates;
@@ -155,7 +155,7 @@ public class ClosedTree {
 
   /** Returns whether accelerations are solved for with sparse matrices. */
   public boolean isLarge() {
-    return loops.isLarge() && rods.isEmpty();
+    return loops.isLarge() && rods.areLight();
   }
 
   /**

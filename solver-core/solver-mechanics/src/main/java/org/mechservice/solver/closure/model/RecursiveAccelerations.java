@@ -41,7 +41,8 @@ final class RecursiveAccelerations {
    */
   Solved solve(double[] a, int at) {
     if (factors.isEmpty() || !factors.get().areOf(partition.kept)) {
-      factors = Optional.of(new ArticulatedLoops(work.motion, work.loops, partition.kept));
+      factors =
+          Optional.of(new ArticulatedLoops(work.motion, work.loops, partition.kept, work.rods));
     }
     int factored = factors.get().factor();
     if (factored != ExplicitModel.REGULAR) {
