@@ -86,6 +86,11 @@ public final class ArticulatedLoops {
   private final int[] places;
   private boolean[] heldAt = {};
 
+  /** Inertias added to joints, and those to be added where a pivot lacks; empty for none. */
+  private double[] addedAt = NONE;
+
+  private double[] leastAt = NONE;
+
   /**
    * @param rows rows of the equations that are used; independent of each other
    * @param rods of the same tree, light beside the links
@@ -144,6 +149,24 @@ public final class ArticulatedLoops {
    */
   public int factor() {
     return factor(NONE, new boolean[0]);
+  }
+
+  /**
+   * Factors as {@link #factor()}, with inertias added to joints that the links do not resist. The
+   * caller removes them from the solution by iteration.
+   *
+   * @param added inertia of each velocity of the state; zeros become {@code least} where the tree
+   *     has no pivot
+   * @param least inertia to be added, one number per velocity of the state; not modified
+   * @return as {@link #factor()}
+   */
+  public int factor(double[] added, double[] least) {
+    addedAt = added;
+    leastAt = least;
+    int factored = factor(NONE, new boolean[0]);
+    addedAt = NONE;
+    leastAt = NONE;
+    return factored;
   }
 
   /**
@@ -254,8 +277,15 @@ public final class ArticulatedLoops {
       }
       project(link, k);
       pivot[k] = dot(motion.subspace, 6 * k, projected, 6 * k);
+      if (addedAt.length > 0) {
+        pivot[k] += addedAt[k];
+      }
       if (!check.regular(k, pivot[k], rigid.scale(link))) {
-        return k;
+        if (addedAt.length == 0 || addedAt[k] > 0) {
+          return k;
+        }
+        addedAt[k] = leastAt[k];
+        pivot[k] += leastAt[k];
       }
       double perPivot = 1 / pivot[k];
       for (int i = 0; i < count; i++) {
