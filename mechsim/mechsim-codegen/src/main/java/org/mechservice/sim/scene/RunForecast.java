@@ -16,11 +16,13 @@ public final class RunForecast {
         && run.tEnd() == other.tEnd()
         && run.maxStep() == other.maxStep()
         && run.relativeTolerance() == other.relativeTolerance()
-        && StiffnessForecast.isSame(run.integrator(), other.integrator());
+        && StiffnessForecast.isSame(run.integrator(), other.integrator())
+        && DenseForecast.isSame(run.integrator(), other.integrator());
   }
 
   /**
-   * Returns the findings: causes of a long run, and events that a step may miss.
+   * Returns the findings: causes of a long run, dense matrices of large mechanisms, and events that
+   * a step may miss.
    *
    * @param formulation requested formulation, {@code auto} or a name
    */
@@ -34,6 +36,7 @@ public final class RunForecast {
     DigitsForecast.of(mechanism, formulation, settings).ifPresent(findings::add);
     ShortPulseCheck.of(mechanism, settings).ifPresent(findings::add);
     findings.addAll(FormulaForecast.of(mechanism, settings));
+    findings.addAll(DenseForecast.of(model, formulation, settings));
     return findings;
   }
 }

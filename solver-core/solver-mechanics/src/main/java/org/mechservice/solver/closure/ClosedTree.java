@@ -24,9 +24,6 @@ import org.mechservice.solver.kinematics.TreeMotion;
  * time. Workspace of one thread; nothing allocates after construction.
  */
 public class ClosedTree {
-  /** Most equations of loops for which a step is eliminated from link to link. */
-  private static final int MOST_EQUATIONS = 20;
-
   public final TreeGeometry tree;
   public final TreeMotion motion;
   public final LoopEquations loops;
@@ -170,7 +167,7 @@ public class ClosedTree {
   public boolean isEliminatedByLinks() {
     return isLarge()
         && isLocal()
-        && loops.count() <= MOST_EQUATIONS
+        && loops.count() <= LoopEquations.FEW
         && ArticulatedIteration.pays(tree);
   }
 
