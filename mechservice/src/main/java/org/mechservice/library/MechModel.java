@@ -238,7 +238,7 @@ public final class MechModel {
   public MechModel set(String parameter, String value) throws MechmlException {
     Map<String, String> values = new LinkedHashMap<>(reading.values());
     values.put(parameter, value);
-    return reread(new ReadOptions(reading.simulation(), values, reading.tunable()));
+    return reread(reading.with(values));
   }
 
   /**
@@ -250,7 +250,7 @@ public final class MechModel {
   public MechModel set(Map<String, Double> given) throws MechmlException {
     Map<String, String> values = new LinkedHashMap<>(reading.values());
     given.forEach((name, value) -> values.put(name, Double.toString(value)));
-    return reread(new ReadOptions(reading.simulation(), values, reading.tunable()));
+    return reread(reading.with(values));
   }
 
   /**
@@ -263,7 +263,7 @@ public final class MechModel {
   public MechModel tunable(Set<String> parameters) throws MechmlException {
     Set<String> all = new LinkedHashSet<>(reading.tunable());
     all.addAll(parameters);
-    return reread(new ReadOptions(reading.simulation(), reading.values(), all));
+    return reread(reading.withTunable(all));
   }
 
   /**
@@ -273,7 +273,7 @@ public final class MechModel {
    * @throws MechmlException if there is none of that name
    */
   public MechModel simulation(String nameOrNumber) throws MechmlException {
-    return reread(new ReadOptions(Optional.of(nameOrNumber), reading.values(), reading.tunable()));
+    return reread(reading.withSimulation(nameOrNumber));
   }
 
   private MechModel reread(ReadOptions other) throws MechmlException {
@@ -357,6 +357,18 @@ public final class MechModel {
   public MechModel maxDrift(double part) {
     return new MechModel(
         source, reading, changes, strict, OptionalDouble.of(part), model, userClasses);
+  }
+
+  /**
+   * Returns the model without some warnings, those of its check and those of its runs.
+   *
+   * @param warnings their names or codes, such as {@code no-gravity} or {@code M-090}
+   * @throws MechmlException if there is no such warning
+   */
+  public MechModel silence(String... warnings) throws MechmlException {
+    Set<String> all = new LinkedHashSet<>(reading.silenced());
+    all.addAll(List.of(warnings));
+    return reread(reading.silencing(all));
   }
 
   /**
@@ -502,7 +514,8 @@ public final class MechModel {
         asked.run().withIntegrator(selection(asked).integrator()),
         ModelColumns.shown(asked),
         strict,
-        maxDrift);
+        maxDrift,
+        model.silenced());
   }
 
   /**

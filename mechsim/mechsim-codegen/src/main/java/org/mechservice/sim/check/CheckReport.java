@@ -9,8 +9,8 @@ import org.mechservice.sim.scene.Finding;
 import org.mechservice.sim.scene.LoopAnalysis;
 import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.sim.scene.RoadmapEntry;
-import org.mechservice.sim.scene.RunForecast;
 import org.mechservice.sim.scene.SceneAnalysis;
+import org.mechservice.sim.scene.forecast.RunForecast;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**
@@ -42,9 +42,7 @@ public record CheckReport(
     Mechanism mechanism = model.mechanism();
     SceneAnalysis scene = SceneAnalysis.of(mechanism);
     LoopAnalysis loops = LoopAnalysis.of(model);
-    List<Finding> findings =
-        new ArrayList<>(scene.findingsAtStart(model.settings().run().tStart()));
-    findings.addAll(loops.findings());
+    List<Finding> findings = new ArrayList<>(loops.findings());
     findings.addAll(RunForecast.of(model, model.settings().formulation(), model.settings().run()));
     try {
       return new CheckReport(

@@ -1,9 +1,10 @@
-package org.mechservice.sim.scene;
+package org.mechservice.sim.scene.forecast;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import org.mechservice.mechml.MechmlModel;
+import org.mechservice.sim.scene.Finding;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.IntegrationMethod;
