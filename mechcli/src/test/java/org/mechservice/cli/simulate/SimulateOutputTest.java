@@ -97,7 +97,9 @@ class SimulateOutputTest {
     assertThat(out.toString()).isEmpty();
   }
 
-  /** It is told at once, not after the set-up: the model, which does not exist, is not asked for. */
+  /**
+   * It is told at once, not after the set-up: the model, which does not exist, is not asked for.
+   */
   @Test
   void aFolderThatDoesNotExistIsToldBeforeTheModelIsRead() {
     Path results = folder.resolve("none").resolve("r.csv");

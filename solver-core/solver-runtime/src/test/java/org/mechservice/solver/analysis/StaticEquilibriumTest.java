@@ -140,8 +140,7 @@ class StaticEquilibriumTest {
 
   @Test
   void aSearchThatIsCutShortTellsHowManyCorrectionsItMade() {
-    StaticEquilibrium found =
-        new StaticEquilibrium(chain(20, 0), UserForceSource.NONE, 1e-12, 3);
+    StaticEquilibrium found = new StaticEquilibrium(chain(20, 0), UserForceSource.NONE, 1e-12, 3);
     assertThat(found.find(0)).isFalse();
     assertThat(found.iterations()).isEqualTo(3);
     assertThat(found.defect().cause()).contains("in 3 corrections");
