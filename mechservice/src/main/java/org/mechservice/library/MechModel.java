@@ -1,6 +1,7 @@
 package org.mechservice.library;
 
 import java.io.IOException;
+import java.lang.ref.SoftReference;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -17,6 +18,7 @@ import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -28,7 +30,7 @@ import org.mechservice.mechml.diagnosis.Diagnostic;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.document.DocumentWriter;
 import org.mechservice.mechml.document.Element;
-import org.mechservice.mechml.resolve.MechmlReader;
+import org.mechservice.mechml.resolve.ValidatedFile;
 import org.mechservice.mechml.robot.RobotExport;
 import org.mechservice.mechml.robot.RobotImport;
 import org.mechservice.report.ModelReport;
@@ -37,9 +39,11 @@ import org.mechservice.report.measure.ReportProgress;
 import org.mechservice.report.method.MethodBuilds;
 import org.mechservice.report.method.SimulationMethod;
 import org.mechservice.sim.check.CheckReport;
+import org.mechservice.sim.compile.ReusedCode;
 import org.mechservice.sim.emit.plan.CodeForm;
 import org.mechservice.sim.model.BuildOptions;
 import org.mechservice.sim.model.CompiledModel;
+import org.mechservice.sim.model.GeneratedModel;
 import org.mechservice.sim.model.ModelColumns;
 import org.mechservice.sim.model.ModelFactory;
 import org.mechservice.sim.packaging.JarImage;
@@ -99,9 +103,27 @@ public final class MechModel {
    * @param fileName name for messages
    * @param content the file's bytes
    * @param userCode the folders in which classes of forces are sought
+   * @param validated what was read of the content, for other values, as long as memory suffices
    */
   @SuppressWarnings("ArrayRecordComponent") // never compared
-  private record Source(String fileName, byte[] content, List<Path> userCode) {}
+  private record Source(
+      String fileName,
+      byte[] content,
+      List<Path> userCode,
+      AtomicReference<SoftReference<ValidatedFile>> validated) {
+    Source(String fileName, byte[] content, List<Path> userCode) {
+      this(fileName, content, userCode, new AtomicReference<>(new SoftReference<>(null)));
+    }
+
+    ValidatedFile file() throws MechmlException {
+      ValidatedFile known = validated.get().get();
+      if (known == null) {
+        known = ValidatedFile.of(fileName, content);
+        validated.set(new SoftReference<>(known));
+      }
+      return known;
+    }
+  }
 
   private final Source source;
   private final ReadOptions reading;
@@ -179,7 +201,7 @@ public final class MechModel {
 
   private static MechModel read(Source source, ReadOptions reading)
       throws IOException, MechmlException {
-    MechmlModel model = MechmlReader.read(source.fileName, source.content, reading);
+    MechmlModel model = source.file().model(reading);
     UserClasses classes = ForceFiles.sought(model.mechanism(), source.userCode);
     return new MechModel(
         source, reading, settings -> settings, false, OptionalDouble.empty(), model, classes);
@@ -198,7 +220,7 @@ public final class MechModel {
   /** Returns the outermost element of what was read, with the files that it includes. */
   public Element file() {
     try {
-      return MechmlReader.whole(source.fileName, source.content);
+      return source.file().root();
     } catch (MechmlException e) {
       throw new IllegalStateException("what was read before is read again", e);
     }
@@ -278,13 +300,7 @@ public final class MechModel {
 
   private MechModel reread(ReadOptions other) throws MechmlException {
     return new MechModel(
-        source,
-        other,
-        changes,
-        strict,
-        maxDrift,
-        MechmlReader.read(source.fileName, source.content, other),
-        userClasses);
+        source, other, changes, strict, maxDrift, source.file().model(other), userClasses);
   }
 
   /** Returns the model with runs that end at another time, s. */
@@ -528,6 +544,23 @@ public final class MechModel {
     return compiled().instances();
   }
 
+  /**
+   * Returns the same for one of many models that differ in their numbers, by classes that earlier
+   * ones of them have loaded: the bits are those of {@link #instances()}, and the virtual machine
+   * has compiled the code already.
+   *
+   * @param code of one thread, which uses no model of an earlier source any more
+   */
+  public ModelSource instances(ReusedCode code) {
+    synchronized (this) {
+      if (compiled.isPresent() || !userClasses.isEmpty()) {
+        return instances();
+      }
+    }
+    GeneratedModel generated = ModelFactory.generate(model, options(model.settings().run()));
+    return code.source(generated.className(), generated.classFiles());
+  }
+
   private IntegratorSelection selection(SimulationSettings asked) {
     String given = asked.run().integrator();
     if (!(asked.task() instanceof SimulationTask.Dynamic)) {
@@ -552,18 +585,21 @@ public final class MechModel {
   }
 
   private CompiledModel built(RunSettings run) {
+    BuildOptions options = options(run);
+    return ModelFactory.compile(model, options, ModelFactory.generate(model, options), userClasses);
+  }
+
+  private BuildOptions options(RunSettings run) {
     SimulationSettings asked = changes.apply(model.settings());
     IntegratorSelection chosen = selection(asked);
-    BuildOptions options =
-        new BuildOptions(
-            asked.formulation(),
-            asked.closure(),
-            false,
-            CodeForm.AUTO,
-            ModelColumns.shown(asked),
-            run.withIntegrator(chosen.integrator()),
-            chosen.reason());
-    return ModelFactory.compile(model, options, ModelFactory.generate(model, options), userClasses);
+    return new BuildOptions(
+        asked.formulation(),
+        asked.closure(),
+        false,
+        CodeForm.AUTO,
+        ModelColumns.shown(asked),
+        run.withIntegrator(chosen.integrator()),
+        chosen.reason());
   }
 
   /** Returns the SHA-256 of the model's class files, which identifies it to the bit. */
