@@ -103,7 +103,13 @@ final class RandomElements {
       String type = i > 1 && random.nextInt(3) == 0 ? "P" : "R";
       String axis = random.nextInt(3) == 0 ? "z" : "y";
       text.append(
-          joint("j" + i, type, i == 1 ? "Ground" : "b" + (i - 1), i == 1 ? "head" : "end", "b" + i, axis));
+          joint(
+              "j" + i,
+              type,
+              i == 1 ? "Ground" : "b" + (i - 1),
+              i == 1 ? "head" : "end",
+              "b" + i,
+              axis));
     }
     return text.append(joint("slide", "P", "Ground", "o", "cart", "x"))
         .append(joint("axle", "R", "cart", "o", "wheel", "y"))
@@ -173,12 +179,6 @@ final class RandomElements {
   }
 
   private static String start(String joint, double position, double velocity) {
-    return "<jointVal name='"
-        + joint
-        + "' posVals='"
-        + position
-        + "' velVals='"
-        + velocity
-        + "'/>";
+    return "<jointVal name='" + joint + "' posVals='" + position + "' velVals='" + velocity + "'/>";
   }
 }

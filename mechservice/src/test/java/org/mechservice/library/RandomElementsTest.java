@@ -89,7 +89,8 @@ class RandomElementsTest {
                 + " `mvn verify -Psoak`; every build runs two of them. The largest difference of"
                 + " the last row from DSR with ode113, relative to the largest number in"
                 + " it.%n%n| models | formulation | largest difference | bound |%n|---|---|---|---|%n",
-            SOAKED, SOAKED));
+            SOAKED,
+            SOAKED));
     for (boolean closed : new boolean[] {false, true}) {
       Map<String, Double> largest = new LinkedHashMap<>();
       for (int seed = 1; seed <= SOAKED; seed++) {
