@@ -30,6 +30,9 @@ public final class BackwardFormulas {
   private final double[] leading = new double[HIGHEST_ORDER + 1];
   private final double[] errorConstant = new double[HIGHEST_ORDER + 1];
 
+  /** −κ_k γ_k. */
+  private final double[] further = new double[HIGHEST_ORDER + 1];
+
   /** Of m in row k. */
   private final double[][] share = new double[HIGHEST_ORDER + 1][HIGHEST_ORDER + 1];
 
@@ -37,6 +40,7 @@ public final class BackwardFormulas {
     for (int k = 1; k <= HIGHEST_ORDER; k++) {
       gamma[k] = gamma[k - 1] + 1.0 / k;
       leading[k] = (1 - kappa[k - 1]) * gamma[k];
+      further[k] = -kappa[k - 1] * gamma[k];
       errorConstant[k] = kappa[k - 1] * gamma[k] + 1.0 / (k + 1);
       for (int m = 1; m <= k; m++) {
         share[k][m] = gamma[m] / leading[k];
@@ -47,6 +51,11 @@ public final class BackwardFormulas {
   /** Returns γ_m / ((1 − κ_k) γ_k), the share of ∇^m in ψ. */
   double share(int m, int k) {
     return share[k][m];
+  }
+
+  /** Returns −κ_k γ_k, the share of ∇^{k+1} y_{n+1}. */
+  double furtherShare(int k) {
+    return further[k];
   }
 
   /** Returns (1 − κ_k) γ_k, the factor of the unknown. */

@@ -15,7 +15,10 @@ import org.mechservice.solver.ode.step.ErrorNorm;
  * <p>Near the imaginary axis the formulas of high order are not stable, which shows in differences
  * that grow with their order. If asked to heed that, the order is lowered at once and not raised as
  * long as it lasts. Only differences of equal steps tell: for some steps after a change of size
- * those of a strongly damped system hold what the change has stirred up.
+ * those of a strongly damped system hold what the change has stirred up. Where the fastest motion
+ * is known to be an oscillation, no order and no step is chosen that amplifies it ({@link
+ * StabilityRegion}), and none below 2, which follows it worse and damps it no better where steps
+ * are as long as its period.
  *
  * <p>At order 1 such a system can be caught: its velocities err by a part of each step, far beyond
  * their tolerances where they are small, which no test sees as long as the steps are equal, and any
@@ -44,8 +47,12 @@ public final class BackwardOrderControl {
 
   private static final double GROWTH_AT_ORDER_2 = 2;
 
+  /** Damping ratio of an oscillation that does not grow, by a matrix of differences. */
+  private static final double LEAST_DAMPING_RATIO = -0.01;
+
   private final BackwardFormulas formulas;
   private final boolean heedsGrowth;
+  private final StabilityRegion region;
   private int highestOrder;
   private boolean rising;
   private int order;
@@ -60,12 +67,19 @@ public final class BackwardOrderControl {
 
   private double error;
 
+  /** Whether the fastest motion is an oscillation, and its h λ. */
+  private boolean oscillates;
+
+  private double real;
+  private double imaginary;
+
   /**
    * @param heedsGrowth whether differences that grow with their order lower it
    */
   public BackwardOrderControl(BackwardFormulas formulas, boolean heedsGrowth) {
     this.formulas = formulas;
     this.heedsGrowth = heedsGrowth;
+    region = new StabilityRegion(formulas);
   }
 
   /**
@@ -81,7 +95,27 @@ public final class BackwardOrderControl {
     failedBefore = false;
     grown = false;
     caught = false;
+    oscillates = false;
     error = 0;
+  }
+
+  /**
+   * Takes note of the fastest motion before a step is accepted, if growth is heeded.
+   *
+   * @param product its rate times the size of the step, h |λ|; not finite if it is not known
+   * @param dampingRatio −cos arg λ, below 1 for an oscillation
+   */
+  public void fastestMotion(double product, double dampingRatio) {
+    oscillates =
+        heedsGrowth
+            && Double.isFinite(product)
+            && dampingRatio < 1
+            && dampingRatio > LEAST_DAMPING_RATIO;
+    if (oscillates) {
+      double ratio = Math.max(0, dampingRatio);
+      real = -ratio * product;
+      imaginary = product * Math.sqrt(1 - ratio * ratio);
+    }
   }
 
   /** Returns the order k to use. */
@@ -149,17 +183,24 @@ public final class BackwardOrderControl {
     if (equalSteps < k + 2) {
       return 1;
     }
+    if (amplifies(k, 1)) {
+      return lower(errorOf(k - 1, differences, norm));
+    }
     double best = growth(error, k, SAFETY_SAME);
+    if (amplifies(k, best)) {
+      best = 1;
+    }
     if (mayFall()) {
       double below = growth(errorOf(k - 1, differences, norm), k - 1, SAFETY_BELOW);
-      if (below > best) {
+      if (below > best && !amplifies(k - 1, below)) {
         best = below;
         order = k - 1;
       }
     }
     if (k < highestOrder && mayRise(differences, norm)) {
       double above = growth(errorOf(k + 1, differences, norm), k + 1, SAFETY_ABOVE);
-      if (above > best || ((rising || caught) && k == 1 && above == LARGEST_GROWTH)) {
+      boolean better = above > best || ((rising || caught) && k == 1 && above == LARGEST_GROWTH);
+      if (better && !amplifies(k + 1, above)) {
         best = above;
         order = k + 1;
       }
@@ -180,6 +221,11 @@ public final class BackwardOrderControl {
         : Math.max(below, norm.of(differences.accepted(order - 1))) <= highest;
   }
 
+  /** Returns whether a step of order k, longer by a factor, amplifies the fastest motion. */
+  private boolean amplifies(int k, double factor) {
+    return oscillates && k > 2 && region.amplifies(k, factor * real, factor * imaginary);
+  }
+
   private double lower(double errorBelow) {
     order--;
     equalSteps = 0;
@@ -188,7 +234,7 @@ public final class BackwardOrderControl {
   }
 
   private boolean mayFall() {
-    return order > (caught ? 2 : 1);
+    return order > (caught || oscillates ? 2 : 1);
   }
 
   /** Returns whether the next difference is smaller, or nobody asks. */
@@ -229,6 +275,7 @@ public final class BackwardOrderControl {
     failedBefore = state.flag(failedBefore);
     grown = state.flag(grown);
     caught = state.flag(caught);
+    oscillates = state.flag(oscillates);
     error = state.number(error);
   }
 }

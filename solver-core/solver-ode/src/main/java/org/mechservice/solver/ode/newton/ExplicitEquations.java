@@ -363,6 +363,11 @@ public final class ExplicitEquations extends StepEquations {
   }
 
   @Override
+  public double dampingOfFastest() {
+    return jacobian.dampingOfFastest();
+  }
+
+  @Override
   double costOfDerivatives() {
     return differencing.evaluations();
   }

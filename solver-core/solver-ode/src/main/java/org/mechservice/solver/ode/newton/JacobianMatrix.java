@@ -16,6 +16,9 @@ public final class JacobianMatrix {
   /** What is left after {@link #POWERS} of an eigenvalue of 0.8 times the largest one. */
   private static final double SAME_LINE = 0.05;
 
+  /** Part of the largest element of a power that slower motions have left to a row. */
+  private static final double FORGOTTEN = 1e-8;
+
   private static final double GOLDEN_RATIO = 0.6180339887498949;
 
   private final MatrixLayout layout;
@@ -36,6 +39,11 @@ public final class JacobianMatrix {
   private double offKept;
 
   private boolean radiusKnown;
+
+  /** Damping ratio of the fastest motion, once asked for. */
+  private double damping;
+
+  private boolean dampingKnown;
   private final double[] power;
   private final double[] product;
 
@@ -89,6 +97,7 @@ public final class JacobianMatrix {
     values = forming;
     forming = freed;
     radiusKnown = false;
+    dampingKnown = false;
   }
 
   /** Adds the product of the matrix in use and x to a vector. */
@@ -152,6 +161,51 @@ public final class JacobianMatrix {
     return spectralRadius() > 0 && Math.min(offTurned, offKept) < SAME_LINE;
   }
 
+  /**
+   * Returns the damping ratio of the fastest motion, −cos arg λ: at least 1 if its eigenvalues are
+   * real, negative if it grows. From the last powers x of the matrix, which a pair of eigenvalues
+   * leaves in a plane: J² x = p J x + q x has λ² = p λ + q, so that the ratio is −p / (2 √−q).
+   */
+  public double dampingOfFastest() {
+    if (fastestIsExponential()) {
+      return 1;
+    }
+    if (!dampingKnown) {
+      damping = dampingOfPair();
+      dampingKnown = true;
+    }
+    return damping;
+  }
+
+  /** Fits p and q by least squares, each row by its own size; J in units of its radius. */
+  private double dampingOfPair() {
+    double unit = 1 / radius;
+    Arrays.fill(product, 0);
+    Arrays.fill(rowSums, 0);
+    addProduct(power, product);
+    addProduct(product, rowSums);
+    double once = 0;
+    double both = 0;
+    double none = 0;
+    double twiceOnce = 0;
+    double twiceNone = 0;
+    for (int l = 0; l < power.length; l++) {
+      double moved = unit * product[l];
+      double again = unit * unit * rowSums[l];
+      double size = Math.max(Math.max(Math.abs(power[l]), Math.abs(moved)), FORGOTTEN);
+      double weight = 1 / (size * size);
+      once += weight * moved * moved;
+      both += weight * moved * power[l];
+      none += weight * power[l] * power[l];
+      twiceOnce += weight * again * moved;
+      twiceNone += weight * again * power[l];
+    }
+    double determinant = once * none - both * both;
+    double p = (twiceOnce * none - twiceNone * both) / determinant;
+    double q = (once * twiceNone - both * twiceOnce) / determinant;
+    return q < 0 ? -p / (2 * Math.sqrt(-q)) : 1;
+  }
+
   private double powerGrowth() {
     for (int l = 0; l < power.length; l++) {
       // Fractions of multiples of the golden ratio: no matrix met in practice annuls them.
@@ -209,5 +263,6 @@ public final class JacobianMatrix {
   void transfer(SavedState state) {
     state.numbers(values);
     radiusKnown = false;
+    dampingKnown = false;
   }
 }

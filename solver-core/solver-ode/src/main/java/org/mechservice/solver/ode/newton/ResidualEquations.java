@@ -359,6 +359,11 @@ public final class ResidualEquations extends StepEquations {
   }
 
   @Override
+  public double dampingOfFastest() {
+    return 1;
+  }
+
+  @Override
   IterationRules rules(Mode mode) {
     asPublished = mode == Mode.FAITHFUL;
     linearisation.watchForJumps(!asPublished);

@@ -220,6 +220,12 @@ public abstract class StepEquations {
   /** Returns whether the fastest motion is a decay or a growth, not an oscillation. */
   public abstract boolean fastestIsExponential();
 
+  /**
+   * Returns the damping ratio of the fastest motion, −cos arg λ, estimated; 1 or more if that is no
+   * oscillation or nothing is known of it.
+   */
+  public abstract double dampingOfFastest();
+
   /** Returns the rules by which steps are solved in a mode. */
   abstract IterationRules rules(Mode mode);
 }

@@ -31,6 +31,7 @@ final class BackwardStep {
   private final IntegrationProgress progress;
   private final BackwardFormulas formulas;
   private final Mode mode;
+  private final boolean turns;
   private final ErrorAllowance allowance;
   private final BackwardOrderControl control;
   private final MaximumNorm norm = new MaximumNorm();
@@ -63,6 +64,7 @@ final class BackwardStep {
     this.progress = progress;
     this.formulas = formulas;
     this.mode = mode;
+    this.turns = turns;
     allowance = turns ? ErrorAllowance.full() : ErrorAllowance.of(mode);
     control = new BackwardOrderControl(formulas, turns);
     equations = StepEquations.none();
@@ -242,6 +244,10 @@ final class BackwardStep {
     progress.accepted(size, triedTime, k, error);
     jumps.accepted(error);
     solver.moveOn(hGamma(), differences);
+    if (turns) {
+      control.fastestMotion(
+          Math.abs(size) * equations.fastestMotion(), equations.dampingOfFastest());
+    }
     step.propose(control.accept(differences, norm));
     boolean jumpPassed = search.accepted(size, triedTime, error);
     if (error > 1 || jumpPassed) {

@@ -113,6 +113,24 @@ class ErrorAllowanceTest {
     return kept(rows).fastestIsExponential();
   }
 
+  /** The powers of a matrix that turns do not end in one line, but in one plane. */
+  @Test
+  void dampingOfTheFastestMotionIsThatOfItsEigenvaluesWhateverTheUnits() {
+    // Oscillators of 10 rad/s, damping ratios 0.02, 0.5 and −0.1, one in two units of velocity.
+    assertThat(damping(new double[][] {{0, 1}, {-100, -0.4}})).isCloseTo(0.02, within(1e-9));
+    assertThat(damping(new double[][] {{0, 1e-6}, {-1e8, -0.4}})).isCloseTo(0.02, within(1e-9));
+    assertThat(damping(new double[][] {{0, 1}, {-100, -10}})).isCloseTo(0.5, within(1e-9));
+    assertThat(damping(new double[][] {{0, 1}, {-100, 2}})).isCloseTo(-0.1, within(1e-9));
+    assertThat(damping(new double[][] {{-3, -4, 1}, {4, -3, 2}, {0, 0, -0.1}}))
+        .isCloseTo(0.6, within(1e-9));
+    assertThat(damping(new double[][] {{-1, 0}, {0, -1000}})).isEqualTo(1);
+    assertThat(damping(new double[][] {{-1000, 0}, {0, -1100}})).isGreaterThanOrEqualTo(1);
+  }
+
+  private static double damping(double[][] rows) {
+    return kept(rows).dampingOfFastest();
+  }
+
   @Test
   void freeFallHasNoFastestMotion() {
     assertThat(radius(new double[][] {{0, 1}, {0, 0}})).isZero();
