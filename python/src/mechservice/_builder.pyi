@@ -190,6 +190,9 @@ class Builder(Element):
     def knifeEdge(self, name: str) -> ConnectionElement:
         """Adds a knife edge."""
         ...
+    def map(self, name: str, x: Sequence[float], y: Sequence[float], z: Sequence[Sequence[float]]) -> OtherElement:
+        """Adds a function of two arguments on a grid, for use in expressions."""
+        ...
     def mechml(self) -> str:
         """Returns the model as canonical MechML text."""
         ...

@@ -71,6 +71,15 @@ class Model:
 
         return self._changed(change)
 
+    def silence(self, *warnings: str) -> "Model":
+        """Returns the model without some warnings, those of its check and those of its runs.
+
+        warnings: their names or codes, such as ``"no-gravity"`` or ``"M-090"``.
+
+        Raises ModelError if there is no such warning.
+        """
+        return self._changed(lambda java: java.silence(list(warnings)))
+
     def check(self) -> str:
         """Returns what is known about the model before it runs, as ``mech check`` prints it."""
         with python_errors():

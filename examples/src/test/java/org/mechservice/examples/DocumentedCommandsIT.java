@@ -54,6 +54,7 @@ class DocumentedCommandsIT {
         "examples/elements/README.md",
         "examples/four-bar/README.md",
         "examples/gearbox/README.md",
+        "examples/counterbalance/README.md",
         "examples/crane/README.md",
         "examples/half-car/README.md",
         "examples/walker/README.md",

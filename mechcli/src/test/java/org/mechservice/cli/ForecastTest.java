@@ -47,4 +47,18 @@ class ForecastTest {
           .contains("to 100 s, its end");
     }
   }
+
+  @Test
+  void silencedForecastIsNotGivenRemoteAndLocal() throws IOException {
+    SimulationOptions silent =
+        SimulationOptions.asInFile().integrator("ode113").endTime(100).silence("very-many-steps");
+    try (ServiceConnection service = ServiceConnection.open(new ServerOption());
+        MechSession session = service.connection().openSession("")) {
+      session.loadModel(STIFF, Optional.empty());
+      session.prepareRemoteRun(silent).close();
+      assertThat(session.warnings()).isEmpty();
+      session.prepareLocalRun(silent).close();
+      assertThat(session.warnings()).isEmpty();
+    }
+  }
 }

@@ -244,8 +244,11 @@ public final class MechSession implements AutoCloseable {
    *
    * @throws InvalidModelException if the model cannot be used so
    */
-  String checkReport(SimulationOptions options, boolean asJson) {
-    return calls.get(() -> session.checkReportWith(options.toNameValues(), asJson));
+  public String checkReport(SimulationOptions options, boolean asJson) {
+    NameValue[] asked = options.toNameValues();
+    return asked.length == 0
+        ? checkReport(asJson)
+        : setUp.get(patient -> patient.checkReportWith(asked, asJson));
   }
 
   /**
@@ -434,7 +437,12 @@ public final class MechSession implements AutoCloseable {
     facts.put("modelJarBytes", (long) modelJar.bytes().length);
     facts.put("modelClassBytes", modelJar.modelClassBytes());
     facts.put("runtimeJarBytes", (long) runtimeJar.length);
-    return fetched.prepare(options.columnGroups(), options.isStrict(), options.driftBound(), facts);
+    return fetched.prepare(
+        options.columnGroups(),
+        options.isStrict(),
+        options.driftBound(),
+        SetUpWarnings.silenced(said.value),
+        facts);
   }
 
   /**

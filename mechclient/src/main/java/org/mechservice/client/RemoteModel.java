@@ -227,6 +227,20 @@ public final class RemoteModel {
     return with(options.maxDrift(part));
   }
 
+  /**
+   * Returns the model without some warnings, those of its check and those of its runs.
+   *
+   * @param warnings their names or codes, such as {@code no-gravity} or {@code M-090}
+   * @throws InvalidModelException if there is no such warning
+   */
+  public RemoteModel silence(String... warnings) {
+    SimulationOptions more = options;
+    for (String warning : warnings) {
+      more = more.silence(warning);
+    }
+    return reread(more);
+  }
+
   /** Returns what is known about the model before it runs, as {@code mech check} tells it. */
   public CheckText check() {
     synchronized (session) {

@@ -5,9 +5,12 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.mechservice.client.failure.ModelMessage;
 import org.mechservice.idl.NameValue;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** Warnings of the server about a run before it begins, among the facts of its set-up. */
 final class SetUpWarnings {
@@ -35,6 +38,15 @@ final class SetUpWarnings {
       }
     }
     return Optional.of(warnings);
+  }
+
+  /** Returns the warnings that the model or the options silence; a code unknown here is none. */
+  static Set<MessageCode> silenced(NameValue[] facts) {
+    return Arrays.stream(facts)
+        .filter(fact -> fact.key.equals("silenced"))
+        .flatMap(fact -> Stream.of(fact.text.split(" ")))
+        .flatMap(code -> MessageCode.find(code).stream())
+        .collect(Collectors.toSet());
   }
 
   private static ModelMessage message(String[] fields) {

@@ -25,6 +25,7 @@ import org.mechservice.idl.OPT_INTEGRATOR;
 import org.mechservice.idl.OPT_MAX_DRIFT;
 import org.mechservice.idl.OPT_REL_TOL;
 import org.mechservice.idl.OPT_SET;
+import org.mechservice.idl.OPT_SILENCE;
 import org.mechservice.idl.OPT_SIMULATION;
 import org.mechservice.idl.OPT_SOURCE_PART;
 import org.mechservice.idl.OPT_STANDALONE;
@@ -64,17 +65,22 @@ public final class SimulationOptions {
           OPT_MAX_DRIFT.value);
 
   private static final SimulationOptions AS_IN_FILE =
-      new SimulationOptions(Map.of(), Map.of(), Set.of());
+      new SimulationOptions(Map.of(), Map.of(), Set.of(), Set.of());
 
   private final Map<String, String> texts;
   private final Map<String, String> parameters;
   private final Set<String> tunable;
+  private final Set<String> silenced;
 
   private SimulationOptions(
-      Map<String, String> texts, Map<String, String> parameters, Set<String> tunable) {
+      Map<String, String> texts,
+      Map<String, String> parameters,
+      Set<String> tunable,
+      Set<String> silenced) {
     this.texts = texts;
     this.parameters = parameters;
     this.tunable = tunable;
+    this.silenced = silenced;
   }
 
   /** Returns the settings of the model's file, unchanged. */
@@ -95,14 +101,21 @@ public final class SimulationOptions {
   public SimulationOptions parameter(String name, String value) {
     Map<String, String> more = new LinkedHashMap<>(parameters);
     more.put(name, value);
-    return new SimulationOptions(texts, more, tunable);
+    return new SimulationOptions(texts, more, tunable, silenced);
   }
 
   /** Keeps a parameter as an input of the model, which may be set before a run. */
   public SimulationOptions tunable(String name) {
     Set<String> more = new LinkedHashSet<>(tunable);
     more.add(name);
-    return new SimulationOptions(texts, parameters, more);
+    return new SimulationOptions(texts, parameters, more, silenced);
+  }
+
+  /** Silences a warning, of the model and of its runs, by its name or code. */
+  public SimulationOptions silence(String warning) {
+    Set<String> more = new LinkedHashSet<>(silenced);
+    more.add(warning);
+    return new SimulationOptions(texts, parameters, tunable, more);
   }
 
   /** Chooses the formulation: {@code auto}, {@code DTR}, {@code DSR}, {@code RR}, {@code RR-JF}. */
@@ -236,7 +249,7 @@ public final class SimulationOptions {
       fitting.remove(OPT_T_END.value);
     }
     fitting.put(OPT_ANALYSIS.value, kind.label());
-    SimulationOptions asked = new SimulationOptions(fitting, parameters, tunable);
+    SimulationOptions asked = new SimulationOptions(fitting, parameters, tunable, silenced);
     return kind.isLinear() ? asked.withOutputs() : asked;
   }
 
@@ -270,7 +283,7 @@ public final class SimulationOptions {
   public SimulationOptions with(String key, String text) {
     Map<String, String> more = new LinkedHashMap<>(texts);
     more.put(key, text);
-    return new SimulationOptions(more, parameters, tunable);
+    return new SimulationOptions(more, parameters, tunable, silenced);
   }
 
   /** Returns the requested column groups; empty if the file decides. */
@@ -289,6 +302,7 @@ public final class SimulationOptions {
     parameters.forEach(
         (name, value) -> options.add(new NameValue(OPT_SET.value, name + "=" + value)));
     tunable.forEach(name -> options.add(new NameValue(OPT_TUNABLE.value, name)));
+    silenced.forEach(name -> options.add(new NameValue(OPT_SILENCE.value, name)));
     return options.toArray(NameValue[]::new);
   }
 

@@ -2,11 +2,13 @@ package org.mechservice.mechml;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.mechservice.mechml.SimulationTask.Linearization;
 import org.mechservice.mechml.diagnosis.Diagnostic;
 import org.mechservice.solver.api.ModelParameter;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.AnalysisKind;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.closure.assembly.ClosedStart;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -22,6 +24,7 @@ public final class MechmlModel {
   private final List<Output> outputs;
   private final List<String> unused;
   private final List<Diagnostic> warnings;
+  private final Set<MessageCode> silenced;
 
   /** Kept because all who ask for it ask for the same one, and it takes long to compute. */
   private Optional<ClosedStart> closedStart = Optional.empty();
@@ -37,7 +40,8 @@ public final class MechmlModel {
    * @param outputs user-defined result columns, in file order
    * @param unused points, vectors and parameters that nothing refers to, such as {@code point "p3"
    *     of body "bar"}
-   * @param warnings diagnostics below errors, in file order
+   * @param warnings diagnostics below errors, in file order, without the silenced ones
+   * @param silenced warnings that nobody is to hear
    */
   public MechmlModel(
       Mechanism mechanism,
@@ -47,7 +51,8 @@ public final class MechmlModel {
       List<ModelParameter> parameters,
       List<Output> outputs,
       List<String> unused,
-      List<Diagnostic> warnings) {
+      List<Diagnostic> warnings,
+      Set<MessageCode> silenced) {
     this.mechanism = mechanism;
     this.inputCount = inputCount;
     this.settings = settings;
@@ -56,6 +61,7 @@ public final class MechmlModel {
     this.outputs = List.copyOf(outputs);
     this.unused = List.copyOf(unused);
     this.warnings = List.copyOf(warnings);
+    this.silenced = Set.copyOf(silenced);
   }
 
   /** Creates a model none of whose parameters is an input. */
@@ -67,7 +73,7 @@ public final class MechmlModel {
       List<Output> outputs,
       List<String> unused,
       List<Diagnostic> warnings) {
-    this(mechanism, 0, settings, simulations, parameters, outputs, unused, warnings);
+    this(mechanism, 0, settings, simulations, parameters, outputs, unused, warnings, Set.of());
   }
 
   /** Creates a model with one simulation and without parameters and outputs. */
@@ -113,9 +119,14 @@ public final class MechmlModel {
     return unused;
   }
 
-  /** Returns the diagnostics below errors, in file order. */
+  /** Returns the diagnostics below errors, in file order, without the silenced ones. */
   public List<Diagnostic> warnings() {
     return warnings;
+  }
+
+  /** Returns the warnings that nobody is to hear, by the file or the options of its reading. */
+  public Set<MessageCode> silenced() {
+    return silenced;
   }
 
   /** Returns the model with an analysis in place of its chosen simulation. */
@@ -141,7 +152,7 @@ public final class MechmlModel {
             settings.columns(),
             settings.events());
     return new MechmlModel(
-        mechanism, inputCount, other, simulations, parameters, outputs, unused, warnings);
+        mechanism, inputCount, other, simulations, parameters, outputs, unused, warnings, silenced);
   }
 
   /** Returns the mechanism with the events of the chosen simulation. */

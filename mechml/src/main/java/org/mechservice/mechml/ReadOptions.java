@@ -16,24 +16,27 @@ import org.mechservice.solver.catalogue.AnalysisKind;
  *     file
  * @param inputs what becomes of inputs
  * @param analysis what is computed instead of the chosen simulation; empty for the simulation
+ * @param silenced names or codes of warnings that are not given, besides those of the file
  */
 public record ReadOptions(
     Optional<String> simulation,
     Map<String, String> values,
     Set<String> tunable,
     Inputs inputs,
-    Optional<AnalysisKind> analysis) {
+    Optional<AnalysisKind> analysis,
+    Set<String> silenced) {
   /** Default options: the first simulation, all parameters as in the file. */
   public static final ReadOptions NONE = new ReadOptions(Optional.empty(), Map.of(), Set.of());
 
   public ReadOptions {
     values = Map.copyOf(values);
     tunable = Set.copyOf(tunable);
+    silenced = Set.copyOf(silenced);
   }
 
   /** Creates options for a run without inputs from outside. */
   public ReadOptions(Optional<String> simulation, Map<String, String> values, Set<String> tunable) {
-    this(simulation, values, tunable, Inputs.AS_IN_FILE, Optional.empty());
+    this(simulation, values, tunable, Inputs.AS_IN_FILE, Optional.empty(), Set.of());
   }
 
   /** What becomes of the inputs of a model. */
@@ -48,17 +51,41 @@ public record ReadOptions(
 
   /** Returns the same options for a run whose inputs are set from outside. */
   public ReadOptions withInputsFromOutside() {
-    return new ReadOptions(simulation, values, tunable, Inputs.STATES, analysis);
+    return new ReadOptions(simulation, values, tunable, Inputs.STATES, analysis, silenced);
   }
 
   /** Returns the same options for a model whose inputs are parameters behind the tunable ones. */
   public ReadOptions withInputsAsParameters() {
-    return new ReadOptions(simulation, values, tunable, Inputs.PARAMETERS, analysis);
+    return new ReadOptions(simulation, values, tunable, Inputs.PARAMETERS, analysis, silenced);
   }
 
   /** Returns the same options for an analysis in place of the chosen simulation. */
   public ReadOptions withAnalysis(AnalysisKind kind) {
-    return new ReadOptions(simulation, values, tunable, inputs, Optional.of(kind));
+    return new ReadOptions(simulation, values, tunable, inputs, Optional.of(kind), silenced);
+  }
+
+  /** Returns the same options with other values of parameters. */
+  public ReadOptions with(Map<String, String> other) {
+    return new ReadOptions(simulation, other, tunable, inputs, analysis, silenced);
+  }
+
+  /** Returns the same options with other parameters that stay inputs. */
+  public ReadOptions withTunable(Set<String> names) {
+    return new ReadOptions(simulation, values, names, inputs, analysis, silenced);
+  }
+
+  /** Returns the same options with another simulation chosen, by its name or number. */
+  public ReadOptions withSimulation(String nameOrNumber) {
+    return new ReadOptions(Optional.of(nameOrNumber), values, tunable, inputs, analysis, silenced);
+  }
+
+  /**
+   * Returns the same options without some warnings.
+   *
+   * @param warnings names or codes
+   */
+  public ReadOptions silencing(Set<String> warnings) {
+    return new ReadOptions(simulation, values, tunable, inputs, analysis, warnings);
   }
 
   /** Returns options that set parameters. */

@@ -21,6 +21,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.mechml.unit.UnitSymbols;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Function;
 import org.w3c.dom.Element;
 import org.w3c.dom.Node;
@@ -55,7 +56,10 @@ class DocumentationTest {
   @ParameterizedTest
   @MethodSource("examples")
   void exampleOfTheGuideIsReadWithoutAWarning(String file) throws Exception {
-    MechmlModel model = MechmlReader.read("guide.xml", file.getBytes(StandardCharsets.UTF_8));
+    // Parts of the guide define parameters that other parts use.
+    ReadOptions part = ReadOptions.NONE.silencing(Set.of(MessageCode.PARAMETER_NOT_USED.word()));
+    byte[] content = file.getBytes(StandardCharsets.UTF_8);
+    MechmlModel model = MechmlReader.read("guide.xml", content, part);
     assertThat(model.warnings()).isEmpty();
     assertThat(model.mechanism().bodies()).hasSize(2);
   }

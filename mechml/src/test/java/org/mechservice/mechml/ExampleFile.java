@@ -44,6 +44,7 @@ record ExampleFile(String text) {
           Map.entry("Rope", "Constraints"),
           Map.entry("JointConstraint", "Constraints"),
           Map.entry("table", "Tables"),
+          Map.entry("map", "Tables"),
           Map.entry("state", "States"),
           Map.entry("pid", "States"),
           Map.entry("transferFunction", "States"),

@@ -1,6 +1,7 @@
 package org.mechservice.library;
 
 import java.io.IOException;
+import java.lang.ref.SoftReference;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -17,6 +18,7 @@ import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -28,7 +30,7 @@ import org.mechservice.mechml.diagnosis.Diagnostic;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.document.DocumentWriter;
 import org.mechservice.mechml.document.Element;
-import org.mechservice.mechml.resolve.MechmlReader;
+import org.mechservice.mechml.resolve.ValidatedFile;
 import org.mechservice.mechml.robot.RobotExport;
 import org.mechservice.mechml.robot.RobotImport;
 import org.mechservice.report.ModelReport;
@@ -37,9 +39,11 @@ import org.mechservice.report.measure.ReportProgress;
 import org.mechservice.report.method.MethodBuilds;
 import org.mechservice.report.method.SimulationMethod;
 import org.mechservice.sim.check.CheckReport;
+import org.mechservice.sim.compile.ReusedCode;
 import org.mechservice.sim.emit.plan.CodeForm;
 import org.mechservice.sim.model.BuildOptions;
 import org.mechservice.sim.model.CompiledModel;
+import org.mechservice.sim.model.GeneratedModel;
 import org.mechservice.sim.model.ModelColumns;
 import org.mechservice.sim.model.ModelFactory;
 import org.mechservice.sim.packaging.JarImage;
@@ -99,9 +103,27 @@ public final class MechModel {
    * @param fileName name for messages
    * @param content the file's bytes
    * @param userCode the folders in which classes of forces are sought
+   * @param validated what was read of the content, for other values, as long as memory suffices
    */
   @SuppressWarnings("ArrayRecordComponent") // never compared
-  private record Source(String fileName, byte[] content, List<Path> userCode) {}
+  private record Source(
+      String fileName,
+      byte[] content,
+      List<Path> userCode,
+      AtomicReference<SoftReference<ValidatedFile>> validated) {
+    Source(String fileName, byte[] content, List<Path> userCode) {
+      this(fileName, content, userCode, new AtomicReference<>(new SoftReference<>(null)));
+    }
+
+    ValidatedFile file() throws MechmlException {
+      ValidatedFile known = validated.get().get();
+      if (known == null) {
+        known = ValidatedFile.of(fileName, content);
+        validated.set(new SoftReference<>(known));
+      }
+      return known;
+    }
+  }
 
   private final Source source;
   private final ReadOptions reading;
@@ -179,7 +201,7 @@ public final class MechModel {
 
   private static MechModel read(Source source, ReadOptions reading)
       throws IOException, MechmlException {
-    MechmlModel model = MechmlReader.read(source.fileName, source.content, reading);
+    MechmlModel model = source.file().model(reading);
     UserClasses classes = ForceFiles.sought(model.mechanism(), source.userCode);
     return new MechModel(
         source, reading, settings -> settings, false, OptionalDouble.empty(), model, classes);
@@ -198,7 +220,7 @@ public final class MechModel {
   /** Returns the outermost element of what was read, with the files that it includes. */
   public Element file() {
     try {
-      return MechmlReader.whole(source.fileName, source.content);
+      return source.file().root();
     } catch (MechmlException e) {
       throw new IllegalStateException("what was read before is read again", e);
     }
@@ -238,7 +260,7 @@ public final class MechModel {
   public MechModel set(String parameter, String value) throws MechmlException {
     Map<String, String> values = new LinkedHashMap<>(reading.values());
     values.put(parameter, value);
-    return reread(new ReadOptions(reading.simulation(), values, reading.tunable()));
+    return reread(reading.with(values));
   }
 
   /**
@@ -250,7 +272,7 @@ public final class MechModel {
   public MechModel set(Map<String, Double> given) throws MechmlException {
     Map<String, String> values = new LinkedHashMap<>(reading.values());
     given.forEach((name, value) -> values.put(name, Double.toString(value)));
-    return reread(new ReadOptions(reading.simulation(), values, reading.tunable()));
+    return reread(reading.with(values));
   }
 
   /**
@@ -263,7 +285,7 @@ public final class MechModel {
   public MechModel tunable(Set<String> parameters) throws MechmlException {
     Set<String> all = new LinkedHashSet<>(reading.tunable());
     all.addAll(parameters);
-    return reread(new ReadOptions(reading.simulation(), reading.values(), all));
+    return reread(reading.withTunable(all));
   }
 
   /**
@@ -273,18 +295,12 @@ public final class MechModel {
    * @throws MechmlException if there is none of that name
    */
   public MechModel simulation(String nameOrNumber) throws MechmlException {
-    return reread(new ReadOptions(Optional.of(nameOrNumber), reading.values(), reading.tunable()));
+    return reread(reading.withSimulation(nameOrNumber));
   }
 
   private MechModel reread(ReadOptions other) throws MechmlException {
     return new MechModel(
-        source,
-        other,
-        changes,
-        strict,
-        maxDrift,
-        MechmlReader.read(source.fileName, source.content, other),
-        userClasses);
+        source, other, changes, strict, maxDrift, source.file().model(other), userClasses);
   }
 
   /** Returns the model with runs that end at another time, s. */
@@ -357,6 +373,18 @@ public final class MechModel {
   public MechModel maxDrift(double part) {
     return new MechModel(
         source, reading, changes, strict, OptionalDouble.of(part), model, userClasses);
+  }
+
+  /**
+   * Returns the model without some warnings, those of its check and those of its runs.
+   *
+   * @param warnings their names or codes, such as {@code no-gravity} or {@code M-090}
+   * @throws MechmlException if there is no such warning
+   */
+  public MechModel silence(String... warnings) throws MechmlException {
+    Set<String> all = new LinkedHashSet<>(reading.silenced());
+    all.addAll(List.of(warnings));
+    return reread(reading.silencing(all));
   }
 
   /**
@@ -502,7 +530,8 @@ public final class MechModel {
         asked.run().withIntegrator(selection(asked).integrator()),
         ModelColumns.shown(asked),
         strict,
-        maxDrift);
+        maxDrift,
+        model.silenced());
   }
 
   /**
@@ -513,6 +542,23 @@ public final class MechModel {
    */
   public ModelSource instances() {
     return compiled().instances();
+  }
+
+  /**
+   * Returns the same for one of many models that differ in their numbers, by classes that earlier
+   * ones of them have loaded: the bits are those of {@link #instances()}, and the virtual machine
+   * has compiled the code already.
+   *
+   * @param code of one thread, which uses no model of an earlier source any more
+   */
+  public ModelSource instances(ReusedCode code) {
+    synchronized (this) {
+      if (compiled.isPresent() || !userClasses.isEmpty()) {
+        return instances();
+      }
+    }
+    GeneratedModel generated = ModelFactory.generate(model, options(model.settings().run()));
+    return code.source(generated.className(), generated.classFiles());
   }
 
   private IntegratorSelection selection(SimulationSettings asked) {
@@ -539,18 +585,21 @@ public final class MechModel {
   }
 
   private CompiledModel built(RunSettings run) {
+    BuildOptions options = options(run);
+    return ModelFactory.compile(model, options, ModelFactory.generate(model, options), userClasses);
+  }
+
+  private BuildOptions options(RunSettings run) {
     SimulationSettings asked = changes.apply(model.settings());
     IntegratorSelection chosen = selection(asked);
-    BuildOptions options =
-        new BuildOptions(
-            asked.formulation(),
-            asked.closure(),
-            false,
-            CodeForm.AUTO,
-            ModelColumns.shown(asked),
-            run.withIntegrator(chosen.integrator()),
-            chosen.reason());
-    return ModelFactory.compile(model, options, ModelFactory.generate(model, options), userClasses);
+    return new BuildOptions(
+        asked.formulation(),
+        asked.closure(),
+        false,
+        CodeForm.AUTO,
+        ModelColumns.shown(asked),
+        run.withIntegrator(chosen.integrator()),
+        chosen.reason());
   }
 
   /** Returns the SHA-256 of the model's class files, which identifies it to the bit. */

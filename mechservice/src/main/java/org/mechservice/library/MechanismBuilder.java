@@ -3,6 +3,7 @@ package org.mechservice.library;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.mechservice.mechml.diagnosis.MechmlException;
@@ -133,6 +134,18 @@ public final class MechanismBuilder extends BuiltElement<MechanismBuilder> {
   /** Adds a function of one argument through points, for use in expressions. */
   public OtherElement table(String name, double[] x, double[] y) {
     return add("table", it -> it.set("name", name).set("x", x).set("y", y));
+  }
+
+  /**
+   * Adds a function of two arguments on a grid, for use in expressions.
+   *
+   * @param x first arguments, ascending
+   * @param y second arguments, ascending
+   * @param z value z[i][j] at x[i] and y[j]
+   */
+  public OtherElement map(String name, double[] x, double[] y, double[][] z) {
+    double[] values = Arrays.stream(z).flatMapToDouble(Arrays::stream).toArray();
+    return add("map", it -> it.set("name", name).set("x", x).set("y", y).set("z", values));
   }
 
   /** Adds a body. */

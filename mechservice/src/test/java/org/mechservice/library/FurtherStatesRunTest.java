@@ -330,7 +330,7 @@ class FurtherStatesRunTest {
   @Test
   void analysesThatDoNotIntegrateSaySo() throws Exception {
     MechModel model = of(slide("<state name='s' derivative='1'/>", "0", ""));
-    assertThatThrownBy(model::equilibrium).hasMessageContaining("M-069");
+    assertThatThrownBy(model::equilibrium).hasMessageContaining("N-063");
     assertThatThrownBy(model::kinematics).hasMessageContaining("does not integrate");
   }
 

@@ -81,7 +81,7 @@ class TablesRunTest {
   }
 
   @Test
-  void largeTablesRunFromData() throws Exception {
+  void largeTablesAreCode() throws Exception {
     String x = list(0, "%d*0.01");
     String y = list(0, "sin(%d*0.01)");
     String table = "<table name='wave' x='" + x + "' y='" + y + "' method='cubic'/>";
@@ -96,6 +96,62 @@ class TablesRunTest {
     return IntStream.rangeClosed(from, 200)
         .mapToObj(i -> format.formatted(i))
         .collect(Collectors.joining(";"));
+  }
+
+  /** On z = x y a map is its arguments' product for every method, so runs have closed solutions. */
+  @ParameterizedTest
+  @CsvSource({
+    "DTR, ode113, linear",
+    "DSR, DE, akima",
+    "DTR, ode15s, cubic",
+    "RR, ode15sR, akima",
+    "RR-JF, ode15sR, cubic",
+    "DTR, auto, linear"
+  })
+  void mapsOfTimeAndStateAreWhatTheyTabulate(String formulation, String integrator, String method)
+      throws Exception {
+    // 2 x'' = 1 - x (1 + t) + x t
+    String map =
+        "<map name='f2' x='-3;-1;0;0.5;4' y='-1;0.5;4' z='3;-1.5;-12;1;-0.5;-4;0;0;0;"
+            + "-0.5;0.25;2;-4;2;16' method='%s'/>".formatted(method);
+    Trajectory rows =
+        of(slide(map, "2 - 2*f2(j.q, 1 + t) + 2*f2(j.q, t)", "0"))
+            .formulation(formulation)
+            .integrator(integrator)
+            .simulate();
+    assertThat(last(rows, "j.q")).isCloseTo(1 - Math.cos(2), within(1e-8));
+    assertThat(last(rows, "j.v")).isCloseTo(Math.sin(2), within(1e-8));
+  }
+
+  @Test
+  void linesOfABilinearMapAreMetInTime() throws Exception {
+    // roofs over t with ridges at 0.3 and 1.7: areas of the broken line
+    String map =
+        "<map name='f2' x='0;0.3;2' y='0;1.7;3' z='0;1;0; 2;3;1; 0;1;0' extrapolation='hold'/>";
+    Trajectory rows = of(slide(map, "2*f2(t, 0)", "0")).simulate();
+    assertThat(last(rows, "j.v")).isCloseTo(2, within(1e-9));
+    Trajectory other = of(slide(map, "2*f2(0.3, t)", "0")).simulate();
+    double area = 2.5 * 1.7 + 0.3 * (3 - 0.15 * 2 / 1.3);
+    assertThat(last(other, "j.v")).isCloseTo(area, within(1e-9));
+  }
+
+  @Test
+  void fileOfAMapIsItsGrid() throws Exception {
+    Path model = folder.resolve("m.xml");
+    Files.writeString(
+        folder.resolve("engine.csv"), "# torque\nspeed/throttle;0;1\n0;0;3\n1;1;2\n2;0;1\n");
+    String map = "<map name='f2' %s extrapolation='hold'/>";
+    Files.writeString(model, slide(map.formatted("file='engine.csv'"), "2*f2(t, 0.5)", "0"));
+    Trajectory rows = MechModel.read(model).simulate();
+    Trajectory inline =
+        of(slide(map.formatted("x='0;1;2' y='0;1' z='0;3;1;2;0;1'"), "2*f2(t, 0.5)", "0"))
+            .simulate();
+    assertThat(rows.column("j.v")).isEqualTo(inline.column("j.v"));
+    Files.writeString(folder.resolve("engine.csv"), "x;0;1\n0;0;3\n1;1\n");
+    assertThatThrownBy(() -> MechModel.read(model)).hasMessageContaining("2 columns, not 3");
+    Files.writeString(folder.resolve("engine.csv"), "x;0;1\n0;0;3\n");
+    assertThatThrownBy(() -> MechModel.read(model)).hasMessageContaining("a map has a first row");
+    assertSaid(map.formatted("file='engine.csv'"), "f2(t,0)", "its file was not read");
   }
 
   @Test
@@ -159,6 +215,12 @@ class TablesRunTest {
     assertSaid("<table name='road' x='0;1' y='0;1'/>", "raod(t)", "road");
     assertSaid("<table name='road' x='0;1' y='0;1'/>", "road(t, 1)", "takes 1 argument");
     assertSaid("<table name='road' x='0;1' y='0;q'/>", "road(t)", "q");
+    String map = "<map name='m' x='0;1' y='0;1' z='0;1;2;3'/>";
+    assertSaid(map, "m(t)", "map m takes 2 arguments, not 1");
+    assertSaid(map, "m(0, 2)", "map m has no value at 0.0, 2.0: its arguments go from 0.0 to 1.0,");
+    assertSaid(map.replace("2;3", "2"), "m(t, 0)", "z has 3 values, but 2 values of x and 2 of y");
+    assertSaid(map.replace("y='0;1'", "y='1;0'"), "m(t, 0)", "y must ascend");
+    assertSaid(map.replace("z='0;1;2;3'", ""), "m(t, 0)", "write x, y and z");
   }
 
   private static void assertSaid(String table, String force, String words) {

@@ -19,6 +19,7 @@ import org.mechservice.library.MechModel;
 import org.mechservice.mechml.diagnosis.Diagnostic;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.diagnosis.NearestName;
+import org.mechservice.sim.compile.ReusedCode;
 import org.mechservice.solver.api.ModelParameter;
 import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.TunableParameter;
@@ -40,7 +41,9 @@ import org.mechservice.solver.text.ShortestDecimal;
  *
  * <p>Code is generated once for all parameters that can be inputs of it ({@link #tunable}).
  * Parameters that masses, points or settings depend on are settled when the file is read: with
- * other values of these the model is read and generated again; those used latest are kept.
+ * other values of these the model is resolved and generated again, and its numbers are put into
+ * classes that are loaded already ({@link ReusedCode}); models used latest are kept, and those used
+ * again have classes of their own.
  *
  * <p>Thread-safe; the bits of an outcome depend on the values of its point only.
  */
@@ -73,7 +76,9 @@ public final class PointModel implements PointEvaluation {
   /** What a thread keeps between points. */
   private final class Workplace {
     final Reducer reducer = reducer();
+    final ReusedCode code = new ReusedCode();
     Map<String, Double> settled = Map.of();
+    List<TunableParameter> inputs = List.of();
     @Nullable ModelSource source;
     @Nullable RunRequest request;
   }
@@ -296,25 +301,34 @@ public final class PointModel implements PointEvaluation {
   }
 
   private void prepare(Workplace place, Map<String, Double> parameters) throws MechmlException {
-    Map<String, Double> settled = new TreeMap<>(parameters);
-    settled.keySet().removeAll(tunable);
+    Map<String, Double> settled = Map.of();
+    if (!tunable.containsAll(parameters.keySet())) {
+      settled = new TreeMap<>(parameters);
+      settled.keySet().removeAll(tunable);
+    }
     if (place.source == null || !settled.equals(place.settled)) {
       place.source = null;
-      MechModel here = settled.isEmpty() ? model : built(settled);
+      Optional<MechModel> known = settled.isEmpty() ? Optional.of(model) : known(settled);
+      MechModel here = known.isPresent() ? known.get() : made(settled);
       place.request = here.request();
       place.settled = settled;
-      place.source = here.instances();
+      ModelSource source = known.isPresent() ? here.instances() : here.instances(place.code);
+      place.inputs = source.parameters();
+      place.source = source;
     }
   }
 
-  /** Returns the model with settled values; reading and generating it takes longer than a run. */
-  private MechModel built(Map<String, Double> settled) throws MechmlException {
+  /**
+   * Returns the model with settled values that a point has had before, one of those used latest.
+   */
+  private Optional<MechModel> known(Map<String, Double> settled) {
     synchronized (models) {
-      MechModel known = models.get(settled);
-      if (known != null) {
-        return known;
-      }
+      return Optional.ofNullable(models.get(settled));
     }
+  }
+
+  /** Returns the model with settled values. */
+  private MechModel made(Map<String, Double> settled) throws MechmlException {
     MechModel made = model.set(settled);
     synchronized (models) {
       models.put(settled, made);
@@ -329,7 +343,7 @@ public final class PointModel implements PointEvaluation {
     if (source == null || request == null) {
       throw new IllegalStateException("prepare comes first");
     }
-    List<TunableParameter> inputs = source.parameters();
+    List<TunableParameter> inputs = place.inputs;
     double[] values = new double[inputs.size()];
     Arrays.setAll(
         values, i -> parameters.getOrDefault(inputs.get(i).name(), inputs.get(i).value()));

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
@@ -74,6 +75,27 @@ class PointModelTest {
       return values(model.run(Map.of("k", 10.0 + i, "m", 1.0 + i % 3)))[0];
     } catch (java.io.IOException e) {
       throw new IllegalStateException(e);
+    }
+  }
+
+  /** Classes that are used again for other numbers change no bit: of open chains and of loops. */
+  @Test
+  void settledValuesInClassesThatAreLoadedHaveTheBitsOfModelsOfTheirOwn() throws Exception {
+    MechModel suspension = MechModel.read(Path.of("../examples/optimise/suspension.xml"));
+    requireOwnBits(suspension, "rack", -0.1, "rms(toe)");
+    requireOwnBits(MechModel.of("spring.xml", StudyModels.SPRING), "m", 1.7, "rms(x.a)");
+  }
+
+  private static void requireOwnBits(MechModel read, String factor, double first, String output)
+      throws Exception {
+    List<Reduction> kept = List.of(Reduction.parse(output));
+    PointModel model = PointModel.of(read, List.of(factor), kept);
+    assertThat(model.tunable()).isEmpty();
+    for (int i = 0; i < 3; i++) {
+      double value = first * (1 + 0.01 * i);
+      PointModel own = PointModel.of(read.set(factor, value), List.of(), kept);
+      double again = values(model.run(Map.of(factor, value)))[0];
+      assertThat(again).isEqualTo(values(own.run(Map.of()))[0]);
     }
   }
 

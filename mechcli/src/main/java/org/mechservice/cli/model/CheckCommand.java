@@ -9,6 +9,7 @@ import org.mechservice.cli.shell.MechVersion;
 import org.mechservice.cli.shell.ServerOption;
 import org.mechservice.cli.shell.ServiceConnection;
 import org.mechservice.client.MechSession;
+import org.mechservice.client.SimulationOptions;
 import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -32,6 +33,8 @@ public final class CheckCommand implements Callable<Integer> {
 
   @Mixin private UserCodeOption userCode = new UserCodeOption();
 
+  @Mixin private SilenceOption silence = new SilenceOption();
+
   @Option(
       names = "--strict",
       description = "Take warnings for errors: exit status 2 if there are any.")
@@ -47,14 +50,16 @@ public final class CheckCommand implements Callable<Integer> {
     try (ServiceConnection service = ServiceConnection.open(server);
         MechSession session = service.connection().openSession()) {
       session.loadModel(model, userCode.folder());
-      spec.commandLine().getOut().println(session.checkReport(json).stripTrailing());
-      return strict ? judged(session) : ExitStatus.DONE;
+      SimulationOptions options = silence.addTo(SimulationOptions.asInFile());
+      String report = session.checkReport(options, json);
+      spec.commandLine().getOut().println(report.stripTrailing());
+      return strict ? judged(session, options) : ExitStatus.DONE;
     }
   }
 
-  private int judged(MechSession session) {
+  private int judged(MechSession session, SimulationOptions options) {
     int warnings =
-        JsonParser.parseString(session.checkReport(true))
+        JsonParser.parseString(session.checkReport(options, true))
             .getAsJsonObject()
             .getAsJsonArray("warnings")
             .size();

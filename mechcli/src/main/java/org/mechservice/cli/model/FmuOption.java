@@ -9,6 +9,7 @@ import java.util.Set;
 import org.mechservice.cli.shell.UsageException;
 import org.mechservice.sim.fmu.FmiVersion;
 import org.mechservice.sim.fmu.FmuArchive;
+import org.mechservice.sim.fmu.FmuModel;
 import org.mechservice.sim.fmu.FmuPlatform;
 import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Option;
@@ -41,6 +42,17 @@ public final class FmuOption {
               + " every body and joint; may be given several times, and then is their sum.")
   private List<String> asInputs = List.of();
 
+  @Option(
+      names = "--coordinates",
+      paramLabel = "projection|independent|independent:NAMES",
+      hideParamSyntax = true,
+      description =
+          "For a FILE.fmu with closed loops: its states are all coordinates, moved onto the loops"
+              + " after steps (projection, as without the option), or independent ones alone, from"
+              + " which each evaluation computes the others; NAMES are those of joints or"
+              + " positions, separated by commas, without them they are chosen at the start.")
+  private String coordinates = "";
+
   /**
    * Returns whether an FMU is asked for.
    *
@@ -54,7 +66,11 @@ public final class FmuOption {
             ? Optional.of("--fmi")
             : !platforms.isEmpty()
                 ? Optional.of("--platforms")
-                : !asInputs.isEmpty() && !inC ? Optional.of("--class-as-input") : Optional.empty();
+                : !coordinates.isEmpty()
+                    ? Optional.of("--coordinates")
+                    : !asInputs.isEmpty() && !inC
+                        ? Optional.of("--class-as-input")
+                        : Optional.empty();
     if (!unit && wrong.isPresent()) {
       throw new UsageException(
           MessageCode.OPTION_UNUSABLE
@@ -72,6 +88,23 @@ public final class FmuOption {
     return Set.copyOf(asInputs);
   }
 
+  private FmuModel model(ModelToExport local) {
+    String asked = coordinates.strip();
+    if (asked.isEmpty() || asked.equals("projection")) {
+      return local.inC(asInputs());
+    }
+    String[] parts = asked.split(":", 2);
+    List<String> names = parts.length < 2 ? List.of() : List.of(parts[1].split(",", -1));
+    if (!parts[0].equals("independent") || names.stream().anyMatch(String::isBlank)) {
+      throw new IllegalArgumentException(
+          "--coordinates "
+              + coordinates
+              + ": write projection, independent, or independent:NAME,NAME with names of joints or"
+              + " positions");
+    }
+    return local.inIndependentCoordinates(asInputs(), names.stream().map(String::strip).toList());
+  }
+
   /**
    * Builds the FMU of a model.
    *
@@ -82,10 +115,10 @@ public final class FmuOption {
     try {
       FmiVersion fmi = version.isEmpty() ? FmiVersion.FMI_2 : FmiVersion.of(version.strip());
       if (platforms.isEmpty()) {
-        return FmuArchive.build(local.inC(asInputs()), fmi);
+        return FmuArchive.build(model(local), fmi);
       }
       Set<FmuPlatform> wanted = FmuPlatform.parse(platforms);
-      return FmuArchive.build(local.inC(asInputs()), fmi, wanted);
+      return FmuArchive.build(model(local), fmi, wanted);
     } catch (IllegalArgumentException e) {
       throw new UsageException(MessageCode.OPTION_UNUSABLE + " " + e.getMessage());
     }

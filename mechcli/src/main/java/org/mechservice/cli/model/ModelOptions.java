@@ -14,6 +14,7 @@ import org.mechservice.mechml.ReadOptions;
 import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.catalogue.MessageCode;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /**
@@ -72,6 +73,8 @@ public final class ModelOptions {
               + " or all (default: the file's).")
   private List<String> columns = List.of();
 
+  @Mixin private SilenceOption silence = new SilenceOption();
+
   /** Returns whether another simulation of the file than the first may be meant. */
   public boolean choosesSimulation() {
     return !simulation.isEmpty();
@@ -84,8 +87,9 @@ public final class ModelOptions {
    */
   public ReadOptions reading(Map<String, String> values) {
     Set<String> names = tunable.stream().map(String::strip).collect(Collectors.toSet());
-    return new ReadOptions(
-        simulation.isEmpty() ? Optional.empty() : Optional.of(simulation), values, names);
+    return silence.addTo(
+        new ReadOptions(
+            simulation.isEmpty() ? Optional.empty() : Optional.of(simulation), values, names));
   }
 
   /** Returns the settings of a simulation with those that are given here. */
@@ -109,7 +113,8 @@ public final class ModelOptions {
 
   /** Returns the options given with these added. */
   public SimulationOptions addTo(SimulationOptions options) {
-    SimulationOptions all = simulation.isEmpty() ? options : options.simulation(simulation);
+    SimulationOptions all =
+        silence.addTo(simulation.isEmpty() ? options : options.simulation(simulation));
     for (String name : tunable) {
       all = all.tunable(name.strip());
     }

@@ -3,6 +3,7 @@ package org.mechservice.cli.model;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -99,6 +100,18 @@ public record ModelToExport(MechmlModel model, BuildOptions options) {
    */
   public FmuModel inC(Set<String> asInputs) {
     return FmuModel.of(codeInC(asInputs), options.settings());
+  }
+
+  /**
+   * Derives the model's code in C, whose states are independent coordinates alone.
+   *
+   * @param asInputs names of forces written as classes whose loads become inputs
+   * @param wanted names of positions or joints that are to be states; none to choose them
+   * @throws UsageException as {@link #inC}
+   * @throws IllegalArgumentException if the model has no such coordinates
+   */
+  FmuModel inIndependentCoordinates(Set<String> asInputs, List<String> wanted) {
+    return FmuModel.inIndependentCoordinates(codeInC(asInputs), options.settings(), wanted);
   }
 
   /**

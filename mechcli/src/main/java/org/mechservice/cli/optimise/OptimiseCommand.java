@@ -13,7 +13,6 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
@@ -28,6 +27,7 @@ import org.mechservice.solver.text.ShortestDecimal;
 import org.mechservice.study.optimise.Aim;
 import org.mechservice.study.optimise.DesignProblem;
 import org.mechservice.study.optimise.DesignVariable;
+import org.mechservice.study.optimise.Front;
 import org.mechservice.study.optimise.Method;
 import org.mechservice.study.optimise.ModelDesign;
 import org.mechservice.study.optimise.Optimiser;
@@ -48,12 +48,16 @@ import picocli.CommandLine.Spec;
       "Finds the values of parameters for which an objective is least and constraints hold.",
       "Formulas say what is taken of outputs: last(x), at(x,2.5), min(x), max(x), mean(x), rms(x),"
           + " integral(x), crossing(x,0); with + - * / ^, brackets, sqrt abs exp log sin cos,"
-          + " numbers and parameters of the model."
+          + " numbers and parameters of the model.",
+      "Two objectives make a Pareto front: points at which neither can become better unless the"
+          + " other gets worse."
     },
     footer = {
       "mech optimise model.xml --minimise 'rms(acceleration)' --by k=2000:20000 c=50:3000",
       "mech optimise model.xml --minimise 'rms(acceleration)' --by k=2000:20000 --subject-to"
-          + " 'max(travel) <= 0.025' --starts 4"
+          + " 'max(travel) <= 0.025' --starts 4",
+      "mech optimise model.xml --minimise 'rms(acceleration)' --minimise 'max(travel)' --by"
+          + " k=2000:20000 c=50:3000 --front 9 --report front.html"
     },
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
@@ -63,13 +67,25 @@ public final class OptimiseCommand implements Callable<Integer> {
 
   private static final int SHOWN_DIGITS = 7;
 
+  /** Points of a front, where the user says nothing. */
+  private static final int FRONT = 11;
+
   @Mixin private VariableOptions design = new VariableOptions();
 
-  @Option(names = "--minimise", paramLabel = "FORMULA", description = "What is to be least.")
-  private Optional<String> minimise = Optional.empty();
+  @Option(
+      names = "--minimise",
+      paramLabel = "FORMULA",
+      description = "What is to be least; given twice, or beside --maximise: two objectives.")
+  private List<String> minimise = List.of();
 
   @Option(names = "--maximise", paramLabel = "FORMULA", description = "What is to be largest.")
-  private Optional<String> maximise = Optional.empty();
+  private List<String> maximise = List.of();
+
+  @Option(
+      names = "--front",
+      paramLabel = "N",
+      description = "Points of the front of two objectives (default: 11).")
+  private @Nullable Integer front;
 
   @Option(
       names = "--residual",
@@ -129,13 +145,16 @@ public final class OptimiseCommand implements Callable<Integer> {
   @Option(
       names = "--history",
       paramLabel = "FILE.csv",
-      description = "Write every point that was tried: values, aims, violation, failure.")
+      description =
+          "Write every point that was tried: values, aims, violation, failure; of two objectives"
+              + " the points of the front.")
   private @Nullable Path history;
 
   @Option(
       names = "--report",
       paramLabel = "FILE.html",
-      description = "Write a page with the optimum and pictures of the way to it.")
+      description =
+          "Write a page with the optimum and pictures of the way to it, or with the front.")
   private @Nullable Path report;
 
   @Option(names = "--json", description = "Print one JSON object.")
@@ -159,6 +178,9 @@ public final class OptimiseCommand implements Callable<Integer> {
     try {
       settings = settings();
       problem = problem(design.model(), settings.method());
+      if (minimise.size() + maximise.size() == 2) {
+        return tell(Front.of(problem, settings, front == null ? FRONT : front));
+      }
       optimum = Optimiser.minimise(problem, settings);
     } catch (IllegalArgumentException | MechmlException e) {
       throw VariableOptions.refused(MessageCode.DESIGN_UNUSABLE, e);
@@ -202,16 +224,19 @@ public final class OptimiseCommand implements Callable<Integer> {
   }
 
   private DesignProblem problem(MechModel model, Method asked) throws MechmlException {
-    if ((minimise.isPresent() ? 1 : 0)
-            + (maximise.isPresent() ? 1 : 0)
-            + (residuals.isEmpty() ? 0 : 1)
-        != 1) {
+    int objectives = minimise.size() + maximise.size();
+    if (objectives > 2 || (objectives > 0) != residuals.isEmpty()) {
       throw new UsageException(
-          MessageCode.DESIGN_UNUSABLE + " write one of --minimise, --maximise and --residual");
+          MessageCode.DESIGN_UNUSABLE
+              + " write one of --minimise, --maximise and --residual; two objectives make a front");
+    } else if (front != null && objectives != 2) {
+      throw new UsageException(
+          MessageCode.DESIGN_UNUSABLE
+              + " --front belongs to two objectives; write --minimise or --maximise once more");
     }
     ModelDesign made = new ModelDesign(model, design.variables(model));
-    minimise.ifPresent(made::minimise);
-    maximise.ifPresent(made::maximise);
+    minimise.forEach(made::minimise);
+    maximise.forEach(made::maximise);
     residuals.forEach(made::residual);
     constraints.forEach(made::subjectTo);
     DesignProblem plain = made.problem();
@@ -222,6 +247,20 @@ public final class OptimiseCommand implements Callable<Integer> {
         design.derived(exact -> exact ? made.problem(true) : plain);
     derivatives = ", " + derived.derivatives();
     return derived.made();
+  }
+
+  private int tell(Front found) throws IOException {
+    FrontText text = new FrontText(found, derivatives);
+    if (history != null) {
+      write(history, text.csv());
+    }
+    if (report != null) {
+      write(report, FrontPage.of(design.fileName(), text));
+    }
+    PrintWriter out = spec.commandLine().getOut();
+    out.println(json ? JSON.toJson(text.json()) : text.lines());
+    out.flush();
+    return ExitStatus.DONE;
   }
 
   private int tell(Optimum optimum) {
@@ -263,13 +302,13 @@ public final class OptimiseCommand implements Callable<Integer> {
     return csv.toString();
   }
 
-  private static String number(double value) {
+  static String number(double value) {
     return Double.isFinite(value)
         ? ShortestDecimal.format(value)
         : Double.isNaN(value) ? "" : value > 0 ? "inf" : "-inf";
   }
 
-  private static String quoted(String text) {
+  static String quoted(String text) {
     return text.matches("[^\",\\n\\r]*") ? text : '"' + text.replace("\"", "\"\"") + '"';
   }
 

@@ -62,6 +62,8 @@ class FmuOptionTest {
   @CsvSource({
     "--fmi, 4, FMI 4",
     "--platforms, amiga, no platform \"amiga\"",
+    "--coordinates, dependent, 'write projection, independent, or'",
+    "--coordinates, independent:, 'write projection, independent, or'",
     "--formulation, XYZ, XYZ",
     "--simulation, 9, 9",
     "--code, shared, --code is for a JAR",
@@ -84,7 +86,12 @@ class FmuOptionTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"--fmi, 2", "--platforms, source", "--class-as-input, fBody"})
+  @CsvSource({
+    "--fmi, 2",
+    "--platforms, source",
+    "--coordinates, independent",
+    "--class-as-input, fBody"
+  })
   void optionsOfUnitsAreRefusedForJars(String option, String value) {
     assertThat(build(PENDULUM, "p.jar", option, value)).isEqualTo(ExitStatus.BAD_INPUT);
     assertThat(err.toString()).startsWith("S-041").contains(option + " is for an FMU");

@@ -149,6 +149,42 @@ class OptimiseCommandTest {
   }
 
   @Test
+  void twoObjectivesHaveAFront() throws IOException {
+    Path history = folder.resolve("front.csv");
+    Path page = folder.resolve("front.html");
+    assertThat(
+            mech(
+                "optimise",
+                model,
+                "--minimise",
+                "c",
+                "--maximise",
+                "min(slide.q)",
+                "--by",
+                "c=0.1:3",
+                "--front",
+                "4",
+                "--history",
+                history.toString(),
+                "--report",
+                page.toString()))
+        .as(err.toString())
+        .isEqualTo(ExitStatus.DONE);
+    assertThat(out.toString()).contains("front of ", "by method sqp");
+    List<String> rows = Files.readAllLines(history);
+    assertThat(rows.get(0)).isEqualTo("c,c,-(min(slide.q))");
+    assertThat(rows).hasSizeGreaterThanOrEqualTo(5);
+    assertThat(page).content().contains("<svg", "Parameters along the front");
+  }
+
+  @Test
+  void frontOfOneObjectiveIsRefused() {
+    assertThat(mech("optimise", model, "--minimise", "c", "--by", "c=0.1:3", "--front", "4"))
+        .isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(err.toString()).contains("--front belongs to two objectives");
+  }
+
+  @Test
   void residualsAreSolvedAsEquations() {
     assertThat(
             mech(

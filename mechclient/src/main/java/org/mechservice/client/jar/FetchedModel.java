@@ -94,16 +94,19 @@ public record FetchedModel(
    * @param columns column groups asked for; empty: those its file selects
    * @param strict whether the first warning ends the run
    * @param maxDrift drift of the energy balance, over the energy scale, that ends it
+   * @param silenced warnings that it does not give
    */
   public LocalRun prepare(
       Optional<Set<ColumnGroup>> columns,
       boolean strict,
       OptionalDouble maxDrift,
+      Set<MessageCode> silenced,
       Map<String, Object> facts) {
     ModelSource source = newSource();
     Model model = source.model();
     RunRequest request =
-        new RunRequest(model.description().defaults(), columns.orElse(shown), strict, maxDrift);
+        new RunRequest(
+            model.description().defaults(), columns.orElse(shown), strict, maxDrift, silenced);
     return new LocalRun(source, model, solver, sha256, request, facts);
   }
 }

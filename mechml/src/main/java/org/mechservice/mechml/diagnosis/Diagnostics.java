@@ -27,6 +27,14 @@ public final class Diagnostics {
     this.file = file;
   }
 
+  /** Returns a collection of its own with the messages of this one. */
+  public Diagnostics copy() {
+    Diagnostics copy = new Diagnostics(file);
+    copy.found.addAll(found);
+    copy.errors = errors;
+    return copy;
+  }
+
   /** Returns the name of the file. */
   public String file() {
     return file;

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
-import java.util.Set;
 import java.util.regex.Pattern;
 import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.mechml.diagnosis.Phrase;
@@ -32,9 +31,9 @@ public final class ExpressionParser {
   private Token token;
   private int depth;
 
-  private final Set<String> tables;
+  private final Map<String, Integer> tables;
 
-  private ExpressionParser(String text, Set<String> tables) throws ExpressionException {
+  private ExpressionParser(String text, Map<String, Integer> tables) throws ExpressionException {
     this.text = text;
     this.tables = tables;
     this.tokenizer = new Tokenizer(text);
@@ -47,16 +46,17 @@ public final class ExpressionParser {
    * @throws ExpressionException if the text is not an expression or nests too deeply
    */
   public static ParsedExpression parse(String text) throws ExpressionException {
-    return parse(text, Set.of());
+    return parse(text, Map.of());
   }
 
   /**
    * Reads an expression that may call tables.
    *
-   * @param tables names of the tables
+   * @param tables number of arguments of each table, by its name
    * @throws ExpressionException if the text is not an expression or nests too deeply
    */
-  public static ParsedExpression parse(String text, Set<String> tables) throws ExpressionException {
+  public static ParsedExpression parse(String text, Map<String, Integer> tables)
+      throws ExpressionException {
     ExpressionParser parser = new ExpressionParser(text, tables);
     if (parser.token.kind() == Token.Kind.END) {
       throw new ExpressionException(
@@ -171,8 +171,9 @@ public final class ExpressionParser {
   }
 
   private ParsedExpression call(ParsedExpression.Reference name) throws ExpressionException {
-    if (tables.contains(name.text())) {
-      return tableCall(name);
+    Integer taken = tables.get(name.text());
+    if (taken != null) {
+      return tableCall(name, taken);
     }
     String symbol = name.names().get(name.names().size() - 1);
     boolean prefixed = name.names().size() == 2 && name.names().get(0).equals("Math");
@@ -204,19 +205,26 @@ public final class ExpressionParser {
 
   private List<String> known() {
     List<String> known = new ArrayList<>(Function.symbols());
-    known.addAll(tables);
+    known.addAll(tables.keySet());
     return known;
   }
 
-  private ParsedExpression tableCall(ParsedExpression.Reference name) throws ExpressionException {
+  private ParsedExpression tableCall(ParsedExpression.Reference name, int taken)
+      throws ExpressionException {
     List<ParsedExpression> arguments = arguments();
-    if (arguments.size() != 1) {
+    if (arguments.size() != taken) {
       throw new ExpressionException(
           MessageCode.EXPRESSION_SYNTAX,
           name.offset(),
-          Phrase.of("table %s takes 1 argument, not %d", name.text(), arguments.size()));
+          Phrase.of(
+              taken == 1
+                  ? "table %s takes %d argument, not %d"
+                  : "map %s takes %d arguments, not %d",
+              name.text(),
+              taken,
+              arguments.size()));
     }
-    return new ParsedExpression.TableCall(name.text(), arguments.get(0), name.offset());
+    return new ParsedExpression.TableCall(name.text(), arguments, name.offset());
   }
 
   private List<ParsedExpression> arguments() throws ExpressionException {

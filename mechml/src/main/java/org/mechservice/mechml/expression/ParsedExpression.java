@@ -60,9 +60,13 @@ public sealed interface ParsedExpression {
   record Power(ParsedExpression base, ParsedExpression exponent, int offset)
       implements ParsedExpression {}
 
-  /** A table of the model with its argument. */
-  record TableCall(String table, ParsedExpression argument, int offset)
-      implements ParsedExpression {}
+  /** A table or map of the model with its arguments. */
+  record TableCall(String table, List<ParsedExpression> arguments, int offset)
+      implements ParsedExpression {
+    public TableCall {
+      arguments = List.copyOf(arguments);
+    }
+  }
 
   /** A function with all its arguments. */
   record Call(Function function, List<ParsedExpression> arguments, int offset)

@@ -31,7 +31,7 @@ public final class References {
     } else if (expression instanceof ParsedExpression.Call call) {
       call.arguments().forEach(this::collect);
     } else if (expression instanceof ParsedExpression.TableCall call) {
-      collect(call.argument());
+      call.arguments().forEach(this::collect);
     }
   }
 }

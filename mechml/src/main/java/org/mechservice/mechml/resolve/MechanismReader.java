@@ -165,6 +165,11 @@ final class MechanismReader {
     }
   }
 
+  /** Returns the joints in file order. */
+  List<JointLink> links() {
+    return links;
+  }
+
   /** Returns the names of bodies, points and joints. */
   MechanismNames names() {
     return names;
@@ -239,10 +244,15 @@ final class MechanismReader {
   void checkStates(Mechanism mechanism, SimulationSettings settings) {
     boolean integrates =
         settings.task() instanceof SimulationTask.Dynamic
-            || (settings.task() instanceof SimulationTask.Linearization linear
-                && !linear.atEquilibrium());
+            || settings.task() instanceof SimulationTask.Linearization;
+    // At rest the rates of integrated states are zero; samples depend on the time before.
+    FurtherState.Role most =
+        settings.task() instanceof SimulationTask.StaticEquilibrium
+            ? FurtherState.Role.SAMPLED
+            : FurtherState.Role.INTEGRATED;
     boolean changing =
-        mechanism.furtherStates().stream().anyMatch(s -> s.role() != FurtherState.Role.INPUT);
+        mechanism.furtherStates().stream()
+            .anyMatch(s -> s.role() == FurtherState.Role.SAMPLED || s.role() == most);
     if (!integrates && changing) {
       Element first = states.firstChanging().orElseGet(() -> carrier(mechanism));
       diagnostics.error(

@@ -7,7 +7,6 @@ import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.document.Document;
 import org.mechservice.mechml.document.DocumentReader;
 import org.mechservice.mechml.document.Element;
-import org.mechservice.mechml.include.IncludedParts;
 
 /** Reads MechML files. */
 public final class MechmlReader {
@@ -35,11 +34,7 @@ public final class MechmlReader {
    */
   public static MechmlModel read(String fileName, byte[] content, ReadOptions options)
       throws MechmlException {
-    Diagnostics diagnostics = new Diagnostics(fileName);
-    Document document = DocumentReader.read(content, diagnostics);
-    Element whole = IncludedParts.put(document.root(), diagnostics);
-    MechmlModel read = ModelResolver.resolve(whole, options, diagnostics);
-    return options.analysis().map(read::analysed).orElse(read);
+    return ValidatedFile.of(fileName, content).model(options);
   }
 
   /**
@@ -52,8 +47,7 @@ public final class MechmlReader {
    * @throws MechmlException if a file is not well-formed or not valid, or is not there
    */
   public static Element whole(String fileName, byte[] content) throws MechmlException {
-    Diagnostics diagnostics = new Diagnostics(fileName);
-    return IncludedParts.put(DocumentReader.read(content, diagnostics).root(), diagnostics);
+    return ValidatedFile.of(fileName, content).root();
   }
 
   /**

@@ -3,6 +3,7 @@ package org.mechservice.mechml.resolve;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.Set;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.ReadOptions;
 import org.mechservice.mechml.SimulationSettings;
@@ -13,10 +14,13 @@ import org.mechservice.mechml.resolve.simulation.EventsReader;
 import org.mechservice.mechml.resolve.simulation.SimulationsReader;
 import org.mechservice.mechml.resolve.value.ParameterTable;
 import org.mechservice.mechml.resolve.value.ParametersReader;
+import org.mechservice.mechml.resolve.value.ResolvedParameter;
 import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.mechml.unit.Unit;
 import org.mechservice.mechml.unit.UnitSymbols;
 import org.mechservice.mechml.unit.UnitSystem;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.catalogue.Severity;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Output;
 import org.mechservice.solver.mechanism.force.UserForceElement;
@@ -64,7 +68,12 @@ public final class ModelResolver {
     diagnostics.throwIfErrors();
     reader.orElseThrow().checkMotions(mechanism.orElseThrow(), settings.get(chosen));
     reader.orElseThrow().checkStates(mechanism.orElseThrow(), settings.get(chosen));
+    TrimCheck.of(
+        settings.get(chosen).task(), blocks.get(chosen), mechanism.get(), outputs, diagnostics);
+    Set<MessageCode> silenced = SilencedWarnings.of(model, options.silenced(), diagnostics);
     diagnostics.throwIfErrors();
+    new ModelRemarks(model, reader.get(), mechanism.get(), diagnostics)
+        .make(settings.get(chosen).task(), unusedParameters(parameters, mechanism.get()));
     return new MechmlModel(
         mechanism.get(),
         reader.get().inputCount(),
@@ -73,7 +82,10 @@ public final class ModelResolver {
         parameters.all(),
         outputs,
         unused(reader.get(), parameters, mechanism.get()),
-        diagnostics.inFileOrder());
+        diagnostics.inFileOrder().stream()
+            .filter(said -> said.severity() == Severity.ERROR || !silenced.contains(said.code()))
+            .toList(),
+        silenced);
   }
 
   /** Returns what becomes of inputs: a linearisation varies them, also those with a table. */
@@ -86,8 +98,21 @@ public final class ModelResolver {
 
   private static List<String> unused(
       MechanismReader reader, ParameterTable parameters, Mechanism mechanism) {
-    boolean byClasses = mechanism.forces().stream().anyMatch(UserForceElement.class::isInstance);
-    return UnusedNames.of(reader.names(), parameters, byClasses);
+    return UnusedNames.of(reader.names(), parameters, hasClasses(mechanism));
+  }
+
+  /**
+   * Returns none if a value is set: the expression that it replaces may be the one that uses it.
+   */
+  private List<ResolvedParameter> unusedParameters(ParameterTable parameters, Mechanism mechanism) {
+    return !options.values().isEmpty()
+        ? List.of()
+        : UnusedNames.parameters(parameters, hasClasses(mechanism));
+  }
+
+  /** Returns whether forces are classes of users, which may read points and tunable parameters. */
+  private static boolean hasClasses(Mechanism mechanism) {
+    return mechanism.forces().stream().anyMatch(UserForceElement.class::isInstance);
   }
 
   private static UnitSystem units(Element model) {

@@ -26,7 +26,7 @@ import org.mechservice.mechml.unit.Unit;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Function;
-import org.mechservice.solver.expression.Table;
+import org.mechservice.solver.expression.PointFunction;
 import org.mechservice.solver.mechanism.FurtherChange;
 import org.mechservice.solver.mechanism.FurtherState;
 import org.mechservice.solver.mechanism.Parameter;
@@ -118,7 +118,9 @@ final class StatesReader {
         // an unknown table is reported when the states are read
         return names
             .table(element.required("table"))
-            .<Expression>map(table -> new Expression.TableValue(table, new Expression.Time()))
+            .filter(table -> table.argumentCount() == 1)
+            .<Expression>map(
+                table -> new Expression.TableValue(table, List.of(new Expression.Time())))
             .orElse(new Expression.Time());
       }
       if (isState() || blocks.isEmpty()) {
@@ -287,7 +289,7 @@ final class StatesReader {
     Element element = entry.element;
     Optional<String> name = element.attribute("table");
     OptionalDouble start = name.isEmpty() ? start(entry, 0) : OptionalDouble.of(0);
-    Optional<Table> table = name.flatMap(names::table);
+    Optional<PointFunction> table = name.flatMap(names::table);
     if (name.isPresent() && table.isEmpty()) {
       diagnostics.error(
           MessageCode.UNKNOWN_NAME,
@@ -297,10 +299,12 @@ final class StatesReader {
               element.label(),
               Quoted.of(name.get()),
               NearestName.suggestion(name.get(), names.tableNames())));
+    } else if (table.isPresent() && table.get().argumentCount() > 1) {
+      error(element, name.get() + " is a map of two arguments; an input follows a table of t");
     } else if (name.isPresent() && element.attribute("x0").isPresent()) {
       error(element, "x0 has no meaning beside table, which gives the start, too; leave one out");
     } else if (start.isPresent()) {
-      double first = table.map(t -> t.curve().at(0)).orElse(start.getAsDouble());
+      double first = table.map(t -> t.at(List.of(0.0))).orElse(start.getAsDouble());
       if (inputs == ReadOptions.Inputs.PARAMETERS) {
         inputParameters.add(new Parameter(element.required("name"), first, unit(element)));
       } else if (entry.isHeld()) {

@@ -15,11 +15,19 @@ import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.mechml.unit.Unit;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Function;
+import org.mechservice.solver.expression.PointFunction;
 import org.mechservice.solver.expression.Table;
+import org.mechservice.solver.expression.TableMap;
 
-/** Reads {@code Tables}: functions of one argument, given by points, for use in expressions. */
+/**
+ * Reads {@code Tables}: functions of one argument, given by points, and of two, given on a grid,
+ * for use in expressions.
+ */
 final class TablesReader {
   private static final int MOST_POINTS = 100_000;
+
+  /** Largest number of values of a map, of which each gives 16 numbers of a cell. */
+  private static final int MOST_OF_MAP = 20_000;
 
   private final ValueReader values;
   private final Diagnostics diagnostics;
@@ -34,40 +42,98 @@ final class TablesReader {
       Element model, ValueReader values, MechanismNames names, Diagnostics diagnostics) {
     TablesReader reader = new TablesReader(values, diagnostics);
     NameTable<Element> taken = new NameTable<>("table", "does not exist", diagnostics);
-    for (Element element : model.child("Tables").map(t -> t.children("table")).orElse(List.of())) {
+    for (Element element : model.child("Tables").map(Element::children).orElse(List.of())) {
       taken.add(element, Optional.of(element));
-      names.add(reader.table(element).orElseGet(() -> unreadable(element)));
+      boolean map = element.name().equals("map");
+      names.add(
+          (map ? reader.map(element) : reader.table(element))
+              .orElseGet(() -> unreadable(element, map)));
     }
   }
 
   /** Returns any table in place of one with errors, so that its calls cause no second message. */
-  private static Table unreadable(Element element) {
-    return new Table(
-        element.required("name"),
-        List.of(0.0, 1.0),
-        List.of(1.0, 1.0),
-        Table.Method.LINEAR,
-        Table.Extrapolation.HOLD);
+  private static PointFunction unreadable(Element element, boolean map) {
+    String name = element.required("name");
+    List<Double> x = List.of(0.0, 1.0);
+    List<Double> ones = List.of(1.0, 1.0, 1.0, 1.0);
+    return map
+        ? new TableMap(name, x, x, ones, Table.Method.LINEAR, Table.Extrapolation.HOLD)
+        : new Table(name, x, ones.subList(0, 2), Table.Method.LINEAR, Table.Extrapolation.HOLD);
   }
 
-  private Optional<Table> table(Element element) {
+  private Optional<PointFunction> map(Element element) {
+    if (isFunction(element)) {
+      return Optional.empty();
+    }
+    if (element.attribute("x").isEmpty()
+        || element.attribute("y").isEmpty()
+        || element.attribute("z").isEmpty()) {
+      return missing(element, "x, y and z");
+    }
+    Optional<List<Double>> x = numbers(element, "x", MOST_POINTS);
+    Optional<List<Double>> y = numbers(element, "y", MOST_POINTS);
+    Optional<List<Double>> z = numbers(element, "z", MOST_OF_MAP);
+    if (x.isEmpty() || y.isEmpty() || z.isEmpty()) {
+      return Optional.empty();
+    }
+    int rows = x.get().size();
+    int columns = y.get().size();
+    Optional<String> wrong = notAscending("x", x.get()).or(() -> notAscending("y", y.get()));
+    if (wrong.isPresent()) {
+      return error(element, wrong.get());
+    }
+    if (z.get().size() != rows * columns) {
+      return error(
+          element,
+          "z has "
+              + z.get().size()
+              + " values, but "
+              + rows
+              + " values of x and "
+              + columns
+              + " of y need "
+              + rows * columns
+              + ": for the first x those of all y, then for the second x, and so on");
+    }
+    return Optional.of(
+        new TableMap(
+            element.required("name"),
+            x.get(),
+            y.get(),
+            z.get(),
+            Table.Method.valueOf(upper(element, "method", "linear")),
+            Table.Extrapolation.valueOf(upper(element, "extrapolation", "error"))));
+  }
+
+  private boolean isFunction(Element element) {
     String name = element.required("name");
     if (Function.named(name).isPresent()) {
       diagnostics.error(
           MessageCode.UNUSABLE_NAME,
           element.position(),
           Phrase.of("%s: %s is a function of expressions", element.label(), name));
+      return true;
+    }
+    return false;
+  }
+
+  private <T> Optional<T> missing(Element element, String which) {
+    return error(
+        element,
+        element.attribute("file").isPresent()
+            ? "its file was not read, because this model is not read from a folder; write " + which
+            : "write " + which + ", or file with the name of a CSV file beside the model");
+  }
+
+  private Optional<PointFunction> table(Element element) {
+    if (isFunction(element)) {
       return Optional.empty();
     }
     if (element.attribute("x").isEmpty() || element.attribute("y").isEmpty()) {
-      return error(
-          element,
-          element.attribute("file").isPresent()
-              ? "its file was not read, because this model is not read from a folder; write x and y"
-              : "write x and y, or file with the name of a CSV file beside the model");
+      return missing(element, "x and y");
     }
-    Optional<List<Double>> x = numbers(element, "x");
-    Optional<List<Double>> y = numbers(element, "y");
+    Optional<List<Double>> x = numbers(element, "x", MOST_POINTS);
+    Optional<List<Double>> y = numbers(element, "y", MOST_POINTS);
     if (x.isEmpty() || y.isEmpty()) {
       return Optional.empty();
     }
@@ -77,7 +143,7 @@ final class TablesReader {
     }
     return Optional.of(
         new Table(
-            name,
+            element.required("name"),
             x.get(),
             y.get(),
             Table.Method.valueOf(upper(element, "method", "linear")),
@@ -95,25 +161,33 @@ final class TablesReader {
     if (x.size() < 2) {
       return Optional.of("a table needs two points at least");
     }
+    return notAscending("x", x);
+  }
+
+  private static Optional<String> notAscending(String name, List<Double> x) {
+    if (x.size() < 2) {
+      return Optional.of(name + " needs two values at least");
+    }
     for (int i = 1; i < x.size(); i++) {
       if (!(x.get(i) > x.get(i - 1))) {
         return Optional.of(
-            "x must ascend, but "
+            name
+                + " must ascend, but "
                 + x.get(i)
                 + " follows "
                 + x.get(i - 1)
                 + (x.get(i).equals(x.get(i - 1))
-                    ? "; for a jump add step(x-" + x.get(i) + ") in the expression"
+                    ? "; for a jump add step(" + name + "-" + x.get(i) + ") in the expression"
                     : ""));
       }
     }
     return Optional.empty();
   }
 
-  private Optional<List<Double>> numbers(Element element, String attribute) {
+  private Optional<List<Double>> numbers(Element element, String attribute, int most) {
     List<AttributeText> items = AttributeText.itemsOf(element, attribute);
-    if (items.size() > MOST_POINTS) {
-      return error(element, attribute + " has more than " + MOST_POINTS + " values");
+    if (items.size() > most) {
+      return error(element, attribute + " has more than " + most + " values");
     }
     List<Double> numbers = new ArrayList<>();
     for (AttributeText item : items) {

@@ -20,10 +20,8 @@ final class UnusedNames {
    */
   static List<String> of(MechanismNames names, ParameterTable parameters, boolean byClasses) {
     List<String> unused = new ArrayList<>();
-    for (ResolvedParameter parameter : parameters.unused()) {
-      if (!(byClasses && parameter.tunable())) {
-        unused.add("parameter " + Quoted.of(parameter.name()));
-      }
+    for (ResolvedParameter parameter : parameters(parameters, byClasses)) {
+      unused.add("parameter " + Quoted.of(parameter.name()));
     }
     for (BodyDefinition body : names.bodies()) {
       if (!byClasses) {
@@ -32,6 +30,15 @@ final class UnusedNames {
       add(unused, "vector", body.directions().unused(), body);
     }
     return unused;
+  }
+
+  /**
+   * Lists the parameters that nothing refers to.
+   *
+   * @param byClasses whether user force classes may refer to tunable parameters
+   */
+  static List<ResolvedParameter> parameters(ParameterTable parameters, boolean byClasses) {
+    return parameters.unused().stream().filter(p -> !(byClasses && p.tunable())).toList();
   }
 
   private static void add(

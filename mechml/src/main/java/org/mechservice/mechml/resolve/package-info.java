@@ -2,9 +2,10 @@
  * From the bytes of a MechML file to the model.
  *
  * <p>{@link org.mechservice.mechml.resolve.MechmlReader} is the entry point: it reads the document
- * and passes it to {@link org.mechservice.mechml.resolve.ModelResolver}, which runs the readers in
- * order. {@link org.mechservice.mechml.resolve.MechanismReader} reads the model block in two steps:
- * first bodies, root and joints, then everything that refers to them by name.
+ * as a {@link org.mechservice.mechml.resolve.ValidatedFile}, which can be resolved with other
+ * values again, and passes it to {@link org.mechservice.mechml.resolve.ModelResolver}, which runs
+ * the readers in order. {@link org.mechservice.mechml.resolve.MechanismReader} reads the model
+ * block in two steps: first bodies, root and joints, then everything that refers to them by name.
  *
  * <p>Each subpackage reads one part of the file. {@code value} reads numbers, parameters and names;
  * {@code body} bodies and the root; {@code formula} expressions that change during a run, and the

@@ -83,7 +83,7 @@ final class RandomFile {
 
   /** Elements that a file without a folder can hardly have right. */
   private static final List<String> SELDOM =
-      List.of("inipos", "include", "included", "table", "boxContact", "tyre");
+      List.of("inipos", "include", "included", "table", "map", "boxContact", "tyre");
 
   /** Attributes that hold formulas. */
   private static final List<String> OF_STATE =

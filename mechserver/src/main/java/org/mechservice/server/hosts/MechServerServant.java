@@ -43,7 +43,8 @@ public final class MechServerServant implements MechServerOperations {
     "import=urdf",
     "option=continues",
     "option=analysis",
-    "option=inputs"
+    "option=inputs",
+    "option=silence"
   };
 
   private final String name;

@@ -2,12 +2,14 @@ package org.mechservice.study.optimise;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.IntStream;
 
 /**
  * What is to be optimised: variables with bounds, an objective or residuals, constraints.
  *
  * @param variables what may be changed; at least one
- * @param aims what is wanted: one objective or any number of residuals, and constraints
+ * @param aims what is wanted: one objective, two for a {@linkplain Front front}, or any number of
+ *     residuals; and constraints
  * @param response values of the aims as functions of the variables
  * @param slopes their derivatives by the variables; empty if methods are to take differences
  */
@@ -22,8 +24,8 @@ public record DesignProblem(
   }
 
   /**
-   * @throws IllegalArgumentException if there is nothing to change, or nothing or more than one
-   *     thing to minimise
+   * @throws IllegalArgumentException if there is nothing to change, or nothing or more than two
+   *     things to minimise
    */
   public DesignProblem {
     variables = List.copyOf(variables);
@@ -36,9 +38,9 @@ public record DesignProblem(
     }
     long objectives = aims.stream().filter(aim -> aim.kind() == Aim.Kind.MINIMISE).count();
     boolean residuals = aims.stream().anyMatch(aim -> aim.kind() == Aim.Kind.RESIDUAL);
-    if (objectives > 1 || (objectives == 1) == residuals) {
+    if (objectives > 2 || (objectives > 0) == residuals) {
       throw new IllegalArgumentException(
-          "a problem has one objective or residuals, not both and not neither; it has "
+          "a problem has one objective, two for a front, or residuals, not both and not neither; it has "
               + objectives
               + " objectives and "
               + (residuals ? "residuals" : "no residuals"));
@@ -62,6 +64,13 @@ public record DesignProblem(
   /** Returns the start as a point of the unit cube. */
   double[] start() {
     return variables.stream().mapToDouble(variable -> variable.part(variable.start())).toArray();
+  }
+
+  /** Returns the places of the objectives among the aims. */
+  int[] objectives() {
+    return IntStream.range(0, aims.size())
+        .filter(i -> aims.get(i).kind() == Aim.Kind.MINIMISE)
+        .toArray();
   }
 
   boolean hasConstraints() {

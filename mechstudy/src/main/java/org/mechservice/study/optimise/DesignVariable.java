@@ -41,6 +41,11 @@ public record DesignVariable(String name, double lower, double upper, double sta
     return new DesignVariable(name, lower, upper, lower + (upper - lower) / 2);
   }
 
+  /** Returns the variable with another first value; one outside the bounds is moved to them. */
+  DesignVariable startingAt(double value) {
+    return new DesignVariable(name, lower, upper, Math.max(lower, Math.min(upper, value)));
+  }
+
   /** Returns the value at a part of the way from the lower bound (0) to the upper one (1). */
   public double value(double part) {
     double clipped = Math.max(0, Math.min(1, part));

@@ -44,7 +44,8 @@ public enum Method {
   }
 
   /**
-   * Returns the method that is used for a problem.
+   * Returns the method that is used for a problem. Two objectives count as one under a constraint:
+   * a {@linkplain Front front} is made of such problems.
    *
    * @throws IllegalArgumentException if this one does not fit it
    */
@@ -53,7 +54,7 @@ public enum Method {
       case AUTO ->
           problem.hasResiduals() && !problem.hasConstraints()
               ? LM
-              : problem.hasConstraints() ? SQP : BOBYQA;
+              : problem.hasConstraints() || problem.objectives().length > 1 ? SQP : BOBYQA;
       case LM -> {
         if (!problem.hasResiduals() || problem.hasConstraints()) {
           throw new IllegalArgumentException(

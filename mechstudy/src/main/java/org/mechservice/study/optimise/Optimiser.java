@@ -19,12 +19,16 @@ public final class Optimiser {
   /**
    * Optimises.
    *
-   * @throws IllegalArgumentException if the method does not fit the problem
+   * @throws IllegalArgumentException if the method does not fit the problem, or it has two
+   *     objectives
    * @throws PointFailedException if no start has a single point that could be computed
    * @throws InterruptedException if the thread is interrupted
    */
   public static Optimum minimise(DesignProblem problem, OptimiserSettings settings)
       throws PointFailedException, InterruptedException {
+    if (problem.objectives().length > 1) {
+      throw new IllegalArgumentException("two objectives have a front, and no optimum");
+    }
     Method method = settings.method().chosenFor(problem);
     List<Optimum.Start> starts = new ArrayList<>();
     ExecutorService threads = Executors.newFixedThreadPool(settings.threads());
@@ -85,8 +89,7 @@ public final class Optimiser {
     try {
       switch (method) {
         case LM -> leastSquares(trials, settings.step(), from);
-        case SQP ->
-            new QuadraticProgramming(problem, trials, settings.step()).minimise(problem, from);
+        case SQP -> new QuadraticProgramming(problem, trials, settings.step()).minimise(from);
         case BOBYQA, CMAES ->
             new AugmentedLagrangian(trials, method, settings.seed() + 1000L * number)
                 .minimise(from);

@@ -2,6 +2,7 @@ package org.mechservice.study.optimise;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.NoSuchElementException;
 import org.hipparchus.exception.MathRuntimeException;
 import org.hipparchus.linear.Array2DRowRealMatrix;
 import org.hipparchus.linear.ArrayRealVector;
@@ -11,18 +12,17 @@ import org.hipparchus.optim.InitialGuess;
 import org.hipparchus.optim.MaxIter;
 import org.hipparchus.optim.OptimizationData;
 import org.hipparchus.optim.nonlinear.scalar.ObjectiveFunction;
-import org.hipparchus.optim.nonlinear.vector.constrained.AbstractSQPOptimizer;
 import org.hipparchus.optim.nonlinear.vector.constrained.EqualityConstraint;
 import org.hipparchus.optim.nonlinear.vector.constrained.InequalityConstraint;
 import org.hipparchus.optim.nonlinear.vector.constrained.SQPOptimizerGM;
-import org.hipparchus.optim.nonlinear.vector.constrained.SQPOptimizerS;
 import org.hipparchus.optim.nonlinear.vector.constrained.TwiceDifferentiableFunction;
 
 /**
  * Sequential quadratic programming on the unit cube, with a quasi-Newton matrix (Hipparchus). The
- * bounds are linear constraints. A search that ends is begun anew at the best point, by
- * Schittkowski's method and by that with Goldfarb's and Idnani's subproblem in turn, until both
- * bring nothing more: the quasi-Newton matrix then starts fresh.
+ * bounds are linear constraints. A start where constraints are violated is first moved to where
+ * they hold. A search that ends is begun anew at the best point, until that brings nothing more:
+ * the quasi-Newton matrix then starts fresh. The library's other method, Schittkowski's, has a
+ * subproblem that may never end, and needs more runs.
  */
 final class QuadraticProgramming {
   private static final int RESTARTS = 12;
@@ -31,6 +31,10 @@ final class QuadraticProgramming {
   /** Part of the objective's size by which a further search must improve it. */
   private static final double IMPROVEMENT = 1e-10;
 
+  /** By which a constraint shall hold where the search begins, scaled. */
+  private static final double MARGIN = 1e-3;
+
+  private final DesignProblem problem;
   private final Trials trials;
   private final Derivatives derivatives;
   private final int n;
@@ -38,6 +42,7 @@ final class QuadraticProgramming {
   private final int zero;
 
   QuadraticProgramming(DesignProblem problem, Trials trials, double step) {
+    this.problem = problem;
     this.trials = trials;
     derivatives = trials.slopes(false, step);
     n = problem.variables().size();
@@ -45,19 +50,63 @@ final class QuadraticProgramming {
     zero = trials.count(Aim.Kind.ZERO);
   }
 
-  void minimise(DesignProblem problem, double[] start) {
+  void minimise(double[] start) {
     double[] from = start.clone();
-    int inVain = 0;
-    for (int i = 0; i < RESTARTS && inVain < 2; i++) {
-      trials.at(from);
-      Trial before = trials.best().orElseThrow();
-      search(from, i % 2 == 0 ? new SQPOptimizerS() : new SQPOptimizerGM());
-      Trial after = trials.best().orElseThrow();
-      inVain = improved(before, after) ? 0 : inVain + 1;
-      for (int j = 0; j < n; j++) {
-        from[j] = problem.variables().get(j).part(after.point()[j]);
+    for (int i = 0; i < RESTARTS; i++) {
+      if (!trials.at(from).isFeasible() && !repaired(from)) {
+        return;
       }
+      Trial before = trials.best().orElseThrow();
+      search(from);
+      Trial after = trials.best().orElseThrow();
+      if (!improved(before, after)) {
+        return;
+      }
+      copy(after, from);
     }
+  }
+
+  private void copy(Trial trial, double[] to) {
+    for (int j = 0; j < n; j++) {
+      to[j] = problem.variables().get(j).part(trial.point()[j]);
+    }
+  }
+
+  /**
+   * Moves a point to where the constraints hold: least squares of what they are violated by.
+   * Without such a place nearby the quadratic subproblems have no solution.
+   *
+   * @param from replaced by the best point that is known
+   * @return whether all constraints hold there
+   */
+  private boolean repaired(double[] from) {
+    try {
+      new LeastSquares(x -> violations(trials.scaled(x)), this::slopesOfViolations).minimise(from);
+    } catch (PointFailedException e) {
+      return false;
+    }
+    Trial best = trials.best().orElseThrow();
+    copy(best, from);
+    return best.isFeasible();
+  }
+
+  /** Returns each constraint by which it is violated, 0 where it holds; scaled. */
+  private double[] violations(double[] scaled) {
+    double[] by = new double[atMost + zero];
+    for (int i = 0; i < by.length; i++) {
+      by[i] = i < atMost ? Math.max(0, scaled[1 + i] + MARGIN) : scaled[1 + i];
+    }
+    return by;
+  }
+
+  private double[][] slopesOfViolations(double[] x) throws PointFailedException {
+    double[] by = violations(trials.scaled(x));
+    double[][] slopes = derivatives.at(x);
+    double[][] rows = new double[by.length][];
+    for (int i = 0; i < by.length; i++) {
+      rows[i] = i < atMost && by[i] == 0 ? new double[n] : slopes[1 + i];
+    }
+    return rows;
   }
 
   private static boolean improved(Trial before, Trial after) {
@@ -66,7 +115,7 @@ final class QuadraticProgramming {
         || before.violation() - after.violation() > Trial.FEASIBLE;
   }
 
-  private void search(double[] from, AbstractSQPOptimizer method) {
+  private void search(double[] from) {
     List<OptimizationData> data = new ArrayList<>();
     data.add(new InitialGuess(from));
     data.add(new MaxIter(ITERATIONS));
@@ -76,10 +125,11 @@ final class QuadraticProgramming {
       data.add(new Equalities());
     }
     try {
-      method.optimize(data.toArray(OptimizationData[]::new));
-    } catch (MathRuntimeException | NullPointerException e) {
-      // The library's quadratic subproblem without a solution ends in a NullPointerException.
-      // The search ends where its subproblem or its line search does; the best point is known.
+      new SQPOptimizerGM().optimize(data.toArray(OptimizationData[]::new));
+    } catch (MathRuntimeException | NullPointerException | NoSuchElementException e) {
+      // The library's quadratic subproblem without a solution ends in a NullPointerException, its
+      // first line search, if it fails, in a NoSuchElementException. The search ends where these
+      // do; the best point is known.
       return;
     }
   }

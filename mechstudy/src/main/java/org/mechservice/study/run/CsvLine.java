@@ -1,10 +1,15 @@
 package org.mechservice.study.run;
 
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import org.mechservice.solver.text.ShortestDecimal;
 
 /** Lines of a table, RFC 4180; no cell has a line break. */
 final class CsvLine {
+  private static final int LONGEST_NUMBER = 32;
+  private static final ThreadLocal<NumberText> NUMBERS = ThreadLocal.withInitial(NumberText::new);
+
   private CsvLine() {}
 
   /** Returns a line with its line break. */
@@ -21,6 +26,22 @@ final class CsvLine {
       }
     }
     return line.append('\n').toString();
+  }
+
+  /** Returns the shortest decimal of a finite number. */
+  static String number(double value) {
+    return NUMBERS.get().text(value);
+  }
+
+  /** A writer of numbers, which keeps its powers of ten. */
+  private static final class NumberText {
+    private final ShortestDecimal decimal = new ShortestDecimal();
+    private final byte[] bytes = new byte[LONGEST_NUMBER];
+
+    String text(double value) {
+      int end = decimal.write(value, bytes, 0);
+      return new String(bytes, 0, end, StandardCharsets.US_ASCII);
+    }
   }
 
   /** Returns the cells of a line without its line break. */

@@ -8,7 +8,7 @@ import org.mechservice.study.PointEvaluation;
 public final class Study {
   private final StudyPlan plan;
   private final StudyPart part;
-  private final OrderedChunks<String> chunks;
+  private final OrderedChunks<StudyRows.Row> chunks;
 
   /** How far a study is. */
   public interface Progress {
@@ -40,7 +40,7 @@ public final class Study {
   public Study(StudyPlan plan, StudyPart part, PointEvaluation evaluation) {
     this.plan = plan;
     this.part = part;
-    chunks = new OrderedChunks<>(point -> StudyRows.line(plan, point, evaluation));
+    chunks = new OrderedChunks<>(point -> StudyRows.computed(plan, point, evaluation));
   }
 
   /** Lets {@link #run} return soon, the finished rows in its journal. */
@@ -70,10 +70,10 @@ public final class Study {
             threads,
             (first, computed) -> {
               StringBuilder lines = new StringBuilder();
-              for (String line : computed) {
+              for (StudyRows.Row row : computed) {
                 if (!rows.isEndedByRule()) {
-                  lines.append(line);
-                  rows.take(line.substring(0, line.length() - 1));
+                  lines.append(row.line());
+                  rows.take(row);
                 }
               }
               journal.append(lines.toString());

@@ -4,12 +4,12 @@ import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
-import org.mechservice.solver.text.ShortestDecimal;
 import org.mechservice.study.PointModel;
 import org.mechservice.study.PointOutcome;
 import org.mechservice.study.design.Design;
@@ -54,9 +54,12 @@ public record StudyPlan(
     return Optional.ofNullable(identity.get("simulation")).map(JsonElement::getAsString);
   }
 
-  /** Returns the values of a point for the model. */
-  Map<String, Double> values(int point) {
-    double[] values = design.point(point);
+  /**
+   * Returns the values of a point for the model.
+   *
+   * @param values of the design; not modified
+   */
+  Map<String, Double> values(double[] values) {
     Map<String, Double> named = new LinkedHashMap<>();
     for (int j = 0; j < values.length; j++) {
       named.put(factors.get(j), shown.get(j).inModel(values[j]));
@@ -75,23 +78,42 @@ public record StudyPlan(
 
   /** Returns the line of a point. */
   String row(int point, PointOutcome outcome) {
+    return row(point, design.point(point), outcome, shown(outcome));
+  }
+
+  /**
+   * Returns the line of a point.
+   *
+   * @param values of the design; not modified
+   * @param shown values of the outputs as {@link #shown} gives them; not modified
+   */
+  String row(int point, double[] values, PointOutcome outcome, double[] shown) {
     List<String> cells = new ArrayList<>(factors.size() + outputs.size() + 4);
     cells.add(Integer.toString(point + 1));
-    for (double value : design.point(point)) {
-      cells.add(ShortestDecimal.format(value));
+    for (double value : values) {
+      cells.add(CsvLine.number(value));
     }
     if (outcome instanceof PointOutcome.Failed failed) {
       cells.addAll(List.of(FAILED, failed.code(), failed.message()));
-      outputs.forEach(output -> cells.add(""));
-    } else if (outcome instanceof PointOutcome.Values reached) {
+    } else {
       cells.addAll(List.of(COMPLETED, "", ""));
-      double[] values = reached.values();
-      for (int i = 0; i < values.length; i++) {
-        double shownValue = outputs.get(i).scale().fromSi(values[i]);
-        cells.add(Double.isNaN(shownValue) ? "" : ShortestDecimal.format(shownValue));
-      }
+    }
+    for (double value : shown) {
+      cells.add(Double.isNaN(value) ? "" : CsvLine.number(value));
     }
     return CsvLine.of(cells);
+  }
+
+  /** Returns the values of the outputs in their units, NaN where there is none. */
+  double[] shown(PointOutcome outcome) {
+    double[] shown = new double[outputs.size()];
+    Arrays.fill(shown, Double.NaN);
+    if (outcome instanceof PointOutcome.Values reached) {
+      for (int i = 0; i < shown.length; i++) {
+        shown[i] = outputs.get(i).scale().fromSi(reached.values()[i]);
+      }
+    }
+    return shown;
   }
 
   /** The outcome of a run that reached its end. */

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.util.List;
 import org.mechservice.study.PointEvaluation;
+import org.mechservice.study.PointOutcome;
 
 /**
  * The table of a study, or of a part of it, as it arises: the lines taken so far in the order of
@@ -69,7 +70,26 @@ public final class StudyRows {
    */
   public static String line(StudyPlan plan, int point, PointEvaluation evaluation)
       throws IOException {
-    return plan.row(point, evaluation.run(plan.values(point)));
+    return computed(plan, point, evaluation).line();
+  }
+
+  /**
+   * A row that was computed here.
+   *
+   * @param line its line, with its line break
+   * @param failed whether the point has failed
+   * @param values the numbers in the cells of the outputs, NaN for empty ones
+   */
+  @SuppressWarnings("ArrayRecordComponent") // never compared
+  record Row(String line, boolean failed, double[] values) {}
+
+  /** Runs a point. */
+  static Row computed(StudyPlan plan, int point, PointEvaluation evaluation) throws IOException {
+    double[] values = plan.design().point(point);
+    PointOutcome outcome = evaluation.run(plan.values(values));
+    double[] shown = plan.shown(outcome);
+    return new Row(
+        plan.row(point, values, outcome, shown), outcome instanceof PointOutcome.Failed, shown);
   }
 
   /**
@@ -79,6 +99,16 @@ public final class StudyRows {
    */
   public void take(String line) {
     table.addTo(statistics, line);
+    judge();
+  }
+
+  /** Takes the row of the next point: the shortest decimals in its line are its numbers. */
+  void take(Row row) {
+    statistics.add(row.failed, row.values);
+    judge();
+  }
+
+  private void judge() {
     ended = ended || (part.isWhole() && plan.stop().ends(statistics));
   }
 

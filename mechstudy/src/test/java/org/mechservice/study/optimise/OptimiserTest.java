@@ -183,4 +183,30 @@ class OptimiserTest {
         .isInstanceOf(PointFailedException.class)
         .hasMessageContaining("N-001 never");
   }
+
+  /** Schittkowski's subproblem has no end where constraints have no common point. */
+  @Test
+  void searchWithoutFeasiblePointEnds() throws Exception {
+    DesignProblem problem =
+        minimise(
+            x -> new double[] {1000 * x[0], 3 + x[1] * x[1]},
+            new Aim(Aim.Kind.AT_MOST_ZERO, "3 + y² <= 0", 3));
+    Optimum optimum = Optimiser.minimise(problem, SETTINGS.with(Method.SQP));
+    assertThat(optimum.best().isFeasible()).isFalse();
+    assertThat(optimum.best().point()[1]).isCloseTo(0, within(0.05));
+    assertThat(optimum.runs()).isLessThan(500);
+  }
+
+  /** A start outside is moved to where the constraints hold, and the search goes on from there. */
+  @Test
+  void startOutsideTheConstraintsIsMovedInside() throws Exception {
+    DesignProblem problem =
+        minimise(
+            x -> new double[] {1e4 * rosenbrock(x), 1.5 + x[0], x[1] * x[1] - 0.25},
+            new Aim(Aim.Kind.AT_MOST_ZERO, "x <= -1.5"),
+            new Aim(Aim.Kind.AT_MOST_ZERO, "y² <= 1/4"));
+    Optimum optimum = Optimiser.minimise(problem, SETTINGS.with(Method.SQP));
+    assertThat(optimum.best().isFeasible()).isTrue();
+    assertThat(optimum.best().point()).containsExactly(new double[] {-1.5, 0.5}, within(1e-4));
+  }
 }

@@ -18,7 +18,6 @@ public final class Svg {
   private final StringBuilder out = new StringBuilder();
   private final Set<Ink> filled = EnumSet.of(Ink.PAGE);
   private final Set<Ink> stroked = EnumSet.noneOf(Ink.class);
-  private int clips;
 
   private Svg(Canvas canvas, Theme theme) {
     this.canvas = canvas;
@@ -54,11 +53,19 @@ public final class Svg {
             + "\"";
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" "
         + size
-        + " role=\"img\" aria-labelledby=\"picture-title picture-desc\" font-family=\""
+        + " role=\"img\" aria-labelledby=\""
+        + id("title", canvas.title())
+        + " "
+        + id("desc", canvas.description())
+        + "\" font-family=\""
         + FONT
-        + "\">\n<title id=\"picture-title\">"
+        + "\">\n<title id=\""
+        + id("title", canvas.title())
+        + "\">"
         + escape(canvas.title())
-        + "</title>\n<desc id=\"picture-desc\">"
+        + "</title>\n<desc id=\""
+        + id("desc", canvas.description())
+        + "\">"
         + escape(canvas.description())
         + "</desc>\n"
         + style()
@@ -67,6 +74,18 @@ public final class Svg {
         + "/>\n"
         + content
         + "</svg>\n";
+  }
+
+  /**
+   * Returns an identifier that follows from what it names: a page may hold several pictures, and
+   * what has the same identifier in two of them is then the same.
+   */
+  private static String id(String kind, String text) {
+    return kind + "-" + Integer.toHexString(text.hashCode());
+  }
+
+  private static String clipId(Mark.Clipped clip) {
+    return id("clip", clip.x() + " " + clip.y() + " " + clip.width() + " " + clip.height());
   }
 
   private String style() {
@@ -116,12 +135,14 @@ public final class Svg {
     } else if (mark instanceof Mark.Opened part) {
       out.append("<g><title>").append(escape(part.title())).append("</title>\n");
     } else if (mark instanceof Mark.Clipped clip) {
-      clips++;
-      out.append("<clipPath id=\"clip").append(clips).append("\"><rect x=\"");
+      String id = clipId(clip);
+      out.append("<clipPath id=\"").append(id).append("\"><rect x=\"");
       out.append(number(clip.x())).append("\" y=\"").append(number(clip.y()));
       out.append("\" width=\"").append(number(clip.width())).append("\" height=\"");
-      out.append(number(clip.height())).append("\"/></clipPath>\n<g clip-path=\"url(#clip");
-      out.append(clips).append(")\">\n");
+      out.append(number(clip.height()))
+          .append("\"/></clipPath>\n<g clip-path=\"url(#")
+          .append(id)
+          .append(")\">\n");
     } else {
       out.append("</g>\n");
     }

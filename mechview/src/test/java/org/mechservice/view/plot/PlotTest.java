@@ -38,6 +38,22 @@ class PlotTest {
     return new PlotRequest(List.of(file), List.of(columns), Optional.empty()).read();
   }
 
+  /** Pictures stand beside each other on pages; a clip of one must not cut another one off. */
+  @Test
+  void differentPicturesShareNoIdentifier() throws IOException {
+    String narrow =
+        Svg.of(PlotPicture.draw(read(file("a.csv", "t,x", 9, i -> i + "," + i))), Theme.LIGHT);
+    String wide =
+        Svg.of(
+            PlotPicture.draw(read(file("b.csv", "t,a longer name", 9, i -> i + "," + 1e9 * i))),
+            Theme.LIGHT);
+    Pattern id = Pattern.compile(" id=\"([^\"]*)\"");
+    assertThat(id.matcher(narrow).results().map(found -> found.group(1)))
+        .hasSizeGreaterThan(2)
+        .doesNotContainAnyElementsOf(
+            id.matcher(wide).results().map(found -> found.group(1)).toList());
+  }
+
   private static SvgPicture picture(Plot plot) throws Exception {
     return SvgPicture.read(Svg.of(PlotPicture.draw(plot), Theme.AUTOMATIC));
   }

@@ -129,7 +129,8 @@ final class ExpressionAlgebra {
     } else if (e instanceof Negation negation) {
       return new Negation(at(negation.operand(), x, done));
     } else if (e instanceof TableValue value) {
-      return new TableValue(value.table(), at(value.argument(), x, done));
+      return new TableValue(
+          value.table(), value.arguments().stream().map(one -> at(one, x, done)).toList());
     } else if (e instanceof Call call) {
       return new Call(
           call.function(), call.arguments().stream().map(one -> at(one, x, done)).toList());

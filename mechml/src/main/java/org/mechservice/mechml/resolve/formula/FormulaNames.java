@@ -1,6 +1,7 @@
 package org.mechservice.mechml.resolve.formula;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -19,7 +20,7 @@ import org.mechservice.mechml.unit.UnitSystem;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.expression.Table;
+import org.mechservice.solver.expression.PointFunction;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
@@ -106,9 +107,16 @@ final class FormulaNames {
     return velocity ? length.times(Dimension.TIME.power(-1)) : length;
   }
 
-  /** Returns the tables by name. */
-  Map<String, Table> tables() {
+  /** Returns the tables and maps by name. */
+  Map<String, PointFunction> tables() {
     return names.tables();
+  }
+
+  /** Returns the number of arguments of each table and map, by its name. */
+  Map<String, Integer> argumentCounts() {
+    Map<String, Integer> counts = new HashMap<>();
+    names.tables().forEach((name, table) -> counts.put(name, table.argumentCount()));
+    return counts;
   }
 
   private Expression parameter(ResolvedParameter parameter) {

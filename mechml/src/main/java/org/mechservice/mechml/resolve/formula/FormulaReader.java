@@ -36,7 +36,7 @@ public final class FormulaReader {
   /** Returns the formula of a text whose value is in a given unit. */
   public Optional<Expression> read(AttributeText text, Unit unit, FormulaRole role) {
     try {
-      ParsedExpression parsed = ExpressionParser.parse(text.text(), names.tables().keySet());
+      ParsedExpression parsed = ExpressionParser.parse(text.text(), names.argumentCounts());
       if (values.usesWhatIsUnreadable(parsed)) {
         return Optional.empty();
       }

@@ -3,6 +3,7 @@ package org.mechservice.mechml.resolve.formula;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import java.util.stream.Collectors;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.expression.ConstantEvaluation;
 import org.mechservice.mechml.expression.ExpressionException;
@@ -10,7 +11,7 @@ import org.mechservice.mechml.expression.ParsedExpression;
 import org.mechservice.mechml.expression.Scope;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.expression.Table;
+import org.mechservice.solver.expression.PointFunction;
 
 /**
  * Translates a parsed expression to one of the solver: resolves names and evaluates constant parts.
@@ -162,22 +163,32 @@ final class FormulaTranslation {
   }
 
   private Expression table(ParsedExpression.TableCall call) throws ExpressionException {
-    Table table = Objects.requireNonNull(names.tables().get(call.table()));
-    Expression argument = translate(call.argument());
-    if (!(argument instanceof Expression.Constant constant)) {
-      return new Expression.TableValue(table, argument);
+    PointFunction table = Objects.requireNonNull(names.tables().get(call.table()));
+    List<Expression> arguments = new ArrayList<>();
+    List<Double> constants = new ArrayList<>();
+    for (ParsedExpression argument : call.arguments()) {
+      arguments.add(translate(argument));
+      if (arguments.get(arguments.size() - 1) instanceof Expression.Constant constant) {
+        constants.add(constant.value());
+      }
     }
-    double value = table.curve().at(constant.value());
+    if (constants.size() < arguments.size()) {
+      return new Expression.TableValue(table, arguments);
+    }
+    double value = table.at(constants);
     if (!Double.isFinite(value)) {
       throw new ExpressionException(
           MessageCode.EXPRESSION_VALUE,
           call.offset(),
           Phrase.of(
-              "table %s has no value at %s: its arguments go from %s to %s",
+              constants.size() == 1
+                  ? "table %s has no value at %s: its arguments go from %s"
+                  : "map %s has no value at %s: its arguments go from %s",
               table.name(),
-              constant.value(),
-              table.x().get(0),
-              table.x().get(table.x().size() - 1)));
+              constants.stream().map(Object::toString).collect(Collectors.joining(", ")),
+              table.grid().stream()
+                  .map(points -> points.get(0) + " to " + points.get(points.size() - 1))
+                  .collect(Collectors.joining(", and from "))));
     }
     return new Expression.Constant(value);
   }

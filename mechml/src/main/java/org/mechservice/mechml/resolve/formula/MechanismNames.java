@@ -17,7 +17,7 @@ import org.mechservice.mechml.resolve.body.BodyIndex;
 import org.mechservice.mechml.resolve.value.NameTable;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.BodyPoint;
-import org.mechservice.solver.expression.Table;
+import org.mechservice.solver.expression.PointFunction;
 import org.mechservice.solver.mechanism.force.NamedPoint;
 import org.mechservice.solver.spatial.Vector3;
 import org.mechservice.solver.text.Origin;
@@ -28,7 +28,7 @@ public final class MechanismNames {
   private final BodyIndex index;
   private final Map<String, ResolvedJoint> joints = new LinkedHashMap<>();
   private final Map<String, Signal> signals = new LinkedHashMap<>();
-  private final Map<String, Table> tables = new LinkedHashMap<>();
+  private final Map<String, PointFunction> tables = new LinkedHashMap<>();
   private final Diagnostics diagnostics;
 
   public MechanismNames(
@@ -42,13 +42,13 @@ public final class MechanismNames {
     joints.putIfAbsent(joint.element().required("name"), joint);
   }
 
-  /** Adds a table that formulas may call by name. */
-  public void add(Table table) {
+  /** Adds a table or map that formulas may call by name. */
+  public void add(PointFunction table) {
     tables.putIfAbsent(table.name(), table);
   }
 
-  /** Returns a table by name. */
-  public Optional<Table> table(String name) {
+  /** Returns a table or map by name. */
+  public Optional<PointFunction> table(String name) {
     return Optional.ofNullable(tables.get(name));
   }
 
@@ -56,8 +56,8 @@ public final class MechanismNames {
     return tables.keySet();
   }
 
-  /** Returns the tables by name. */
-  Map<String, Table> tables() {
+  /** Returns the tables and maps by name. */
+  Map<String, PointFunction> tables() {
     return tables;
   }
 

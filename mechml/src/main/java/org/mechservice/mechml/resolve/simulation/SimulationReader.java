@@ -1,8 +1,10 @@
 package org.mechservice.mechml.resolve.simulation;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.mechservice.mechml.AbsoluteTolerances;
@@ -195,7 +197,7 @@ final class SimulationReader {
             "linearize: from, to and points are the frequencies of gives=\"response\"");
         return Optional.empty();
       }
-      return Optional.of(new Linearization(atEquilibrium, gives));
+      return Optional.of(new Linearization(atEquilibrium, gives).about(trim(asked)));
     }
     if (asked.attribute("from").isEmpty() || asked.attribute("to").isEmpty()) {
       diagnostics.error(
@@ -228,7 +230,8 @@ final class SimulationReader {
       return Optional.empty();
     }
     return Optional.of(
-        new Linearization(atEquilibrium, gives, from.getAsDouble(), to.getAsDouble(), (int) count));
+        new Linearization(
+            atEquilibrium, gives, from.getAsDouble(), to.getAsDouble(), (int) count, trim(asked)));
   }
 
   private Optional<SimulationTask> equilibrium(Element asked) {
@@ -247,8 +250,43 @@ final class SimulationReader {
     return tolerance.isPresent() && iterations.isPresent()
         ? Optional.of(
             new SimulationTask.StaticEquilibrium(
-                tolerance.getAsDouble(), (int) iterations.getAsDouble()))
+                tolerance.getAsDouble(), (int) iterations.getAsDouble(), trim(asked)))
         : Optional.empty();
+  }
+
+  /** Returns the trim problem that a simulation holds; {@code TrimCheck} checks its names. */
+  private Optional<SimulationTask.TrimProblem> trim(Element asked) {
+    boolean wanted = asked.attribute("at").map("trim"::equals).orElse(false);
+    Optional<Element> trim = asked.child("trim");
+    boolean ofStart = asked.attribute("at").isPresent() && !wanted;
+    if (wanted && trim.isEmpty() || ofStart && trim.isPresent()) {
+      diagnostics.error(
+          MessageCode.TRIM_UNUSABLE,
+          asked.position(),
+          asked.label() + ": at=\"trim\" and the element <trim> belong together");
+    }
+    if (trim.isEmpty()) {
+      return Optional.empty();
+    }
+    List<String> unknowns = new ArrayList<>();
+    Map<String, Double> conditions = new LinkedHashMap<>();
+    for (Element unknown : trim.get().children("unknown")) {
+      unknowns.add(unknown.required("name").strip());
+    }
+    for (Element condition : trim.get().children("condition")) {
+      OptionalDouble value =
+          condition.attribute("value").isPresent()
+              ? values.number(condition, "value")
+              : OptionalDouble.of(0);
+      String name = condition.required("name").strip();
+      if (conditions.put(name, value.orElse(0)) != null) {
+        diagnostics.error(
+            MessageCode.TRIM_UNUSABLE,
+            condition.position(),
+            Phrase.of("trim: %s has two conditions", Quoted.of(name)));
+      }
+    }
+    return Optional.of(new SimulationTask.TrimProblem(unknowns, conditions));
   }
 
   private List<String> columns(Element output) {

@@ -131,7 +131,7 @@ public final class DimensionCheck {
       return call(call);
     }
     if (part instanceof ParsedExpression.TableCall call) {
-      known(call.argument());
+      call.arguments().forEach(this::known);
     }
     return Known.ANYTHING;
   }

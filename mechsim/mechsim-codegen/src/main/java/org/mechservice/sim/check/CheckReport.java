@@ -42,9 +42,7 @@ public record CheckReport(
     Mechanism mechanism = model.mechanism();
     SceneAnalysis scene = SceneAnalysis.of(mechanism);
     LoopAnalysis loops = LoopAnalysis.of(model);
-    List<Finding> findings =
-        new ArrayList<>(scene.findingsAtStart(model.settings().run().tStart()));
-    findings.addAll(loops.findings());
+    List<Finding> findings = new ArrayList<>(loops.findings());
     findings.addAll(RunForecast.of(model, model.settings().formulation(), model.settings().run()));
     try {
       return new CheckReport(

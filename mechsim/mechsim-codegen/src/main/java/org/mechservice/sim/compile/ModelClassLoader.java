@@ -6,7 +6,7 @@ import org.mechservice.solver.api.Model;
 
 /**
  * Loads the classes of one model; user classes come from their own loader, all other classes from
- * the solver's.
+ * the solver's, which is not asked for the model's: it would seek them in every JAR.
  */
 public final class ModelClassLoader extends ClassLoader {
   private final SortedMap<String, byte[]> classFiles;
@@ -20,6 +20,17 @@ public final class ModelClassLoader extends ClassLoader {
     super(Model.class.getClassLoader());
     this.classFiles = new TreeMap<>(classFiles);
     this.userClasses = userClasses;
+  }
+
+  @Override
+  protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
+    if (!classFiles.containsKey(name)) {
+      return super.loadClass(name, resolve);
+    }
+    synchronized (getClassLoadingLock(name)) {
+      Class<?> loaded = findLoadedClass(name);
+      return loaded == null ? findClass(name) : loaded;
+    }
   }
 
   @Override

@@ -6,6 +6,7 @@ import org.mechservice.mechml.SimulationTask;
 import org.mechservice.solver.analysis.EquilibriumSource;
 import org.mechservice.solver.analysis.LinearSource;
 import org.mechservice.solver.analysis.PrescribedSource;
+import org.mechservice.solver.analysis.Trim;
 
 /**
  * An analysis without integration in time.
@@ -19,18 +20,29 @@ public record AnalysisTask(Class<?> source, String options) {
   public static Optional<AnalysisTask> of(SimulationTask task) {
     if (task instanceof SimulationTask.StaticEquilibrium rest) {
       return Optional.of(
-          new AnalysisTask(EquilibriumSource.class, rest.tolerance() + " " + rest.maxIterations()));
+          new AnalysisTask(
+              EquilibriumSource.class,
+              rest.tolerance() + " " + rest.maxIterations() + words(rest.trim())));
     } else if (task instanceof SimulationTask.Linearization linear) {
-      String at = linear.atEquilibrium() ? "equilibrium" : "start";
+      String at =
+          linear.trim().isPresent() ? "trim" : linear.atEquilibrium() ? "equilibrium" : "start";
       String gives = linear.gives().name().toLowerCase(Locale.ROOT);
       String frequencies =
           linear.gives() == SimulationTask.Linearization.Result.RESPONSE
               ? " " + linear.from() + " " + linear.to() + " " + linear.points()
               : "";
-      return Optional.of(new AnalysisTask(LinearSource.class, at + " " + gives + frequencies));
+      return Optional.of(
+          new AnalysisTask(
+              LinearSource.class, at + " " + gives + frequencies + words(linear.trim())));
     }
     return task instanceof SimulationTask.Dynamic
         ? Optional.empty()
         : Optional.of(new AnalysisTask(PrescribedSource.class, ""));
+  }
+
+  /** Returns the words of a trim problem, each after a blank. */
+  private static String words(Optional<SimulationTask.TrimProblem> trim) {
+    return trim.map(problem -> " " + Trim.text(problem.unknowns(), problem.conditions()))
+        .orElse("");
   }
 }

@@ -120,7 +120,7 @@ final class ModelSourceWriter {
       imports.add(ConstantTable.READER.getName());
     }
     plan.functionOwners().forEach(owner -> imports.add(owner.replace('/', '.')));
-    imports.stream().sorted().forEach(name -> source.line("import " + name + ";"));
+    imports.stream().sorted().distinct().forEach(name -> source.line("import " + name + ";"));
     source.blank().documentation(documentation());
     source.open(
         "public final class "

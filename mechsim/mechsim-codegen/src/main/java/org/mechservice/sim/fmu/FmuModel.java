@@ -1,8 +1,10 @@
 package org.mechservice.sim.fmu;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import org.mechservice.sim.emit.c.CLoops;
 import org.mechservice.sim.emit.c.CModel;
 import org.mechservice.sim.emit.c.CVariable;
 import org.mechservice.solver.api.run.RunSettings;
@@ -35,6 +37,9 @@ public record FmuModel(
     List<String> events,
     Experiment experiment,
     SortedMap<String, String> sources) {
+  /** Beginning of the names of all functions of a model in independent coordinates. */
+  private static final String INDEPENDENT = "mech_independent";
+
   /** A program of its own among the files of a printed model. */
   private static final String EXAMPLE = "example.c";
 
@@ -72,6 +77,52 @@ public record FmuModel(
             run.maxStep(),
             IntegrationMethod.of(run.integrator()).family() == IntegrationMethod.Family.BACKWARD),
         files);
+  }
+
+  /**
+   * Returns a printed model whose states are independent coordinates alone, so that its state is on
+   * the loops wherever the importer moves it; the others are outputs. An open chain remains as it
+   * is.
+   *
+   * @param run the run that its file describes
+   * @param wanted names of positions or joints that are to be states; none to choose them
+   * @throws IllegalArgumentException if there are no such coordinates; the message says which do
+   */
+  public static FmuModel inIndependentCoordinates(
+      CModel model, RunSettings run, List<String> wanted) {
+    FmuModel whole = of(model, run);
+    if (!(model.motion() instanceof CLoops loops)) {
+      return whole;
+    }
+    IndependentCoordinates chosen = new IndependentCoordinates(model, loops, wanted);
+    SortedMap<String, String> files = new TreeMap<>(whole.sources());
+    for (String ending : List.of(".h", ".c")) {
+      String text = FmuSources.resource(INDEPENDENT + ending);
+      files.put(
+          INDEPENDENT + ending, ending.equals(".h") ? chosen.header(text) : chosen.source(text));
+    }
+    List<FmuVariable> outputs = new ArrayList<>(whole.outputs());
+    chosen.others().forEach(i -> outputs.add(whole.states().get(i)));
+    return new FmuModel(
+        whole.name(),
+        whole.identifier(),
+        chosen.states().stream().map(whole.states()::get).toList(),
+        whole.parameters(),
+        whole.inputs(),
+        outputs,
+        whole.events(),
+        whole.experiment(),
+        files);
+  }
+
+  /** Returns whether the states are independent coordinates of closed loops. */
+  boolean isIndependent() {
+    return sources.containsKey(INDEPENDENT + ".h");
+  }
+
+  /** Returns the beginning of the names of the model's functions, and of its header. */
+  String prefix() {
+    return isIndependent() ? INDEPENDENT : identifier;
   }
 
   private static List<FmuVariable> variables(List<CVariable> printed) {

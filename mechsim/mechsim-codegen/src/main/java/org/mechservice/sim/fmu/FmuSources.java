@@ -106,7 +106,7 @@ final class FmuSources {
   }
 
   private static String header(FmuModel model, String token) {
-    String name = model.identifier();
+    String name = model.prefix();
     FmuModel.Experiment run = model.experiment();
     StringBuilder text =
         new StringBuilder(
@@ -135,6 +135,11 @@ final class FmuSources {
     }
     define(text, "CHECK", check + ")");
     define(text, "T", name + "_t");
+    String within = model.isIndependent() ? "full." : "";
+    define(text, "P(m)", "((m)->" + within + "p)");
+    define(text, "U(m)", "((m)->" + within + "u)");
+    define(text, "LOST(m)", model.isIndependent() ? "((m)->lost)" : "((void)(m), 0)");
+    define(text, "IS_LOSING(m)", model.isIndependent() ? "((m)->failures == 1)" : "((void)(m), 0)");
     String declared = model.sources().getOrDefault(name + ".h", "");
     for (String function : FUNCTIONS) {
       boolean there = declared.contains(name + "_" + function + "(");
@@ -170,7 +175,8 @@ final class FmuSources {
     return value < 0 ? "(" + decimal + ")" : decimal;
   }
 
-  private static String resource(String name) {
+  /** Returns the text of a file of this package. */
+  static String resource(String name) {
     try (InputStream in = FmuSources.class.getResourceAsStream(name)) {
       if (in == null) {
         throw new IllegalStateException("this program lacks its file " + name);

@@ -2,7 +2,6 @@ package org.mechservice.sim.gradient;
 
 import java.util.HashSet;
 import java.util.LinkedHashSet;
-import java.util.List;
 import java.util.Set;
 import org.mechservice.sim.symbolic.MathFunction;
 import org.mechservice.sim.symbolic.Program;
@@ -51,22 +50,12 @@ final class Switches {
                 + " derivative there; write what it stands for by step() or sign()");
       } else if (node.function() == MathFunction.SIGNUM && varies[node.first().id()]) {
         margins.add(node.first());
-      } else if (node.function() == MathFunction.CHOOSE && mayJump(node)) {
-        if (varies[node.first().id()] || varies[node.second().id()]) {
-          margins.add(node.first().minus(node.second()));
-        }
+      } else if (node.function() == MathFunction.CHOOSE
+          && (varies[node.first().id()] || varies[node.second().id()])) {
+        margins.add(node.first().minus(node.second()));
       }
     }
     return margins;
-  }
-
-  /** Returns whether a choice is one of the model: not of the polynomial of a table's interval. */
-  private static boolean mayJump(Scalar node) {
-    List<Scalar> x = node.operands();
-    boolean step =
-        x.get(0).isZero() && x.get(2).isConstant() && x.get(2).value() == 1 && x.get(3).isZero();
-    boolean knot = x.get(0).isConstant() && x.get(2).isConstant();
-    return step || !knot;
   }
 
   /** Returns which nodes depend on the state or on a chosen parameter. */

@@ -136,7 +136,7 @@ final class MechanismInC {
           "forces written as Java classes ("
               + String.join(", ", left)
               + "); give them as expressions, or make them inputs of an FMU by --class-as-input "
-              + left.get(0));
+              + String.join(" --class-as-input ", left));
     }
     beyond.addAll(JumpsInC.notExported(mechanism, options.settings()));
     beyond.addAll(turnsOfCutJoints());
@@ -348,7 +348,9 @@ final class MechanismInC {
         DoubleStream.of(new CoordinateUnits(mechanism, equations.length()).velocities)
             .boxed()
             .toList(),
-        penalty);
+        penalty,
+        start.rank(),
+        equations.isHolonomic());
   }
 
   private CEvents events(Links links) {

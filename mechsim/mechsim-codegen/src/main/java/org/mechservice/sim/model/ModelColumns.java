@@ -95,7 +95,14 @@ public final class ModelColumns {
             .anyMatch(closure -> closure instanceof JointClosure cut && cut.isDriven());
   }
 
-  /** Returns the mechanism as data, with the outputs if they are requested. */
+  /** Returns whether a trim problem, whose conditions may be of outputs, is to be solved. */
+  private static boolean isTrimmed(MechmlModel model) {
+    SimulationTask task = model.settings().task();
+    return (task instanceof SimulationTask.StaticEquilibrium rest && rest.trim().isPresent())
+        || (task instanceof SimulationTask.Linearization linear && linear.trim().isPresent());
+  }
+
+  /** Returns the mechanism as data, with the outputs if they are requested or conditions. */
   static CompactModel data(
       MechmlModel model, BuildOptions options, FormulationChoice choice, Set<ColumnGroup> groups) {
     return new CompactModel(
@@ -103,7 +110,7 @@ public final class ModelColumns {
         choice.formulation(),
         choice.closure(),
         options.settings(),
-        groups.contains(ColumnGroup.OUTPUTS) ? model.outputs() : List.of(),
+        groups.contains(ColumnGroup.OUTPUTS) || isTrimmed(model) ? model.outputs() : List.of(),
         start(model, options));
   }
 

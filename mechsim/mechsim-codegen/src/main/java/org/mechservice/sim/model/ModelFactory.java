@@ -56,13 +56,18 @@ public final class ModelFactory {
   }
 
   private static void requireNoStates(Mechanism mechanism, SimulationTask task) {
-    boolean atStart =
-        task instanceof SimulationTask.Linearization linear && !linear.atEquilibrium();
+    boolean linear = task instanceof SimulationTask.Linearization about && !about.atEquilibrium();
+    boolean oneState =
+        task instanceof SimulationTask.Linearization
+            || task instanceof SimulationTask.StaticEquilibrium;
     Optional<FurtherState> changing =
         mechanism.furtherStates().stream()
-            .filter(state -> state.role() != FurtherState.Role.INPUT)
+            .filter(
+                state ->
+                    state.role() == FurtherState.Role.SAMPLED
+                        || (state.role() == FurtherState.Role.INTEGRATED && !oneState))
             .findFirst();
-    if (!atStart && changing.isPresent()) {
+    if (!linear && changing.isPresent()) {
       throw new ModelBuildException(
           MessageCode.STATE_NOT_INTEGRATED,
           "the model has states, such as \""

@@ -1,6 +1,5 @@
 package org.mechservice.sim.model;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.mechml.MechmlModel;
@@ -8,7 +7,6 @@ import org.mechservice.sim.emit.GeneratedClass;
 import org.mechservice.sim.emit.ValuesPlan;
 import org.mechservice.sim.equations.PowerEquations;
 import org.mechservice.sim.equations.links.Links;
-import org.mechservice.sim.scene.GenerationLimits;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.closure.equations.UnwrappedAngles;
@@ -80,10 +78,6 @@ final class ValuesClass {
     if (values.isEmpty()) {
       return new Derived(Optional.empty(), Optional.empty());
     }
-    List<String> tables = values.largeTables();
-    if (!tables.isEmpty()) {
-      return Derived.leftToData("they use large tables: " + String.join(", ", tables));
-    }
     if (values.countTurns()) {
       return Derived.leftToData(TURNS);
     }
@@ -104,13 +98,6 @@ final class ValuesClass {
 
   private static Program program(Links links, List<Expression> expressions) {
     return PowerEquations.formulas(links, expressions);
-  }
-
-  private List<String> largeTables() {
-    List<Expression> all = new ArrayList<>(triggers);
-    all.addAll(assigned);
-    all.addAll(outputs);
-    return GenerationLimits.largeTables(all);
   }
 
   private boolean isEmpty() {

@@ -3,8 +3,6 @@ package org.mechservice.sim.scene;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
-import java.util.TreeSet;
 import java.util.function.IntSupplier;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -12,10 +10,8 @@ import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.closure.PenaltySettings;
 import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.closure.equations.UnwrappedAngles;
-import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.closure.CoordinateClosure;
 import org.mechservice.solver.mechanism.closure.DistanceClosure;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
@@ -72,9 +68,6 @@ public final class GenerationLimits {
    * links with the same operations, which share their code.
    */
   private static final int MOST_EQUATIONS = 20;
-
-  /** Largest number of points of a table for which code is generated, five choices for each. */
-  private static final int MOST_POINTS = 40;
 
   /** Reason why derivatives of a residual with loops are computed from data. */
   public static final String TOO_LONG_DERIVATIVES =
@@ -174,7 +167,6 @@ public final class GenerationLimits {
       long factors = factors(mechanism);
       beyond.addAll(noFaster(choice.formulation(), factors, "its factors alone take " + factors));
     }
-    add(beyond, "large tables", largeTables(formulas(mechanism)).stream());
     add(
         beyond,
         "tunable parameters in coefficients of forces",
@@ -220,37 +212,6 @@ public final class GenerationLimits {
             || closure instanceof PointOnLineClosure
             || (closure instanceof DistanceClosure distance && !distance.hasRod());
     return !ofTwoBodies;
-  }
-
-  private static List<Expression> formulas(Mechanism mechanism) {
-    List<Expression> formulas = new ArrayList<>();
-    mechanism.forces().forEach(f -> f.formulas().forEach(part -> formulas.add(part.expression())));
-    mechanism.motions().forEach(motion -> formulas.addAll(motion.coordinates()));
-    mechanism.furtherStates().forEach(state -> formulas.add(state.derivative()));
-    for (LoopClosure closure : mechanism.closures()) {
-      if (closure instanceof JointClosure cut) {
-        formulas.addAll(cut.motion());
-      } else if (closure instanceof CoordinateClosure coupling) {
-        formulas.add(coupling.relation());
-      }
-    }
-    return formulas;
-  }
-
-  /**
-   * Returns the names of the tables in formulas that are too large for code, which looks at every
-   * point; data search by halves.
-   */
-  public static List<String> largeTables(List<Expression> formulas) {
-    Set<String> large = new TreeSet<>();
-    for (Expression formula : formulas) {
-      for (Expression part : ShortPulseCheck.parts(formula)) {
-        if (part instanceof Expression.TableValue value && value.table().x().size() > MOST_POINTS) {
-          large.add(value.table().name());
-        }
-      }
-    }
-    return List.copyOf(large);
   }
 
   /** Returns the number of velocities plus the number of pairs of a velocity and an ancestor. */

@@ -41,7 +41,7 @@ enum Linearity {
       Linearity arguments = largest(call.arguments());
       return ofTimeAtMost(arguments, arguments);
     } else if (e instanceof Expression.TableValue value) {
-      return ofTimeAtMost(of(value.argument()), CONSTANT);
+      return ofTimeAtMost(largest(value.arguments()), CONSTANT);
     }
     return OTHER;
   }

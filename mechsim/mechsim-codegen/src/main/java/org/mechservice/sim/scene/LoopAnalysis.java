@@ -56,8 +56,9 @@ public record LoopAnalysis(
     List<LoopEntry> entries = entries(mechanism, loops);
     ClosedStart start = model.closedStart(startTime);
     int independent = start.isAssembled() ? start.rank() : NOT_JUDGED;
-    return new LoopAnalysis(
-        entries, loops.count(), independent, findings(mechanism, start.findings()));
+    List<Finding> findings = findings(mechanism, start.findings());
+    findings.removeIf(finding -> model.silenced().contains(finding.code()));
+    return new LoopAnalysis(entries, loops.count(), independent, findings);
   }
 
   private static List<LoopEntry> entries(Mechanism mechanism, LoopEquations loops) {

@@ -6,7 +6,7 @@ import org.mechservice.mechml.MechmlModel;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.mechanism.Mechanism;
 
-/** All findings about a run before it begins. */
+/** All findings about a model and its run before it begins, but those about loops. */
 public final class RunForecast {
   private RunForecast() {}
 
@@ -20,13 +20,16 @@ public final class RunForecast {
   }
 
   /**
-   * Returns the findings: causes of a long run, and events that a step may miss.
+   * Returns the findings that the model does not silence: joints that move nothing, bodies that
+   * nothing moves, causes of a long run, and events that a step may miss.
    *
    * @param formulation requested formulation, {@code auto} or a name
    */
   public static List<Finding> of(MechmlModel model, String formulation, RunSettings settings) {
     Mechanism mechanism = model.mechanism();
-    List<Finding> findings = new ArrayList<>();
+    List<Finding> findings =
+        new ArrayList<>(SceneAnalysis.of(mechanism).findingsAtStart(settings.tStart()));
+    RestCheck.of(model, settings).ifPresent(findings::add);
     // A fast spin also appears in the linearised equations, like a stiff joint.
     SpinForecast.of(mechanism, settings)
         .or(() -> StiffnessForecast.of(model, settings))
@@ -34,6 +37,7 @@ public final class RunForecast {
     DigitsForecast.of(mechanism, formulation, settings).ifPresent(findings::add);
     ShortPulseCheck.of(mechanism, settings).ifPresent(findings::add);
     findings.addAll(FormulaForecast.of(mechanism, settings));
+    findings.removeIf(finding -> model.silenced().contains(finding.code()));
     return findings;
   }
 }

@@ -74,7 +74,7 @@ final class SettledCoefficients {
       return hasParameter(negation.operand());
     }
     if (e instanceof Expression.TableValue value) {
-      return hasParameter(value.argument());
+      return value.arguments().stream().anyMatch(SettledCoefficients::hasParameter);
     }
     return e instanceof Expression.Call call
         && call.arguments().stream().anyMatch(SettledCoefficients::hasParameter);

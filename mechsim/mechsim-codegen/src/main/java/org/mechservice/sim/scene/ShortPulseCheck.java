@@ -145,7 +145,7 @@ public final class ShortPulseCheck {
       return List.of(negation.operand());
     }
     if (formula instanceof Expression.TableValue value) {
-      return List.of(value.argument());
+      return value.arguments();
     }
     return formula instanceof Call call ? call.arguments() : List.of();
   }

@@ -73,6 +73,33 @@ public final class Expressions {
   }
 
   /**
+   * Returns how many numbers of a row are not above x; a constant if x is one.
+   *
+   * @param ascending the row, ascending
+   */
+  public Scalar interval(NumberRow ascending, Scalar x) {
+    return read(MathFunction.INTERVAL, ascending, x);
+  }
+
+  /** Returns number {@code index} of a row, counted from 0; a constant if the index is one. */
+  public Scalar element(NumberRow row, Scalar index) {
+    return row.isConstant() ? constant(row.at(0)) : read(MathFunction.ELEMENT, row, index);
+  }
+
+  private Scalar read(MathFunction function, NumberRow row, Scalar x) {
+    return x.isConstant()
+        ? constant(row.value(function, x.value()))
+        : call(function, row, List.of(x));
+  }
+
+  /** Returns the call of a node of this or another graph with other arguments. */
+  Scalar function(Scalar node, List<Scalar> arguments) {
+    return node.function().readsRow()
+        ? read(node.function(), node.row(), arguments.get(0))
+        : Simplification.function(node.function(), arguments);
+  }
+
+  /**
    * Returns a node with the operation of a node of this or another graph and other operands. The
    * node is not simplified, so its value has the same bits.
    */
@@ -85,7 +112,8 @@ public final class Expressions {
     return switch (node.operation()) {
       case CONSTANT -> constant(node.value());
       case INPUT -> input(node.index());
-      case FUNCTION -> call(node.function(), operands);
+      case FUNCTION ->
+          call(node.function(), node.function().readsRow() ? node.row() : null, operands);
       case NEGATE, SQUARE_ROOT, SINE, COSINE -> unary(node.operation(), operands.get(0));
       default -> binary(node.operation(), operands.get(0), operands.get(1));
     };
@@ -119,11 +147,18 @@ public final class Expressions {
 
   /** Returns the node of a function that needs no simplification. */
   Scalar call(MathFunction function, List<Scalar> arguments) {
+    return call(function, null, arguments);
+  }
+
+  private Scalar call(MathFunction function, @Nullable NumberRow row, List<Scalar> arguments) {
     List<Object> key = new ArrayList<>(arguments);
     key.add(function);
+    if (row != null) {
+      key.add(row);
+    }
     Scalar node = calls.get(key);
     if (node == null) {
-      node = new Scalar(this, nodes.size(), function, arguments);
+      node = new Scalar(this, nodes.size(), function, row, arguments);
       nodes.add(node);
       calls.put(key, node);
     }

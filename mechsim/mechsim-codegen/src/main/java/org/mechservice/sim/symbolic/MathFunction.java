@@ -1,6 +1,7 @@
 package org.mechservice.sim.symbolic;
 
 import org.mechservice.solver.expression.Powers;
+import org.mechservice.solver.spatial.NumberTable;
 import org.mechservice.solver.spatial.Piecewise;
 
 /**
@@ -32,7 +33,14 @@ public enum MathFunction {
   /** {@code choose(a, b, x, y)}: x where a ≤ b, else y. */
   CHOOSE("org/mechservice/solver/spatial/Piecewise", "choose", 4),
   /** {@code product(a, b)}: a b, but 0 if one factor is 0, even if the other is infinite or NaN. */
-  PRODUCT("org/mechservice/solver/spatial/Piecewise", "product", 2);
+  PRODUCT("org/mechservice/solver/spatial/Piecewise", "product", 2),
+  /**
+   * {@code interval(row, x)}: how many numbers of an ascending {@link NumberRow} are not above x, 0
+   * if x is NaN.
+   */
+  INTERVAL("org/mechservice/solver/spatial/NumberTable", "interval", 1),
+  /** {@code element(row, k)}: number k of a {@link NumberRow}, counted from 0. */
+  ELEMENT("org/mechservice/solver/spatial/NumberTable", "element", 1);
 
   private final String owner;
   private final String method;
@@ -54,9 +62,25 @@ public enum MathFunction {
     return method;
   }
 
-  /** Returns how many numbers it takes. */
+  /** Returns how many numbers it takes, without those of a row. */
   public int arity() {
     return arity;
+  }
+
+  /**
+   * Returns whether it reads a row of numbers that is fixed when code is generated. Its method
+   * takes the array that holds the row, the place and the number of its elements, and then the
+   * argument.
+   */
+  public boolean readsRow() {
+    return this == INTERVAL || this == ELEMENT;
+  }
+
+  /** Returns its value if it reads a row. */
+  double value(double[] row, double x) {
+    return this == INTERVAL
+        ? NumberTable.interval(row, 0, row.length, x)
+        : NumberTable.element(row, 0, row.length, x);
   }
 
   /** Returns its value; {@code x} holds the arguments. */
@@ -82,6 +106,7 @@ public enum MathFunction {
       case POWER -> Powers.power(x[0], x[1]);
       case CHOOSE -> Piecewise.choose(x[0], x[1], x[2], x[3]);
       case PRODUCT -> Piecewise.product(x[0], x[1]);
+      case INTERVAL, ELEMENT -> throw new IllegalStateException(this + " reads a row");
     };
   }
 }

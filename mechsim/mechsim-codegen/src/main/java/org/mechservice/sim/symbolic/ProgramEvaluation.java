@@ -40,6 +40,9 @@ final class ProgramEvaluation {
   }
 
   private static double function(Scalar node, double[] values) {
+    if (node.function().readsRow()) {
+      return node.row().value(node.function(), values[node.first().id()]);
+    }
     return node.function()
         .value(node.operands().stream().mapToDouble(operand -> values[operand.id()]).toArray());
   }

@@ -25,6 +25,7 @@ public final class Scalar {
   private final double value;
   private final int index;
   private final @Nullable MathFunction function;
+  private final @Nullable NumberRow row;
   private boolean steep;
 
   /** Creates a node that is not a function. */
@@ -46,11 +47,17 @@ public final class Scalar {
     this.value = value;
     this.index = index;
     this.function = null;
+    this.row = null;
     this.steep = anySteep(operands);
   }
 
-  /** Creates a node of a function. */
-  Scalar(Expressions expressions, int id, MathFunction function, List<Scalar> operands) {
+  /** Creates a node of a function, with the row that it reads, if it reads one. */
+  Scalar(
+      Expressions expressions,
+      int id,
+      MathFunction function,
+      @Nullable NumberRow row,
+      List<Scalar> operands) {
     this.expressions = expressions;
     this.id = id;
     this.operation = ScalarOperation.FUNCTION;
@@ -60,6 +67,7 @@ public final class Scalar {
     this.value = 0;
     this.index = 0;
     this.function = function;
+    this.row = row;
     this.steep = anySteep(operands);
   }
 
@@ -110,6 +118,11 @@ public final class Scalar {
   /** Returns the function of a {@link ScalarOperation#FUNCTION}. */
   public MathFunction function() {
     return Objects.requireNonNull(function, "not a function");
+  }
+
+  /** Returns the row that a function {@linkplain MathFunction#readsRow() reads}. */
+  public NumberRow row() {
+    return Objects.requireNonNull(row, "reads no row");
   }
 
   /** Returns the index of an {@link ScalarOperation#INPUT}. */

@@ -38,9 +38,7 @@ public final class Substitution {
       case SQUARE_ROOT -> of(node.first()).squareRoot();
       case SINE -> expressions.sine(of(node.first()));
       case COSINE -> expressions.cosine(of(node.first()));
-      case FUNCTION ->
-          expressions.function(
-              node.function(), node.operands().stream().map(this::of).toArray(Scalar[]::new));
+      case FUNCTION -> expressions.function(node, node.operands().stream().map(this::of).toList());
     };
   }
 }

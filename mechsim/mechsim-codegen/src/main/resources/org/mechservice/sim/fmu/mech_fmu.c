@@ -21,6 +21,12 @@ enum { MOST_TRIES = 1000000, MOST_EVENTS = 1000 };
  * Below the last number round-off outweighs what it gains. */
 static const double SAFETY = MODEL_LOOPS ? 300 : 100, FINEST = 1e-13;
 
+/* Events in a row that come ever closer or at once before they are said to accumulate, the distance
+ * that is hardly more than their uncertainty, relative to t, and how close ahead the point at which
+ * they would meet is, relative to the time elapsed: as in a run of Java. */
+enum { IN_A_ROW = 20 };
+static const double CHATTER = 1e-10, CLOSE_AHEAD = 1e-6;
+
 /* Parts of a step at whose ends the event functions are looked at. */
 enum { LOOKS = 4 };
 
@@ -86,6 +92,16 @@ static void forget(mech_instance *c) { c->derivatives_known = c->outputs_known =
 
 static mech_status model_failed(mech_instance *c, mech_status status, const char *what) {
   const char *why = MODEL_failure(&c->s.model);
+  if (MODEL_LOST(&c->s.model)) {
+    status = MECH_FAILED; /* no shorter step leads on */
+  } else if (MODEL_IS_LOSING(&c->s.model) && status < MECH_FAILED) {
+    /* importers that do not take shorter steps end here: their log has the reason */
+    int logging = c->logging;
+    c->logging = 1;
+    mech_say(c, status, "%s at t = %.17g: %s", what, c->s.t, why);
+    c->logging = logging;
+    return status;
+  }
   return mech_say(c, status, "%s at t = %.17g: %s", what, c->s.t,
                   why != NULL && why[0] != 0 ? why : "a value is not finite.");
 }
@@ -227,11 +243,11 @@ mech_status mech_get(mech_instance *c, const char *function, unsigned reference,
     *value = c->dx[reference - MECH_DERIVATIVE];
 #if MODEL_NP > 0
   } else if (reference < MECH_INPUT) {
-    *value = c->s.model.p[reference - MECH_PARAMETER];
+    *value = MODEL_P(&c->s.model)[reference - MECH_PARAMETER];
 #endif
 #if MODEL_NU > 0
   } else if (reference < MECH_OUTPUT) {
-    *value = c->s.model.u[reference - MECH_INPUT];
+    *value = MODEL_U(&c->s.model)[reference - MECH_INPUT];
 #endif
 #if MODEL_NY > 0
   } else if (reference < MECH_INDICATOR) {
@@ -278,8 +294,8 @@ mech_status mech_set(mech_instance *c, const char *function, unsigned reference,
                       "%s: parameter %u cannot be set in continuous-time mode; enter event mode.",
                       function, reference);
     }
-    if (c->s.model.p[reference - MECH_PARAMETER] != value) {
-      c->s.model.p[reference - MECH_PARAMETER] = value;
+    if (MODEL_P(&c->s.model)[reference - MECH_PARAMETER] != value) {
+      MODEL_P(&c->s.model)[reference - MECH_PARAMETER] = value;
       c->s.start_known = 0;
       changed_here(c);
     }
@@ -288,8 +304,8 @@ mech_status mech_set(mech_instance *c, const char *function, unsigned reference,
 #endif
 #if MODEL_NU > 0
   if (reference >= MECH_INPUT && reference < MECH_OUTPUT) {
-    if (c->s.model.u[reference - MECH_INPUT] != value) {
-      c->s.model.u[reference - MECH_INPUT] = value;
+    if (MODEL_U(&c->s.model)[reference - MECH_INPUT] != value) {
+      MODEL_U(&c->s.model)[reference - MECH_INPUT] = value;
       changed_here(c);
     }
     return MECH_OK;
@@ -451,6 +467,9 @@ static mech_status apply_events(mech_instance *c, int zero_counts, int *changed)
       c->s.sign[i] = occurred[i];
       fired[i] = 1;
       some = 1;
+      if (c->noted != NULL) {
+        c->noted(c, i);
+      }
     }
   }
   if (some) {
@@ -533,9 +552,15 @@ static mech_status step_failed(mech_instance *c, mech_step_result result) {
   c->s.mode = MECH_STEP_FAILED;
   switch (result) {
     case MECH_STEP_NOT_FINITE:
+      if (MODEL_LOST(&c->s.model)) {
+        return mech_say(c, MECH_FAILED, "No step can be made at t = %.17g: %s.", a->t, why);
+      }
       return mech_say(c, MECH_FAILED, "No step can be made at t = %.17g: %s%s", a->t,
                       why != NULL && why[0] != 0 ? why : "a value is not finite.", stiff);
     case MECH_STEP_TOO_SMALL:
+      if (MODEL_LOST(&c->s.model)) {
+        return mech_say(c, MECH_FAILED, "No step can be made at t = %.17g: %s.", a->t, why);
+      }
       return mech_say(c, MECH_FAILED,
                       "The steps at t = %.17g are smaller than the arithmetic can hold.%s", a->t,
                       stiff);
@@ -561,6 +586,11 @@ static mech_status begin_integration(mech_instance *c) {
   a->longest = 0.1 * (interval > 0 ? interval : 1);
   if (MODEL_LONGEST < a->longest) {
     a->longest = MODEL_LONGEST;
+  }
+  if (!c->s.begun) {
+    c->s.last_event = c->s.t;
+    c->s.event_distance = HUGE_VAL;
+    c->s.shrinking = c->s.chattering = 0;
   }
   c->s.jump = mech_next_jump(c);
   a->stop = c->s.stop_defined && c->s.stop < c->s.jump ? c->s.stop : c->s.jump;
@@ -617,6 +647,20 @@ static mech_status look_for_events(mech_instance *c, double from) {
     low = high;
   }
   return MECH_OK;
+}
+
+/* Takes note of an event that changed the state; returns whether events accumulate: at distances
+ * that shrink towards a point close ahead, as the bounces of a ball do, or that are round-off. */
+static int accumulates(mech_state *s) {
+  double distance = s->t - s->last_event;
+  double ahead = distance * distance / (s->event_distance - distance);
+  double size = fabs(s->t) > fabs(s->start) ? fabs(s->t) : fabs(s->start);
+  s->shrinking = distance < s->event_distance ? s->shrinking + 1 : 0;
+  s->chattering = distance <= CHATTER * size ? s->chattering + 1 : 0;
+  s->last_event = s->t;
+  s->event_distance = distance;
+  return s->chattering >= IN_A_ROW ||
+         (s->shrinking >= IN_A_ROW && ahead <= CLOSE_AHEAD * (s->t - s->start));
 }
 
 /* Brings the state to a place inside the last step. */
@@ -687,6 +731,13 @@ mech_status mech_do_step(mech_instance *c, const char *function, double from, do
                         " event end the run, or give a jump that leaves the zero.",
                         te, (int)MOST_EVENTS);
       }
+      if (changed && !c->s.terminate && accumulates(&c->s)) {
+        c->s.mode = MECH_STEP_FAILED;
+        return mech_say(c, MECH_FAILED,
+                        "The intervals between events become ever shorter at t = %.17g. End the run"
+                        " before, or stop the changes of the state: a bounce below a certain speed.",
+                        te);
+      }
       if (changed && (status = begin_integration(c)) != MECH_OK) {
         return status;
       }
@@ -744,11 +795,11 @@ static mech_status shifted(mech_instance *c, const char *function, const unsigne
       c->s.x[r - MECH_STATE] += e * seed[i];
 #if MODEL_NP > 0
     } else if (r >= MECH_PARAMETER && r < MECH_INPUT) {
-      c->s.model.p[r - MECH_PARAMETER] += e * seed[i];
+      MODEL_P(&c->s.model)[r - MECH_PARAMETER] += e * seed[i];
 #endif
 #if MODEL_NU > 0
     } else if (r >= MECH_INPUT && r < MECH_OUTPUT) {
-      c->s.model.u[r - MECH_INPUT] += e * seed[i];
+      MODEL_U(&c->s.model)[r - MECH_INPUT] += e * seed[i];
 #endif
     } else {
       status = mech_say(c, MECH_FAILED, "%s: %u is not the reference of a known.", function, r);

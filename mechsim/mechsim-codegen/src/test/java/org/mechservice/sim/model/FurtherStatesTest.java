@@ -7,6 +7,8 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.Random;
 import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -39,7 +41,11 @@ class FurtherStatesTest {
           + " value='3' tunable='true'/></Parameters><Tables><table name='lin' x='-2;-0.5;0.3;2'"
           + " y='1;-1;0;2' extrapolation='hold'/><table name='aki' x='-9;-3;0;1;2;9'"
           + " y='0;2;1;1.5;0;1' method='akima'/><table name='cub' x='-1;0;0.2;1;2' y='0;1;-1;0;3'"
-          + " method='cubic' extrapolation='linear'/></Tables>";
+          + " method='cubic' extrapolation='linear'/><map name='lin2' x='-2;-0.5;0.3;2' y='-1;0;3'"
+          + " z='1;-1;0; 2;0.5;1; -1;0;2; 3;1;0' extrapolation='linear'/><map name='aki2'"
+          + " x='-9;-1;0;1;2;9' y='-5;0.1;5' z='0;2;1; 1.5;0;1; -1;1;0; 2;2;1; 0;1;3; 1;0;1'"
+          + " method='akima' extrapolation='hold'/><map name='cub2' x='-9;0;9' y='-9;0;9'"
+          + " z='1;0;2; 0;1;1; 3;0;-1' method='cubic'/></Tables>";
 
   /** A pendulum with a ball at its end and a driven slide, held by nonlinear controllers. */
   private static final String TREE =
@@ -55,15 +61,15 @@ class FurtherStatesTest {
           + joint("ball", "S", "arm", "p", "bob", "")
           + joint("rail", "P", "Ground", "o", "cart", " vector='x'")
           + "</Joints><States><state name='a' x0='0.3' derivative='sin(hinge.q)*k + hinge.v^2 - a*b"
-          + " + bob.p.vx + lin(hinge.q)'/><state name='b' x0='-0.2' derivative='(bob.p.z*a - b)/0.1"
+          + " + bob.p.vx + lin(hinge.q) + cub2(b, rail.q)'/><state name='b' x0='-0.2' derivative='(bob.p.z*a - b)/0.1"
           + " + ball.v[1]*rail.q' atol='1e-7' unit='Pa'/></States><Forces><gravity gx='0' gy='0'"
           + " gz='-9.81'/><jointForce name='motor' joint='hinge' expression='-4*a*hinge.v + b^2 +"
-          + " t*a + cub(a) + lin(t)'/><forceTorque name='push' body='bob' point='p' frame='world'"
-          + " fx='5*b*bob.p.z + aki(bob.p.x)' tz='a*hinge.q'/></Forces><Outputs><output name='w'"
+          + " t*a + cub(a) + lin(t) + lin2(a, hinge.v)'/><forceTorque name='push' body='bob' point='p' frame='world'"
+          + " fx='5*b*bob.p.z + aki(bob.p.x)' tz='a*hinge.q + aki2(bob.p.z, bob.p.vx)'/></Forces><Outputs><output name='w'"
           + " expression='a*b'/></Outputs><topology><root name='Ground'/><relCoorVals><jointVal"
           + " name='hinge' posVals='0.4' velVals='1'/><jointVal name='ball' posVals='0.8;0.6;0;0'"
           + " velVals='1;2;-1'/><jointVal name='rail'"
-          + " driven='0.1*sin(3*t)'/></relCoorVals></topology></MBSmodel></MechML>";
+          + " driven='0.1*sin(3*t) + 0.01*cub2(t, 1-3*t)'/></relCoorVals></topology></MBSmodel></MechML>";
 
   /** A four-bar whose cut hinge is a coordinate of the controllers. */
   private static final String LOOP =
@@ -82,9 +88,9 @@ class FurtherStatesTest {
           + joint("j4", "R", "coupler", "p", "rocker", " vector='y'")
               .replace("name='rocker' point='o'", "name='rocker' point='p'")
           + "</Joints><States>"
-          + "<state name='a' x0='0.3' derivative='k*sin(j4.q) + j1.v*j4.v - a*b + aki(j4.q)'/>"
+          + "<state name='a' x0='0.3' derivative='k*sin(j4.q) + j1.v*j4.v - a*b + aki(j4.q) + cub2(a, j4.q)'/>"
           + "<state name='b' derivative='(coupler.p.z - b)/0.1 + j2.q'/></States><Forces>"
-          + "<jointForce name='motor' joint='j1' expression='2*a - b*j1.v'/>"
+          + "<jointForce name='motor' joint='j1' expression='2*a - b*j1.v + lin2(j2.q, j3.v)'/>"
           + "<jointForce name='brake' joint='j4' expression='-a^2*j4.v + b'/>"
           + "<forceTorque name='push' body='coupler' point='p' frame='body' fz='b*a'/></Forces>"
           + "<topology><root name='Ground'/><relCoorVals><jointVal name='j1' posVals='-1.2'"
@@ -192,6 +198,49 @@ class FurtherStatesTest {
     }
     model.solve(r);
     return r;
+  }
+
+  private static String numbers(int count) {
+    return IntStream.range(0, count).mapToObj(Integer::toString).collect(Collectors.joining(";"));
+  }
+
+  /** Tables of several hundred points, at, between and beyond the points. */
+  @ParameterizedTest
+  @CsvSource({"linear, hold", "linear, linear", "akima, error", "cubic, linear", "cubic, hold"})
+  void codeOfLargeTablesHasTheBitsOfTheData(String method, String outside) throws Exception {
+    Random random = new Random(7);
+    StringBuilder x = new StringBuilder("-50");
+    StringBuilder y = new StringBuilder("0");
+    double at = -50;
+    for (int i = 1; i < 700; i++) {
+      at += 0.05 + 0.1 * random.nextDouble();
+      x.append(';').append(at);
+      y.append(';').append(random.nextGaussian());
+    }
+    String z =
+        random.doubles(30 * 20, -1, 1).mapToObj(Double::toString).collect(Collectors.joining(";"));
+    String table =
+        "<table name='big' x='%s' y='%s' method='%s' extrapolation='%s'/>"
+                .formatted(x, y, method, outside)
+            + "<map name='field' x='%s' y='%s' z='%s' method='%s' extrapolation='%s'/></Tables>"
+                .formatted(numbers(30), numbers(20), z, method, outside);
+    String text =
+        TREE.replace("</Tables>", table)
+            .replace(
+                "derivative='sin(hinge.q)*k", "derivative='big(10*t) + field(t+15, 9-t)+0*sin(k")
+            .replace(" + hinge.v^2 - a*b + bob.p.vx + lin(hinge.q) + cub2(b, rail.q)'", ")'");
+    ExplicitModel code = model(text, "DTR", "auto", false);
+    ExplicitModel data = model(text, "DTR", "auto", true);
+    double[] state = start(code);
+    int a = code.description().stateCount() - 2;
+    double[] expected = new double[state.length];
+    double[] actual = new double[state.length];
+    for (int i = 0; i < 400; i++) {
+      double time = i < 200 ? 10 * random.nextGaussian() : at * random.nextInt(2) / 10 - 5;
+      int ended = data.derivative(time, state, expected);
+      assertThat(code.derivative(time, state, actual)).isEqualTo(ended);
+      assertThat(actual[a]).isEqualTo(Double.valueOf(expected[a]));
+    }
   }
 
   @ParameterizedTest

@@ -31,6 +31,17 @@ def ball(fmu):
         print(kind, max(abs(r["z.x"][i] - bounce(r["time"][i])) for i in range(len(r))))
 
 
+def accumulating(fmu):
+    """The bounces of a ball have no end: the run has."""
+    seen = []
+    try:
+        run(fmu, "CoSimulation", stop_time=4, output_interval=0.01,
+            step_finished=lambda t, rows: seen.append(t) or True)
+        print("ended", 4)
+    except Exception:
+        print("ended", seen[-1])
+
+
 CIRCLE = ["x", "y", "E", "drift"]
 
 
@@ -130,6 +141,26 @@ def stiff(fmu):
     except Exception as e:
         print("ended", e.__class__.__name__)
     print(" ".join(said))
+
+
+def independent(fmu):
+    """States, and the largest change of the energy of a mechanism that keeps it."""
+    states = [v.derivative.name for v in read_model_description(fmu).modelVariables if v.derivative]
+    print("states", *states)
+    for kind in ("ModelExchange", "CoSimulation"):
+        r = run(fmu, kind, stop_time=2, output_interval=0.02, output=["energy.kinetic", "energy.potential"])
+        energy = r["energy.kinetic"] + r["energy.potential"]
+        print(kind, np.abs(energy - energy[0]).max())
+
+
+def singular(fmu):
+    said = []
+    try:
+        run(fmu, "CoSimulation", stop_time=2, output_interval=0.02, logger=lambda *a: said.append(str(a)))
+        print("ended well")
+    except Exception as e:
+        print("ended", e.__class__.__name__)
+    print("said", " ".join(said))
 
 
 def compiled(fmu):

@@ -15,6 +15,7 @@ import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.Accuracy;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * The run that a worker computes.
@@ -48,6 +49,10 @@ public record WorkerOrder(
     }
     out.writeBoolean(request.strict());
     out.writeDouble(request.maxDrift().orElse(Double.NaN));
+    out.writeInt(request.silenced().size());
+    for (MessageCode warning : request.silenced()) {
+      out.writeUTF(warning.code());
+    }
   }
 
   private static void writeFiles(DataOutputStream out, Map<String, byte[]> files)
@@ -97,7 +102,16 @@ public record WorkerOrder(
         classFiles,
         userClassFiles,
         values,
-        new RunRequest(settings, columns, in.readBoolean(), number(in.readDouble())));
+        new RunRequest(
+            settings, columns, in.readBoolean(), number(in.readDouble()), readWarnings(in)));
+  }
+
+  private static Set<MessageCode> readWarnings(DataInputStream in) throws IOException {
+    Set<MessageCode> warnings = EnumSet.noneOf(MessageCode.class);
+    for (int left = in.readInt(); left > 0; left--) {
+      warnings.add(MessageCode.of(in.readUTF()));
+    }
+    return warnings;
   }
 
   /** Reads NaN as none. */

@@ -4,6 +4,7 @@ import static org.mechservice.solver.catalogue.Severity.ERROR;
 import static org.mechservice.solver.catalogue.Severity.INFO;
 import static org.mechservice.solver.catalogue.Severity.WARNING;
 
+import java.util.Locale;
 import java.util.Optional;
 
 /**
@@ -44,7 +45,7 @@ public enum MessageCode {
   FORMULA_DIMENSION("M-027", WARNING),
   NEGATIVE_MASS("M-030"),
   NEGATIVE_INERTIA("M-031"),
-  IMPOSSIBLE_INERTIA("M-032"),
+  IMPOSSIBLE_INERTIA("M-032", WARNING),
   ZERO_VECTOR("M-033"),
   NOT_EULER_PARAMETERS("M-034"),
   EULER_PARAMETERS_NORMALIZED("M-035", WARNING),
@@ -88,6 +89,11 @@ public enum MessageCode {
   ROBOT_LOST("M-085", WARNING),
   URDF_CANNOT("M-086"),
   URDF_LOST("M-087", WARNING),
+  NO_GRAVITY("M-090", WARNING),
+  PARAMETER_NOT_USED("M-091", WARNING),
+  INERTIA_OFF_SIZE("M-092", WARNING),
+  AXES_DIFFER("M-093", WARNING),
+  TRIM_UNUSABLE("M-094"),
 
   // The numerics of a run.
   NOT_FINITE("N-001"),
@@ -125,6 +131,7 @@ public enum MessageCode {
   USER_FORCE_FAILED("N-033"),
   ENERGY_BALANCE_OFF("N-034", WARNING),
   EVENT_ZERO_AT_START("N-035", INFO),
+  BODY_STAYS_AT_REST("N-036", WARNING),
   START_POSITION_CORRECTED("N-040", WARNING),
   START_VELOCITY_CORRECTED("N-041", WARNING),
   START_POSITION_NOT_CLOSED("N-042"),
@@ -142,6 +149,8 @@ public enum MessageCode {
   EQUILIBRIUM_NOT_UNIQUE("N-065", WARNING),
   SMALL_MOTION_WITHOUT_INERTIA("N-066"),
   FORCES_CANNOT_DRIVE("N-067"),
+  NO_TRIM("N-068"),
+  TRIM_NOT_UNIQUE("N-069", WARNING),
   SYSTEM_WITHOUT_INPUT("N-075"),
   RESPONSE_AT_POLE("N-076"),
 
@@ -317,6 +326,25 @@ public enum MessageCode {
   public static Optional<MessageCode> find(String code) {
     for (MessageCode entry : values()) {
       if (entry.code.equals(code)) {
+        return Optional.of(entry);
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** Returns the name by which a warning is silenced, such as {@code no-gravity}. */
+  public String word() {
+    return name().toLowerCase(Locale.ROOT).replace('_', '-');
+  }
+
+  /**
+   * Returns the warning of a name such as {@code no-gravity}, or of a code such as {@code M-090};
+   * empty if no warning of the catalogue has it.
+   */
+  public static Optional<MessageCode> warning(String nameOrCode) {
+    for (MessageCode entry : values()) {
+      boolean meant = entry.code.equals(nameOrCode) || entry.word().equals(nameOrCode);
+      if (meant && entry.severity == WARNING) {
         return Optional.of(entry);
       }
     }

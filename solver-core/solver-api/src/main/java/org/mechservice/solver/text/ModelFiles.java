@@ -18,9 +18,9 @@ import java.util.regex.Pattern;
 /**
  * The files that a model names: tables in CSV, closed surfaces in STL, and parts in further MechML
  * files. Whoever reads a model from a folder writes what they hold into its text, so that the text
- * holds the whole model when it travels: a table gets its points, a surface its volume and moments,
- * each with the {@code sha256} of the file; the text of an included file is appended, word for word
- * so that messages name its lines. A part that the text holds already stays.
+ * holds the whole model when it travels: a table or map gets its points, a surface its volume and
+ * moments, each with the {@code sha256} of the file; the text of an included file is appended, word
+ * for word so that messages name its lines. A part that the text holds already stays.
  *
  * <p>All names are relative to the model's folder, also those in included files, and the files lie
  * in that folder or below it.
@@ -28,7 +28,7 @@ import java.util.regex.Pattern;
 public final class ModelFiles {
   private static final Pattern PLACE =
       Pattern.compile(
-          "<!--.*?-->|<!\\[CDATA\\[.*?]]>|<(?:table|mesh|include|included)\\s[^<>]*>",
+          "<!--.*?-->|<!\\[CDATA\\[.*?]]>|<(?:table|map|mesh|include|included)\\s[^<>]*>",
           Pattern.DOTALL);
   private static final Pattern OTHER_ENCODING =
       Pattern.compile("^<\\?xml[^>]*\\sencoding\\s*=\\s*[\"'](?!(?i:utf-8|us-ascii)[\"'])");
@@ -92,6 +92,9 @@ public final class ModelFiles {
   }
 
   private String attributes(String element, String name) throws IOException {
+    if (element.startsWith("<map")) {
+      return attribute(element, "z").isEmpty() ? TableNumbers.ofMap(beside(name, "a map")) : "";
+    }
     if (element.startsWith("<table")) {
       boolean toFill = attribute(element, "x").isEmpty() && attribute(element, "y").isEmpty();
       return toFill ? TableNumbers.attributes(element, beside(name, "a table")) : "";

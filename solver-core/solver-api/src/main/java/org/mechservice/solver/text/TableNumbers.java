@@ -9,7 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Pattern;
 
-/** The numbers of CSV files that tables of a model file name. */
+/** The numbers of CSV files that tables and maps of a model file name. */
 final class TableNumbers {
   private static final Pattern NUMBER =
       Pattern.compile("[-+]?(\\d+\\.?\\d*|\\.\\d+)([eE][-+]?\\d+)?");
@@ -37,6 +37,51 @@ final class TableNumbers {
       values.append(values.isEmpty() ? "" : ";").append(number(csv, rows.get(i), y));
     }
     return " x=\"" + arguments + "\" y=\"" + values + "\" sha256=\"" + Sha256.of(content) + "\"";
+  }
+
+  /**
+   * Returns the attributes of {@code map} that hold the grid of a file: the second arguments in its
+   * first row, behind any word, and in each further row a first argument and the values there.
+   *
+   * @param csv the file
+   * @throws IOException if it cannot be read or holds no grid; the message says where
+   */
+  static String ofMap(Path csv) throws IOException {
+    byte[] content = Files.readAllBytes(csv);
+    List<String[]> rows = rows(content);
+    int columns = rows.isEmpty() ? 0 : rows.get(0).length;
+    if (rows.size() < 3 || columns < 3) {
+      throw new FileSystemException(
+          csv.toString(),
+          null,
+          "a map has a first row with two second arguments at least, behind a word, and two further"
+              + " rows at least, each a first argument and its values");
+    }
+    StringBuilder x = new StringBuilder();
+    StringBuilder y = new StringBuilder();
+    StringBuilder z = new StringBuilder();
+    for (int i = 0; i < rows.size(); i++) {
+      String[] row = rows.get(i);
+      if (row.length != columns) {
+        throw new FileSystemException(
+            csv.toString(),
+            null,
+            "the row \""
+                + String.join(",", row)
+                + "\" has "
+                + row.length
+                + " columns, not "
+                + columns);
+      }
+      if (i > 0) {
+        x.append(i == 1 ? "" : ";").append(number(csv, row, 0));
+      }
+      for (int j = 1; j < columns; j++) {
+        StringBuilder list = i == 0 ? y : z;
+        list.append(list.isEmpty() ? "" : ";").append(number(csv, row, j));
+      }
+    }
+    return " x=\"%s\" y=\"%s\" z=\"%s\" sha256=\"%s\"".formatted(x, y, z, Sha256.of(content));
   }
 
   private static List<String[]> rows(byte[] content) {

@@ -191,12 +191,20 @@ public sealed interface Expression {
   }
 
   /**
-   * The value of a table.
+   * The value of a table or map.
    *
-   * @param table the table
-   * @param argument its argument
+   * @param table what gives it
+   * @param arguments as many as it has
    */
-  record TableValue(Table table, Expression argument) implements Expression {}
+  record TableValue(PointFunction table, List<Expression> arguments) implements Expression {
+    public TableValue {
+      arguments = List.copyOf(arguments);
+      if (arguments.size() != table.argumentCount()) {
+        throw new IllegalArgumentException(
+            table.name() + " takes " + table.argumentCount() + ", not " + arguments.size());
+      }
+    }
+  }
 
   private static void checkAxis(int axis) {
     if (axis < 0 || axis > 2) {

@@ -12,7 +12,8 @@ import java.util.List;
  * @param outside values beyond the first and the last point
  */
 public record Table(
-    String name, List<Double> x, List<Double> y, Method method, Extrapolation outside) {
+    String name, List<Double> x, List<Double> y, Method method, Extrapolation outside)
+    implements PointFunction {
   /** Curves between points. */
   public enum Method {
     /** Straight lines; the slope jumps at the points. */
@@ -39,15 +40,32 @@ public record Table(
   public Table {
     x = List.copyOf(x);
     y = List.copyOf(y);
-    if (x.size() < 2 || y.size() != x.size()) {
+    checkAscending(name, x);
+    if (y.size() != x.size()) {
       throw new IllegalArgumentException(
           "table " + name + " has " + x.size() + " arguments and " + y.size() + " values");
     }
-    for (int i = 1; i < x.size(); i++) {
-      if (!(x.get(i) > x.get(i - 1))) {
-        throw new IllegalArgumentException("the arguments of table " + name + " do not ascend");
+  }
+
+  static void checkAscending(String name, List<Double> arguments) {
+    if (arguments.size() < 2) {
+      throw new IllegalArgumentException(name + " has " + arguments.size() + " arguments");
+    }
+    for (int i = 1; i < arguments.size(); i++) {
+      if (!(arguments.get(i) > arguments.get(i - 1))) {
+        throw new IllegalArgumentException("the arguments of " + name + " do not ascend");
       }
     }
+  }
+
+  @Override
+  public List<List<Double>> grid() {
+    return List.of(x);
+  }
+
+  @Override
+  public TapeStep step() {
+    return curve();
   }
 
   /** Returns its curve. */

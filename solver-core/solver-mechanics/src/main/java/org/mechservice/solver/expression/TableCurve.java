@@ -1,7 +1,9 @@
 package org.mechservice.solver.expression;
 
+import java.util.Arrays;
 import org.mechservice.solver.expression.Table.Extrapolation;
 import org.mechservice.solver.expression.Table.Method;
+import org.mechservice.solver.spatial.NumberTable;
 
 /**
  * The curve of a table: one polynomial c0 + d (c1 + d (c2 + d c3)) with d = x − origin for each
@@ -48,12 +50,9 @@ public final class TableCurve implements TapeStep {
   }
 
   /** Returns the slopes at the points; for straight lines those of the first and last interval. */
-  private static double[] slopes(Method method, double[] x, double[] y) {
+  static double[] slopes(Method method, double[] x, double[] y) {
     int n = x.length;
-    double[] chord = new double[n - 1];
-    for (int i = 0; i + 1 < n; i++) {
-      chord[i] = (y[i + 1] - y[i]) / (x[i + 1] - x[i]);
-    }
+    double[] chord = chords(x, y);
     double[] slope = new double[n];
     if (n == 2 || method == Method.LINEAR) {
       slope[0] = chord[0];
@@ -63,16 +62,44 @@ public final class TableCurve implements TapeStep {
     return method == Method.AKIMA ? akima(chord) : spline(x, chord);
   }
 
-  private static double[] akima(double[] chord) {
+  static double[] chords(double[] x, double[] y) {
+    double[] chord = new double[x.length - 1];
+    for (int i = 0; i < chord.length; i++) {
+      chord[i] = (y[i + 1] - y[i]) / (x[i + 1] - x[i]);
+    }
+    return chord;
+  }
+
+  /**
+   * Returns the slopes of chords with two more at each end, by Akima's parabola; equal ones if
+   * there is one chord only. Chord i of the points is element i + 2.
+   */
+  static double[] extended(double[] chord) {
     int n = chord.length + 1;
     double[] m = new double[n + 3];
+    if (n == 2) {
+      Arrays.fill(m, chord[0]);
+      return m;
+    }
     System.arraycopy(chord, 0, m, 2, chord.length);
     m[1] = 2 * m[2] - m[3];
     m[0] = 2 * m[1] - m[2];
     m[n + 1] = 2 * m[n] - m[n - 1];
     m[n + 2] = 2 * m[n + 1] - m[n];
-    double[] slope = new double[n];
-    for (int i = 0; i < n; i++) {
+    return m;
+  }
+
+  /** Returns Akima's weight of the chord before point i; the one behind it has the rest. */
+  static double weightBefore(double[] extended, int i) {
+    double after = Math.abs(extended[i + 3] - extended[i + 2]);
+    double before = Math.abs(extended[i + 1] - extended[i]);
+    return after + before == 0 ? 0.5 : after / (after + before);
+  }
+
+  private static double[] akima(double[] chord) {
+    double[] m = extended(chord);
+    double[] slope = new double[chord.length + 1];
+    for (int i = 0; i < slope.length; i++) {
       double after = Math.abs(m[i + 3] - m[i + 2]);
       double before = Math.abs(m[i + 1] - m[i]);
       slope[i] =
@@ -127,43 +154,32 @@ public final class TableCurve implements TapeStep {
     return slope;
   }
 
-  /** Returns the number of points. */
-  public int pointCount() {
-    return knots.length;
-  }
-
   /** Returns whether there are no values beyond the ends. */
   public boolean isBounded() {
     return bounded;
   }
 
-  /** Returns the argument of a point. */
-  public double knot(int point) {
-    return knots[point];
+  /** Returns the arguments of the points, ascending; a copy. */
+  public double[] knots() {
+    return knots.clone();
   }
 
   /**
-   * Returns a number of a polynomial.
+   * Returns one number of all polynomials, by how many points are not above the argument: one more
+   * than there are points.
    *
-   * @param place how many points are not above the argument: 0 to {@link #pointCount}
    * @param number 0: the origin; 1 to 4: c0 to c3
    */
-  public double number(int place, int number) {
-    return polynomials[NUMBERS * place + number];
+  public double[] numbers(int number) {
+    double[] all = new double[knots.length + 1];
+    for (int place = 0; place < all.length; place++) {
+      all[place] = polynomials[NUMBERS * place + number];
+    }
+    return all;
   }
 
   private int polynomialAt(double x) {
-    int low = 0;
-    int high = knots.length;
-    while (low < high) {
-      int middle = (low + high) >>> 1;
-      if (knots[middle] <= x) {
-        low = middle + 1;
-      } else {
-        high = middle;
-      }
-    }
-    return NUMBERS * low;
+    return NUMBERS * (int) NumberTable.interval(knots, 0, knots.length, x);
   }
 
   /** Returns the value at an argument. */

@@ -36,7 +36,7 @@ final class TapeCompiler {
   private final IdentityHashMap<Expression, Integer> done = new IdentityHashMap<>();
   private final Map<Expression, Integer> slotOfLeaf = new HashMap<>();
   private final Map<Double, Integer> slotOfConstant = new HashMap<>();
-  private final Map<Table, TapeStep> curves = new HashMap<>();
+  private final Map<PointFunction, TapeStep> curves = new HashMap<>();
   private final Map<Step, Integer> slotOfStep = new HashMap<>();
 
   /** Compiles without recursion: a sum of thousands of terms is a tree as deep. */
@@ -74,7 +74,7 @@ final class TapeCompiler {
     } else if (expression instanceof Call call) {
       return call.arguments();
     } else if (expression instanceof TableValue value) {
-      return List.of(value.argument());
+      return value.arguments();
     }
     return List.of();
   }
@@ -150,7 +150,7 @@ final class TapeCompiler {
     } else if (expression instanceof Call call) {
       return operation(call.function());
     } else if (expression instanceof TableValue value) {
-      return curves.computeIfAbsent(value.table(), Table::curve);
+      return curves.computeIfAbsent(value.table(), PointFunction::step);
     }
     return Operation.NEGATE;
   }

@@ -92,7 +92,7 @@ final class TimeJumps {
     } else if (expression instanceof Negation negation) {
       return List.of(negation.operand());
     } else if (expression instanceof TableValue value) {
-      return List.of(value.argument());
+      return value.arguments();
     }
     return List.of();
   }
@@ -141,12 +141,14 @@ final class TimeJumps {
     }
   }
 
-  /** Adds the times at which the slope or the curvature of a table jumps. */
+  /** Adds the times at which the slope or the curvature of a table or map jumps. */
   private void corners(TableValue value) {
-    List<Double> points = value.table().x();
-    line(value.argument())
-        .filter(line -> line.slope() != 0)
-        .ifPresent(line -> points.forEach(point -> add(line.where(point))));
+    for (int i = 0; i < value.arguments().size(); i++) {
+      List<Double> points = value.table().grid().get(i);
+      line(value.arguments().get(i))
+          .filter(line -> line.slope() != 0)
+          .ifPresent(line -> points.forEach(point -> add(line.where(point))));
+    }
   }
 
   private void addMeeting(Line one, Line other) {

@@ -1,5 +1,7 @@
 package org.mechservice.solver.analysis;
 
+import java.util.List;
+import java.util.Optional;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.force.user.UserForceSource;
 
@@ -7,22 +9,28 @@ import org.mechservice.solver.force.user.UserForceSource;
 public abstract class EquilibriumSource extends ExtendedSource {
   private final double tolerance;
   private final int mostCorrections;
+  private final Optional<Trim> trim;
 
   /**
    * @param options largest residual force relative to the largest force, and largest number of
-   *     corrections, separated by a blank
+   *     corrections, separated by a blank, then the words of a trim problem, if one is asked for
    * @param groups labels of the columns' groups, separated by commas
    */
   protected EquilibriumSource(String options, String groups) {
     super(groups);
-    int blank = options.indexOf(' ');
-    tolerance = Double.parseDouble(options.substring(0, blank));
-    mostCorrections = Integer.parseInt(options.substring(blank + 1));
+    List<String> words = List.of(options.split(" ", -1));
+    tolerance = Double.parseDouble(words.get(0));
+    mostCorrections = Integer.parseInt(words.get(1));
+    trim =
+        words.size() > 2 ? Optional.of(Trim.of(words.subList(2, words.size()))) : Optional.empty();
   }
 
-  /** {@inheritDoc} Motions are held at their start values. */
+  /** {@inheritDoc} Motions are held at their start values, unless a trim problem is solved. */
   @Override
   final CompactModel prepared(CompactModel data) {
+    if (trim.isPresent()) {
+      return data;
+    }
     return new CompactModel(
         HeldMotions.at(data.mechanism(), data.settings().tStart()),
         data.formulation(),
@@ -33,6 +41,6 @@ public abstract class EquilibriumSource extends ExtendedSource {
 
   @Override
   protected final Object bare(CompactModel data, UserForceSource userForces) {
-    return new EquilibriumModel(data, tolerance, mostCorrections, userForces);
+    return new EquilibriumModel(data, tolerance, mostCorrections, trim, userForces);
   }
 }

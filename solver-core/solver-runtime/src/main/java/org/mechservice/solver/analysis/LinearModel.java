@@ -26,9 +26,10 @@ import org.mechservice.solver.mechanism.FurtherState;
 import org.mechservice.solver.system.LinearSystem;
 
 /**
- * Small motions of a mechanism about its start or an equilibrium, as a table: one row per mode with
- * eigenvalue, frequency, damping ratio and shape; or one row per equation with the elements of M, C
- * and K; or what {@link SystemTables} writes of the system from inputs to outputs.
+ * Small motions of a mechanism about its start, an equilibrium or a trimmed state, as a table: one
+ * row per mode with eigenvalue, frequency, damping ratio and shape; or one row per equation with
+ * the elements of M, C and K; or what {@link SystemTables} writes of the system from inputs to
+ * outputs.
  */
 final class LinearModel implements ResultTable, RunNotes {
   /** Defaults of a static simulation in MechML. */
@@ -39,6 +40,7 @@ final class LinearModel implements ResultTable, RunNotes {
   private final CompactModel data;
   private final UserForceSource userForces;
   private final boolean atEquilibrium;
+  private final Optional<Trim> trim;
   private final LinearResult result;
   private final List<FurtherState> changing;
   private final ModelDescription description;
@@ -54,7 +56,12 @@ final class LinearModel implements ResultTable, RunNotes {
   private double[] a;
 
   LinearModel(
-      CompactModel data, boolean atEquilibrium, LinearResult result, UserForceSource userForces) {
+      CompactModel data,
+      boolean atEquilibrium,
+      Optional<Trim> trim,
+      LinearResult result,
+      UserForceSource userForces) {
+    this.trim = trim;
     this.data = data;
     this.userForces = userForces;
     this.atEquilibrium = atEquilibrium;
@@ -116,7 +123,7 @@ final class LinearModel implements ResultTable, RunNotes {
 
   @Override
   public int tabulate(double t, ResultSink sink) throws IOException {
-    boolean found = atEquilibrium ? rest(t) : start(t);
+    boolean found = trim.isPresent() ? trimmed(t) : atEquilibrium ? rest(t) : start(t);
     if (!found) {
       return Defects.DEFECT;
     }
@@ -132,7 +139,39 @@ final class LinearModel implements ResultTable, RunNotes {
     }
   }
 
+  private boolean trimmed(double t) {
+    return at(new TrimPoint(data, userForces, trim.orElseThrow(), false), t);
+  }
+
+  private boolean at(TrimPoint point, double t) {
+    boolean found = point.find(t);
+    notes.addAll(point.notes());
+    if (!found) {
+      fail(point.defect());
+      return false;
+    }
+    equations = point.equations();
+    y = point.state();
+    a = point.accelerations();
+    return true;
+  }
+
   private boolean rest(double t) {
+    if (!changing.isEmpty()) {
+      CompactModel held =
+          new CompactModel(
+              HeldMotions.at(data.mechanism(), t),
+              data.formulation(),
+              data.closure(),
+              data.settings(),
+              data.outputs());
+      TrimPoint point = new TrimPoint(held, userForces, Trim.ofRest(data.mechanism()), true);
+      boolean found = at(point, t);
+      if (found) {
+        notes.addAll(EquilibriumModel.judged(point, t));
+      }
+      return found;
+    }
     StaticEquilibrium equilibrium =
         new StaticEquilibrium(data.mechanism(), userForces, TOLERANCE, MOST_CORRECTIONS);
     boolean found = equilibrium.find(t);

@@ -38,6 +38,11 @@ record LinearResult(Kind kind, double from, double to, int points) {
         : new LinearResult(kind, 0, 0, 0);
   }
 
+  /** Returns the number of words after the kind. */
+  int frequencies() {
+    return kind == Kind.RESPONSE ? 3 : 0;
+  }
+
   /** Returns whether it is computed from A, B, C and D. */
   boolean isOfSystem() {
     return kind == Kind.SYSTEM || kind == Kind.RESPONSE || kind == Kind.ZEROS;

@@ -157,7 +157,7 @@ final class StaticEquilibrium {
     double trust = FIRST_TRUST;
     for (int i = 0; i <= most && trust > LEAST_TRUST; i++) {
       if (unbalanced(linear) <= tolerance) {
-        judge(t, linear);
+        notes.addAll(judged(equations, t, linear));
         return true;
       }
       if (i == most) {
@@ -367,11 +367,13 @@ final class StaticEquilibrium {
     return false;
   }
 
-  /** Adds a note if the equilibrium is unstable or not isolated. */
-  private void judge(double t, Linearisation linear) {
+  /** Returns notes if an equilibrium is unstable or not isolated. */
+  static List<Note> judged(EquationsOfMotion equations, double t, Linearisation linear) {
+    List<Note> notes = new ArrayList<>();
+    CoordinateNames names = new CoordinateNames(equations.tree.mechanism());
     double[] system = linear.freedom() == 0 ? new double[0] : linear.system();
     if (system.length == 0) {
-      return;
+      return notes;
     }
     Modes modes = new Modes(linear, linear.changing(system));
     double largest = 0;
@@ -392,24 +394,26 @@ final class StaticEquilibrium {
               "The equilibrium is unstable: a small disturbance grows with %.3g/s, most of all in"
                   + " %s.",
               modes.growth(growing),
-              names.part(mostMoved(modes, growing)));
+              names.part(mostMoved(equations, linear, modes, growing)));
       notes.add(new Note(MessageCode.UNSTABLE_EQUILIBRIUM, t, true, text));
     }
     if (neutral >= 0) {
       String text =
           "The equilibrium is not the only one: nothing brings "
-              + names.part(mostMoved(modes, neutral))
+              + names.part(mostMoved(equations, linear, modes, neutral))
               + " back.";
       notes.add(new Note(MessageCode.EQUILIBRIUM_NOT_UNIQUE, t, true, text));
     }
+    return notes;
   }
 
-  private int mostMoved(Modes modes, int k) {
-    double[] re = new double[equations.nv];
-    double[] im = new double[equations.nv];
+  private static int mostMoved(
+      EquationsOfMotion equations, Linearisation linear, Modes modes, int k) {
+    double[] re = new double[equations.nv + linear.changingCount()];
+    double[] im = new double[re.length];
     modes.shape(k, equations.unit, re, im);
     int most = 0;
-    for (int i = 1; i < re.length; i++) {
+    for (int i = 1; i < equations.nv; i++) {
       if (Math.abs(re[i]) / equations.unit[i] > Math.abs(re[most]) / equations.unit[most]) {
         most = i;
       }

@@ -8,14 +8,24 @@ import org.mechservice.solver.api.TunableParameter;
 import org.mechservice.solver.dynamics.event.WrittenValues;
 import org.mechservice.solver.force.user.UserForceSource;
 
-/** Superclass of the class of a model in compact form, which adds the data. */
+/**
+ * Superclass of the class of a model in compact form, which adds the data. An instance reads its
+ * texts once, however many models it makes; may be used by several threads.
+ */
 public abstract class CompactSource implements ModelSource {
+  private volatile Optional<CompactModel> read = Optional.empty();
+
   /** Returns the texts of {@link CompactModel#texts} that were written into the class. */
   protected abstract String[] texts();
 
   /** Returns the data. */
   protected final CompactModel data() {
-    return CompactModel.of(List.of(texts()));
+    Optional<CompactModel> known = read;
+    if (known.isEmpty()) {
+      known = Optional.of(CompactModel.of(List.of(texts())));
+      read = known;
+    }
+    return known.get();
   }
 
   /** Returns the source of user forces, which loads their classes with this class's loader. */

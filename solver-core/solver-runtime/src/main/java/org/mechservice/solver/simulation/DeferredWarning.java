@@ -5,19 +5,23 @@ import java.util.List;
 import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.api.run.RunNotes.Note;
 import org.mechservice.solver.api.run.RunReport;
+import org.mechservice.solver.api.run.RunRequest;
 
 /** A warning that can be decided only at the end of a run. */
 final class DeferredWarning {
   private DeferredWarning() {}
 
   /**
-   * Returns the report with the warning after its other notes. A strict run that was completed
-   * fails with it.
+   * Returns the report with the warning after its other notes, unless the request silences it. A
+   * strict run that was completed fails with it.
    */
-  static RunReport added(RunReport report, Note warning, boolean strict) {
+  static RunReport added(RunReport report, Note warning, RunRequest request) {
+    if (request.silenced().contains(warning.code())) {
+      return report;
+    }
     List<Note> notes = new ArrayList<>(report.notes());
     notes.add(warning);
-    boolean ended = strict && report.outcome() instanceof Outcome.Completed;
+    boolean ended = request.strict() && report.outcome() instanceof Outcome.Completed;
     return new RunReport(
         ended ? new Outcome.Failed(FailureText.ofStrict(warning)) : report.outcome(),
         report.model(),

@@ -9,6 +9,7 @@ import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.RunNotes.Note;
 import org.mechservice.solver.api.run.RunReport;
+import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
 
@@ -58,9 +59,9 @@ final class MotionObserver implements ResultSink {
   }
 
   /** Returns the report of the run with the warning, if there is one to give. */
-  RunReport completed(RunReport report, boolean strict) {
+  RunReport completed(RunReport report, RunRequest request) {
     return warning(report.settings(), report.timeReached())
-        .map(warning -> DeferredWarning.added(report, warning, strict))
+        .map(warning -> DeferredWarning.added(report, warning, request))
         .orElse(report);
   }
 

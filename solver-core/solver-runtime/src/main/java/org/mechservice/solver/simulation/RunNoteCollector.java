@@ -3,6 +3,7 @@ package org.mechservice.solver.simulation;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.capability.MomentumBalance;
 import org.mechservice.solver.api.run.RunNotes;
@@ -21,6 +22,7 @@ final class RunNoteCollector {
   private final RunEvents events;
   private final Integrator integrator;
   private final Optional<MomentumBalance> momentum;
+  private final Set<MessageCode> silenced;
 
   /** Notes of the model in the checkpoint of a resumed run. */
   private final List<Note> notedBefore = new ArrayList<>();
@@ -30,7 +32,9 @@ final class RunNoteCollector {
       RowWriter rows,
       RunEvents events,
       Integrator integrator,
-      Optional<MomentumBalance> momentum) {
+      Optional<MomentumBalance> momentum,
+      Set<MessageCode> silenced) {
+    this.silenced = silenced;
     this.momentum = momentum;
     this.model = model;
     this.rows = rows;
@@ -38,13 +42,14 @@ final class RunNoteCollector {
     this.integrator = integrator;
   }
 
-  /** Returns all notes so far. */
+  /** Returns all notes so far but silenced warnings. */
   List<Note> all() {
     List<Note> notes = ofModel();
     notes.addAll(rows.notes());
     notes.addAll(events.notes());
     notes.addAll(MethodNotes.of(integrator));
     momentum.ifPresent(balance -> notes.add(balance.note()));
+    notes.removeIf(note -> silenced.contains(note.code()));
     return notes;
   }
 

@@ -50,7 +50,7 @@ public final class RuntimeSolver implements Solver {
     RunReport report =
         new Simulation(integrator(name), formOf(model, name))
             .run(model, request, seen, control, checkpoints);
-    RunReport judged = seen.completed(report, request.strict());
+    RunReport judged = seen.completed(report, request);
     return EnergyDriftWarning.added(judged, model, request);
   }
 

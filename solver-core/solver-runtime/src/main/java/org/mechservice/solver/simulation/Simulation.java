@@ -179,7 +179,7 @@ public final class Simulation implements Solver {
       work =
           new WorkMeter(
               equations, integrator, model, rows.measuresWork(), momentum, settings.tStart());
-      notes = new RunNoteCollector(model, rows, events, integrator, momentum);
+      notes = new RunNoteCollector(model, rows, events, integrator, momentum, request.silenced());
       failures = new RunFailures(equations, events, integrator, rows, momentum, request);
       y = new double[equations.dimension()];
       yDot = new double[equations.dimension()];

@@ -3,6 +3,7 @@ package org.mechservice.sim.emit.bytes;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
+import org.mechservice.sim.emit.method.ConstantTable;
 import org.mechservice.sim.emit.method.IndexExpression;
 import org.mechservice.sim.emit.method.LocalSlots;
 import org.mechservice.sim.emit.method.MethodSignature;
@@ -10,6 +11,7 @@ import org.mechservice.sim.emit.method.ParameterSlots;
 import org.mechservice.sim.emit.method.StackCode;
 import org.mechservice.sim.emit.method.ValueLocation;
 import org.mechservice.sim.symbolic.MathFunction;
+import org.mechservice.sim.symbolic.NumberRow;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarOperation;
 import org.mechservice.solver.api.capability.ExplicitModel;
@@ -24,14 +26,25 @@ final class MethodBytes implements StackCode.Machine {
   private final ParameterSlots parameters;
   private final LocalSlots locals;
   private final NumberInstructions numbers;
+  private final String className;
+  private final ConstantTable constants;
   private final int workspace;
 
   /**
    * @param head names of the program's inputs and outputs
    * @param parameters slots of the method
+   * @param className internal name of the class
+   * @param constants the numbers in the static array of the class
    */
   MethodBytes(
-      MethodVisitor code, MethodSignature head, ParameterSlots parameters, LocalSlots locals) {
+      MethodVisitor code,
+      MethodSignature head,
+      ParameterSlots parameters,
+      LocalSlots locals,
+      String className,
+      ConstantTable constants) {
+    this.className = className;
+    this.constants = constants;
     this.code = code;
     this.head = head;
     this.parameters = parameters;
@@ -90,8 +103,16 @@ final class MethodBytes implements StackCode.Machine {
   }
 
   @Override
+  public void pushRow(NumberRow row) {
+    code.visitFieldInsn(Opcodes.GETSTATIC, className, ConstantTable.FIELD, "[D");
+    numbers.push(constants.placeOf(row));
+    numbers.push(row.size());
+  }
+
+  @Override
   public void call(MathFunction function) {
-    String descriptor = "(" + "D".repeat(function.arity()) + ")D";
+    String row = function.readsRow() ? "[DII" : "";
+    String descriptor = "(" + row + "D".repeat(function.arity()) + ")D";
     code.visitMethodInsn(
         Opcodes.INVOKESTATIC, function.owner(), function.method(), descriptor, false);
   }

@@ -90,7 +90,7 @@ public final class ProgramBytes {
     }
     MethodPlan only = plan.isOneMethod() ? plan.methods().get(0) : MethodPlan.EMPTY;
     LocalSlots locals = LocalSlots.of(only, parameters.end());
-    MethodBytes body = new MethodBytes(code, head, parameters, locals);
+    MethodBytes body = body(code, parameters, locals);
     first.write(code, parameters);
     angles(code, body, parameters);
     StackCode.emit(only, body);
@@ -103,6 +103,10 @@ public final class ProgramBytes {
     if (!plan.isOneMethod()) {
       parts();
     }
+  }
+
+  private MethodBytes body(MethodVisitor code, ParameterSlots parameters, LocalSlots locals) {
+    return new MethodBytes(code, head, parameters, locals, className, plan.constants());
   }
 
   private static void end(MethodVisitor code, MethodBytes body, boolean returnsResult) {
@@ -271,9 +275,7 @@ public final class ProgramBytes {
     for (int i = 0; i < angleParts.size(); i++) {
       ParameterSlots parameters = ParameterSlots.ofPart(head, plan.arguments(head), fields, 0);
       MethodVisitor code = begin(head.anglesName(i), false, 0);
-      MethodBytes body =
-          new MethodBytes(
-              code, head, parameters, LocalSlots.of(MethodPlan.EMPTY, parameters.end()));
+      MethodBytes body = body(code, parameters, LocalSlots.of(MethodPlan.EMPTY, parameters.end()));
       angles(code, body, parameters, angleParts.get(i));
       end(code, body, false);
     }
@@ -286,8 +288,7 @@ public final class ProgramBytes {
       ParameterSlots parameters = ParameterSlots.ofPart(head, plan.arguments(head), fields, 0);
       MethodVisitor code = begin(partName(i), checks, 0);
       steps(code, parameters, parts.get(i));
-      MethodBytes body =
-          new MethodBytes(code, head, parameters, LocalSlots.of(MethodPlan.EMPTY, 0));
+      MethodBytes body = body(code, parameters, LocalSlots.of(MethodPlan.EMPTY, 0));
       end(code, body, checks);
     }
     for (int i = 0; i < plan.methods().size(); i++) {
@@ -297,7 +298,7 @@ public final class ProgramBytes {
           ParameterSlots.ofPart(head, plan.arguments(head), fields, wholeNumbers);
       MethodVisitor code = begin(methodName(i), method.checks(), wholeNumbers);
       LocalSlots locals = LocalSlots.of(method, parameters.end());
-      MethodBytes body = new MethodBytes(code, head, parameters, locals);
+      MethodBytes body = body(code, parameters, locals);
       StackCode.emit(method, body);
       end(code, body, method.checks());
     }

@@ -6,7 +6,7 @@ import org.mechservice.sim.emit.method.NumberText;
 import org.mechservice.sim.emit.source.SourceLines;
 
 /** Writes constant arrays in C; one without elements gets a zero, since C has no empty arrays. */
-final class CArrays {
+public final class CArrays {
   private static final int NUMBERS_PER_LINE = 12;
 
   private final SourceLines source;
@@ -50,7 +50,7 @@ final class CArrays {
   }
 
   /** Returns a literal in UTF-8 by octal escapes, which no following digit joins. */
-  static String literal(String text) {
+  public static String literal(String text) {
     StringBuilder literal = new StringBuilder("\"");
     for (byte b : text.getBytes(StandardCharsets.UTF_8)) {
       boolean plain = b >= ' ' && b <= '~' && b != '"' && b != '\\' && b != '?';

@@ -119,6 +119,19 @@ final class CHeader {
         "close(@ *m, double t, double *x, const unsigned char *set)",
         "Closes loops of a state that may be far from them, such as changed start values; what is"
             + " marked in set (NULL: nothing) is kept as far as possible. Returns as project.");
+    if (model.motion() instanceof CLoops) {
+      function(
+          "int",
+          "complete(@ *m, double t, double *x, const unsigned char *given, double *pivot)",
+          "Computes all coordinates from those of the velocities that are marked in given (one"
+              + " mark for each velocity), by Newton's method from the values that the others have."
+              + " Returns 1, or -1 if that fails; *pivot tells how well they are determined: 0 not"
+              + " at all, 1 best.");
+      function(
+          "int",
+          "choose(@ *m, double t, const double *x, unsigned char *given)",
+          "Marks velocities that determine all others at a state. Returns the number of others.");
+    }
     function(
         "void",
         "accepted(@ *m, double t, const double *x)",
@@ -149,7 +162,10 @@ final class CHeader {
         "Records that the run goes on behind the jump at t, and changes the state there: samples,"
             + " and impulses where a prescribed velocity jumps. Returns 1 if the state changed, 0,"
             + " or -1.");
-    function("const char *", "failure(const @ *m)", "Returns why the last evaluation failed.");
+    function(
+        "const char *",
+        "failure(const @ *m)",
+        "Returns why the last evaluation failed; empty if it did not.");
     line("#endif");
     return text.toString();
   }

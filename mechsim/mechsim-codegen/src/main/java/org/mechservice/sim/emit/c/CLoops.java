@@ -24,6 +24,8 @@ import org.mechservice.solver.closure.PenaltySettings;
  * @param placeRounding rounding error of places relative to the mechanism, for each equation
  * @param unit unit of each velocity, a length of the mechanism or 1
  * @param penalty α, Ω and μ
+ * @param rank number of independent equations
+ * @param isHolonomic whether all equations restrict positions
  */
 public record CLoops(
     Program loops,
@@ -37,7 +39,9 @@ public record CLoops(
     List<Double> size,
     List<Double> placeRounding,
     List<Double> unit,
-    PenaltySettings penalty)
+    PenaltySettings penalty,
+    int rank,
+    boolean isHolonomic)
     implements CMotion {
 
   public CLoops {

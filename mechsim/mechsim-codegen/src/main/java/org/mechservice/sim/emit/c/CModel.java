@@ -29,7 +29,7 @@ public final class CModel {
 
   private static final List<String> COPIED_WITH_LOOPS = List.of("mech_loops.h", "mech_loops.c");
 
-  /** Names with whose ending {@code _t} C declares types, and names of other files. */
+  /** Names with whose ending {@code _t} C and POSIX declare types, and names of other files. */
   private static final Set<String> TAKEN =
       Set.of(
           "size",
@@ -44,9 +44,39 @@ public final class CModel {
           "time",
           "clock",
           "off",
+          "blkcnt",
+          "blksize",
+          "clockid",
+          "dev",
+          "fsid",
+          "gid",
+          "id",
+          "ino",
+          "key",
+          "loff",
+          "mode",
+          "nlink",
+          "pid",
+          "quad",
+          "register",
+          "sigset",
+          "suseconds",
+          "timer",
+          "u_quad",
+          "uid",
+          "useconds",
           "fpos",
           "sig_atomic",
           "max_align",
+          "math",
+          "string",
+          "stdio",
+          "stdlib",
+          "stdarg",
+          "stddef",
+          "stdint",
+          "limits",
+          "errno",
           "example");
 
   /** Beginnings of the names of whole-number types, and of the files copied beside the model. */
@@ -165,15 +195,18 @@ public final class CModel {
     return outputs;
   }
 
-  Mechanism mechanism() {
+  /** Returns the mechanism. */
+  public Mechanism mechanism() {
     return mechanism;
   }
 
-  ModelDescription description() {
+  /** Returns its joints, states and settings. */
+  public ModelDescription description() {
     return description;
   }
 
-  CMotion motion() {
+  /** Returns what gives the derivative of the state. */
+  public CMotion motion() {
     return motion;
   }
 

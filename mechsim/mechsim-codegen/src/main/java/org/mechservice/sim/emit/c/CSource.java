@@ -369,6 +369,25 @@ final class CSource {
       source.line("(void)set;").line("return " + name + "_project(m, t, x);");
     }
     source.close();
+    if (model.motion() instanceof CLoops) {
+      complete();
+    }
+  }
+
+  /** Writes the functions that separate independent coordinates from the others. */
+  private void complete() {
+    String given = "unsigned char *given";
+    open(
+        "int ",
+        "complete",
+        instance() + ", double t, double *x, const " + given + ", double *pivot");
+    beside();
+    normalizeSets();
+    closed("mech_loops_complete(&LOOPS, m, m->loop, t, x, given, pivot)");
+    source.close();
+    open("int ", "choose", instance() + ", double t, const double *x, " + given);
+    beside();
+    source.line("return mech_loops_choose(&LOOPS, m, m->loop, t, x, given);").close();
   }
 
   private void failure() {
@@ -399,7 +418,7 @@ final class CSource {
     source.open("if (m->failure >= 0)").line("return JOINTS[m->failure];").close();
     source.open("if (m->failure <= " + DirectedForces.FIRST + ")");
     source.line("return FORCES[" + DirectedForces.FIRST + " - m->failure];").close();
-    source.line("return \"nothing has failed\";").close();
+    source.line("return \"\";").close();
   }
 
   private List<Integer> jointsOfVelocities() {

@@ -110,6 +110,11 @@ final class CSyntax implements Syntax {
   }
 
   @Override
+  public String row(int first, int count) {
+    return ConstantTable.FIELD + " + " + first + ", " + count;
+  }
+
+  @Override
   public String function(MathFunction function) {
     return PREFIX + function.name().toLowerCase(Locale.ROOT);
   }

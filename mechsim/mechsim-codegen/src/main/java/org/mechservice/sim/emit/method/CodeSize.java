@@ -3,6 +3,7 @@ package org.mechservice.sim.emit.method;
 import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.sim.symbolic.MathFunction;
+import org.mechservice.sim.symbolic.NumberRow;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarOperation;
@@ -139,6 +140,11 @@ public final class CodeSize implements StackCode.Machine {
   @Override
   public void operate(ScalarOperation operation) {
     bytes += operation == ScalarOperation.SQUARE_ROOT ? CALL : 1;
+  }
+
+  @Override
+  public void pushRow(NumberRow row) {
+    bytes += CALL + 2 * NUMBER;
   }
 
   @Override

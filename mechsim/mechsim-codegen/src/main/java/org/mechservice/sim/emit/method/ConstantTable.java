@@ -1,10 +1,20 @@
 package org.mechservice.sim.emit.method;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import org.mechservice.sim.symbolic.NumberRow;
+import org.mechservice.sim.symbolic.Program;
+import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.sim.symbolic.ScalarOperation;
 import org.mechservice.solver.spatial.NumberTable;
 
-/** The constants in which calls of one method differ, packed into one table of the class. */
+/**
+ * The numbers of a class that are no literals: the constants in which calls of one method differ,
+ * and the rows that programs search, each once.
+ */
 public final class ConstantTable {
   /** The class of the solver that reads the table from its texts. */
   public static final Class<?> READER = NumberTable.class;
@@ -19,6 +29,7 @@ public final class ConstantTable {
   private static final int LONGEST_TEXT = 16_000;
 
   private final List<Double> numbers = new ArrayList<>();
+  private final Map<NumberRow, Integer> rows = new HashMap<>();
 
   /** Appends numbers and returns where the first of them is. */
   public int add(List<Double> row) {
@@ -26,7 +37,32 @@ public final class ConstantTable {
     return numbers.size() - row.size();
   }
 
-  /** Removes the constants added beyond a size. */
+  /** Appends the rows that a program reads and that are not here yet. */
+  public void addRows(Program program) {
+    int[] uses = program.uses();
+    for (int id = 0; id < uses.length; id++) {
+      Scalar node = program.expressions().node(id);
+      if (uses[id] > 0
+          && node.operation() == ScalarOperation.FUNCTION
+          && node.function().readsRow()) {
+        rows.computeIfAbsent(node.row(), this::append);
+      }
+    }
+  }
+
+  private int append(NumberRow row) {
+    for (int i = 0; i < row.size(); i++) {
+      numbers.add(row.at(i));
+    }
+    return numbers.size() - row.size();
+  }
+
+  /** Returns where the first number of a row is. */
+  public int placeOf(NumberRow row) {
+    return Objects.requireNonNull(rows.get(row), "a row that was not added");
+  }
+
+  /** Removes the constants added beyond a size, which no row is. */
   public void cutBack(int size) {
     numbers.subList(size, numbers.size()).clear();
   }

@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.mechservice.sim.symbolic.MathFunction;
+import org.mechservice.sim.symbolic.NumberRow;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarOperation;
 
@@ -125,6 +126,9 @@ public final class LocalSlots {
 
     @Override
     public void operate(ScalarOperation operation) {}
+
+    @Override
+    public void pushRow(NumberRow row) {}
 
     @Override
     public void call(MathFunction function) {}

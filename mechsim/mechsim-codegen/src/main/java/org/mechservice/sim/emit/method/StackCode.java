@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import org.mechservice.sim.symbolic.MathFunction;
+import org.mechservice.sim.symbolic.NumberRow;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarOperation;
 
@@ -34,6 +35,9 @@ public final class StackCode {
 
     /** Pops the operands of an operation and pushes its result. */
     void operate(ScalarOperation operation);
+
+    /** Pushes the array of constants, and place and number of a row's elements in it. */
+    void pushRow(NumberRow row);
 
     /** Pops the arguments of a function and pushes its result. */
     void call(MathFunction function);
@@ -164,6 +168,9 @@ public final class StackCode {
       case ADD, SUBTRACT, MULTIPLY, DIVIDE -> binary(BinaryForm.of(node, method.places()));
       case NEGATE -> negate(node.first());
       default -> {
+        if (node.operation() == ScalarOperation.FUNCTION && node.function().readsRow()) {
+          machine.pushRow(node.row());
+        }
         List<Scalar> operands = node.operands();
         for (int i = 0; i < operands.size(); i++) {
           value(operands.get(i));

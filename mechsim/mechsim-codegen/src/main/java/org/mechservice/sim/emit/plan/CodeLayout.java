@@ -24,16 +24,18 @@ public final class CodeLayout {
    *
    * @param head the method that runs it
    * @param form the requested form
-   * @param table receives the constants in which calls of a method differ
+   * @param table receives the constants in which calls of a method differ, and the rows that the
+   *     program reads
    */
   public static ProgramPlan plan(
       Program program, MethodSignature head, CodeForm form, ConstantTable table) {
+    table.addRows(program);
     return switch (form) {
-      case STRAIGHT -> StraightLinePlanner.plan(program);
+      case STRAIGHT -> StraightLinePlanner.plan(program, table);
       case SHARED -> KernelPlanner.plan(program, head, table);
       case AUTO ->
           program.operationCount() < CodeForm.LEAST_OPERATIONS
-              ? StraightLinePlanner.plan(program)
+              ? StraightLinePlanner.plan(program, table)
               : shorter(program, head, table);
     };
   }
@@ -48,7 +50,7 @@ public final class CodeLayout {
           String.format(Locale.ROOT, "%.0f times shorter than as a straight line", gain));
     }
     table.cutBack(before);
-    return StraightLinePlanner.plan(program)
+    return StraightLinePlanner.plan(program, table)
         .because(
             String.format(
                 Locale.ROOT, "shared kernels would take %.0f %% of its code", 100 / gain));

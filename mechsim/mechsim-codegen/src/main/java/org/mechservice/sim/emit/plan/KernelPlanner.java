@@ -69,7 +69,7 @@ final class KernelPlanner {
     MethodPlanner planner = new MethodPlanner(program, usage, chunks, false);
     write(planner.methods());
     return new ProgramPlan(
-        program, usage, methods, CallSequence.of(calls), planner.slotCount(), "");
+        program, usage, methods, CallSequence.of(calls), planner.slotCount(), table, "");
   }
 
   private MethodPlan shape(MethodPlan method) {

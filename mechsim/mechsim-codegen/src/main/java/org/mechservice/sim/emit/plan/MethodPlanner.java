@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import org.mechservice.sim.emit.method.CallSequence;
+import org.mechservice.sim.emit.method.ConstantTable;
 import org.mechservice.sim.emit.method.IndexExpression;
 import org.mechservice.sim.emit.method.MethodPlan;
 import org.mechservice.sim.emit.method.Statement;
@@ -101,8 +102,12 @@ final class MethodPlanner {
     }
   }
 
-  /** Returns a plan that calls every method once. */
-  ProgramPlan plan() {
+  /**
+   * Returns a plan that calls every method once.
+   *
+   * @param table holds the rows that the program reads
+   */
+  ProgramPlan plan(ConstantTable table) {
     List<MethodPlan> methods = new ArrayList<>();
     List<CallSequence> steps = new ArrayList<>();
     for (MethodPlan method : methods()) {
@@ -111,7 +116,7 @@ final class MethodPlanner {
         methods.add(method);
       }
     }
-    return new ProgramPlan(program, usage, methods, steps, slots.count(), "");
+    return new ProgramPlan(program, usage, methods, steps, slots.count(), table, "");
   }
 
   /** Returns the length of workspace needed. */

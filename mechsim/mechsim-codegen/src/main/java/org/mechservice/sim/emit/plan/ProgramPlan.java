@@ -25,6 +25,7 @@ import org.mechservice.sim.symbolic.ScalarOperation;
  * @param methods methods that the steps call
  * @param steps steps after the sines and cosines, in order
  * @param slots required length of the workspace
+ * @param constants the numbers of the class, which holds the rows that the program reads
  * @param remark reason for the layout; empty if it needs none
  */
 public record ProgramPlan(
@@ -33,11 +34,12 @@ public record ProgramPlan(
     List<MethodPlan> methods,
     List<CallSequence> steps,
     int slots,
+    ConstantTable constants,
     String remark) {
 
   /** Returns the same with a remark. */
   ProgramPlan because(String why) {
-    return new ProgramPlan(program, usage, methods, steps, slots, why);
+    return new ProgramPlan(program, usage, methods, steps, slots, constants, why);
   }
 
   /** Returns whether parts of the program share methods. */

@@ -2,6 +2,7 @@ package org.mechservice.sim.emit.plan;
 
 import java.util.function.IntFunction;
 import org.mechservice.sim.emit.method.CodeSize;
+import org.mechservice.sim.emit.method.ConstantTable;
 import org.mechservice.sim.emit.method.MethodPlan;
 import org.mechservice.sim.symbolic.Program;
 
@@ -22,13 +23,17 @@ final class StraightLinePlanner {
 
   private StraightLinePlanner() {}
 
-  /** Plans a program. */
-  static ProgramPlan plan(Program whole) {
+  /**
+   * Plans a program.
+   *
+   * @param table holds the rows that it reads
+   */
+  static ProgramPlan plan(Program whole, ConstantTable table) {
     return within(
         limit -> {
           SectionSplitter.Division division = SectionSplitter.divided(whole, limit);
           int[] chunks = chunks(division.bytes(), limit);
-          return new MethodPlanner(division.program(), division.usage(), chunks, true).plan();
+          return new MethodPlanner(division.program(), division.usage(), chunks, true).plan(table);
         });
   }
 

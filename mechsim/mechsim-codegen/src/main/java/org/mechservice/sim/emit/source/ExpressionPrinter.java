@@ -3,6 +3,7 @@ package org.mechservice.sim.emit.source;
 import java.util.Map;
 import java.util.OptionalDouble;
 import org.mechservice.sim.emit.method.BinaryForm;
+import org.mechservice.sim.emit.method.ConstantTable;
 import org.mechservice.sim.emit.method.MethodPlan;
 import org.mechservice.sim.emit.method.MethodSignature;
 import org.mechservice.sim.emit.method.NumberText;
@@ -22,6 +23,7 @@ final class ExpressionPrinter {
   private final MethodSignature head;
   private final LocalNames names;
   private final NumberText numbers;
+  private final ConstantTable constants;
   private final Syntax syntax;
 
   /**
@@ -29,13 +31,16 @@ final class ExpressionPrinter {
    * @param head the method that has the inputs as parameters
    * @param names names of local variables
    * @param numbers writes constants
+   * @param constants holds the rows that functions read
    */
   ExpressionPrinter(
       MethodPlan method,
       MethodSignature head,
       LocalNames names,
       NumberText numbers,
+      ConstantTable constants,
       Syntax syntax) {
+    this.constants = constants;
     this.syntax = syntax;
     this.places = method.places();
     this.originals = method.originals();
@@ -101,6 +106,9 @@ final class ExpressionPrinter {
 
   private String call(Scalar node) {
     StringBuilder text = new StringBuilder(syntax.function(node.function())).append('(');
+    if (node.function().readsRow()) {
+      text.append(syntax.row(constants.placeOf(node.row()), node.row().size())).append(", ");
+    }
     for (int i = 0; i < node.operands().size(); i++) {
       text.append(i == 0 ? "" : ", ").append(value(node.operands().get(i)));
     }

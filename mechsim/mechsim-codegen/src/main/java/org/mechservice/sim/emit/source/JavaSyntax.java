@@ -53,6 +53,11 @@ final class JavaSyntax implements Syntax {
   }
 
   @Override
+  public String row(int first, int count) {
+    return ConstantTable.FIELD + ", " + first + ", " + count;
+  }
+
+  @Override
   public String function(MathFunction function) {
     String owner = function.owner();
     return owner.substring(owner.lastIndexOf('/') + 1) + "." + function.method();

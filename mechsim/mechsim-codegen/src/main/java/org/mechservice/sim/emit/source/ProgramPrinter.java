@@ -124,7 +124,7 @@ public final class ProgramPrinter {
   }
 
   private ExpressionPrinter printer(MethodPlan method) {
-    return new ExpressionPrinter(method, head, names, numbers, syntax);
+    return new ExpressionPrinter(method, head, names, numbers, plan.constants(), syntax);
   }
 
   /** Writes the angles, or calls of the methods that compute them. */

@@ -36,6 +36,9 @@ public interface Syntax {
 
   String squareRoot(String value);
 
+  /** Returns the arguments that tell a function where the numbers of a row are. */
+  String row(int first, int count);
+
   /** Returns the name by which a function is called. */
   String function(MathFunction function);
 

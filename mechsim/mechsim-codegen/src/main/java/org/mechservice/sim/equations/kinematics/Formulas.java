@@ -3,10 +3,14 @@ package org.mechservice.sim.equations.kinematics;
 import java.util.IdentityHashMap;
 import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.MathFunction;
+import org.mechservice.sim.symbolic.NumberRow;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.MapSurface;
+import org.mechservice.solver.expression.Table;
 import org.mechservice.solver.expression.TableCurve;
+import org.mechservice.solver.expression.TableMap;
 
 /** Formulas of the model file as scalars. Subclasses supply the leaves. */
 public abstract class Formulas {
@@ -53,7 +57,7 @@ public abstract class Formulas {
     } else if (formula instanceof Expression.Call call) {
       return call(call);
     } else if (formula instanceof Expression.TableValue value) {
-      return table(value.table().curve(), scalar(value.argument()));
+      return given(value);
     }
     return leaf(formula);
   }
@@ -119,31 +123,60 @@ public abstract class Formulas {
     };
   }
 
+  private Scalar given(Expression.TableValue value) {
+    Scalar x = scalar(value.arguments().get(0));
+    if (value.table() instanceof Table table) {
+      return table(table.curve(), x);
+    }
+    return map(((TableMap) value.table()).surface(), x, scalar(value.arguments().get(1)));
+  }
+
   /** Returns the polynomial of the interval that an argument is in, in the solver's order. */
   private Scalar table(TableCurve curve, Scalar x) {
+    Scalar place = e.interval(new NumberRow(curve.knots()), x);
     Scalar[] chosen = new Scalar[5];
     for (int number = 0; number < chosen.length; number++) {
-      chosen[number] = e.constant(curve.number(0, number));
-      for (int point = 0; point < curve.pointCount(); point++) {
-        Scalar next = e.constant(curve.number(point + 1, number));
-        if (!next.equals(chosen[number])) {
-          Scalar knot = e.constant(curve.knot(point));
-          chosen[number] = e.function(MathFunction.CHOOSE, knot, x, next, chosen[number]);
-        }
-      }
+      chosen[number] = e.element(new NumberRow(curve.numbers(number)), place);
     }
     Scalar d = x.minus(chosen[0]);
     Scalar inner = chosen[3].plus(d.times(chosen[4]));
     Scalar value = chosen[1].plus(d.times(chosen[2].plus(d.times(inner))));
-    return curve.isBounded() ? value.plus(nothingOutside(curve, x)) : value;
+    return curve.isBounded() ? value.plus(nothingOutside(curve.knots(), x)) : value;
   }
 
-  /** Returns 0 between the ends of a table, NaN beyond them. */
-  private Scalar nothingOutside(TableCurve curve, Scalar x) {
+  /** Returns the polynomial of the cell that two arguments are in, in the solver's order. */
+  private Scalar map(MapSurface surface, Scalar x, Scalar y) {
+    NumberRow originX = new NumberRow(surface.origins(0));
+    NumberRow originY = new NumberRow(surface.origins(1));
+    Scalar k = e.interval(new NumberRow(surface.knots(0)), x);
+    Scalar l = e.interval(new NumberRow(surface.knots(1)), y);
+    Scalar cell = k.times(originY.size()).plus(l);
+    Scalar dx = x.minus(e.element(originX, k));
+    Scalar dy = y.minus(e.element(originY, l));
+    Scalar value = along(surface, 3, cell, dy);
+    for (int i = 2; i >= 0; i--) {
+      value = along(surface, i, cell, dy).plus(dx.times(value));
+    }
+    return surface.isBounded()
+        ? value.plus(nothingOutside(surface.knots(0), x)).plus(nothingOutside(surface.knots(1), y))
+        : value;
+  }
+
+  private Scalar along(MapSurface surface, int i, Scalar cell, Scalar dy) {
+    Scalar value = e.element(new NumberRow(surface.coefficients(i, 3)), cell);
+    for (int j = 2; j >= 0; j--) {
+      Scalar c = e.element(new NumberRow(surface.coefficients(i, j)), cell);
+      value = c.plus(dy.times(value));
+    }
+    return value;
+  }
+
+  /** Returns 0 between the first and the last knot, NaN beyond them. */
+  private Scalar nothingOutside(double[] knots, Scalar x) {
     Scalar none = e.constant(-1).minus(x.squared()).squareRoot();
-    Scalar last = e.constant(curve.knot(curve.pointCount() - 1));
+    Scalar last = e.constant(knots[knots.length - 1]);
     Scalar below = e.function(MathFunction.CHOOSE, x, last, e.zero(), none);
-    return e.function(MathFunction.CHOOSE, e.constant(curve.knot(0)), x, below, none);
+    return e.function(MathFunction.CHOOSE, e.constant(knots[0]), x, below, none);
   }
 
   private Scalar second(Expression.Call call) {

@@ -17,6 +17,9 @@ static const double LONGEST_STEP = 0.4, TOO_FAR = 0.5;
 /* Relative change of velocities above which they belong to another branch; speed of rounding. */
 static const double OTHER_BRANCH = 0.25, SLOWEST = 1e-9;
 static const double ROUNDINGS = 4, LEFT_ALONE = 0.5;
+/* Smallest pivot, relative to the largest, of coordinates that the others determine: nowhere, and
+ * well enough to choose them. */
+static const double SINGULAR = 1e-12, CHOSEN = 1e-6;
 
 /* Places of the workspace. */
 typedef struct {
@@ -27,6 +30,7 @@ typedef struct {
   double *size, *penalty, *gap, *lambda, *offset; /* one number per row, held ones behind */
   double *force, *right, *change, *a;
   double *full, *augmented, *factors;
+  double *columns;                             /* of J, for coordinates that others determine */
 } parts;
 
 static parts places(const mech_loops *l, double *work) {
@@ -56,6 +60,7 @@ static parts places(const mech_loops *l, double *work) {
   p.right = p.force + n;
   p.change = p.right + n;
   p.a = p.change + n;
+  p.columns = p.a + n;
   return p;
 }
 
@@ -490,6 +495,202 @@ int mech_loops_close(const mech_loops *l, void *model, double *work, double t, d
                  close_velocities(l, model, work, &p, t, x, NULL, HUGE_VAL, failure)
              ? 1
              : -1;
+}
+
+static double length_below(const double *a, int m, int n, int k, int of) {
+  double sum = 0;
+  int i;
+  for (i = k; i < m; i++) {
+    sum += a[i * n + of] * a[i * n + of];
+  }
+  return sqrt(sum);
+}
+
+/* One step of the QR factors of A (m x n, row after row), in its place: takes a column as column k
+ * and reflects the rows from k on so that its elements below k vanish; b, if there is one, with
+ * them (Householder 1958). Returns the size of the pivot. */
+static double reflect(double *a, int m, int n, int k, int column, double *order, double *b) {
+  double length, first, scale, dot, other = order[k];
+  int i, j;
+  order[k] = order[column];
+  order[column] = other;
+  for (i = 0; i < m; i++) {
+    double element = a[i * n + k];
+    a[i * n + k] = a[i * n + column];
+    a[i * n + column] = element;
+  }
+  length = length_below(a, m, n, k, k);
+  if (!(length > 0)) {
+    return 0;
+  }
+  first = a[k * n + k];
+  scale = 1 / (length * (length + fabs(first)));
+  a[k * n + k] += first > 0 ? length : -length;
+  for (j = k + 1; j < n; j++) {
+    for (i = k, dot = 0; i < m; i++) {
+      dot += a[i * n + k] * a[i * n + j];
+    }
+    for (i = k; i < m; i++) {
+      a[i * n + j] -= scale * dot * a[i * n + k];
+    }
+  }
+  if (b != NULL) {
+    for (i = k, dot = 0; i < m; i++) {
+      dot += a[i * n + k] * b[i];
+    }
+    for (i = k; i < m; i++) {
+      b[i] -= scale * dot * a[i * n + k];
+    }
+  }
+  a[k * n + k] = first > 0 ? -length : length;
+  return length;
+}
+
+/* Longest of the columns of some group, from row k on; -1 if the group has none left. */
+static int longest(const double *a, int m, int n, int k, const double *order, int first, int end) {
+  double most = -1;
+  int j, found = -1;
+  for (j = k; j < n; j++) {
+    if (order[j] >= first && order[j] < end) {
+      double length = length_below(a, m, n, k, j);
+      if (length > most) {
+        most = length;
+        found = j;
+      }
+    }
+  }
+  return found;
+}
+
+/* Columns of J, rows per size and columns in units, of the velocities that are not given. */
+static int columns_of(const mech_loops *l, const parts *p, const unsigned char *given) {
+  double *a = p->columns, *order = p->right;
+  int row, e, j, n = 0;
+  for (j = 0; j < l->nv; j++) {
+    if (given == NULL || !given[j]) {
+      order[n] = j;
+      p->force[j] = n++;
+    } else {
+      p->force[j] = -1;
+    }
+  }
+  memset(a, 0, (size_t)(l->m * n) * sizeof(double));
+  for (row = 0; row < l->m; row++) {
+    for (e = l->start[row]; e < l->start[row + 1]; e++) {
+      int place = (int)p->force[l->column[e]];
+      if (place >= 0) {
+        a[row * n + place] = p->j[e] / p->size[row] * l->unit[l->column[e]];
+      }
+    }
+  }
+  return n;
+}
+
+/* Changes of the velocities that are not given, by least squares, by which J times them is p->gap;
+ * returns the smallest pivot relative to the largest, 0 if the given ones do not determine them. */
+static double dependent(const mech_loops *l, const parts *p, const unsigned char *given) {
+  double *a = p->columns, *order = p->right, most = 0, least = HUGE_VAL;
+  int k, j, n = columns_of(l, p, given);
+  memset(p->change, 0, (size_t)l->nv * sizeof(double));
+  for (k = 0; k < n; k++) {
+    int column = k < l->m ? longest(a, l->m, n, k, order, 0, l->nv) : -1;
+    double pivot = column >= 0 ? reflect(a, l->m, n, k, column, order, p->gap) : 0;
+    most = larger(pivot, most);
+    least = pivot < least ? pivot : least;
+    if (!(pivot > SINGULAR * most)) {
+      return 0;
+    }
+  }
+  for (k = n - 1; k >= 0; k--) {
+    double sum = p->gap[k];
+    for (j = k + 1; j < n; j++) {
+      sum -= a[k * n + j] * p->force[j];
+    }
+    p->force[k] = sum / a[k * n + k];
+  }
+  for (k = 0; k < n; k++) {
+    int j_of = (int)order[k];
+    p->change[j_of] = p->force[k] * l->unit[j_of];
+  }
+  return n > 0 ? least / most : 1;
+}
+
+int mech_loops_complete(const mech_loops *l, void *model, double *work, double t, double *x,
+                        const unsigned char *given, double *pivot) {
+  parts p = places(l, work);
+  double before = HUGE_VAL;
+  int i, j, row;
+  for (i = 0; i < ITERATIONS_AFTER_JUMP; i++) {
+    double residual, largest;
+    place(l, model, work, &p, t, x);
+    residual = excess(l, &p, x);
+    if (is_closed(residual, before)) {
+      for (row = 0; row < l->m; row++) {
+        p.gap[row] = -p.rate[row] / p.size[row];
+      }
+      *pivot = dependent(l, &p, given);
+      for (j = 0; j < l->nv; j++) {
+        x[l->nq + j] += p.change[j];
+      }
+      return *pivot > 0 ? 1 : -1;
+    }
+    before = residual;
+    for (row = 0; row < l->m; row++) {
+      p.gap[row] = -beyond(LEFT_ALONE * rounding(l, &p, row, x), p.value[row] / p.size[row]);
+    }
+    *pivot = dependent(l, &p, given);
+    largest = largest_change(l, &p);
+    if (!(*pivot > 0) || !(largest <= DBL_MAX)) {
+      return -1;
+    }
+    move(l, x, p.change, largest > LONGEST_STEP ? LONGEST_STEP / largest : 1);
+  }
+  return -1;
+}
+
+int mech_loops_choose(const mech_loops *l, void *model, double *work, double t, const double *x,
+                      unsigned char *given) {
+  parts p = places(l, work);
+  double *a = p.columns, *order = p.right, most = 0;
+  int b, j, k = 0, n;
+  place(l, model, work, &p, t, x);
+  n = columns_of(l, &p, NULL);
+  for (j = 0; j < n; j++) {
+    most = larger(length_below(a, l->m, n, 0, j), most);
+    given[j] = 1;
+  }
+  for (b = 0; b < l->balls; b++) {
+    int first = l->ball_v[b], before = k;
+    for (j = 0; j < 3; j++) {
+      int column = k < l->m ? longest(a, l->m, n, k, order, first, first + 3) : -1;
+      if (column < 0 || !(reflect(a, l->m, n, k, column, order, NULL) > CHOSEN * most)) {
+        break;
+      }
+      k++;
+    }
+    if (j < 3) {
+      k = before; /* the rows are only turned; the ball stays among the given ones */
+    } else {
+      memset(given + first, 0, 3);
+    }
+  }
+  for (; k < l->m && k < n; k++) {
+    int column = -1, of;
+    double longest_one = CHOSEN * most;
+    for (j = k; j < n; j++) {
+      of = (int)order[j];
+      if (l->position_of[of] >= 0 && length_below(a, l->m, n, k, j) > longest_one) {
+        longest_one = length_below(a, l->m, n, k, j);
+        column = j;
+      }
+    }
+    if (column < 0) {
+      break;
+    }
+    given[(int)order[column]] = 0;
+    reflect(a, l->m, n, k, column, order, NULL);
+  }
+  return k;
 }
 
 void mech_loops_accepted(const mech_loops *l, void *model, double *work, double t,

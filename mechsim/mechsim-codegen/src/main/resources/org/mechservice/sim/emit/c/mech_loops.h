@@ -38,7 +38,7 @@ typedef struct {
 /* Numbers of a workspace of m equations in n velocities with a pattern of e elements, for k states
  * and twice the number of unwrapped angles. */
 #define MECH_LOOPS_WORK(m, n, e, k) \
-  (9 * (m) + (m) * (n) + 10 * (n) + 4 * (n) * (n) + 2 * (e) + (k))
+  (9 * (m) + 2 * (m) * (n) + 10 * (n) + 4 * (n) * (n) + 2 * (e) + (k))
 
 /* dx/dt; returns 0, or -1 with *failure set to a force without value or, counted from 1000000, a
  * velocity without inertia. work begins with the unwrapped angles. */
@@ -51,6 +51,15 @@ int mech_loops_project(const mech_loops *l, void *model, double *work, double t,
  * in set (one mark per position and velocity; NULL for none). Returns 1, or -1. */
 int mech_loops_close(const mech_loops *l, void *model, double *work, double t, double *x,
                      const unsigned char *set, int *failure);
+/* Computes all coordinates from those that are given, one mark per velocity (a ball's three alike),
+ * by Newton's method from the values that the others have in x. *pivot is the smallest pivot of the
+ * equations for them relative to the largest, 0 where the given ones do not determine them. Returns
+ * 1, or -1. */
+int mech_loops_complete(const mech_loops *l, void *model, double *work, double t, double *x,
+                        const unsigned char *given, double *pivot);
+/* Marks the velocities that determine all others best at a state; returns the number of others. */
+int mech_loops_choose(const mech_loops *l, void *model, double *work, double t, const double *x,
+                      unsigned char *given);
 /* Records that a step to a state was accepted: unwrapped angles follow it. */
 void mech_loops_accepted(const mech_loops *l, void *model, double *work, double t, const double *x);
 /* [q; v; s; angles], valid until the next call. */

@@ -1036,6 +1036,25 @@ double mech_product(double a, double b) {
   return a == 0.0 || b == 0.0 ? 0.0 : a * b;
 }
 
+double mech_interval(const double *row, int count, double x) {
+  int low = 0;
+  int high = count;
+  while (low < high) {
+    int middle = low + (high - low) / 2;
+    if (row[middle] <= x) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low;
+}
+
+double mech_element(const double *row, int count, double index) {
+  (void)count;
+  return row[(int)index];
+}
+
 /*
  * Reduction by the nearest multiple of pi/2 in three parts (Cody and Waite), exact to twice the
  * working precision up to 1e4 rad, and two minimax polynomials on [-pi/4, pi/4].

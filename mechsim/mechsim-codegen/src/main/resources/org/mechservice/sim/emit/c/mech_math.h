@@ -46,6 +46,12 @@ double mech_choose(double a, double b, double x, double y);
 /* a b, but 0 if one factor is 0, even if the other is infinite or NaN. */
 double mech_product(double a, double b);
 
+/* How many of the ascending numbers of a row are not above x; 0 if x is NaN. */
+double mech_interval(const double *row, int count, double x);
+
+/* Number index of a row, a whole number from 0 to count - 1. */
+double mech_element(const double *row, int count, double index);
+
 /* Writes sine and cosine of one angle to out[0] and out[1], error below 1 ulp. */
 void mech_sin_cos(double angle, double *out);
 

@@ -117,12 +117,13 @@ class CodeLayoutTest {
 
   @Test
   void everyStepReadsWhatItNeedsAnew() {
-    assertThat(loads(StraightLinePlanner.plan(ofOneAngle(true))))
+    assertThat(loads(StraightLinePlanner.plan(ofOneAngle(true), new ConstantTable())))
         .containsExactly(false, true, true);
   }
 
   @Test
   void otherSectionsOfAMethodReadAValueOnce() {
-    assertThat(loads(StraightLinePlanner.plan(ofOneAngle(false)))).containsExactly(false);
+    assertThat(loads(StraightLinePlanner.plan(ofOneAngle(false), new ConstantTable())))
+        .containsExactly(false);
   }
 }

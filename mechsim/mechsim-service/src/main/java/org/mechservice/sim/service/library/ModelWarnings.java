@@ -5,13 +5,14 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.ReadOptions;
 import org.mechservice.mechml.diagnosis.Diagnostic;
 import org.mechservice.sim.scene.Finding;
 import org.mechservice.sim.scene.RunForecast;
-import org.mechservice.sim.scene.SceneAnalysis;
 import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.catalogue.Severity;
 
 /** The warnings of a model and of its runs that are known before a run begins. */
@@ -32,10 +33,7 @@ public final class ModelWarnings {
    */
   static List<Diagnostic> of(MechmlModel model, String formulation, RunSettings run) {
     List<Diagnostic> warnings = new ArrayList<>(model.warnings());
-    List<Finding> findings =
-        new ArrayList<>(SceneAnalysis.of(model.mechanism()).findingsAtStart(run.tStart()));
-    findings.addAll(RunForecast.of(model, formulation, run));
-    for (Finding finding : findings) {
+    for (Finding finding : RunForecast.of(model, formulation, run)) {
       warnings.add(
           new Diagnostic(
               Severity.WARNING,
@@ -68,11 +66,19 @@ public final class ModelWarnings {
   /**
    * Returns the warnings of a run that differ from those of its file, as entries of a set-up:
    * {@code warnings} is their number; {@code warning.1} and so on are code, file, line, column,
-   * path and text, separated by tabs.
+   * path and text, separated by tabs. {@code silenced} are the codes of silenced warnings.
    */
   public static Map<String, String> ofSetUp(
       LoadedModel source, String formulation, RunSettings run) {
     Map<String, String> facts = new LinkedHashMap<>();
+    if (!source.model().silenced().isEmpty()) {
+      facts.put(
+          "silenced",
+          source.model().silenced().stream()
+              .map(MessageCode::code)
+              .sorted()
+              .collect(Collectors.joining(" ")));
+    }
     differing(source, formulation, run)
         .ifPresent(
             warnings -> {

@@ -21,6 +21,7 @@ import org.mechservice.idl.OPT_INTEGRATOR;
 import org.mechservice.idl.OPT_MAX_DRIFT;
 import org.mechservice.idl.OPT_REL_TOL;
 import org.mechservice.idl.OPT_SET;
+import org.mechservice.idl.OPT_SILENCE;
 import org.mechservice.idl.OPT_SIMULATION;
 import org.mechservice.idl.OPT_SOURCE_PART;
 import org.mechservice.idl.OPT_STANDALONE;
@@ -63,11 +64,12 @@ public final class RequestOptions {
               OPT_CODE.value,
               OPT_CONTINUES.value,
               OPT_ANALYSIS.value,
-              OPT_INPUTS.value));
+              OPT_INPUTS.value,
+              OPT_SILENCE.value));
 
   /** Options that decide how the model file is read. */
   private static final Set<String> OF_READER =
-      Set.of(OPT_SIMULATION.value, OPT_SET.value, OPT_TUNABLE.value);
+      Set.of(OPT_SIMULATION.value, OPT_SET.value, OPT_TUNABLE.value, OPT_SILENCE.value);
 
   private final Map<String, String> texts;
   private final ReadOptions reading;
@@ -104,16 +106,19 @@ public final class RequestOptions {
     Optional<String> simulation = Optional.empty();
     TreeMap<String, String> values = new TreeMap<>();
     TreeSet<String> tunable = new TreeSet<>();
+    TreeSet<String> silenced = new TreeSet<>();
     for (NameValue option : options) {
       if (option.key.equals(OPT_SET.value)) {
         set(option.text, values);
       } else if (option.key.equals(OPT_TUNABLE.value)) {
         tunable.add(option.text.strip());
+      } else if (option.key.equals(OPT_SILENCE.value)) {
+        silenced.add(option.text.strip());
       } else if (option.key.equals(OPT_SIMULATION.value)) {
         simulation = Optional.of(option.text.strip());
       }
     }
-    ReadOptions chosen = new ReadOptions(simulation, values, tunable);
+    ReadOptions chosen = new ReadOptions(simulation, values, tunable).silencing(silenced);
     for (NameValue option : options) {
       if (option.key.equals(OPT_ANALYSIS.value)) {
         chosen = chosen.withAnalysis(analysis(option.text.strip()));

@@ -316,7 +316,12 @@ final class MechSimServant implements MechSimOperations {
         ContractErrors.build(() -> library.compiled(source, asked.forRun(ofFile), times));
     requireUserCodeAllowed(compiled, source);
     RunRequest request =
-        new RunRequest(asked.settings(), asked.columns(), asked.strict(), asked.maxDrift());
+        new RunRequest(
+            asked.settings(),
+            asked.columns(),
+            asked.strict(),
+            asked.maxDrift(),
+            source.model().silenced());
     WorkerBounds bounds = session.limits().ofWorker();
     RunTask task = ContractErrors.build(() -> runs.task(compiled, request, bounds));
     RunColumns columns = ContractErrors.build(() -> runs.columns(task, request));

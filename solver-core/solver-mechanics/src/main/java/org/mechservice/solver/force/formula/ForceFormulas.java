@@ -113,7 +113,7 @@ public final class ForceFormulas {
     } else if (formula instanceof Expression.Call call) {
       return call.arguments();
     } else if (formula instanceof Expression.TableValue value) {
-      return List.of(value.argument());
+      return value.arguments();
     }
     return List.of();
   }

@@ -46,7 +46,8 @@ public final class FormulaText {
       List<String> arguments = call.arguments().stream().map(this::of).toList();
       return call.function().symbol() + "(" + String.join(", ", arguments) + ")";
     } else if (formula instanceof Expression.TableValue value) {
-      return value.table().name() + "(" + of(value.argument()) + ")";
+      List<String> arguments = value.arguments().stream().map(this::of).toList();
+      return value.table().name() + "(" + String.join(", ", arguments) + ")";
     }
     return leaf(formula);
   }

@@ -363,6 +363,16 @@ public final class ExplicitEquations extends StepEquations {
   }
 
   @Override
+  public boolean allowsCaution() {
+    return true;
+  }
+
+  @Override
+  public double rateOfFastest() {
+    return jacobian.rateOfFastest();
+  }
+
+  @Override
   public double dampingOfFastest() {
     return jacobian.dampingOfFastest();
   }

@@ -16,10 +16,10 @@ public final class JacobianMatrix {
   /** What is left after {@link #POWERS} of an eigenvalue of 0.8 times the largest one. */
   private static final double SAME_LINE = 0.05;
 
-  /** Part of the largest element of a power that slower motions have left to a row. */
-  private static final double FORGOTTEN = 1e-8;
-
   private static final double GOLDEN_RATIO = 0.6180339887498949;
+
+  /** The last powers whose largest element tells how fast an oscillation dies out. */
+  private static final int TURNS = 6;
 
   private final MatrixLayout layout;
   private double[] values;
@@ -40,10 +40,15 @@ public final class JacobianMatrix {
 
   private boolean radiusKnown;
 
-  /** Damping ratio of the fastest motion, once asked for. */
+  /** Damping ratio and |λ| of the fastest motion if that is an oscillation. */
   private double damping;
 
-  private boolean dampingKnown;
+  private double rate;
+
+  /** One element of the last powers, and the logarithms of their sizes. */
+  private final double[] turns = new double[TURNS];
+
+  private final double[] sizes = new double[TURNS];
   private final double[] power;
   private final double[] product;
 
@@ -97,7 +102,6 @@ public final class JacobianMatrix {
     values = forming;
     forming = freed;
     radiusKnown = false;
-    dampingKnown = false;
   }
 
   /** Adds the product of the matrix in use and x to a vector. */
@@ -162,48 +166,50 @@ public final class JacobianMatrix {
   }
 
   /**
-   * Returns the damping ratio of the fastest motion, −cos arg λ: at least 1 if its eigenvalues are
-   * real, negative if it grows. From the last powers x of the matrix, which a pair of eigenvalues
-   * leaves in a plane: J² x = p J x + q x has λ² = p λ + q, so that the ratio is −p / (2 √−q).
+   * Returns the damping ratio −Re λ / |λ| of the fastest motion if that is an oscillation: the
+   * largest eigenvalue λ is one of a pair and alone in its size. 0 if it grows, or is no
+   * oscillation.
    */
   public double dampingOfFastest() {
-    if (fastestIsExponential()) {
-      return 1;
-    }
-    if (!dampingKnown) {
-      damping = dampingOfPair();
-      dampingKnown = true;
-    }
-    return damping;
+    return spectralRadius() > 0 ? damping : 0;
   }
 
-  /** Fits p and q by least squares, each row by its own size; J in units of its radius. */
-  private double dampingOfPair() {
-    double unit = 1 / radius;
-    Arrays.fill(product, 0);
-    Arrays.fill(rowSums, 0);
-    addProduct(power, product);
-    addProduct(product, rowSums);
-    double once = 0;
-    double both = 0;
-    double none = 0;
-    double twiceOnce = 0;
-    double twiceNone = 0;
-    for (int l = 0; l < power.length; l++) {
-      double moved = unit * product[l];
-      double again = unit * unit * rowSums[l];
-      double size = Math.max(Math.max(Math.abs(power[l]), Math.abs(moved)), FORGOTTEN);
-      double weight = 1 / (size * size);
-      once += weight * moved * moved;
-      both += weight * moved * power[l];
-      none += weight * power[l] * power[l];
-      twiceOnce += weight * again * moved;
-      twiceNone += weight * again * power[l];
+  /** Returns |λ| of that oscillation; 0 if there is none. */
+  public double rateOfFastest() {
+    return spectralRadius() > 0 ? rate : 0;
+  }
+
+  /**
+   * Damping by the last powers: with a pair λ, λ̄ alone in size, every element of them obeys x_i =
+   * 2 Re(λ) x_{i−1} − |λ|² x_{i−2}, here with λ in units of the growth g. Both coefficients follow
+   * by least squares.
+   */
+  private double dampingOf(double logGrowth) {
+    double scaled = 0;
+    for (int i = 0; i < TURNS; i++) {
+      scaled += sizes[i] - logGrowth;
+      turns[i] *= StrictMath.exp(scaled);
     }
-    double determinant = once * none - both * both;
-    double p = (twiceOnce * none - twiceNone * both) / determinant;
-    double q = (once * twiceNone - both * twiceOnce) / determinant;
-    return q < 0 ? -p / (2 * Math.sqrt(-q)) : 1;
+    double aa = 0;
+    double ab = 0;
+    double bb = 0;
+    double ra = 0;
+    double rb = 0;
+    for (int i = 2; i < TURNS; i++) {
+      double a = turns[i - 1];
+      double b = -turns[i - 2];
+      aa += a * a;
+      ab += a * b;
+      bb += b * b;
+      ra += a * turns[i];
+      rb += b * turns[i];
+    }
+    double determinant = aa * bb - ab * ab;
+    double twiceReal = (ra * bb - rb * ab) / determinant;
+    double square = (rb * aa - ra * ab) / determinant;
+    boolean pair = twiceReal < 0 && twiceReal * twiceReal < 4 * square;
+    rate = pair ? Math.sqrt(square) * StrictMath.exp(logGrowth) : 0;
+    return pair ? -twiceReal / (2 * Math.sqrt(square)) : 0;
   }
 
   private double powerGrowth() {
@@ -212,6 +218,8 @@ public final class JacobianMatrix {
       power[l] = 0.5 + (l + 1) * GOLDEN_RATIO % 1;
     }
     double growth = 0;
+    damping = 0;
+    int followed = 0;
     for (int i = 1; i <= POWERS; i++) {
       Arrays.fill(product, 0);
       addProduct(power, product);
@@ -232,9 +240,26 @@ public final class JacobianMatrix {
         offKept = Math.max(offKept, Math.abs(next - power[l]));
         power[l] = next;
       }
-      growth += i > POWERS / 2 ? StrictMath.log(size) : 0;
+      double logSize = StrictMath.log(size);
+      growth += i > POWERS / 2 ? logSize : 0;
+      int turn = i - 1 - (POWERS - TURNS);
+      followed = turn == 0 ? largestOfPower() : followed;
+      if (turn >= 0) {
+        turns[turn] = power[followed];
+        sizes[turn] = logSize;
+      }
     }
-    return StrictMath.exp(growth / (POWERS / 2));
+    growth /= POWERS / 2;
+    damping = dampingOf(growth);
+    return StrictMath.exp(growth);
+  }
+
+  private int largestOfPower() {
+    int largest = 0;
+    for (int l = 1; l < power.length; l++) {
+      largest = Math.abs(power[l]) > Math.abs(power[largest]) ? l : largest;
+    }
+    return largest;
   }
 
   /** Returns whether a column of the matrix in use is zero. */
@@ -263,6 +288,5 @@ public final class JacobianMatrix {
   void transfer(SavedState state) {
     state.numbers(values);
     radiusKnown = false;
-    dampingKnown = false;
   }
 }

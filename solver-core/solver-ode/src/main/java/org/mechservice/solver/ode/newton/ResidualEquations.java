@@ -359,8 +359,18 @@ public final class ResidualEquations extends StepEquations {
   }
 
   @Override
+  public boolean allowsCaution() {
+    return false;
+  }
+
+  @Override
+  public double rateOfFastest() {
+    return 0;
+  }
+
+  @Override
   public double dampingOfFastest() {
-    return 1;
+    return 0;
   }
 
   @Override

@@ -221,9 +221,15 @@ public abstract class StepEquations {
   public abstract boolean fastestIsExponential();
 
   /**
-   * Returns the damping ratio of the fastest motion, −cos arg λ, estimated; 1 or more if that is no
-   * oscillation or nothing is known of it.
+   * Returns whether steps are better proposed shorter than by the published program. In residual
+   * form that costs mechanisms with multipliers more steps than it spares rejections.
    */
+  public abstract boolean allowsCaution();
+
+  /** Returns |λ| of the fastest motion λ if that is a damped oscillation; 0 if it is none. */
+  public abstract double rateOfFastest();
+
+  /** Returns the damping ratio of the fastest motion; 0 if it is no damped oscillation. */
   public abstract double dampingOfFastest();
 
   /** Returns the rules by which steps are solved in a mode. */

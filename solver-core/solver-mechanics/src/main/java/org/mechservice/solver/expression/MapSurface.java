@@ -1,0 +1,247 @@
+package org.mechservice.solver.expression;
+
+import java.util.function.IntToDoubleFunction;
+import org.mechservice.solver.expression.Table.Extrapolation;
+import org.mechservice.solver.expression.Table.Method;
+import org.mechservice.solver.spatial.NumberTable;
+
+/**
+ * The surface of a map: for each cell of the grid Σᵢⱼ cᵢⱼ dxⁱ dyʲ, i, j = 0 to 3, with dx and dy
+ * from the cell's origin, and cells beyond the edges. Immutable.
+ *
+ * <p>In every direction a cell is what {@link TableCurve} is on a line. It is given by values,
+ * slopes and twists ∂²z/∂x∂y at its corners. Slopes and twists of a spline are those of splines
+ * along the lines of the grid, which commute; the twists of the other curve that has slopes are
+ * those of H. Akima, A method of bivariate interpolation and smooth surface fitting based on local
+ * procedures, Communications of the ACM 17 (1974) 18: the divided differences of the four cells
+ * around a point with the weights of both directions.
+ */
+public final class MapSurface implements TapeStep {
+  /** Coefficients of a cell. */
+  private static final int NUMBERS = 16;
+
+  private final double[] x;
+  private final double[] y;
+  private final double[] originX;
+  private final double[] originY;
+  private final double[] cells;
+  private final boolean bounded;
+
+  MapSurface(TableMap map) {
+    x = map.x().stream().mapToDouble(Double::doubleValue).toArray();
+    y = map.y().stream().mapToDouble(Double::doubleValue).toArray();
+    originX = origins(x);
+    originY = origins(y);
+    cells = new double[NUMBERS * originX.length * originY.length];
+    bounded = map.outside() == Extrapolation.ERROR;
+    double[][] z = new double[x.length][y.length];
+    double[][] byX = new double[x.length][y.length];
+    double[][] byY = new double[x.length][y.length];
+    for (int i = 0; i < x.length; i++) {
+      for (int j = 0; j < y.length; j++) {
+        z[i][j] = map.z().get(i * y.length + j);
+      }
+      byY[i] = TableCurve.slopes(map.method(), y, z[i]);
+    }
+    for (int j = 0; j < y.length; j++) {
+      setColumn(byX, j, TableCurve.slopes(map.method(), x, column(z, j)));
+    }
+    double[][] twist = map.method() == Method.AKIMA ? akimaTwists(z) : twists(map.method(), byX);
+    fill(map, new double[][][] {z, byX}, new double[][][] {byY, twist});
+  }
+
+  private static double[] origins(double[] knots) {
+    double[] origins = new double[knots.length + 1];
+    origins[0] = knots[0];
+    System.arraycopy(knots, 0, origins, 1, knots.length);
+    return origins;
+  }
+
+  private static double[] column(double[][] rows, int j) {
+    double[] column = new double[rows.length];
+    for (int i = 0; i < column.length; i++) {
+      column[i] = rows[i][j];
+    }
+    return column;
+  }
+
+  private static void setColumn(double[][] rows, int j, double[] column) {
+    for (int i = 0; i < column.length; i++) {
+      rows[i][j] = column[i];
+    }
+  }
+
+  /** Slopes along y of the slopes along x. */
+  private double[][] twists(Method method, double[][] byX) {
+    double[][] twist = new double[x.length][];
+    for (int i = 0; i < x.length; i++) {
+      twist[i] = TableCurve.slopes(method, y, byX[i]);
+    }
+    return twist;
+  }
+
+  private double[][] akimaTwists(double[][] z) {
+    double[][] chords = new double[x.length][];
+    for (int i = 0; i < x.length; i++) {
+      chords[i] = TableCurve.extended(TableCurve.chords(y, z[i]));
+    }
+    double[][] twist = new double[x.length][y.length];
+    // second differences: [line of the grid along x beyond its ends][along y beyond its ends]
+    double[][] second = new double[x.length + 3][y.length + 3];
+    for (int b = 0; b < y.length + 3; b++) {
+      setColumn(second, b, TableCurve.extended(TableCurve.chords(x, column(chords, b))));
+    }
+    for (int j = 0; j < y.length; j++) {
+      double[] alongX = TableCurve.extended(TableCurve.chords(x, column(z, j)));
+      for (int i = 0; i < x.length; i++) {
+        double p = TableCurve.weightBefore(alongX, i);
+        double q = TableCurve.weightBefore(chords[i], j);
+        twist[i][j] =
+            p * (q * second[i + 1][j + 1] + (1 - q) * second[i + 1][j + 2])
+                + (1 - p) * (q * second[i + 2][j + 1] + (1 - q) * second[i + 2][j + 2]);
+      }
+    }
+    return twist;
+  }
+
+  /**
+   * @param onGrid values and slopes along x
+   * @param alongY slopes of both along y
+   */
+  private void fill(TableMap map, double[][][] onGrid, double[][][] alongY) {
+    double[] along = new double[4];
+    double[][] values = new double[4][y.length];
+    double[][] slopes = new double[4][y.length];
+    for (int k = 0; k < originX.length; k++) {
+      for (int j = 0; j < y.length; j++) {
+        int at = j;
+        cubic(map, x, k, i -> onGrid[0][i][at], i -> onGrid[1][i][at], along);
+        setColumn(values, j, along);
+        cubic(map, x, k, i -> alongY[0][i][at], i -> alongY[1][i][at], along);
+        setColumn(slopes, j, along);
+      }
+      for (int l = 0; l < originY.length; l++) {
+        for (int i = 0; i < 4; i++) {
+          int power = i;
+          cubic(map, y, l, j -> values[power][j], j -> slopes[power][j], along);
+          System.arraycopy(along, 0, cells, NUMBERS * (k * originY.length + l) + 4 * i, 4);
+        }
+      }
+    }
+  }
+
+  /** Writes the polynomial of an interval: 0 before the first knot, n behind the last. */
+  private static void cubic(
+      TableMap map,
+      double[] knots,
+      int place,
+      IntToDoubleFunction value,
+      IntToDoubleFunction slope,
+      double[] c) {
+    int n = knots.length;
+    boolean inside = place > 0 && place < n;
+    int from = Math.max(0, place - 1);
+    c[0] = value.applyAsDouble(from);
+    c[1] = map.outside() == Extrapolation.HOLD ? 0 : slope.applyAsDouble(from);
+    c[2] = 0;
+    c[3] = 0;
+    if (inside) {
+      double h = knots[place] - knots[from];
+      double chord = (value.applyAsDouble(place) - c[0]) / h;
+      if (map.method() == Method.LINEAR) {
+        c[1] = chord;
+      } else {
+        double start = slope.applyAsDouble(from);
+        double end = slope.applyAsDouble(place);
+        c[1] = start;
+        c[2] = (3 * chord - 2 * start - end) / h;
+        c[3] = (start + end - 2 * chord) / (h * h);
+      }
+    }
+  }
+
+  /** Returns whether there are no values beyond the grid. */
+  public boolean isBounded() {
+    return bounded;
+  }
+
+  /**
+   * Returns the arguments of the points, ascending; a copy.
+   *
+   * @param argument 0 for x, 1 for y
+   */
+  public double[] knots(int argument) {
+    return (argument == 0 ? x : y).clone();
+  }
+
+  /**
+   * Returns the origins of cells along one argument, by how many knots are not above it; a copy.
+   *
+   * @param argument 0 for x, 1 for y
+   */
+  public double[] origins(int argument) {
+    return (argument == 0 ? originX : originY).clone();
+  }
+
+  /**
+   * Returns one coefficient of all cells: of cell (k, l) at k (m + 1) + l, where k knots along x
+   * and l of the m knots along y are not above the arguments.
+   *
+   * @param i power of dx
+   * @param j power of dy
+   */
+  public double[] coefficients(int i, int j) {
+    double[] all = new double[cells.length / NUMBERS];
+    for (int cell = 0; cell < all.length; cell++) {
+      all[cell] = cells[NUMBERS * cell + 4 * i + j];
+    }
+    return all;
+  }
+
+  private boolean isOutside(double a, double b) {
+    return !(a >= x[0] && a <= x[x.length - 1] && b >= y[0] && b <= y[y.length - 1]);
+  }
+
+  @Override
+  public double value(double a, double b, LocalDerivatives derivatives) {
+    int k = (int) NumberTable.interval(x, 0, x.length, a);
+    int l = (int) NumberTable.interval(y, 0, y.length, b);
+    if (bounded && isOutside(a, b)) {
+      return Double.NaN;
+    }
+    double dx = a - originX[k];
+    double dy = b - originY[l];
+    int c = NUMBERS * (k * originY.length + l);
+    return along(c, dy)
+        + dx * (along(c + 4, dy) + dx * (along(c + 8, dy) + dx * along(c + 12, dy)));
+  }
+
+  private double along(int c, double d) {
+    return cells[c] + d * (cells[c + 1] + d * (cells[c + 2] + d * cells[c + 3]));
+  }
+
+  private double slope(int c, double d) {
+    return cells[c + 1] + d * (2 * cells[c + 2] + 3 * cells[c + 3] * d);
+  }
+
+  private double curve(int c, double d) {
+    return 2 * cells[c + 2] + 6 * cells[c + 3] * d;
+  }
+
+  @Override
+  public void differentiate(double a, double b, LocalDerivatives derivatives) {
+    int k = (int) NumberTable.interval(x, 0, x.length, a);
+    int l = (int) NumberTable.interval(y, 0, y.length, b);
+    double dx = a - originX[k];
+    double dy = b - originY[l];
+    int c = NUMBERS * (k * originY.length + l);
+    double byX = along(c + 4, dy) + dx * (2 * along(c + 8, dy) + 3 * along(c + 12, dy) * dx);
+    double byXX = 2 * along(c + 8, dy) + 6 * along(c + 12, dy) * dx;
+    double byY =
+        slope(c, dy) + dx * (slope(c + 4, dy) + dx * (slope(c + 8, dy) + dx * slope(c + 12, dy)));
+    double byYY =
+        curve(c, dy) + dx * (curve(c + 4, dy) + dx * (curve(c + 8, dy) + dx * curve(c + 12, dy)));
+    double byXY = slope(c + 4, dy) + dx * (2 * slope(c + 8, dy) + 3 * slope(c + 12, dy) * dx);
+    derivatives.all(byX, byY, byXX, byXY, byYY);
+  }
+}
