@@ -3,10 +3,13 @@
 
     benchmarks/peers/diffusion.py [points along an edge] [tolerance]
 
-Needs benchmarks/target/benchmarks.jar built, numpy, scipy and scikit-sundae. Both take turns, three times each, every run in a process of its own,
-both with differences for the Jacobian from the same pattern and one thread for the factors. Prints medians and writes nothing. Seconds are those of
-the integration, sparse ordering included, imports and start of the virtual machine not; processor seconds are those of the whole process.
+Needs benchmarks/target/benchmarks.jar built and numpy; for CVODE with KLU a C compiler and SUNDIALS with KLU (on Debian libsundials-dev and
+libsuitesparse-dev), for CVODE with SuperLU_MT scipy and scikit-sundae. What is not there is named and left out. All take turns, three times each, every
+run in a process of its own, all with differences for the Jacobian from the same pattern and one thread for the factors. Prints medians and writes
+nothing. Seconds are those of the integration, sparse ordering included, imports and start of the virtual machine not; processor seconds are those of
+the whole process.
 """
+import importlib.util
 import pathlib
 import resource
 import statistics
@@ -17,6 +20,8 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 RUNS = 3
+HERE = pathlib.Path(__file__).resolve().parent
+LIBRARIES = ["-lsundials_cvode", "-lsundials_sunlinsolklu", "-lsundials_nvecserial", "-lsundials_sunmatrixsparse", "-lm"]
 TIGHT = 1e-8
 
 
@@ -55,6 +60,14 @@ def run(command):
     return [float(value) for value in subprocess.run(command, check=True, capture_output=True, text=True).stdout.split()[-5:]]
 
 
+def compiled(program):
+    command = ["cc", "-O3", "-I/usr/include/suitesparse", str(HERE / "diffusion.c"), *LIBRARIES, "-o", program]
+    try:
+        return subprocess.run(command, capture_output=True).returncode == 0
+    except FileNotFoundError:
+        return False
+
+
 def main(m, tolerance):
     import numpy as np
     with tempfile.TemporaryDirectory() as folder:
@@ -69,7 +82,16 @@ def main(m, tolerance):
             return [sys.executable, __file__, "cvode", str(m), str(tol), f"{folder}/{name}"]
 
         run(ours(TIGHT, "tight"))
-        commands = {"ode15s": ours(tolerance, "ode15s"), "CVODE": theirs(tolerance, "CVODE")}
+        commands = {"ode15s": ours(tolerance, "ode15s")}
+        program = f"{folder}/diffusion"
+        if compiled(program):
+            commands["CVODE, KLU"] = [program, str(m), str(tolerance), f"{folder}/CVODE, KLU"]
+        else:
+            print("CVODE with KLU left out: cc finds no SUNDIALS with KLU")
+        if importlib.util.find_spec("sksundae"):
+            commands["CVODE, SuperLU_MT"] = theirs(tolerance, "CVODE, SuperLU_MT")
+        else:
+            print("CVODE with SuperLU_MT left out: no scikit-sundae")
         results = {name: [] for name in commands}
         for _ in range(RUNS):
             for name, command in commands.items():
@@ -78,10 +100,11 @@ def main(m, tolerance):
         for name, rows in results.items():
             clock, processor, evaluations = (statistics.median(row[i] for row in rows) for i in range(3))
             error = np.abs(state(name) - state("tight")).max()
-            print(f"{name:8} {clock:7.2f} s, processor {processor:7.2f} s, {evaluations:.0f} evaluations, largest error {error:.1e}")
-        for i, kind in enumerate(("clock", "processor")):
-            ratio = statistics.median(a[i] / b[i] for a, b in zip(results["ode15s"], results["CVODE"]))
-            print(f"ode15s over CVODE, {kind}: {ratio:.2f}")
+            print(f"{name:17} {clock:7.2f} s, processor {processor:7.2f} s, {evaluations:.0f} evaluations, largest error {error:.1e}")
+        for peer in list(commands)[1:]:
+            for i, kind in enumerate(("clock", "processor")):
+                ratio = statistics.median(a[i] / b[i] for a, b in zip(results["ode15s"], results[peer]))
+                print(f"ode15s over {peer}, {kind}: {ratio:.2f}")
 
 
 if __name__ == "__main__":

@@ -9,12 +9,23 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 class SuiteTest {
+  private static Stream<ProblemFile> files() {
+    return Stream.of(ProblemFile.all(), ProblemFile.further(), ProblemFile.unseen())
+        .flatMap(List::stream);
+  }
+
   private static Stream<String> problems() {
-    return ProblemFile.all().stream().map(problem -> problem.id);
+    return files().map(problem -> problem.id);
+  }
+
+  private static Stream<String> comparedProblems() {
+    return Stream.of(ProblemFile.further(), ProblemFile.unseen())
+        .flatMap(List::stream)
+        .map(problem -> problem.id);
   }
 
   private static ProblemFile named(String id) {
-    return ProblemFile.all().stream().filter(p -> p.id.equals(id)).findFirst().orElseThrow();
+    return files().filter(p -> p.id.equals(id)).findFirst().orElseThrow();
   }
 
   @ParameterizedTest
@@ -66,6 +77,18 @@ class SuiteTest {
     assertThat(run.cause()).isEmpty();
     // Global over local error: two digits at most on these problems (INTEGRATORS §3).
     assertThat(run.error()).isLessThan(1e-6);
+  }
+
+  @ParameterizedTest
+  @MethodSource("comparedProblems")
+  void stiffMethodsReachTheEndsOfTheProblemsThatPeersAreComparedOn(String id) {
+    ProblemFile problem = named(id);
+    String method = problem.algebraic.isEmpty() ? "ode15s" : "ode15sR";
+    SuiteRun run = SuiteRunner.runs(problem, method, new double[] {1e-6}, 60).get(0);
+    assertThat(run.cause()).isEmpty();
+    // Two digits less than asked for (INTEGRATORS §9, target 1). The rod's force is its length's
+    // error times its stiffness, 1e4 weights per unit of length.
+    assertThat(run.error()).isLessThan(id.equals("rod_pendulum") ? 1e-2 : 1e-4);
   }
 
   @ParameterizedTest

@@ -53,16 +53,15 @@ final class LivePage {
     Stage stage = new Stage(scene, new MeshFolder(folder));
     stage.warnings().forEach(err::println);
     OutputFile.write(
-        target, PlayerPage.writeLive(scene, stage, live(model, module), facts(local, module)));
+        target, PlayerPage.writeLive(scene, stage, live(model, module), facts(model, module)));
   }
 
-  private static Map<String, String> facts(ModelToExport local, byte[] module) {
+  private static Map<String, String> facts(FmuModel model, byte[] module) {
     Map<String, String> facts = new LinkedHashMap<>();
     facts.put("model", "in this page, as WebAssembly");
     facts.put("size", module.length + " B");
-    facts.put("integrator", "ode113");
-    facts.put(
-        "relative tolerance", Double.toString(local.options().settings().relativeTolerance()));
+    facts.put("integrator", model.experiment().stiff() ? "ode15s" : "ode113");
+    facts.put("relative tolerance", Double.toString(model.experiment().relativeTolerance()));
     return facts;
   }
 
@@ -76,6 +75,7 @@ final class LivePage {
         columns,
         sliders(model.parameters(), true),
         sliders(model.states(), false),
+        model.events(),
         run.start(),
         run.end(),
         run.step(),

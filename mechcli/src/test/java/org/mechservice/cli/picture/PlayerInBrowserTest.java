@@ -139,7 +139,43 @@ class PlayerInBrowserTest {
   @Test
   void pageWithTheModelInItRunsItAgainWhenASliderMoves() throws Exception {
     Chromium browser = browser();
-    Path model = Path.of("..", "examples", "pendulum", "pendulum.xml");
+    Path page = live(Path.of("..", "examples", "pendulum", "pendulum.xml"));
+    browser.open(page);
+    double[] fromFile = browser.numbers("[mechPlayer.last('t'), mechPlayer.last('j1.q')]");
+    assertThat(fromFile[0]).isEqualTo(3);
+    // what mech simulate gives at a tolerance of 1e-12, to ten tolerances of the file
+    assertThat(fromFile[1]).isCloseTo(1.8533808, offset(1e-4));
+    move(browser, "j2.v", "0.5");
+    assertThat(browser.numbers("[mechPlayer.last('j1.q')]")[0])
+        .isNotCloseTo(fromFile[1], offset(0.01));
+    browser.evaluate("document.querySelector('#live button').click()");
+    assertThat(browser.numbers("[mechPlayer.last('j1.q')]")).containsExactly(fromFile[1]);
+    double[] times = browser.numbers("mechPlayer.runTimes()");
+    Arrays.sort(times);
+    System.out.printf("pendulum: 3 s simulated in the page in %.1f ms%n", times[0]);
+    requireQuiet(browser, page);
+  }
+
+  @Test
+  void pageWithTheModelInItShowsEventsAndEnergyOfEachRun() throws Exception {
+    Chromium browser = browser();
+    Path page = live(Path.of("..", "examples", "benchmarks", "bouncing_ball.xml"));
+    browser.open(page);
+    String marks = "document.querySelectorAll('#marks b').length";
+    double[] fromFile = browser.numbers("[" + marks + "]");
+    assertThat(fromFile[0]).isPositive();
+    assertThat(browser.evaluate("document.querySelector('#live p').textContent").toString())
+        .contains((int) fromFile[0] + " event");
+    assertThat(browser.evaluate("document.getElementById('readout').textContent").toString())
+        .contains("energy since start");
+    // from higher up the ball hits the floor less often
+    move(browser, "height.q", "19");
+    assertThat(browser.numbers("[" + marks + "]")[0]).isPositive().isLessThan(fromFile[0]);
+    requireQuiet(browser, page);
+  }
+
+  /** Writes the page of a model that the browser simulates; skips the test without a compiler. */
+  private Path live(Path model) {
     Path page = folder.resolve("live.html");
     StringWriter err = new StringWriter();
     int status =
@@ -154,22 +190,16 @@ class PlayerInBrowserTest {
         !err.toString().contains("no compiler for WebAssembly"),
         "no compiler for WebAssembly here: the page is not tried");
     assertThat(status).as(err.toString()).isEqualTo(ExitStatus.DONE);
-    browser.open(page);
-    double[] fromFile = browser.numbers("[mechPlayer.last('t'), mechPlayer.last('j1.q')]");
-    assertThat(fromFile[0]).isEqualTo(3);
-    // what mech simulate gives at a tolerance of 1e-12, to ten tolerances of the file
-    assertThat(fromFile[1]).isCloseTo(1.8533808, offset(1e-4));
-    String slider = "document.querySelector('#live input[data-name=\"j2.v\"]')";
+    return page;
+  }
+
+  private static void move(Chromium browser, String slider, String value) throws Exception {
     browser.evaluate(
-        "{ const s = " + slider + "; s.value = '0.5'; s.dispatchEvent(new Event('input')); }");
-    assertThat(browser.numbers("[mechPlayer.last('j1.q')]")[0])
-        .isNotCloseTo(fromFile[1], offset(0.01));
-    browser.evaluate("document.querySelector('#live button').click()");
-    assertThat(browser.numbers("[mechPlayer.last('j1.q')]")).containsExactly(fromFile[1]);
-    double[] times = browser.numbers("mechPlayer.runTimes()");
-    Arrays.sort(times);
-    System.out.printf("pendulum: 3 s simulated in the page in %.1f ms%n", times[0]);
-    requireQuiet(browser, page);
+        "{ const s = document.querySelector('#live input[data-name=\""
+            + slider
+            + "\"]'); s.value = '"
+            + value
+            + "'; s.dispatchEvent(new Event('input')); }");
   }
 
   @Test

@@ -30,6 +30,7 @@ final class Instance {
           "side",
           "quantity",
           "method",
+          "rotation",
           "extrapolation",
           "derivativeOf",
           "tunable",

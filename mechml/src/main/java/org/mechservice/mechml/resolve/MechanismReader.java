@@ -195,7 +195,7 @@ final class MechanismReader {
     List<LoopClosure> closures = new ArrayList<>();
     for (int j = 0; j < links.size(); j++) {
       JointLink link = links.get(j);
-      List<Expression> motion = drives.motion(link);
+      List<Expression> motion = drives.motion(link, tree.isCut(j));
       StartRole role = DriveReader.role(link);
       if (tree.isCut(j)) {
         link.joint().ifPresent(joint -> closures.add(new JointClosure(joint, role, motion)));

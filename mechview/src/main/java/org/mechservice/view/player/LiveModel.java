@@ -4,6 +4,7 @@ import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import java.util.Base64;
 import java.util.List;
+import java.util.Set;
 import org.mechservice.solver.api.result.Variable;
 
 /**
@@ -13,6 +14,7 @@ import org.mechservice.solver.api.result.Variable;
  * @param columns of its rows: time, states, outputs
  * @param parameters parameters with a slider
  * @param starts start values with a slider
+ * @param events names of its events, by number
  * @param from start time, s
  * @param to end time, s
  * @param step distance of the rows, s
@@ -23,15 +25,18 @@ public record LiveModel(
     List<Variable> columns,
     List<Slider> parameters,
     List<Slider> starts,
+    List<String> events,
     double from,
     double to,
     double step,
     double relativeTolerance) {
+  private static final Set<String> ENERGIES = Set.of("energy.kinetic", "energy.potential");
 
   public LiveModel {
     columns = List.copyOf(columns);
     parameters = List.copyOf(parameters);
     starts = List.copyOf(starts);
+    events = List.copyOf(events);
   }
 
   /** Returns a module's bytes as the page holds them. */
@@ -61,6 +66,16 @@ public record LiveModel(
     live.addProperty("rtol", relativeTolerance);
     live.add("parameters", json(parameters));
     live.add("starts", json(starts));
+    JsonArray names = new JsonArray();
+    events.forEach(names::add);
+    live.add("events", names);
+    JsonArray energies = new JsonArray();
+    for (int i = 0; i < columns.size(); i++) {
+      if (ENERGIES.contains(columns.get(i).name())) {
+        energies.add(i);
+      }
+    }
+    live.add("energies", energies);
     return live;
   }
 

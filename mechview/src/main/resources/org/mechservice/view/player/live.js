@@ -38,6 +38,7 @@ class LiveModel {
     const width = this.data.columns.length;
     const rows = new Float64Array(this.model.memory.buffer, this.model.mech_rows(), frames * width);
     const numbers = new Float32Array(frames * width);
+    const energy = new Float32Array(frames);
     const shift = new Float64Array(width);
     for (const body of this.data.bodies) {
       [0, 1, 2].forEach(i => { shift[body.pose + i] = this.data.origin[i]; });
@@ -46,8 +47,23 @@ class LiveModel {
       for (let column = 0; column < width; column++) {
         numbers[column * frames + frame] = rows[frame * width + column] - shift[column];
       }
+      // in doubles: floats do not keep the digits that the difference consists of
+      energy[frame] = this.energy(rows, frame * width) - this.energy(rows, 0);
     }
-    return { frames, numbers, took, message: this.message() };
+    return { frames, numbers, took, energy, events: this.events(), message: this.message() };
+  }
+
+  energy(rows, at) {
+    return this.live.energies.reduce((sum, column) => sum + rows[at + column], 0);
+  }
+
+  // Events of the last run: times, s, and names.
+  events() {
+    const { memory, mech_event_count, mech_event_times, mech_event_numbers } = this.model;
+    const count = mech_event_count();
+    const times = new Float64Array(memory.buffer, mech_event_times(), count);
+    const numbers = new Int32Array(memory.buffer, mech_event_numbers(), count);
+    return Array.from(times, (time, i) => ({ time, name: this.live.events[numbers[i]] }));
   }
 
   message() {
@@ -136,15 +152,20 @@ class LiveControls {
     const run = this.model.run();
     this.times.push(run.took);
     if (run.frames > 1) {
-      this.player.replace(run.numbers, run.frames);
+      this.player.replace(run);
     }
     this.tell(run);
   }
 
   tell(run) {
+    const { step, from, to } = this.model.live;
+    const last = run.events[run.events.length - 1];
+    const happened = run.events.length === 1 ? ', 1 event' : `, ${run.events.length} events`;
+    const what = `${run.frames} rows${last ? happened : ''} in ${run.took.toFixed(1)} ms`;
+    const ended = last && run.frames <= (to - from) / step * (1 - 1e-12);
     this.said.textContent = run.message
       ? `${run.frames > 1 ? 'The run ends early' : 'No run with these values'}: ${run.message}`
-      : `${run.frames} rows in ${run.took.toFixed(1)} ms`;
+      : `${what}${ended ? `; ended by ${last.name} at ${short(last.time)} s` : ''}`;
     this.said.classList.toggle('bad', run.message !== '');
   }
 }
@@ -155,6 +176,8 @@ const first = model.run();
 if (first.frames > 0) {
   data.numbers = first.numbers;
   data.frames = first.frames;
+  data.events = first.events;
+  data.change = first.energy;
 }
 const player = new Player(data);
 const controls = new LiveControls(model, player, first);

@@ -564,7 +564,9 @@ export class Player {
     if (this.energy) {
       const [kinetic, potential] = this.energy.map(column => this.motion.value(column, frame));
       lines.push(['energy', `${short(kinetic + potential)} J`]);
-      lines.push(['energy drift', `${short(this.drift[frame.at])} J`]);
+      lines.push(this.drift
+        ? ['energy drift', `${short(this.drift[frame.at])} J`]
+        : ['energy since start', `${short(this.data.change[frame.at])} J`]);
     }
     if (this.residual >= 0) {
       lines.push(['constraint residual', `${short(this.motion.value(this.residual, frame))} m`]);
@@ -670,15 +672,30 @@ export class Player {
     this.tell();
   }
 
-  // Shows another motion of the same mechanism: numbers column after column.
-  replace(numbers, frames) {
+  // Marks the events along the time.
+  mark() {
+    const duration = this.motion.end - this.motion.start;
+    element('marks').replaceChildren(...this.data.events.map(event => {
+      const mark = document.createElement('b');
+      mark.style.left = `${100 * (event.time - this.motion.start) / (duration || 1)}%`;
+      mark.title = event.name;
+      return mark;
+    }));
+  }
+
+  // Shows another motion of the same mechanism: numbers column after column, change of its energy
+  // since the start in each frame, and its events.
+  replace({ numbers, frames, energy, events }) {
     this.data.numbers = numbers;
     this.data.frames = frames;
+    this.data.change = energy;
+    this.data.events = events;
     this.motion = new Motion(this.data);
     this.stalePaths = this.paths || this.stalePaths;
     this.paths = undefined;
     element('time').min = String(this.motion.start);
     element('time').max = String(this.motion.end);
+    this.mark();
     this.charts.forEach(chart => chart.show(this.motion.times, chart.series.map(one =>
       ({ ...one, values: this.motion.column(one.column) }))));
     this.seek(this.time);
@@ -708,9 +725,9 @@ export class Player {
       count(motion.count, 'frame')].join(', ');
     const duration = motion.end - motion.start;
     this.decimals = duration > 0 ? Math.min(9, Math.max(0, 3 - Math.floor(Math.log10(duration)))) : 3;
-    if (data.drift) {
+    if (data.drift || data.change) {
       this.energy = ['kinetic', 'potential'].map(part => this.place(`energy.${part}`));
-      this.drift = new Float32Array(bytesOf(data.drift));
+      this.drift = data.drift && new Float32Array(bytesOf(data.drift));
     }
     this.residual = this.place('constraint.position');
 
@@ -722,12 +739,7 @@ export class Player {
       this.seek(Number(slider.value));
     });
     element('play').addEventListener('click', () => this.play(!this.playing));
-    for (const event of data.events) {
-      const mark = document.createElement('b');
-      mark.style.left = `${100 * (event.time - motion.start) / (duration || 1)}%`;
-      mark.title = event.name;
-      element('marks').append(mark);
-    }
+    this.mark();
     SPEEDS.forEach((speed, at) => element('speed').append(new Option(`${speed}×`, String(at))));
     element('speed').addEventListener('change', event => this.setSpeed(Number(event.target.value)));
     // a run of a moment lasts two seconds on the screen at least

@@ -41,6 +41,18 @@ public final class JointCoordinateUnits {
     return units(element, type, si);
   }
 
+  /**
+   * Returns the unit of each of three angles and of the positions of an S or F joint behind its
+   * Euler parameters; empty after a reported error, if {@code unit} fits none.
+   */
+  public Optional<List<Unit>> angles(Element element, JointType type) {
+    List<String> si = new ArrayList<>(List.of("rad", "rad", "rad"));
+    for (int i = 4; i < type.positionCount(); i++) {
+      si.add(type.positionUnit(i));
+    }
+    return units(element, type, si);
+  }
+
   /** Returns the unit of each velocity; empty after a reported error, if {@code unit} fits none. */
   public Optional<List<Unit>> velocities(Element element, JointType type) {
     List<String> si = new ArrayList<>();

@@ -125,26 +125,41 @@ public final class ArticulatedBodyEquations {
     if (inertias.sweep()) {
       accelerations.sweep();
     }
-    return new Solved(mechanism, inertias, accelerations, inJoints);
+    return new Solved(mechanism, coordinates, inertias, accelerations, inJoints);
   }
 
   /**
    * Solved equations.
    *
    * @param mechanism the mechanism in computing frames
+   * @param coordinates its coordinates
    * @param inertias second sweep
    * @param accelerations third sweep
    * @param inJoints applied joint forces
    */
   record Solved(
       Links mechanism,
+      Coordinates coordinates,
       InertiaSweep inertias,
       AccelerationSweep accelerations,
       JointForces inJoints) {
 
-    /** Returns the force that the motion of a driven link takes beyond those applied, N·m or N. */
-    Scalar drivingForce(int i) {
-      DegreeOfFreedom freedom = DegreeOfFreedom.of(mechanism.links().get(i)).get(0);
+    /**
+     * Returns the forces that the motion of a driven link takes beyond those applied, N·m or N:
+     * one, or the torque of a ball in the axes of the file's body 1.
+     */
+    List<Scalar> drivingForces(int i) {
+      Link link = mechanism.links().get(i);
+      List<Scalar> forces =
+          DegreeOfFreedom.of(link).stream().map(freedom -> drivingForce(i, freedom)).toList();
+      return link.isBall()
+          ? coordinates
+              .ballToState(link, new ScalarVector(forces.get(0), forces.get(1), forces.get(2)))
+              .components()
+          : forces;
+    }
+
+    private Scalar drivingForce(int i, DegreeOfFreedom freedom) {
       Wrench column = inertias.inertia(i).along(freedom);
       Scalar taken =
           column

@@ -68,7 +68,7 @@ public final class PowerEquations {
     return power.isZero() ? power : power.expressions().function(MathFunction.ABS, power);
   }
 
-  /** Returns the power of each driven link's motion. */
+  /** Returns the power of each driven velocity. */
   private static List<Scalar> drivingForces(Links mechanism, ArticulatedBodyEquations tree) {
     List<Scalar> powers = new ArrayList<>();
     if (mechanism.mechanism().motions().isEmpty()) {
@@ -78,7 +78,14 @@ public final class PowerEquations {
     for (int i = 0; i < mechanism.links().size(); i++) {
       Link link = mechanism.links().get(i);
       if (link.isDriven()) {
-        powers.add(solved.drivingForce(i).times(tree.coordinates().velocity(link)));
+        List<Scalar> forces = solved.drivingForces(i);
+        List<Scalar> velocities =
+            link.isBall()
+                ? tree.coordinates().ballVelocity(link).components()
+                : List.of(tree.coordinates().velocity(link));
+        for (int k = 0; k < forces.size(); k++) {
+          powers.add(forces.get(k).times(velocities.get(k)));
+        }
       }
     }
     return powers;
@@ -96,7 +103,7 @@ public final class PowerEquations {
     if (!mechanism.mechanism().motions().isEmpty()) {
       ArticulatedBodyEquations.Solved solved = tree.accelerations(tree::appliedForces, false);
       for (int link : drivenInFileOrder(mechanism)) {
-        values.add(solved.drivingForce(link));
+        values.addAll(solved.drivingForces(link));
       }
     }
     program.section("Values of forces.", "values");

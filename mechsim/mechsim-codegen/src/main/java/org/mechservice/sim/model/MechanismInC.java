@@ -136,7 +136,7 @@ final class MechanismInC {
           "forces written as Java classes ("
               + String.join(", ", left)
               + "); give them as expressions, or make them inputs of an FMU by --class-as-input "
-              + left.get(0));
+              + String.join(" --class-as-input ", left));
     }
     beyond.addAll(JumpsInC.notExported(mechanism, options.settings()));
     beyond.addAll(turnsOfCutJoints());
@@ -157,12 +157,7 @@ final class MechanismInC {
     if (beyond.isEmpty()) {
       beyond.addAll(
           GenerationLimits.isRecursive(mechanism)
-              ? List.of(
-                  "loops of more than "
-                      + LoopEquations.LARGE
-                      + " velocities (it has "
-                      + mechanism.velocityCount()
-                      + ")")
+              ? GenerationLimits.largeWithMassMatrix(mechanism)
               : GenerationLimits.notGenerated(mechanism, choice, () -> 0));
     }
     refuse(beyond);

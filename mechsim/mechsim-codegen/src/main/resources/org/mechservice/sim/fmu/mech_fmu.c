@@ -21,6 +21,12 @@ enum { MOST_TRIES = 1000000, MOST_EVENTS = 1000 };
  * Below the last number round-off outweighs what it gains. */
 static const double SAFETY = MODEL_LOOPS ? 300 : 100, FINEST = 1e-13;
 
+/* Events in a row that come ever closer or at once before they are said to accumulate, the distance
+ * that is hardly more than their uncertainty, relative to t, and how close ahead the point at which
+ * they would meet is, relative to the time elapsed: as in a run of Java. */
+enum { IN_A_ROW = 20 };
+static const double CHATTER = 1e-10, CLOSE_AHEAD = 1e-6;
+
 /* Parts of a step at whose ends the event functions are looked at. */
 enum { LOOKS = 4 };
 
@@ -461,6 +467,9 @@ static mech_status apply_events(mech_instance *c, int zero_counts, int *changed)
       c->s.sign[i] = occurred[i];
       fired[i] = 1;
       some = 1;
+      if (c->noted != NULL) {
+        c->noted(c, i);
+      }
     }
   }
   if (some) {
@@ -578,6 +587,11 @@ static mech_status begin_integration(mech_instance *c) {
   if (MODEL_LONGEST < a->longest) {
     a->longest = MODEL_LONGEST;
   }
+  if (!c->s.begun) {
+    c->s.last_event = c->s.t;
+    c->s.event_distance = HUGE_VAL;
+    c->s.shrinking = c->s.chattering = 0;
+  }
   c->s.jump = mech_next_jump(c);
   a->stop = c->s.stop_defined && c->s.stop < c->s.jump ? c->s.stop : c->s.jump;
   result = mech_method_begin(a, &c->s.model, c->s.t, c->s.x);
@@ -633,6 +647,20 @@ static mech_status look_for_events(mech_instance *c, double from) {
     low = high;
   }
   return MECH_OK;
+}
+
+/* Takes note of an event that changed the state; returns whether events accumulate: at distances
+ * that shrink towards a point close ahead, as the bounces of a ball do, or that are round-off. */
+static int accumulates(mech_state *s) {
+  double distance = s->t - s->last_event;
+  double ahead = distance * distance / (s->event_distance - distance);
+  double size = fabs(s->t) > fabs(s->start) ? fabs(s->t) : fabs(s->start);
+  s->shrinking = distance < s->event_distance ? s->shrinking + 1 : 0;
+  s->chattering = distance <= CHATTER * size ? s->chattering + 1 : 0;
+  s->last_event = s->t;
+  s->event_distance = distance;
+  return s->chattering >= IN_A_ROW ||
+         (s->shrinking >= IN_A_ROW && ahead <= CLOSE_AHEAD * (s->t - s->start));
 }
 
 /* Brings the state to a place inside the last step. */
@@ -702,6 +730,13 @@ mech_status mech_do_step(mech_instance *c, const char *function, double from, do
                         "Events follow each other without end at t = %.17g: %d in one step. Let an"
                         " event end the run, or give a jump that leaves the zero.",
                         te, (int)MOST_EVENTS);
+      }
+      if (changed && !c->s.terminate && accumulates(&c->s)) {
+        c->s.mode = MECH_STEP_FAILED;
+        return mech_say(c, MECH_FAILED,
+                        "The intervals between events become ever shorter at t = %.17g. End the run"
+                        " before, or stop the changes of the state: a bounce below a certain speed.",
+                        te);
       }
       if (changed && (status = begin_integration(c)) != MECH_OK) {
         return status;
@@ -792,9 +827,9 @@ mech_status mech_directional(mech_instance *c, const char *function, const unsig
                              const double *seed, size_t seeds, double *sensitivity,
                              size_t sensitivities) {
   double largest = 0, size = 0, e;
-  size_t i, j;
+  size_t i;
   mech_status status = know_start(c);
-  int by_jacobian = 1;
+  int exact = 1;
   if (status != MECH_OK) {
     return status;
   }
@@ -808,20 +843,21 @@ mech_status mech_directional(mech_instance *c, const char *function, const unsig
       return mech_say(c, MECH_FAILED, "%s: a seed is not finite.", function);
     }
     largest = fabs(seed[i]) > largest ? fabs(seed[i]) : largest;
-    by_jacobian &= known[i] >= MECH_STATE && known[i] < MECH_DERIVATIVE;
+    exact &= (known[i] >= MECH_STATE && known[i] < MECH_DERIVATIVE) ||
+             (known[i] >= MECH_PARAMETER && known[i] < MECH_OUTPUT);
   }
   for (i = 0; i < unknowns; i++) {
-    by_jacobian &= unknown[i] >= MECH_DERIVATIVE && unknown[i] < MECH_PARAMETER;
+    exact &= unknown[i] >= MECH_DERIVATIVE && unknown[i] < MECH_PARAMETER;
   }
-  if (by_jacobian) {
-    double jacobian[MECH_N * MECH_N];
-    if (MODEL_jacobian(&c->s.model, c->s.t, c->s.x, jacobian) >= 0) {
+  if (exact) {
+    double seeds[MECH_N + MODEL_NP + MODEL_NU] = {0}, rates[MECH_N];
+    for (i = 0; i < knowns; i++) {
+      unsigned r = known[i];
+      seeds[r < MECH_DERIVATIVE ? r - MECH_STATE : MODEL_NX + (r - MECH_PARAMETER)] += seed[i];
+    }
+    if (MODEL_directional(&c->s.model, c->s.t, c->s.x, seeds, rates) >= 0) {
       for (i = 0; i < unknowns; i++) {
-        sensitivity[i] = 0;
-        for (j = 0; j < knowns; j++) {
-          sensitivity[i] += seed[j] * jacobian[(unknown[i] - MECH_DERIVATIVE) * MODEL_NX +
-                                               (known[j] - MECH_STATE)];
-        }
+        sensitivity[i] = rates[unknown[i] - MECH_DERIVATIVE];
       }
       return MECH_OK;
     }

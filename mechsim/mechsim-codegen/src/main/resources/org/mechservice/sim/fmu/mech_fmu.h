@@ -73,6 +73,10 @@ typedef struct {
   int begun, waiting, told_stiff;
   /* The next time at which the equations jump. */
   double horizon, jump;
+  /* The last event that changed the state, its distance from the one before, and how many in a row
+   * came ever closer, or at once. */
+  double last_event, event_distance;
+  int shrinking, chattering;
 } mech_state;
 
 typedef struct mech_instance mech_instance;
@@ -84,6 +88,8 @@ struct mech_instance {
   /* Writes a message: status, category, text. */
   void (*log)(const mech_instance *, mech_status, const char *, const char *);
   void *logger, *environment;
+  /* Told of each event as it happens, by its number; NULL if nobody asks. */
+  void (*noted)(const mech_instance *, int);
   void (*release)(void *);
   mech_state s;
   /* Values at (t, x), formed when asked for. */

@@ -46,7 +46,7 @@ class FmuRunTest {
   @EnumSource
   void ballBouncesAsTheFormulaSaysAndGoesOnToTheBitWhereItWasSaved(FmiVersion version)
       throws Exception {
-    Map<String, String> said = fmpy(CModels.ball(), version, "ball,resumed");
+    Map<String, String> said = fmpy(CModels.ball(), version, "ball,resumed,accumulating");
     assertThat(said)
         .containsEntry("findings", "[]")
         .containsEntry("serialised", "True")
@@ -54,6 +54,9 @@ class FmuRunTest {
         .containsEntry("reset", "True");
     assertThat(number(said, "ModelExchange", 0)).isLessThan(1e-7);
     assertThat(number(said, "CoSimulation", 0)).isLessThan(1e-12);
+    // the bounces meet at sqrt(2/g) (1 + 2 e / (1 - e)) = 2.55854 s
+    assertThat(number(said, "ended", 0)).isBetween(2.54, 2.5586);
+    assertThat(said.toString()).contains("The intervals between events become ever shorter");
   }
 
   @ParameterizedTest

@@ -4,7 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.EnumSet;
+import java.util.List;
 import java.util.Random;
 import java.util.Set;
 import java.util.stream.Collectors;
@@ -19,6 +22,8 @@ import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.capability.LinearisedModel;
 import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.capability.ResidualModel;
+import org.mechservice.solver.api.capability.ResultColumns;
+import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.compact.CompactForm;
 
@@ -71,6 +76,36 @@ class FurtherStatesTest {
           + " velVals='1;2;-1'/><jointVal name='rail'"
           + " driven='0.1*sin(3*t) + 0.01*cub2(t, 1-3*t)'/></relCoorVals></topology></MBSmodel></MechML>";
 
+  /** Driven free and spherical joints, one of them written outwards in, below hinges and a ball. */
+  private static final String TURNS =
+      HEAD
+          + "<Bodies><body name='Ground'><point name='o' x='0' y='0' z='0'/>"
+          + AXES
+          + "</body>"
+          + body("base")
+          + body("arm")
+          + body("bob")
+          + body("tool")
+          + body("tip")
+          + "</Bodies><Joints>"
+          + joint("stage", "F", "Ground", "o", "base", "")
+          + joint("hinge", "R", "base", "p", "arm", " vector='y'")
+          + joint("ball", "S", "arm", "p", "bob", "")
+          + "<joint name='wrist' type='S'><body1 name='tool' point='o'/><body2 name='bob'"
+          + " point='p'/></joint>"
+          + joint("end", "R", "tool", "p", "tip", " vector='x'")
+          + "</Joints><States><state name='a' x0='0.3' derivative='stage.q[1]*k + wrist.v[2]*end.q -"
+          + " a*b'/><state name='b' derivative='tip.p.vz + wrist.q[3] - b'/></States><Forces><gravity"
+          + " gx='0' gy='1' gz='-9.81'/><jointForce name='motor' joint='hinge' expression='-4*a +"
+          + " stage.v[1]*end.v'/><forceTorque name='push' body='tip' point='p' frame='world'"
+          + " fx='5*wrist.v[0] + tip.p.vx' tz='a*hinge.q*stage.q[5]'/></Forces><Outputs><output"
+          + " name='w' expression='wrist.q[2]*stage.v[4]'/></Outputs><topology><root"
+          + " name='Ground'/><relCoorVals><jointVal name='stage' driven='sin(2*t); 0.3*k*t^2; 1-t;"
+          + " 0.2*t; 0.1*sin(3*t); cos(t)' rotation='zyx'/><jointVal name='wrist' driven='1;0.3*t;"
+          + " sin(t); t^2'/><jointVal name='hinge' posVals='0.4' velVals='1'/><jointVal name='ball'"
+          + " posVals='0.8;0.6;0;0' velVals='1;2;-1'/><jointVal name='end' posVals='-0.3'"
+          + " velVals='2'/></relCoorVals></topology></MBSmodel></MechML>";
+
   /** A four-bar whose cut hinge is a coordinate of the controllers. */
   private static final String LOOP =
       HEAD
@@ -96,6 +131,18 @@ class FurtherStatesTest {
           + "<topology><root name='Ground'/><relCoorVals><jointVal name='j1' posVals='-1.2'"
           + " velVals='0.7' fixed='true'/><jointVal name='j2' posVals='1'/><jointVal name='j3'"
           + " posVals='-1.9'/></relCoorVals></topology></MBSmodel></MechML>";
+
+  /** The four-bar on a base that is moved in six coordinates. */
+  private static final String MOVED_LOOP =
+      LOOP.replace("</body><body name='crank'", "</body>" + body("base") + "<body name='crank'")
+          .replace("<Joints>", "<Joints>" + joint("stage", "F", "Ground", "o", "base", ""))
+          .replace("<body1 name='Ground' point='o' vector", "<body1 name='base' point='o' vector")
+          .replace("<body1 name='Ground' point='p' vector", "<body1 name='base' point='p2' vector")
+          .replace("<body name='base'>", "<body name='base'><point name='p2' x='2' y='0' z='0'/>")
+          .replace(
+              "<relCoorVals>",
+              "<relCoorVals><jointVal name='stage' driven='1; 0.2*t; sin(t); 0.5*t^2; t; 0.1*t^3;"
+                  + " sin(2*t)'/>");
 
   private static String body(String name) {
     return "<body name='"
@@ -145,6 +192,54 @@ class FurtherStatesTest {
   @CsvSource({"DTR, auto", "DSR, auto", "RR, auto", "RR-JF, auto"})
   void codeOfTreesHasTheDerivativesOfTheData(String formulation, String closure) throws Exception {
     assertSameDerivatives(TREE, formulation, closure);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"DTR, auto", "DSR, auto", "RR, auto", "RR-JF, auto"})
+  void codeOfDrivenTurnsHasTheDerivativesOfTheData(String formulation, String closure)
+      throws Exception {
+    assertSameDerivatives(TURNS, formulation, closure);
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "DSR, projection",
+    "DSR, penalty",
+    "RR, projection",
+    "RR, penalty",
+    "RR-JF, projection",
+    "RR-JF, penalty"
+  })
+  void codeOfLoopsOnADrivenBaseHasTheDerivativesOfTheData(String formulation, String closure)
+      throws Exception {
+    assertSameDerivatives(MOVED_LOOP, formulation, closure);
+  }
+
+  /** Energies, poses, driving forces and outputs of code and data. */
+  @Test
+  void columnsOfDrivenTurnsAreThoseOfTheData() throws Exception {
+    double[] code = columns(false);
+    double[] data = columns(true);
+    assertThat(code.length).isGreaterThan(60);
+    assertClose(code, data, 1e-11);
+  }
+
+  private static double[] columns(boolean compact) throws Exception {
+    MechmlModel file = read(TURNS);
+    RunSettings settings = new RunSettings(0, 1, 0.1, "ode113", 1e-6, 1e-8);
+    BuildOptions options =
+        new BuildOptions("DTR", "auto", compact, EnumSet.allOf(ColumnGroup.class), settings);
+    Model made =
+        ModelFactory.compile(file, options, ModelFactory.generate(file, options)).newInstance();
+    double[] y = start((ExplicitModel) ModelParts.of(made).equations());
+    ResultColumns columns = ModelParts.of(made).columns();
+    List<Double> all = new ArrayList<>();
+    for (ColumnGroup group : ColumnGroup.values()) {
+      double[] values = new double[columns.columns(group).size()];
+      columns.values(group, TIME, y, values, 0);
+      Arrays.stream(values).forEach(all::add);
+    }
+    return all.stream().mapToDouble(Double::doubleValue).toArray();
   }
 
   @ParameterizedTest
@@ -244,9 +339,9 @@ class FurtherStatesTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"false", "true"})
-  void stepSolvesTheLinearisedResidual(boolean data) throws Exception {
-    LinearisedModel model = (LinearisedModel) model(TREE, "RR-JF", "auto", data);
+  @CsvSource({"false, false", "true, false", "false, true", "true, true"})
+  void stepSolvesTheLinearisedResidual(boolean data, boolean turns) throws Exception {
+    LinearisedModel model = (LinearisedModel) model(turns ? TURNS : TREE, "RR-JF", "auto", data);
     double[] y = start(model);
     double[] yDot = new double[y.length];
     model.derivative(TIME, y, yDot);

@@ -31,6 +31,17 @@ def ball(fmu):
         print(kind, max(abs(r["z.x"][i] - bounce(r["time"][i])) for i in range(len(r))))
 
 
+def accumulating(fmu):
+    """The bounces of a ball have no end: the run has."""
+    seen = []
+    try:
+        run(fmu, "CoSimulation", stop_time=4, output_interval=0.01,
+            step_finished=lambda t, rows: seen.append(t) or True)
+        print("ended", 4)
+    except Exception:
+        print("ended", seen[-1])
+
+
 CIRCLE = ["x", "y", "E", "drift"]
 
 

@@ -2,13 +2,20 @@ package org.mechservice.solver.kinematics;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
+import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Tape;
 import org.mechservice.solver.expression.TapeEvaluation;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.PrescribedMotion;
 
-/** The coordinates of driven joints as functions of time. Workspace of one thread. */
+/**
+ * The coordinates of driven joints as functions of time. Workspace of one thread.
+ *
+ * <p>A ball follows a path of unit quaternions e: its angular velocity is ω = 2 E(e) e′, in the
+ * axes of the file's body 1, and ω′ = 2 E(e) e″, since E(e′) e′ = 0.
+ */
 final class PrescribedCoordinates {
   private final TapeEvaluation evaluation;
   private final int[] timeLeaves;
@@ -16,17 +23,33 @@ final class PrescribedCoordinates {
   private final int[] parameterIndex;
   private final int positionStart;
   private final int velocityStart;
-  private final int count;
+
+  /** Whether each driven joint, in file order, begins with Euler parameters. */
+  private final boolean[] isBall;
+
+  /** Number of coordinates of each driven joint that are no Euler parameters. */
+  private final int[] plain;
 
   /**
    * @throws IllegalArgumentException if a motion depends on anything but time and parameters
    */
   PrescribedCoordinates(TreeGeometry tree) {
     Mechanism mechanism = tree.mechanism();
-    evaluation = new TapeEvaluation(new Tape(inJointOrder(mechanism)));
+    evaluation =
+        new TapeEvaluation(
+            new Tape(inJointOrder(mechanism).flatMap(m -> m.coordinates().stream()).toList()));
     positionStart = tree.statePositionCount;
     velocityStart = tree.stateVelocityCount;
-    count = tree.velocityCount - velocityStart;
+    List<JointType> types =
+        inJointOrder(mechanism)
+            .map(motion -> mechanism.joints().get(motion.joint()).type())
+            .toList();
+    isBall = new boolean[types.size()];
+    plain = new int[types.size()];
+    for (int i = 0; i < plain.length; i++) {
+      isBall[i] = types.get(i).hasEulerParameters();
+      plain[i] = types.get(i).positionCount() - (isBall[i] ? 4 : 0);
+    }
     List<Integer> times = new ArrayList<>();
     List<Integer> parameters = new ArrayList<>();
     List<Integer> indices = new ArrayList<>();
@@ -48,14 +71,9 @@ final class PrescribedCoordinates {
     parameterIndex = indices.stream().mapToInt(Integer::intValue).toArray();
   }
 
-  /** Returns the expressions in the order of the extended coordinates. */
-  private static List<Expression> inJointOrder(Mechanism mechanism) {
-    List<Expression> ordered = new ArrayList<>();
-    mechanism.motions().stream()
-        .sorted((a, b) -> Integer.compare(a.joint(), b.joint()))
-        .map(PrescribedMotion::coordinates)
-        .forEach(ordered::addAll);
-    return ordered;
+  /** Returns the motions in the order of the extended coordinates. */
+  private static Stream<PrescribedMotion> inJointOrder(Mechanism mechanism) {
+    return mechanism.motions().stream().sorted((a, b) -> Integer.compare(a.joint(), b.joint()));
   }
 
   /** Sets the values of the parameters. */
@@ -67,7 +85,7 @@ final class PrescribedCoordinates {
 
   /** Writes the driven part of extended positions, velocities and accelerations. */
   void evaluate(double t, double[] q, double[] v, double[] a) {
-    if (count == 0) {
+    if (plain.length == 0) {
       return;
     }
     for (int leaf : timeLeaves) {
@@ -75,10 +93,47 @@ final class PrescribedCoordinates {
     }
     evaluation.derivatives();
     evaluation.rates();
-    for (int i = 0; i < count; i++) {
-      q[positionStart + i] = evaluation.value(i);
-      v[velocityStart + i] = evaluation.rate(i);
-      a[velocityStart + i] = evaluation.secondRate(i);
+    int next = 0;
+    int at = velocityStart;
+    for (int joint = 0; joint < plain.length; joint++) {
+      if (isBall[joint]) {
+        turn(next, q, v, a, at);
+        next += 4;
+        at += 3;
+      }
+      for (int i = 0; i < plain[joint]; i++) {
+        q[positionStart + next] = evaluation.value(next);
+        v[at] = evaluation.rate(next);
+        a[at] = evaluation.secondRate(next);
+        next++;
+        at++;
+      }
     }
+  }
+
+  /** Writes a ball whose Euler parameters are four results of the tape from {@code first}. */
+  private void turn(int first, double[] q, double[] v, double[] a, int at) {
+    double e0 = evaluation.value(first);
+    double e1 = evaluation.value(first + 1);
+    double e2 = evaluation.value(first + 2);
+    double e3 = evaluation.value(first + 3);
+    q[positionStart + first] = e0;
+    q[positionStart + first + 1] = e1;
+    q[positionStart + first + 2] = e2;
+    q[positionStart + first + 3] = e3;
+    for (int order = 1; order <= 2; order++) {
+      double d0 = rate(first, order);
+      double d1 = rate(first + 1, order);
+      double d2 = rate(first + 2, order);
+      double d3 = rate(first + 3, order);
+      double[] out = order == 1 ? v : a;
+      out[at] = 2 * (e0 * d1 - e1 * d0 + e2 * d3 - e3 * d2);
+      out[at + 1] = 2 * (e0 * d2 - e2 * d0 + e3 * d1 - e1 * d3);
+      out[at + 2] = 2 * (e0 * d3 - e3 * d0 + e1 * d2 - e2 * d1);
+    }
+  }
+
+  private double rate(int result, int order) {
+    return order == 1 ? evaluation.rate(result) : evaluation.secondRate(result);
   }
 }

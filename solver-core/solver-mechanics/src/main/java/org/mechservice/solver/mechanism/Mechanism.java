@@ -176,10 +176,6 @@ public final class Mechanism {
       }
       Joint joint = joints.get(motion.joint());
       int coordinates = joint.type().positionCount();
-      if (coordinates != joint.type().velocityCount()) {
-        throw new IllegalArgumentException(
-            "joint " + joint.name() + " of type " + joint.type() + " cannot be driven");
-      }
       if (motion.coordinates().size() != coordinates) {
         throw new IllegalArgumentException(
             "joint "

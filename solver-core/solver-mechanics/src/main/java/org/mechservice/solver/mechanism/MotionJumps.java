@@ -122,7 +122,13 @@ final class MotionJumps {
     int velocity = 0;
     for (PrescribedMotion motion : motions) {
       Joint joint = mechanism.joints().get(motion.joint());
-      for (Expression coordinate : motion.coordinates()) {
+      List<Expression> coordinates = motion.coordinates();
+      if (joint.type().hasEulerParameters()) {
+        searchTurn(joint, velocity, coordinates.subList(0, 4));
+        velocity += 3;
+        coordinates = coordinates.subList(4, coordinates.size());
+      }
+      for (Expression coordinate : coordinates) {
         search(joint, velocity++, coordinate);
       }
     }
@@ -138,6 +144,19 @@ final class MotionJumps {
       Curve curve = new Curve(coordinate, mechanism.parameters());
       search(joint, velocity, curve, true);
       search(joint, velocity, curve, false);
+    }
+  }
+
+  /** Searches the Euler parameters of a ball, and the components of its angular velocity. */
+  private void searchTurn(Joint joint, int velocity, List<Expression> e) {
+    if (e.stream().allMatch(MotionJumps::isSmooth)) {
+      return;
+    }
+    for (int i = 0; i < 4; i++) {
+      search(joint, velocity, new Curve(e.get(i), mechanism.parameters()), true);
+    }
+    for (int i = 0; i < 3; i++) {
+      search(joint, velocity + i, new Curve(e, i, mechanism.parameters()), false);
     }
   }
 
@@ -231,12 +250,24 @@ final class MotionJumps {
         : Double.isFinite(before) != Double.isFinite(after);
   }
 
-  /** A coordinate as a function of time. */
+  /** A coordinate as a function of time, or a component of the angular velocity of a ball. */
   private static final class Curve {
+    private static final int PLAIN = -1;
+
     private final TapeEvaluation evaluation;
+    private final int turnAbout;
 
     Curve(Expression coordinate, List<Parameter> parameters) {
-      evaluation = new TapeEvaluation(new Tape(List.of(coordinate)));
+      this(List.of(coordinate), PLAIN, parameters);
+    }
+
+    /**
+     * @param coordinates a coordinate, or four Euler parameters
+     * @param turnAbout component of the angular velocity, 0 to 2
+     */
+    Curve(List<Expression> coordinates, int turnAbout, List<Parameter> parameters) {
+      this.turnAbout = turnAbout;
+      evaluation = new TapeEvaluation(new Tape(coordinates));
       List<Expression> leaves = evaluation.tape().leaves();
       for (int i = 0; i < leaves.size(); i++) {
         if (leaves.get(i) instanceof ParameterValue parameter) {
@@ -254,7 +285,22 @@ final class MotionJumps {
       }
       evaluation.derivatives();
       evaluation.rates();
+      if (turnAbout != PLAIN) {
+        return turnRate();
+      }
       return position ? evaluation.value(0) : evaluation.rate(0);
+    }
+
+    /** Component i of 2 E(e) e′ with the cyclic order i, j, k. */
+    private double turnRate() {
+      int i = 1 + turnAbout;
+      int j = 1 + (turnAbout + 1) % 3;
+      int k = 1 + (turnAbout + 2) % 3;
+      return 2
+          * (evaluation.value(0) * evaluation.rate(i)
+              - evaluation.value(i) * evaluation.rate(0)
+              + evaluation.value(j) * evaluation.rate(k)
+              - evaluation.value(k) * evaluation.rate(j));
     }
   }
 }

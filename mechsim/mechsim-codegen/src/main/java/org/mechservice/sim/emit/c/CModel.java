@@ -29,7 +29,7 @@ public final class CModel {
 
   private static final List<String> COPIED_WITH_LOOPS = List.of("mech_loops.h", "mech_loops.c");
 
-  /** Names with whose ending {@code _t} C declares types, and names of other files. */
+  /** Names with whose ending {@code _t} C and POSIX declare types, and names of other files. */
   private static final Set<String> TAKEN =
       Set.of(
           "size",
@@ -44,9 +44,39 @@ public final class CModel {
           "time",
           "clock",
           "off",
+          "blkcnt",
+          "blksize",
+          "clockid",
+          "dev",
+          "fsid",
+          "gid",
+          "id",
+          "ino",
+          "key",
+          "loff",
+          "mode",
+          "nlink",
+          "pid",
+          "quad",
+          "register",
+          "sigset",
+          "suseconds",
+          "timer",
+          "u_quad",
+          "uid",
+          "useconds",
           "fpos",
           "sig_atomic",
           "max_align",
+          "math",
+          "string",
+          "stdio",
+          "stdlib",
+          "stdarg",
+          "stddef",
+          "stdint",
+          "limits",
+          "errno",
           "example");
 
   /** Beginnings of the names of whole-number types, and of the files copied beside the model. */
@@ -108,6 +138,11 @@ public final class CModel {
       lines.add("t = beside(m, t);");
     }
     return lines;
+  }
+
+  /** Returns how many parameters, inputs and loads the programs read. */
+  int parameterSlots() {
+    return parameters().size() + inputs.parameters() + inputs.loads();
   }
 
   /** Returns whether the programs take unwrapped angles behind the state. */

@@ -173,7 +173,7 @@ final class LinkRows {
     /** Subtracts [Sᵀ f]× from the rows of a ball whose columns rotate relative to it. */
     private void turnRows(Scalar[][] position, Wrench force) {
       Link ball = links.get(link);
-      if (!ball.isBall() || ball.inverse()) {
+      if (!ball.isBall() || ball.inverse() || ball.isDriven()) {
         return;
       }
       for (int c = 0; c < 3; c++) {
@@ -252,7 +252,7 @@ final class LinkRows {
 
     /** Adds C [ω]× + M [ω']× to the columns of a ball that rotate relative to it. */
     void turn(Link columns) {
-      if (!columns.isBall() || columns.inverse()) {
+      if (!columns.isBall() || columns.inverse() || columns.isDriven()) {
         return;
       }
       ScalarVector omega = coordinates.ballVelocity(columns);

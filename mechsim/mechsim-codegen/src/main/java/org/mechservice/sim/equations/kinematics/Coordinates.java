@@ -75,15 +75,32 @@ public final class Coordinates {
 
   /** Returns the known joint acceleration of a ball, in the axes of {@link #ballVelocity}. */
   public ScalarVector knownBallAcceleration(Link link) {
+    if (link.isDriven()) {
+      List<Scalar> rates = eulerParameters(link).e().stream().map(byTime::of).toList();
+      return program.named(
+          "a_" + link.jointLabel(), turnRate(link, rates.stream().map(byTime::of).toList()));
+    }
     return derivative == NONE
         ? ScalarVector.zero(expressions)
         : program.named("a_" + link.jointLabel(), inputs(derivative + link.velocity()));
   }
 
   private Scalar drivenOr(Link link, int input) {
-    return link.motion().isPresent()
-        ? functions.scalar(link.motion().get())
-        : expressions.input(input);
+    return link.isDriven() ? functions.scalar(link.motion().get(0)) : expressions.input(input);
+  }
+
+  /** Returns 2 E(e) d for the Euler parameters e of a ball: ω of d = e′, and ω′ of d = e″. */
+  private ScalarVector turnRate(Link link, List<Scalar> d) {
+    List<Scalar> e = eulerParameters(link).e();
+    Scalar[] rate = new Scalar[3];
+    for (int i = 0; i < 3; i++) {
+      int j = (i + 1) % 3;
+      int k = (i + 2) % 3;
+      Scalar along = e.get(0).times(d.get(i + 1)).minus(e.get(i + 1).times(d.get(0)));
+      Scalar across = e.get(j + 1).times(d.get(k + 1)).minus(e.get(k + 1).times(d.get(j + 1)));
+      rate[i] = along.plus(across).times(2);
+    }
+    return new ScalarVector(rate[0], rate[1], rate[2]);
   }
 
   private Scalar named(String kind, Link link, Scalar value) {
@@ -112,7 +129,11 @@ public final class Coordinates {
 
   /** Returns the angular velocity of the file's body 2 relative to body 1, in body 1's axes. */
   public ScalarVector ballVelocity(Link link) {
-    return program.named("v_" + link.jointLabel(), inputs(link.velocity()));
+    return program.named(
+        "v_" + link.jointLabel(),
+        link.isDriven()
+            ? turnRate(link, eulerParameters(link).e().stream().map(byTime::of).toList())
+            : inputs(link.velocity()));
   }
 
   private ScalarVector inputs(int first) {
@@ -120,11 +141,14 @@ public final class Coordinates {
         expressions.input(first), expressions.input(first + 1), expressions.input(first + 2));
   }
 
-  /** Returns the Euler parameters of the state. */
+  /** Returns the Euler parameters of the state, or of unit length those of a motion. */
   public EulerParameterTerms eulerParameters(Link link) {
     Scalar[] e = new Scalar[4];
     for (int i = 0; i < 4; i++) {
-      e[i] = expressions.input(link.position() + i);
+      e[i] =
+          link.isDriven()
+              ? functions.scalar(link.motion().get(i))
+              : expressions.input(link.position() + i);
       program.named("e" + i + "_" + link.jointLabel(), e[i]);
     }
     return new EulerParameterTerms(List.of(e));

@@ -31,12 +31,15 @@ public final class JointOutputs {
   public void putOut(ScalarVector[] ofLink, Program program, int shift) {
     for (int i = 0; i < ofLink.length; i++) {
       Link link = mechanism.links().get(i);
+      if (link.isDriven()) {
+        continue;
+      }
       if (link.isBall()) {
         ScalarVector values = coordinates.ballToState(link, ofLink[i]);
         for (int k = 0; k < 3; k++) {
           program.output(shift + link.velocity() + k, values.at(k));
         }
-      } else if (!link.isDriven()) {
+      } else {
         program.output(shift + link.velocity(), ofLink[i].z());
       }
     }

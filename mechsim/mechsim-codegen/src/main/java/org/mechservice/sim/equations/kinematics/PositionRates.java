@@ -31,17 +31,20 @@ public final class PositionRates {
   public void each(Taker taker) {
     boolean balls = false;
     for (Link link : mechanism.links()) {
-      balls |= link.isBall();
+      balls |= link.isBall() && !link.isDriven();
     }
     program.section(balls ? "q' = v, e' = (0, v) e / 2" : "q' = v", "q");
     for (Link link : mechanism.links()) {
+      if (link.isDriven()) {
+        continue;
+      }
       if (link.isBall()) {
         EulerParameterTerms rate =
             coordinates.eulerParameters(link).rate(coordinates.ballVelocity(link));
         for (int i = 0; i < 4; i++) {
           taker.take(link.position() + i, rate.at(i));
         }
-      } else if (!link.isDriven()) {
+      } else {
         taker.take(link.position(), coordinates.velocity(link));
       }
     }

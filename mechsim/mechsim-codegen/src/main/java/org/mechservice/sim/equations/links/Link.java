@@ -1,6 +1,6 @@
 package org.mechservice.sim.equations.links;
 
-import java.util.Optional;
+import java.util.List;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.kinematics.LinkKind;
 import org.mechservice.solver.spatial.InertiaTensor;
@@ -23,7 +23,8 @@ import org.mechservice.solver.spatial.Vector3;
  * @param component its first velocity among those of the joint
  * @param position index of the link's first coordinate in the state [q; v]; −1 for a driven link
  * @param velocity index of its first velocity in the state [q; v]; −1 for a driven link
- * @param motion its coordinate as a function of time, if it is driven
+ * @param motion its coordinate, or four Euler parameters of unit length, as functions of time if it
+ *     is driven; otherwise empty
  * @param way displacement along z per coordinate: 1 for a slide, the pitch of a screw in m/rad,
  *     otherwise 0
  * @param inverse whether Euler parameters turn the parent relative to the link
@@ -49,7 +50,7 @@ public record Link(
     int component,
     int position,
     int velocity,
-    Optional<Expression> motion,
+    List<Expression> motion,
     double way,
     boolean inverse,
     Vector3 offset,
@@ -64,6 +65,10 @@ public record Link(
     String bodyLabel,
     String jointLabel,
     String title) {
+
+  public Link {
+    motion = List.copyOf(motion);
+  }
 
   /** Returns whether the link rotates about z, possibly also sliding along it. */
   public boolean turns() {
@@ -82,7 +87,7 @@ public record Link(
 
   /** Returns whether the link's coordinate is a function of time. */
   public boolean isDriven() {
-    return motion.isPresent();
+    return !motion.isEmpty();
   }
 
   /** Returns whether a constant rotation other than a permutation of axes precedes the joint. */

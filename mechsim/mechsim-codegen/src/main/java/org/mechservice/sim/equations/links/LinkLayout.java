@@ -3,7 +3,7 @@ package org.mechservice.sim.equations.links;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
+import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.kinematics.LinkKind;
 import org.mechservice.solver.kinematics.TreeGeometry;
@@ -103,7 +103,7 @@ final class LinkLayout {
         tree.component[i],
         driven ? -1 : tree.positionAt[i],
         driven ? -1 : tree.statePositionCount + tree.velocityAt[i],
-        driven ? Optional.of(motion(joint, tree.component[i])) : Optional.empty(),
+        driven ? motion(i) : List.of(),
         tree.kind[i] == LinkKind.SLIDE ? 1 : tree.pitch[i],
         tree.inverse[i],
         offset(i, carrier),
@@ -125,10 +125,15 @@ final class LinkLayout {
     return ComputingAxes.inFrame(frame(carrier), groups.offsetFromCarrier(i));
   }
 
-  private Expression motion(int joint, int component) {
+  private List<Expression> motion(int i) {
+    JointType type = mechanism.joints().get(tree.joint[i]).type();
+    int surplus = type.positionCount() - type.velocityCount();
+    int at = tree.component[i] + surplus;
     for (PrescribedMotion motion : mechanism.motions()) {
-      if (motion.joint() == joint) {
-        return motion.coordinates().get(component);
+      if (motion.joint() == tree.joint[i]) {
+        return tree.kind[i] == LinkKind.BALL
+            ? motion.coordinates().subList(0, 4)
+            : motion.coordinates().subList(at, at + 1);
       }
     }
     throw new IllegalStateException("a driven joint has no motion");

@@ -13,7 +13,7 @@
 
 #define EXPORT(name) __attribute__((export_name(#name)))
 
-enum { PAGE = 65536, COLUMNS = 1 + MODEL_NX + MODEL_NY };
+enum { PAGE = 65536, COLUMNS = 1 + MODEL_NX + MODEL_NY, KEPT_EVENTS = 4096 };
 
 extern unsigned char __heap_base;
 
@@ -209,6 +209,9 @@ static unsigned char set[MECH_N];
 static char message[512];
 static double *rows;
 static size_t room;
+static double event_times[KEPT_EVENTS];
+static int event_numbers[KEPT_EVENTS];
+static int event_count;
 
 static void said(const mech_instance *c, mech_status status, const char *category,
                  const char *text) {
@@ -220,12 +223,21 @@ static void said(const mech_instance *c, mech_status status, const char *categor
   }
 }
 
+static void noted(const mech_instance *c, int event) {
+  if (event_count < KEPT_EVENTS) {
+    event_times[event_count] = c->s.t;
+    event_numbers[event_count] = event;
+    event_count++;
+  }
+}
+
 static mech_instance *created(void) {
   if (instance == NULL) {
     instance = mech_create(calloc, free, "model");
     if (instance != NULL) {
       instance->co_simulation = 1;
       instance->log = said;
+      instance->noted = noted;
     }
   }
   return instance;
@@ -252,6 +264,11 @@ EXPORT(mech_starts) double *mech_starts(void) { return starts; }
 EXPORT(mech_set) unsigned char *mech_set_marks(void) { return set; }
 EXPORT(mech_rows) double *mech_rows(void) { return rows; }
 EXPORT(mech_message) const char *mech_message(void) { return message; }
+EXPORT(mech_event_times) double *mech_event_times(void) { return event_times; }
+EXPORT(mech_event_numbers) int *mech_event_numbers(void) { return event_numbers; }
+
+/* Number of events in the last run, at most 4096: the later ones are not kept. */
+EXPORT(mech_event_count) int mech_event_count(void) { return event_count; }
 
 /* Numbers of states, parameters, outputs: what = 0, 1, 2. */
 EXPORT(mech_count) int mech_count(int what) {
@@ -265,6 +282,7 @@ EXPORT(mech_run) int mech_run(double from, double to, double step, double rtol) 
   mech_instance *c = created();
   int row, count, i;
   message[0] = 0;
+  event_count = 0;
   if (c == NULL || !(step > 0) || !(to > from) || !((to - from) / step < 1e6)) {
     strcpy(message, "These are not the times of a run.");
     return 0;

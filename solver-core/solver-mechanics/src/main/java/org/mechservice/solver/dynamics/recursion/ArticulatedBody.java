@@ -138,9 +138,12 @@ public final class ArticulatedBody {
     int first = tree.velocityAt[link];
     int end = first + tree.kind[link].velocityCount();
     if (tree.driven[link]) {
-      // one velocity: a joint that is driven consists of turns and slides
-      formPivot(w, link, first, tau[first]);
-      addScaled(w.inertia.bias, 6 * link, w.projected, 6 * first, w.motion.a[first]);
+      for (int k = first; k < end; k++) {
+        formPivot(w, link, k, tau[k]);
+      }
+      for (int k = first; k < end; k++) {
+        addScaled(w.inertia.bias, 6 * link, w.projected, 6 * k, w.motion.a[k]);
+      }
       return ExplicitModel.REGULAR;
     }
     for (int k = first; k < end; k++) {
@@ -181,13 +184,18 @@ public final class ArticulatedBody {
     carryAcceleration(w, link);
     int first = tree.velocityAt[link];
     double[] acceleration = w.acceleration;
+    int end = first + tree.kind[link].velocityCount();
     if (tree.driven[link]) {
-      addScaled(acceleration, 6 * link, w.motion.subspace, 6 * first, w.motion.a[first]);
-      w.driving[first - tree.stateVelocityCount] =
-          dot6(w.projected, 6 * first, acceleration, 6 * link) - w.residual[first];
+      for (int k = first; k < end; k++) {
+        addScaled(acceleration, 6 * link, w.motion.subspace, 6 * k, w.motion.a[k]);
+      }
+      for (int k = first; k < end; k++) {
+        w.driving[k - tree.stateVelocityCount] =
+            dot6(w.projected, 6 * k, acceleration, 6 * link) - w.residual[k];
+      }
       return;
     }
-    for (int k = first + tree.kind[link].velocityCount() - 1; k >= first; k--) {
+    for (int k = end - 1; k >= first; k--) {
       double known = dot6(w.projected, 6 * k, acceleration, 6 * link);
       a[aAt + k] = (w.residual[k] - known) / w.pivot[k];
       addScaled(acceleration, 6 * link, w.motion.subspace, 6 * k, a[aAt + k]);

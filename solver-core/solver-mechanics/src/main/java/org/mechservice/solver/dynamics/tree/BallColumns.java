@@ -57,7 +57,8 @@ public final class BallColumns {
   }
 
   private static IntStream links(TreeGeometry tree) {
-    return IntStream.range(0, tree.linkCount).filter(link -> tree.kind[link] == LinkKind.BALL);
+    return IntStream.range(0, tree.linkCount)
+        .filter(link -> tree.kind[link] == LinkKind.BALL && !tree.driven[link]);
   }
 
   public int count() {

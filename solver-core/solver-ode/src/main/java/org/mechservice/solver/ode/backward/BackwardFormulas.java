@@ -1,5 +1,7 @@
 package org.mechservice.solver.ode.backward;
 
+import java.util.Optional;
+
 /**
  * Formulas of orders 1 to 5 on equal steps for y' = f at the new point, written with the backward
  * differences ∇^m y_n and the extrapolation y* = Σ_{m=0..k} ∇^m y_n:
@@ -26,14 +28,19 @@ public final class BackwardFormulas {
   /** Backward differentiation formulas, Gear 1971; α = 90°, 90°, 86°, 73°, 51°. */
   public static final BackwardFormulas BDF = new BackwardFormulas(0, 0, 0, 0, 0);
 
+  private final double[] kappa;
   private final double[] gamma = new double[HIGHEST_ORDER + 1];
   private final double[] leading = new double[HIGHEST_ORDER + 1];
   private final double[] errorConstant = new double[HIGHEST_ORDER + 1];
+
+  /** Formed when asked for first; forming it twice is harmless. */
+  private Optional<UnstableSteps> unstable = Optional.empty();
 
   /** Of m in row k. */
   private final double[][] share = new double[HIGHEST_ORDER + 1][HIGHEST_ORDER + 1];
 
   private BackwardFormulas(double... kappa) {
+    this.kappa = kappa.clone();
     for (int k = 1; k <= HIGHEST_ORDER; k++) {
       gamma[k] = gamma[k - 1] + 1.0 / k;
       leading[k] = (1 - kappa[k - 1]) * gamma[k];
@@ -52,6 +59,26 @@ public final class BackwardFormulas {
   /** Returns (1 − κ_k) γ_k, the factor of the unknown. */
   public double leading(int k) {
     return leading[k];
+  }
+
+  /** Returns where these formulas make damped oscillations grow. */
+  UnstableSteps unstable() {
+    Optional<UnstableSteps> known = unstable;
+    if (known.isEmpty()) {
+      known = Optional.of(new UnstableSteps(this));
+      unstable = known;
+    }
+    return known.get();
+  }
+
+  /** Returns γ_k. */
+  double gamma(int k) {
+    return gamma[k];
+  }
+
+  /** Returns κ_k. */
+  double kappa(int k) {
+    return kappa[k - 1];
   }
 
   /** Returns C_k. */

@@ -17,6 +17,15 @@ import org.mechservice.solver.ode.step.ErrorNorm;
  * long as it lasts. Only differences of equal steps tell: for some steps after a change of size
  * those of a strongly damped system hold what the change has stirred up.
  *
+ * <p>Where the rate and the damping of the fastest oscillation are known, that is known beforehand:
+ * no step of orders 3 to 5 is proposed at which the formula makes it grow, see {@link
+ * UnstableSteps}. Where only that, and not accuracy, keeps the step of a higher order short, order
+ * 2, which is stable at any step, is taken if it allows a longer one.
+ *
+ * <p>If asked to be cautious, the step is proposed for 6 times the error, at order k + 1 for 10
+ * times, as CVODE does: the errors of the differences after a change add to those of the formula.
+ * Hindmarsh et al. 2005, <i>SUNDIALS</i>, ACM TOMS 31, 363, §2.1.
+ *
  * <p>At order 1 such a system can be caught: its velocities err by a part of each step, far beyond
  * their tolerances where they are small, which no test sees as long as the steps are equal, and any
  * other step fails. After a growth that failed at once, a program that heeds such things prefers
@@ -28,6 +37,15 @@ public final class BackwardOrderControl {
 
   private static final double SAFETY_SAME = 1.2;
   private static final double SAFETY_ABOVE = 1.4;
+
+  /**
+   * Errors for which a step is proposed, over the estimated one, if asked to be cautious. Measured
+   * on 14 stiff problems: fewer rejections, 0.96 of the evaluations at equal errors on the mean;
+   * half of them on a servo whose steps used to grow and fail in turn.
+   */
+  private static final double BIAS = 6;
+
+  private static final double BIAS_ABOVE = 10;
 
   private static final double LARGEST_GROWTH = 10;
 
@@ -44,8 +62,12 @@ public final class BackwardOrderControl {
 
   private static final double GROWTH_AT_ORDER_2 = 2;
 
-  private final BackwardFormulas formulas;
+  /** Highest order that is stable for every damped oscillation. */
+  private static final int ALWAYS_STABLE = 2;
+
   private final boolean heedsGrowth;
+  private BackwardFormulas formulas;
+  private boolean cautious;
   private int highestOrder;
   private boolean rising;
   private int order;
@@ -59,6 +81,11 @@ public final class BackwardOrderControl {
   private boolean caught;
 
   private double error;
+
+  /** h |λ| of the fastest motion in the step accepted last, and its damping ratio; 0 if none. */
+  private double fastest;
+
+  private double damping;
 
   /**
    * @param heedsGrowth whether differences that grow with their order lower it
@@ -92,6 +119,27 @@ public final class BackwardOrderControl {
   /** Returns the error estimated last. */
   public double error() {
     return error;
+  }
+
+  /** Takes steps shorter than the published program does, by {@link #BIAS}, or not. */
+  public void cautious(boolean shorter) {
+    cautious = shorter;
+  }
+
+  /** Goes on with other formulas. */
+  public void use(BackwardFormulas others) {
+    formulas = others;
+  }
+
+  /**
+   * Heeds a damped oscillation from now on.
+   *
+   * @param fastest h |λ| of it in the step accepted last
+   * @param dampingRatio of it; 0 if there is none
+   */
+  public void follow(double fastest, double dampingRatio) {
+    this.fastest = fastest;
+    damping = dampingRatio;
   }
 
   /** Begins a step. */
@@ -143,22 +191,35 @@ public final class BackwardOrderControl {
     caught &= failedBefore || !grown;
     grown = false;
     if (heedsGrowth && mayFall() && equalSteps == k + 2 && differencesGrow(differences, norm)) {
-      return lower(errorOf(k - 1, differences, norm));
+      return lower(k - 1, differences, norm);
     }
     equalSteps = Math.min(equalSteps + 1, k + 2);
     if (equalSteps < k + 2) {
       return 1;
     }
-    double best = growth(error, k, SAFETY_SAME);
-    if (mayFall()) {
-      double below = growth(errorOf(k - 1, differences, norm), k - 1, SAFETY_BELOW);
+    if (unstable(k)) {
+      return lower(stableBelow(k), differences, norm);
+    }
+    double accurate = growth(error, k, SAFETY_SAME);
+    double best = stable(accurate, k);
+    if (best < accurate) {
+      double atOrder2 =
+          growth(errorOf(ALWAYS_STABLE, differences, norm), ALWAYS_STABLE, SAFETY_BELOW);
+      if (atOrder2 > best) {
+        order = ALWAYS_STABLE;
+        grown = true;
+        return atOrder2;
+      }
+    }
+    if (mayFall() && !unstable(k - 1)) {
+      double below = stable(growth(errorOf(k - 1, differences, norm), k - 1, SAFETY_BELOW), k - 1);
       if (below > best) {
         best = below;
         order = k - 1;
       }
     }
-    if (k < highestOrder && mayRise(differences, norm)) {
-      double above = growth(errorOf(k + 1, differences, norm), k + 1, SAFETY_ABOVE);
+    if (k < highestOrder && !unstable(k + 1) && mayRise(differences, norm)) {
+      double above = stable(growth(errorOf(k + 1, differences, norm), k + 1, SAFETY_ABOVE), k + 1);
       if (above > best || ((rising || caught) && k == 1 && above == LARGEST_GROWTH)) {
         best = above;
         order = k + 1;
@@ -180,15 +241,41 @@ public final class BackwardOrderControl {
         : Math.max(below, norm.of(differences.accepted(order - 1))) <= highest;
   }
 
-  private double lower(double errorBelow) {
-    order--;
+  /** Returns whether the formula of order j makes the fastest oscillation grow at this step. */
+  private boolean unstable(int j) {
+    return damping > 0 && formulas.unstable().contains(j, fastest, damping);
+  }
+
+  /** Returns a growth of the step as far as the formula of order j lets that oscillation decay. */
+  private double stable(double growth, int j) {
+    if (damping == 0 || growth == 1) {
+      return growth;
+    }
+    double first = formulas.unstable().first(j, damping);
+    return fastest < first ? Math.max(1, Math.min(growth, first / fastest)) : growth;
+  }
+
+  /** Returns the highest order below k at which the fastest oscillation does not grow. */
+  private int stableBelow(int k) {
+    int j = k - 1;
+    while (unstable(j)) {
+      j--;
+    }
+    return j;
+  }
+
+  private double lower(int j, BackwardDifferences differences, ErrorNorm norm) {
+    double errorBelow = errorOf(j, differences, norm);
+    order = j;
     equalSteps = 0;
     double factor = passing(errorBelow, order) / SAFETY_SAME;
     return Math.min(1, Math.max(SMALLEST_LOWERED, factor));
   }
 
+  /** At order 1 an oscillation that is heeded is followed worse, and damped no better. */
   private boolean mayFall() {
-    return order > (caught ? 2 : 1);
+    boolean notTo1 = caught || (heedsGrowth && damping > 0);
+    return order > (notTo1 ? 2 : 1);
   }
 
   /** Returns whether the next difference is smaller, or nobody asks. */
@@ -203,7 +290,11 @@ public final class BackwardOrderControl {
   }
 
   /** Returns by how much a step of order j may grow; 1 if it may not. */
-  private static double growth(double error, int j, double safety) {
+  private double growth(double error, int j, double safety) {
+    if (cautious) {
+      double biased = (safety == SAFETY_ABOVE ? BIAS_ABOVE : BIAS) * error;
+      return biased < 1 ? Math.min(LARGEST_GROWTH, passing(biased, j)) : 1;
+    }
     double enlarged = error;
     for (int i = 0; i <= j; i++) {
       enlarged *= safety;
@@ -229,6 +320,7 @@ public final class BackwardOrderControl {
     failedBefore = state.flag(failedBefore);
     grown = state.flag(grown);
     caught = state.flag(caught);
+    damping = state.number(damping);
     error = state.number(error);
   }
 }

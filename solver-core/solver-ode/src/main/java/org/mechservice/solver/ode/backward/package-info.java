@@ -4,9 +4,10 @@
  *
  * <p>{@link BackwardDifferences} holds the state and its backward differences, predicts a step and
  * corrects it. {@link RescalingMatrix} writes the differences for another step size. {@link
- * BackwardFormulas} holds the coefficients of both families. {@link BackwardInterpolant} evaluates
- * the polynomial of the last step. {@link BackwardOrderControl} estimates the errors of
- * neighbouring orders and chooses order and step.
+ * BackwardFormulas} holds the coefficients of both families, {@link UnstableSteps} the steps at
+ * which they make oscillations grow. {@link BackwardInterpolant} evaluates the polynomial of the
+ * last step. {@link BackwardOrderControl} estimates the errors of neighbouring orders and chooses
+ * order and step.
  *
  * <p>The equations of a step are solved in {@code ode.newton}; the methods that use both are in
  * {@code ode.stiff}. The package depends on {@code ode} and {@code ode.step}. Source: L. F.

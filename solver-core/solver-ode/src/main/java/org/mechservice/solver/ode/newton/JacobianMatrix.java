@@ -18,6 +18,9 @@ public final class JacobianMatrix {
 
   private static final double GOLDEN_RATIO = 0.6180339887498949;
 
+  /** The last powers whose largest element tells how fast an oscillation dies out. */
+  private static final int TURNS = 6;
+
   private final MatrixLayout layout;
   private double[] values;
   private double[] forming;
@@ -36,6 +39,16 @@ public final class JacobianMatrix {
   private double offKept;
 
   private boolean radiusKnown;
+
+  /** Damping ratio and |λ| of the fastest motion if that is an oscillation. */
+  private double damping;
+
+  private double rate;
+
+  /** One element of the last powers, and the logarithms of their sizes. */
+  private final double[] turns = new double[TURNS];
+
+  private final double[] sizes = new double[TURNS];
   private final double[] power;
   private final double[] product;
 
@@ -152,12 +165,61 @@ public final class JacobianMatrix {
     return spectralRadius() > 0 && Math.min(offTurned, offKept) < SAME_LINE;
   }
 
+  /**
+   * Returns the damping ratio −Re λ / |λ| of the fastest motion if that is an oscillation: the
+   * largest eigenvalue λ is one of a pair and alone in its size. 0 if it grows, or is no
+   * oscillation.
+   */
+  public double dampingOfFastest() {
+    return spectralRadius() > 0 ? damping : 0;
+  }
+
+  /** Returns |λ| of that oscillation; 0 if there is none. */
+  public double rateOfFastest() {
+    return spectralRadius() > 0 ? rate : 0;
+  }
+
+  /**
+   * Damping by the last powers: with a pair λ, λ̄ alone in size, every element of them obeys x_i =
+   * 2 Re(λ) x_{i−1} − |λ|² x_{i−2}, here with λ in units of the growth g. Both coefficients follow
+   * by least squares.
+   */
+  private double dampingOf(double logGrowth) {
+    double scaled = 0;
+    for (int i = 0; i < TURNS; i++) {
+      scaled += sizes[i] - logGrowth;
+      turns[i] *= StrictMath.exp(scaled);
+    }
+    double aa = 0;
+    double ab = 0;
+    double bb = 0;
+    double ra = 0;
+    double rb = 0;
+    for (int i = 2; i < TURNS; i++) {
+      double a = turns[i - 1];
+      double b = -turns[i - 2];
+      aa += a * a;
+      ab += a * b;
+      bb += b * b;
+      ra += a * turns[i];
+      rb += b * turns[i];
+    }
+    double determinant = aa * bb - ab * ab;
+    double twiceReal = (ra * bb - rb * ab) / determinant;
+    double square = (rb * aa - ra * ab) / determinant;
+    boolean pair = twiceReal < 0 && twiceReal * twiceReal < 4 * square;
+    rate = pair ? Math.sqrt(square) * StrictMath.exp(logGrowth) : 0;
+    return pair ? -twiceReal / (2 * Math.sqrt(square)) : 0;
+  }
+
   private double powerGrowth() {
     for (int l = 0; l < power.length; l++) {
       // Fractions of multiples of the golden ratio: no matrix met in practice annuls them.
       power[l] = 0.5 + (l + 1) * GOLDEN_RATIO % 1;
     }
     double growth = 0;
+    damping = 0;
+    int followed = 0;
     for (int i = 1; i <= POWERS; i++) {
       Arrays.fill(product, 0);
       addProduct(power, product);
@@ -178,9 +240,26 @@ public final class JacobianMatrix {
         offKept = Math.max(offKept, Math.abs(next - power[l]));
         power[l] = next;
       }
-      growth += i > POWERS / 2 ? StrictMath.log(size) : 0;
+      double logSize = StrictMath.log(size);
+      growth += i > POWERS / 2 ? logSize : 0;
+      int turn = i - 1 - (POWERS - TURNS);
+      followed = turn == 0 ? largestOfPower() : followed;
+      if (turn >= 0) {
+        turns[turn] = power[followed];
+        sizes[turn] = logSize;
+      }
     }
-    return StrictMath.exp(growth / (POWERS / 2));
+    growth /= POWERS / 2;
+    damping = dampingOf(growth);
+    return StrictMath.exp(growth);
+  }
+
+  private int largestOfPower() {
+    int largest = 0;
+    for (int l = 1; l < power.length; l++) {
+      largest = Math.abs(power[l]) > Math.abs(power[largest]) ? l : largest;
+    }
+    return largest;
   }
 
   /** Returns whether a column of the matrix in use is zero. */

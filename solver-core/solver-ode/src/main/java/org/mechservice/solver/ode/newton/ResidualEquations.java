@@ -359,6 +359,21 @@ public final class ResidualEquations extends StepEquations {
   }
 
   @Override
+  public boolean allowsCaution() {
+    return false;
+  }
+
+  @Override
+  public double rateOfFastest() {
+    return 0;
+  }
+
+  @Override
+  public double dampingOfFastest() {
+    return 0;
+  }
+
+  @Override
   IterationRules rules(Mode mode) {
     asPublished = mode == Mode.FAITHFUL;
     linearisation.watchForJumps(!asPublished);

@@ -220,6 +220,18 @@ public abstract class StepEquations {
   /** Returns whether the fastest motion is a decay or a growth, not an oscillation. */
   public abstract boolean fastestIsExponential();
 
+  /**
+   * Returns whether steps are better proposed shorter than by the published program. In residual
+   * form that costs mechanisms with multipliers more steps than it spares rejections.
+   */
+  public abstract boolean allowsCaution();
+
+  /** Returns |λ| of the fastest motion λ if that is a damped oscillation; 0 if it is none. */
+  public abstract double rateOfFastest();
+
+  /** Returns the damping ratio of the fastest motion; 0 if it is no damped oscillation. */
+  public abstract double dampingOfFastest();
+
   /** Returns the rules by which steps are solved in a mode. */
   abstract IterationRules rules(Mode mode);
 }

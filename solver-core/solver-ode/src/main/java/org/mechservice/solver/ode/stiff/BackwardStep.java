@@ -29,10 +29,21 @@ final class BackwardStep {
   private static final double UNSOLVED_REDUCTION = 0.3;
 
   private final IntegrationProgress progress;
-  private final BackwardFormulas formulas;
+  private final BackwardFormulas usual;
   private final Mode mode;
+
+  /** Whether formulas that make the fastest oscillation grow are avoided. */
+  private final boolean watchesOscillations;
+
+  /** Whether formulas are changed for that, too. */
+  private final boolean changesFormulas;
+
   private final ErrorAllowance allowance;
   private final BackwardOrderControl control;
+
+  /** Formulas of the step being tried. */
+  private BackwardFormulas formulas;
+
   private final MaximumNorm norm = new MaximumNorm();
   private final StepSize step = new StepSize();
   private final JumpMonitor jumps = new JumpMonitor();
@@ -61,8 +72,11 @@ final class BackwardStep {
    */
   BackwardStep(IntegrationProgress progress, BackwardFormulas formulas, Mode mode, boolean turns) {
     this.progress = progress;
+    usual = formulas;
     this.formulas = formulas;
     this.mode = mode;
+    watchesOscillations = mode != Mode.FAITHFUL;
+    changesFormulas = watchesOscillations && !turns;
     allowance = turns ? ErrorAllowance.full() : ErrorAllowance.of(mode);
     control = new BackwardOrderControl(formulas, turns);
     equations = StepEquations.none();
@@ -83,6 +97,7 @@ final class BackwardStep {
       double toleranceFactor) {
     int n = equations.manifold().dimension();
     this.equations = equations;
+    control.cautious(watchesOscillations && equations.allowsCaution());
     this.tEnd = tEnd;
     solver = new StepSolver(equations, mode);
     differences = new BackwardDifferences(n);
@@ -177,8 +192,20 @@ final class BackwardStep {
       return false;
     }
     control.beginStep();
+    if (changesFormulas) {
+      chooseFormulas();
+    }
     begun = true;
     return true;
+  }
+
+  /**
+   * Chooses formulas for a step: those of backward differentiation are stable for less damping at
+   * orders 3 and 4.
+   */
+  private void chooseFormulas() {
+    formulas = equations.dampingOfFastest() > 0 ? BackwardFormulas.BDF : usual;
+    control.use(formulas);
   }
 
   private double hGamma() {
@@ -242,6 +269,9 @@ final class BackwardStep {
     progress.accepted(size, triedTime, k, error);
     jumps.accepted(error);
     solver.moveOn(hGamma(), differences);
+    if (watchesOscillations) {
+      control.follow(Math.abs(size) * equations.rateOfFastest(), equations.dampingOfFastest());
+    }
     step.propose(control.accept(differences, norm));
     boolean jumpPassed = search.accepted(size, triedTime, error);
     if (error > 1 || jumpPassed) {

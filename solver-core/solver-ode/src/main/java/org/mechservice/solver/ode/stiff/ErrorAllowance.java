@@ -13,7 +13,9 @@ import org.mechservice.solver.ode.newton.StepEquations;
  * with errors of one sign. Each may then have a hundredth of the tolerances, which costs about
  * twice the steps at order 5 (100^(1/6)) and brings back the two digits that an orbit or an
  * oscillation loses. Where the fastest motion is a decay, it takes its errors with it, and where it
- * is a growth, it makes the first ones the largest: nothing is held back.
+ * is a growth, it makes the first ones the largest: nothing is held back. Where it is an
+ * oscillation of damping ratio ζ, an error of a step is felt for some 1/ζ radians: its share grows
+ * with ζ, up to that of steps beyond the fastest motion.
  *
  * <p>Steps beyond the fastest motion have a third. Not all of a stiff problem is stiff: its slow
  * motion sums errors up, too. The evaluations for that are fewer than those that the standard mode
@@ -26,6 +28,13 @@ final class ErrorAllowance {
 
   /** Part for steps beyond the fastest motion. */
   private static final double STIFF_PART = 1.0 / 3;
+
+  /**
+   * Damping ratio that is enough for all of {@link #STIFF_PART}; below, the part falls with the
+   * third power, as an oscillation of ratio 0.02 still sums its errors up. Chosen on two slider
+   * cranks with damped bushings, where it spares a sixth of the evaluations at equal errors.
+   */
+  private static final double WELL_DAMPED = 0.1;
 
   private final boolean full;
   private double resolvedPart = 1;
@@ -66,6 +75,10 @@ final class ErrorAllowance {
     if (Math.abs(h) * fastest >= 1) {
       return stiffPart;
     }
-    return equations.fastestIsExponential() ? 1 : resolvedPart;
+    if (equations.fastestIsExponential()) {
+      return 1;
+    }
+    double damped = Math.min(1, equations.dampingOfFastest() / WELL_DAMPED);
+    return Math.max(resolvedPart, damped * damped * damped * stiffPart);
   }
 }

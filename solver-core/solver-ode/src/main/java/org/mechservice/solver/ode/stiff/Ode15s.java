@@ -24,11 +24,13 @@ import org.mechservice.solver.ode.step.IntegrationProgress;
  * <p>Errors of stiff steps die out, those of others add up, by hundreds at these orders. Where even
  * the fastest motion of the problem advances little in a step, h ρ(∂f/∂y) &lt; 1, and is no plain
  * decay or growth, a step is therefore held to a hundredth of the tolerances in the standard and
- * the strict mode, so that phases that are not stiff keep their digits, too, for about twice the
- * steps.
+ * the strict mode, and to more of them the better that motion is damped, so that phases that are
+ * not stiff keep their digits, too, for about twice the steps.
  *
  * <p>Formulas of orders 3 to 5 are not stable for weakly damped oscillations that are fast compared
- * with the step: such problems take many steps.
+ * with the step. In these modes the fastest motion is watched: where it is a damped oscillation,
+ * backward differentiation formulas are taken, which are stable for less damping, and of those the
+ * orders that let it decay. Other oscillations that are weakly damped may still take many steps.
  *
  * <p>Memory: about 95 n numbers of 8 bytes for n unknowns and four matrices, of n² or of n (l + u +
  * 1) numbers.

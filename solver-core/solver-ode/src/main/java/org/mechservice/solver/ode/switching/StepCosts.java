@@ -2,6 +2,7 @@ package org.mechservice.solver.ode.switching;
 
 import java.util.Optional;
 import org.mechservice.solver.ode.BandedSystem;
+import org.mechservice.solver.ode.BlockSystem;
 import org.mechservice.solver.ode.OdeSystem;
 import org.mechservice.solver.ode.SparseSystem;
 
@@ -42,10 +43,7 @@ final class StepCosts {
   private static final double WORTH_A_CHANGE = 0.75;
 
   /** Short steps of the backward formula from order 1 on. */
-  private static final double STEPS_TO_BEGIN = 25;
-
-  /** Of the change itself: classes, arrays and code that the processor has not at hand. */
-  private static final double CHANGE = 40_000;
+  private static final double STEPS_TO_BEGIN = 15;
 
   private final double evaluation;
   private final double adamsStep;
@@ -60,7 +58,7 @@ final class StepCosts {
     backwardTry = BACKWARD_STEP + BACKWARD_STEP_PER_UNKNOWN * dimension;
     factorisation = OPERATION * operations;
     backwardStep = backward(1, BACKWARD_EVALUATIONS, BACKWARD_FACTORISATIONS);
-    start = CHANGE + evaluation * columns + STEPS_TO_BEGIN * backwardStep;
+    start = evaluation * columns + STEPS_TO_BEGIN * backwardStep;
   }
 
   /** Returns the costs for a problem of which nothing but the number of unknowns is known. */
@@ -74,6 +72,12 @@ final class StepCosts {
   static StepCosts of(OdeSystem system) {
     int n = system.dimension();
     Optional<BandedSystem> band = system.part(BandedSystem.class);
+    Optional<BlockSystem> blocks = system.part(BlockSystem.class);
+    if (band.isEmpty() && blocks.isPresent()) {
+      double size = Math.min(n, blocks.get().blockSize());
+      double half = 0.5 * size;
+      return new StepCosts(n, n / size * 2 * half * half * half / 3, size);
+    }
     if (band.isEmpty()) {
       return system
           .part(SparseSystem.class)
@@ -112,6 +116,11 @@ final class StepCosts {
 
   private double backward(double tries, double evaluations, double factorisations) {
     return backwardTry * tries + evaluation * evaluations + factorisation * factorisations;
+  }
+
+  /** Returns the usual cost of a step of the backward formula. */
+  double backwardStep() {
+    return backwardStep;
   }
 
   /**

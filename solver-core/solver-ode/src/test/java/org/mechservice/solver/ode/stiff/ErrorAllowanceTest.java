@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.solver.linear.DenseLu;
 import org.mechservice.solver.linear.MatrixLayout;
 import org.mechservice.solver.ode.Integrator;
@@ -107,6 +108,65 @@ class ErrorAllowanceTest {
     assertThat(exponential(new double[][] {{0, 1e-6}, {-1e8, -0.4}})).isFalse();
     assertThat(exponential(new double[][] {{0, 1e6}, {-1e-4, 0}})).isFalse();
     assertThat(exponential(new double[][] {{0, 1}, {0, 0}})).isFalse();
+  }
+
+  @Test
+  void dampingOfTheFastestOscillationIsKnownWhateverTheUnits() {
+    assertThat(damping(new double[][] {{0, 1}, {-100, -0.4}})).isCloseTo(0.02, within(1e-9));
+    assertThat(damping(new double[][] {{0, 1e-6}, {-1e8, -0.4}})).isCloseTo(0.02, within(1e-9));
+    assertThat(damping(new double[][] {{0, 1}, {-1e8, -4e3}})).isCloseTo(0.2, within(1e-9));
+    assertThat(damping(new double[][] {{0, 1}, {-100, 0}})).isCloseTo(0, within(1e-9));
+    // It grows; it decays without turning.
+    assertThat(damping(new double[][] {{0, 1}, {-100, 0.4}})).isZero();
+    assertThat(damping(new double[][] {{-1, 0}, {0, -1000}})).isZero();
+    // A slower, undamped oscillation beside a fast damped one.
+    assertThat(
+            damping(
+                new double[][] {{0, 1, 0, 0}, {-1e6, -200, 0, 0}, {0, 0, 0, 1}, {0, 0, -1e4, 0}}))
+        .isCloseTo(0.1, within(1e-3));
+  }
+
+  @Test
+  void rateOfTheFastestOscillationIsExact() {
+    JacobianMatrix oscillator = kept(new double[][] {{0, 1e-6}, {-1e8, -0.4}});
+    assertThat(oscillator.rateOfFastest()).isCloseTo(10, within(1e-8));
+    assertThat(kept(new double[][] {{-1, 0}, {0, -1000}}).rateOfFastest()).isZero();
+  }
+
+  private static double damping(double[][] rows) {
+    return kept(rows).dampingOfFastest();
+  }
+
+  @Test
+  void transientOfADampedOscillationCostsLittleMoreThanAsPublished() {
+    // 1e4 rad/s at a tenth of the critical damping, followed until it is gone.
+    OdeSystem oscillator =
+        new FunctionOde(
+            2,
+            (t, y, slope) -> {
+              slope[0] = y[1];
+              slope[1] = -1e8 * y[0] - 2e3 * y[1];
+            });
+    // A third of the tolerances costs at most 3^(1/3) at the orders used; a hundredth twice as
+    // much.
+    assertThat(cost(Mode.STANDARD, oscillator))
+        .isLessThanOrEqualTo((long) (1.4 * cost(Mode.FAITHFUL, oscillator)));
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {3, 4, 5, 6, 7, 8})
+  void oscillationThatIsGoneDoesNotHoldTheSteps(int k) {
+    // Eigenvalues −10 ± 100i beside decays of 0.1 to 4, followed until the latter are slow;
+    // formulas
+    // of orders 3 to 5 make the oscillation grow from h |λ| of about 1 on.
+    SuiteProblem problem = SuiteProblem.named("DampedOscillator");
+    IntegratorSettings settings = Run.settings(problem, StrictMath.pow(10, -k));
+    long published =
+        Run.of(new Ode15s(settings.withMode(Mode.FAITHFUL)), problem).statistics().evaluations();
+    Run standard = Run.of(new Ode15s(settings), problem);
+    assertThat(standard.statistics().evaluations()).isLessThan(published / 2);
+    double digits = problem.reference().mixedDigits(standard.atEnd(), problem.reference().atEnd());
+    assertThat(digits).isGreaterThan(k - 1);
   }
 
   private static boolean exponential(double[][] rows) {

@@ -8,15 +8,13 @@ import org.mechservice.solver.api.result.Variable;
 
 /** Position, velocity, acceleration and power of every driven coordinate. */
 final class DriveColumns implements ColumnValues {
-  private static final int PER_COORDINATE = 4;
-
   private final Drives drives;
   private final List<Variable> columns = new ArrayList<>();
 
   DriveColumns(EquationsOfMotion equations) {
     drives = new Drives(equations);
     for (int i = 0; i < drives.count(); i++) {
-      columns.add(drives.position(i));
+      columns.addAll(drives.positions(i));
       columns.add(drives.velocity(i));
       columns.add(drives.acceleration(i));
       columns.add(drives.power(i));
@@ -31,12 +29,14 @@ final class DriveColumns implements ColumnValues {
   @Override
   public void write(double t, double[] values, int at) {
     drives.evaluate(t);
+    int next = at;
     for (int i = 0; i < drives.count(); i++) {
-      int first = at + PER_COORDINATE * i;
-      values[first] = drives.positionOf(i);
-      values[first + 1] = drives.velocityOf(i);
-      values[first + 2] = drives.accelerationOf(i);
-      values[first + 3] = drives.forceOf(i) * drives.velocityOf(i);
+      for (int k = 0; k < drives.positionCount(i); k++) {
+        values[next++] = drives.positionOf(i, k);
+      }
+      values[next++] = drives.velocityOf(i);
+      values[next++] = drives.accelerationOf(i);
+      values[next++] = drives.forceOf(i) * drives.velocityOf(i);
     }
   }
 }

@@ -2,6 +2,7 @@ package org.mechservice.solver.analysis.equation;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.closure.equations.LoopEquations;
@@ -13,7 +14,9 @@ import org.mechservice.solver.mechanism.joint.Joint;
 
 /**
  * The driven coordinates of a mechanism with their motion and their forces: those of the tree
- * first, then those of cut joints. A driven joint has as many positions as velocities.
+ * first, then those of cut joints. A coordinate is a velocity with its acceleration and force, and
+ * the positions that go with it: one, but all four Euler parameters with the first of the three
+ * angular velocities of a ball, and none with the others.
  */
 public final class Drives {
   private final EquationsOfMotion equations;
@@ -23,10 +26,34 @@ public final class Drives {
   /** First of the coordinates that belong to cut joints. */
   private final int inTree;
 
-  /** A driven coordinate: component {@code index} of {@code count} of a joint. */
-  private record Coordinate(Joint joint, int index, int count, Source source) {
+  /** Number of driven positions of the tree. */
+  private int positionsInTree;
+
+  /**
+   * A driven coordinate: component {@code index} of {@code count} of a joint.
+   *
+   * @param place its first position among the driven ones of the tree
+   */
+  private record Coordinate(Joint joint, int index, int count, int place, Source source) {
     String name(String kind) {
       return joint.name() + kind + (count == 1 ? "" : "[" + index + "]");
+    }
+
+    boolean isBall() {
+      return joint.type().hasEulerParameters();
+    }
+
+    int positions() {
+      return isBall() && index < 3 ? (index == 0 ? 4 : 0) : 1;
+    }
+
+    /** Component of its first position. */
+    int position() {
+      return isBall() && index >= 3 ? index + 1 : index;
+    }
+
+    String positionName(int k) {
+      return joint.name() + ".q" + (count == 1 ? "" : "[" + (position() + k) + "]");
     }
   }
 
@@ -48,7 +75,9 @@ public final class Drives {
         Joint joint = mechanism.joints().get(j);
         int count = joint.type().velocityCount();
         for (int i = 0; i < count; i++) {
-          coordinates.add(new Coordinate(joint, i, count, Source.TREE));
+          Coordinate next = new Coordinate(joint, i, count, positionsInTree, Source.TREE);
+          coordinates.add(next);
+          positionsInTree += next.positions();
         }
       }
     }
@@ -66,7 +95,7 @@ public final class Drives {
         int count = cut.motion().size();
         for (int i = 0; i < count; i++) {
           Source source = new Source(cutMotions.size(), row - (count - 1 - i));
-          coordinates.add(new Coordinate(cut.joint(), i, count, source));
+          coordinates.add(new Coordinate(cut.joint(), i, count, -1, source));
         }
         cutMotions.add(new PrescribedPairMotion(cut.motion(), parameters));
       }
@@ -78,11 +107,20 @@ public final class Drives {
     return coordinates.size();
   }
 
-  /** Returns the column of a coordinate's position; the next ones return those of the rest. */
-  public Variable position(int i) {
-    return new Variable(coordinates.get(i).name(".q"), type(i).positionUnit(index(i)));
+  /** Returns the columns of the positions that go with a coordinate. */
+  public List<Variable> positions(int i) {
+    Coordinate one = coordinates.get(i);
+    return IntStream.range(0, one.positions())
+        .mapToObj(k -> new Variable(one.positionName(k), type(i).positionUnit(one.position() + k)))
+        .toList();
   }
 
+  /** Returns the number of positions that go with a coordinate. */
+  public int positionCount(int i) {
+    return coordinates.get(i).positions();
+  }
+
+  /** Returns the column of its velocity; the next ones return those of the rest. */
   public Variable velocity(int i) {
     return new Variable(coordinates.get(i).name(".v"), type(i).velocityUnit(index(i)));
   }
@@ -114,9 +152,11 @@ public final class Drives {
     cutMotions.forEach(motion -> motion.evaluate(t));
   }
 
-  /** Returns the position of a coordinate, rad or m. */
-  public double positionOf(int i) {
-    return i < inTree ? equations.motion.q[equations.nq + i] : cut(i).value(index(i));
+  /** Returns position {@code k} of those that go with a coordinate, rad, m or 1. */
+  public double positionOf(int i, int k) {
+    return i < inTree
+        ? equations.motion.q[equations.nq + coordinates.get(i).place() + k]
+        : cut(i).value(index(i));
   }
 
   /** Returns the velocity of a coordinate, rad/s or m/s. */

@@ -1,0 +1,210 @@
+package org.mechservice.sim.scene.forecast;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.OptionalDouble;
+import org.mechservice.sim.scene.Finding;
+import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.Expression.Call;
+import org.mechservice.solver.expression.Expression.Constant;
+import org.mechservice.solver.expression.Expression.CoordinateVelocity;
+import org.mechservice.solver.expression.Expression.ParameterValue;
+import org.mechservice.solver.expression.Expression.PointVelocity;
+import org.mechservice.solver.expression.Expression.RelativeMotion;
+import org.mechservice.solver.expression.Expression.Time;
+import org.mechservice.solver.expression.Function;
+import org.mechservice.solver.expression.Tape;
+import org.mechservice.solver.expression.TapeEvaluation;
+import org.mechservice.solver.force.formula.FormulaText;
+import org.mechservice.solver.mechanism.FurtherState;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.PrescribedMotion;
+import org.mechservice.solver.mechanism.force.ForceElement;
+import org.mechservice.solver.text.Origin;
+
+/**
+ * Finds, before a run, formulas that force tiny steps: {@code sin} of a time that passes through
+ * millions of radians, {@code floor} that jumps as often, and a force that jumps with the sign of a
+ * velocity. Such a force makes a joint that should rest oscillate between its two values.
+ */
+final class FormulaForecast {
+  /**
+   * Number of radians or jumps within a run that causes a warning, as in {@link StiffnessForecast}.
+   */
+  private static final double MANY = 1e6;
+
+  /** Behaviour of a function over a wide range of its argument. */
+  private enum Shape {
+    /** Oscillates or jumps repeatedly. */
+    REPEATING,
+    /** Jumps where its argument is zero. */
+    SWITCHING,
+    /** Neither of them. */
+    PLAIN
+  }
+
+  private final Mechanism mechanism;
+  private final RunSettings settings;
+  private final Map<String, Finding> findings = new LinkedHashMap<>();
+
+  private FormulaForecast(Mechanism mechanism, RunSettings settings) {
+    this.mechanism = mechanism;
+    this.settings = settings;
+  }
+
+  /**
+   * Returns the findings, those of forces first; only the first of each kind for a force or motion.
+   */
+  static List<Finding> of(Mechanism mechanism, RunSettings settings) {
+    FormulaForecast forecast = new FormulaForecast(mechanism, settings);
+    for (ForceElement force : mechanism.forces()) {
+      String part = "force \"" + force.name() + "\"";
+      ShortPulseCheck.formulas(force).forEach(f -> forecast.look(f, part, force.origin()));
+    }
+    for (FurtherState state : mechanism.furtherStates()) {
+      forecast.look(state.derivative(), "state \"" + state.name() + "\"", state.origin());
+    }
+    for (PrescribedMotion motion : mechanism.motions()) {
+      var joint = mechanism.joints().get(motion.joint());
+      String part = "the motion of joint \"" + joint.name() + "\"";
+      motion.coordinates().forEach(f -> forecast.look(f, part, joint.origin()));
+    }
+    return new ArrayList<>(forecast.findings.values());
+  }
+
+  private void look(Expression formula, String part, Origin origin) {
+    ShortPulseCheck.parts(formula).forEach(one -> lookAt(one, part, origin));
+  }
+
+  private void lookAt(Expression formula, String part, Origin origin) {
+    if (formula instanceof Call call) {
+      Expression argument = call.arguments().get(0);
+      switch (shape(call.function())) {
+        case REPEATING -> fast(call, argument, part, origin);
+        case SWITCHING -> chatter(call.function(), argument, part, origin);
+        case PLAIN -> {}
+      }
+    }
+  }
+
+  private static Shape shape(Function function) {
+    return switch (function) {
+      case SIN, COS, FLOOR -> Shape.REPEATING;
+      case SIGNUM, STEP -> Shape.SWITCHING;
+      case SQRT,
+          ABS,
+          TAN,
+          ASIN,
+          ACOS,
+          ATAN,
+          ATAN2,
+          EXP,
+          LOG,
+          POW,
+          MIN,
+          MAX,
+          SINH,
+          COSH,
+          TANH,
+          HYPOT,
+          SMOOTH_STEP ->
+          Shape.PLAIN;
+    };
+  }
+
+  private void fast(Call call, Expression argument, String part, Origin origin) {
+    double rate = Math.abs(rate(argument).orElse(0));
+    double steps = rate * (settings.tEnd() - settings.tStart());
+    boolean jumps = call.function() == Function.FLOOR;
+    boolean skipped = !jumps && rate * settings.maxStep() > Math.PI && rate > 0;
+    boolean given = Double.isFinite(settings.maxStep());
+    if (steps >= MANY || (given && skipped)) {
+      String where = new FormulaText(mechanism).of(call) + " in " + part;
+      add(
+          MessageCode.VERY_MANY_STEPS,
+          part,
+          origin,
+          where + (jumps ? jumping(rate, steps) : turning(rate, steps)));
+    }
+  }
+
+  private String jumping(double rate, double steps) {
+    return String.format(
+        Locale.ROOT,
+        " jumps %.2e times a second; a run of %.3g s needs some %.0e steps to follow it, whatever"
+            + " the integrator; leave out what is too fast to matter, or end the run earlier",
+        rate,
+        settings.tEnd() - settings.tStart(),
+        steps);
+  }
+
+  private String turning(double rate, double steps) {
+    return String.format(
+        Locale.ROOT,
+        " turns %.2e rad/s, once in %.3g s; a run of %.3g s needs some %.0e steps to follow it,"
+            + " whatever the integrator, and steps as long as that%s see no more than single"
+            + " values of it, which need not be zero on the average; leave out what is too fast to"
+            + " matter, bound the steps by maxStep=\"%.1g\", or end the run earlier",
+        rate,
+        2 * Math.PI / rate,
+        settings.tEnd() - settings.tStart(),
+        steps,
+        Double.isFinite(settings.maxStep())
+            ? String.format(Locale.ROOT, " (maxStep allows %.3g s)", settings.maxStep())
+            : "",
+        1 / rate);
+  }
+
+  /** Returns the derivative at the start of an expression of time and parameters alone. */
+  private OptionalDouble rate(Expression argument) {
+    TapeEvaluation evaluation = new TapeEvaluation(new Tape(List.of(argument)));
+    List<Expression> leaves = evaluation.tape().leaves();
+    for (int i = 0; i < leaves.size(); i++) {
+      if (leaves.get(i) instanceof Time) {
+        evaluation.setLeaf(i, settings.tStart(), 1, 0);
+      } else if (leaves.get(i) instanceof ParameterValue parameter) {
+        evaluation.setLeaf(i, mechanism.parameters().get(parameter.index()).value(), 0, 0);
+      } else if (!(leaves.get(i) instanceof Constant)) {
+        return OptionalDouble.empty();
+      }
+    }
+    evaluation.derivatives();
+    evaluation.rates();
+    return OptionalDouble.of(evaluation.rate(0));
+  }
+
+  private void chatter(Function function, Expression argument, String part, Origin origin) {
+    if (dependsOnVelocity(argument)) {
+      add(
+          MessageCode.FORCE_JUMPS_WITH_VELOCITY,
+          part,
+          origin,
+          part
+              + " jumps with "
+              + function.symbol()
+              + " of a velocity: where that velocity comes to zero and stays, the steps shrink to"
+              + " nothing, since the force has no value at rest; use the friction of a joint, or"
+              + " tanh(v/0.001) in place of signum(v)");
+    }
+  }
+
+  private static boolean dependsOnVelocity(Expression formula) {
+    return ShortPulseCheck.parts(formula).stream().anyMatch(FormulaForecast::isVelocity);
+  }
+
+  private static boolean isVelocity(Expression part) {
+    return part instanceof CoordinateVelocity
+        || part instanceof PointVelocity
+        || (part instanceof RelativeMotion relative
+            && relative.component() >= RelativeMotion.ANGULAR_VELOCITY);
+  }
+
+  private void add(MessageCode code, String part, Origin origin, String text) {
+    findings.putIfAbsent(code + part, new Finding(code, text, origin));
+  }
+}
