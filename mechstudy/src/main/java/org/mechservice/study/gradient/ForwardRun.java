@@ -85,7 +85,7 @@ final class ForwardRun {
     }
     OdeProblem problem = motion.problem(length, this::derivative);
     if (motion.method() == OdeMethod.ODE15S) {
-      problem = problem.withJacobian(this::jacobian);
+      problem = problem.withBlocks(n).withJacobian(this::jacobian);
     }
     OdeSolution solution = Ode.solve(problem, motion.run.tStart(), z0, motion.run.tEnd(), options);
     finish(solution, values, derivatives);
@@ -206,7 +206,7 @@ final class ForwardRun {
       seed[j] = 0;
       for (int k = 0; k <= p; k++) {
         for (int i = 0; i < n; i++) {
-          fy[(k * n + i) * length + k * n + j] = out[n + i];
+          fy[(k * n + i) * n + j] = out[n + i];
         }
       }
     }

@@ -21,6 +21,9 @@ public final class DifferentiableFunction {
   /** Number of operations from which the tangents of several directions become several classes. */
   private static final int MOST_OPERATIONS = 60_000;
 
+  /** Directions whose programs grow beyond what is compiled well at run time. */
+  private static final int MANY = 12;
+
   private static final double[] NONE = {};
 
   private final Program program;
@@ -146,7 +149,8 @@ public final class DifferentiableFunction {
 
   /**
    * Prepares {@link #tangents} for some directions at once: by a program for each of them, or, for
-   * more than half as many as y has elements, by products with the Jacobian.
+   * more than half as many as y has elements, or a sixth if they are many, by products with the
+   * Jacobian.
    *
    * @param unit for each direction the place among the chosen parameters of the one that changes
    *     with it by 1; −1: none does
@@ -159,7 +163,7 @@ public final class DifferentiableFunction {
     units = unit.clone();
     chunks = new ArrayList<>();
     jacobian = null;
-    if (2 * unit.length > inputs) {
+    if (2 * unit.length > inputs || (unit.length > MANY && 6 * unit.length > inputs)) {
       int[] of = Arrays.stream(unit).map(k -> k < 0 ? -1 : Program.PARAMETER + chosen[k]).toArray();
       jacobian = new JacobianCode(program, outputs, inputs, count, of, parameters);
       return;

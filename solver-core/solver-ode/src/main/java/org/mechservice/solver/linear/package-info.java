@@ -10,6 +10,8 @@
  * <td>⅔ n³ operations</td><td>2 n²</td></tr>
  * <tr><td>{@link org.mechservice.solver.linear.BandLu}</td><td>l diagonals below, u above the main
  * one</td><td>2 n l (l + u)</td><td>2 n (2l + u)</td></tr>
+ * <tr><td>{@link org.mechservice.solver.linear.BlockLu}</td><td>blocks of m rows on the
+ * diagonal</td><td>⅔ n m²</td><td>2 n m</td></tr>
  * <tr><td>{@link org.mechservice.solver.linear.SparsePivotedLu}</td><td>a fixed pattern</td>
  * <td>some 10 n √n for neighbours in a plane</td><td>some 10 n log n</td></tr>
  * </table>

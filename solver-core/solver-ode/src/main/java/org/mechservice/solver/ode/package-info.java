@@ -71,9 +71,10 @@
  * out of two to ten, and its orders are low: on a problem that is not stiff it takes three times
  * the steps of ode113 at six digits, six times at nine, each with more work besides f. It needs
  * ∂f/∂y: tell it by {@link org.mechservice.solver.ode.JacobianSystem} or leave it to differences;
- * with many unknowns in a line say so by {@link org.mechservice.solver.ode.BandedSystem}, with many
- * that know few others by {@link org.mechservice.solver.ode.SparseSystem}. Fast oscillations that
- * are hardly damped hold it up. If neither method is known to suit, let {@link
+ * with many unknowns in a line say so by {@link org.mechservice.solver.ode.BandedSystem}, in parts
+ * that do not know each other by {@link org.mechservice.solver.ode.BlockSystem}, with many that
+ * know few others by {@link org.mechservice.solver.ode.SparseSystem}. Fast oscillations that are
+ * hardly damped hold it up. If neither method is known to suit, let {@link
  * org.mechservice.solver.ode.switching.Switching} find out.
  *
  * <h2>Mathematics of the Adams methods</h2>

@@ -2,6 +2,7 @@ package org.mechservice.solver.ode.newton;
 
 import java.util.Arrays;
 import java.util.Optional;
+import org.mechservice.solver.linear.BlockLu;
 import org.mechservice.solver.linear.CondensedLu;
 import org.mechservice.solver.linear.LinearSolver;
 import org.mechservice.solver.ode.BandedSystem;
@@ -77,10 +78,7 @@ public final class ExplicitEquations extends StepEquations {
     this.rightHandSide = rightHandSide;
     OdeSystem system = rightHandSide.system();
     known = system.part(JacobianSystem.class);
-    LinearSolver solver =
-        condensing && !structured(system, smallSizes.length)
-            ? new CondensedLu(smallSizes.length)
-            : IterationMatrix.solverFor(system, smallSizes.length);
+    LinearSolver solver = solverFor(system, smallSizes.length, condensing);
     jacobian = new JacobianMatrix(solver.layout());
     differencing =
         new JacobianDifferences(
@@ -95,9 +93,15 @@ public final class ExplicitEquations extends StepEquations {
     moved = new double[smallSizes.length];
   }
 
-  private static boolean structured(OdeSystem system, int dimension) {
-    return system.part(BandedSystem.class).isPresent()
-        || IterationMatrix.sparse(system, dimension).isPresent();
+  private static LinearSolver solverFor(OdeSystem system, int dimension, boolean condensing) {
+    if (!condensing
+        || system.part(BandedSystem.class).isPresent()
+        || IterationMatrix.sparse(system, dimension).isPresent()) {
+      return IterationMatrix.solverFor(system, dimension);
+    }
+    return IterationMatrix.blocks(system, dimension)
+        .<LinearSolver>map(blocks -> new BlockLu(blocks, CondensedLu::new))
+        .orElseGet(() -> new CondensedLu(dimension));
   }
 
   @Override

@@ -3,12 +3,15 @@ package org.mechservice.solver.ode.newton;
 import java.util.Optional;
 import org.mechservice.solver.linear.BandLayout;
 import org.mechservice.solver.linear.BandLu;
+import org.mechservice.solver.linear.BlockLayout;
+import org.mechservice.solver.linear.BlockLu;
 import org.mechservice.solver.linear.DenseLu;
 import org.mechservice.solver.linear.LinearSolver;
 import org.mechservice.solver.linear.MatrixLayout;
 import org.mechservice.solver.linear.SparseLayout;
 import org.mechservice.solver.linear.SparsePivotedLu;
 import org.mechservice.solver.ode.BandedSystem;
+import org.mechservice.solver.ode.BlockSystem;
 import org.mechservice.solver.ode.JacobianSystem;
 import org.mechservice.solver.ode.ResidualJacobianSystem;
 import org.mechservice.solver.ode.SparseSystem;
@@ -49,7 +52,7 @@ final class IterationMatrix {
   /**
    * Returns a solver for what a problem declares its matrix to be.
    *
-   * @param system the problem, asked for its band, else for its pattern
+   * @param system the problem, asked for its band, else for its blocks, else for its pattern
    * @param dimension n
    * @throws IllegalArgumentException if the band is wider than the matrix
    */
@@ -59,9 +62,21 @@ final class IterationMatrix {
       return new BandLu(
           new BandLayout(dimension, band.get().lowerBandwidth(), band.get().upperBandwidth()));
     }
+    Optional<BlockLayout> blocks = blocks(system, dimension);
+    if (blocks.isPresent()) {
+      return new BlockLu(blocks.get(), DenseLu::new);
+    }
     return sparse(system, dimension)
         .<LinearSolver>map(SparsePivotedLu::new)
         .orElseGet(() -> new DenseLu(dimension));
+  }
+
+  /** Returns the blocks of a problem, if it says so and there are several. */
+  static Optional<BlockLayout> blocks(SystemParts system, int dimension) {
+    return system
+        .part(BlockSystem.class)
+        .map(blocks -> new BlockLayout(dimension, blocks.blockSize()))
+        .filter(layout -> layout.blocks() > 1);
   }
 
   /** Returns the pattern of a problem if it is worth while and not formed by the problem itself. */

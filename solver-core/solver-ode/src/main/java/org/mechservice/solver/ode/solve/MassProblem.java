@@ -8,6 +8,7 @@ import org.mechservice.solver.linear.BandLayout;
 import org.mechservice.solver.linear.LinearSolver;
 import org.mechservice.solver.linear.MatrixLayout;
 import org.mechservice.solver.ode.BandedSystem;
+import org.mechservice.solver.ode.BlockSystem;
 import org.mechservice.solver.ode.JacobianSystem;
 import org.mechservice.solver.ode.LinearisedSystem;
 import org.mechservice.solver.ode.OdeSystem;
@@ -122,7 +123,8 @@ public final class MassProblem {
       if (kind == JacobianSystem.class) {
         return mass.isDiagonal() ? scaled().map(kind::cast) : Optional.empty();
       }
-      boolean structure = kind == BandedSystem.class || kind == SparseSystem.class;
+      boolean structure =
+          kind == BandedSystem.class || kind == BlockSystem.class || kind == SparseSystem.class;
       return structure && !mass.isDiagonal() ? Optional.empty() : problem.part(kind);
     }
 
@@ -194,7 +196,8 @@ public final class MassProblem {
             .part(JacobianSystem.class)
             .map(known -> kind.cast(new DaeProblem.WithJacobians(this, derivatives(known))));
       }
-      return kind == LinearisedSystem.class ? Optional.empty() : problem.part(kind);
+      boolean ofExplicitForm = kind == LinearisedSystem.class || kind == BlockSystem.class;
+      return ofExplicitForm ? Optional.empty() : problem.part(kind);
     }
 
     private Optional<BandedSystem> band() {

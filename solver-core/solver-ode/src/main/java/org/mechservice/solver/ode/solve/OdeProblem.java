@@ -6,6 +6,8 @@ import java.util.Random;
 import java.util.function.IntFunction;
 import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
+import org.mechservice.solver.linear.BlockLayout;
+import org.mechservice.solver.ode.BlockSystem;
 import org.mechservice.solver.ode.JacobianSystem;
 import org.mechservice.solver.ode.OdeSystem;
 import org.mechservice.solver.ode.SparseSystem;
@@ -22,8 +24,8 @@ import org.mechservice.solver.ode.newton.ProductColumns;
  *
  * <p>A part that is given replaces one of the same kind. What each method uses: every method the
  * breakpoints, and the parts of {@link #with}; {@code ODE15S}, {@code ODE15SR} and {@code AUTO}
- * also band, pattern and Jacobian. {@code ODE113} and {@code DE} solve no equations and never ask
- * for those three, which are aids and do not change the solution.
+ * also band, blocks, pattern and Jacobian. {@code ODE113} and {@code DE} solve no equations and
+ * never ask for those four, which are aids and do not change the solution.
  */
 public final class OdeProblem implements OdeSystem {
   /** A component is moved by this part of its size, or of one, to see which equations it is in. */
@@ -54,8 +56,9 @@ public final class OdeProblem implements OdeSystem {
     /**
      * Evaluates ∂f/∂y.
      *
-     * @param fy ∂f_i/∂y_j at i n + j; with a band (l, u) at i (l + u + 1) + j − i + l. All zero
-     *     when handed in: elements that are zero need not be written
+     * @param fy ∂f_i/∂y_j at i n + j; with a band (l, u) at i (l + u + 1) + j − i + l, with blocks
+     *     where {@link BlockLayout} has it. All zero when handed in: elements that are zero need
+     *     not be written
      */
     void evaluate(double t, double[] y, double[] fy);
   }
@@ -81,8 +84,8 @@ public final class OdeProblem implements OdeSystem {
    * Returns the problem with a Jacobian that is known by its product with vectors, as automatic
    * differentiation gives it, in place of differences and of an analytic Jacobian. The matrix is
    * formed from as many products as differences would take evaluations: n, or with a band l + u +
-   * 1, or with a pattern the number of groups of columns that share no row. Equations are solved
-   * with the matrix, not by a Krylov method.
+   * 1, or with blocks their size, or with a pattern the number of groups of columns that share no
+   * row. Equations are solved with the matrix, not by a Krylov method.
    */
   public OdeProblem withJacobianProduct(JacobianProduct product) {
     return new OdeProblem(dimension, function, parts.with(JacobianProduct.class, product));
@@ -97,6 +100,18 @@ public final class OdeProblem implements OdeSystem {
    */
   public OdeProblem withBand(int lower, int upper) {
     return new OdeProblem(dimension, function, parts.withBand(dimension, lower, upper));
+  }
+
+  /**
+   * Returns the problem with components in blocks that do not couple, or only so weakly that
+   * Newton's iteration may leave it out: those of a system side by side with its sensitivities.
+   *
+   * @param size components of a block, at least 1; the last block has what is left
+   * @throws IllegalArgumentException if it is less than 1
+   */
+  public OdeProblem withBlocks(int size) {
+    BlockLayout layout = new BlockLayout(dimension, size);
+    return with(BlockSystem.class, layout::size);
   }
 
   /**

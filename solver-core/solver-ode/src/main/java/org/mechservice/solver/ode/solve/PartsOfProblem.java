@@ -8,9 +8,11 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.mechservice.solver.linear.BandLayout;
+import org.mechservice.solver.linear.BlockLayout;
 import org.mechservice.solver.linear.DenseLayout;
 import org.mechservice.solver.linear.MatrixLayout;
 import org.mechservice.solver.ode.BandedSystem;
+import org.mechservice.solver.ode.BlockSystem;
 import org.mechservice.solver.ode.CompletedSystem;
 import org.mechservice.solver.ode.ErrorWeightGroups;
 import org.mechservice.solver.ode.PiecewiseSystem;
@@ -26,6 +28,7 @@ final class PartsOfProblem implements SystemParts {
   private static final List<Class<?>> KINDS =
       List.of(
           BandedSystem.class,
+          BlockSystem.class,
           SparseSystem.class,
           PiecewiseSystem.class,
           CompletedSystem.class,
@@ -111,12 +114,19 @@ final class PartsOfProblem implements SystemParts {
     return with(PiecewiseSystem.class, () -> all);
   }
 
-  /** Returns how a matrix of derivatives is stored: as a band if one is declared, else full. */
+  /**
+   * Returns how a matrix of derivatives is stored: as a band or in blocks if declared so, else
+   * full.
+   */
   static MatrixLayout layout(SystemParts parts, int dimension) {
     Optional<BandedSystem> band = parts.part(BandedSystem.class);
-    return band.isPresent()
-        ? new BandLayout(dimension, band.get().lowerBandwidth(), band.get().upperBandwidth())
-        : new DenseLayout(dimension);
+    if (band.isPresent()) {
+      return new BandLayout(dimension, band.get().lowerBandwidth(), band.get().upperBandwidth());
+    }
+    return parts
+        .part(BlockSystem.class)
+        .<MatrixLayout>map(blocks -> new BlockLayout(dimension, blocks.blockSize()))
+        .orElseGet(() -> new DenseLayout(dimension));
   }
 
   /** A band that was declared. */

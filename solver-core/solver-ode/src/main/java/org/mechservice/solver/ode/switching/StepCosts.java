@@ -2,6 +2,7 @@ package org.mechservice.solver.ode.switching;
 
 import java.util.Optional;
 import org.mechservice.solver.ode.BandedSystem;
+import org.mechservice.solver.ode.BlockSystem;
 import org.mechservice.solver.ode.OdeSystem;
 import org.mechservice.solver.ode.SparseSystem;
 
@@ -74,6 +75,12 @@ final class StepCosts {
   static StepCosts of(OdeSystem system) {
     int n = system.dimension();
     Optional<BandedSystem> band = system.part(BandedSystem.class);
+    Optional<BlockSystem> blocks = system.part(BlockSystem.class);
+    if (band.isEmpty() && blocks.isPresent()) {
+      double size = Math.min(n, blocks.get().blockSize());
+      double half = 0.5 * size;
+      return new StepCosts(n, n / size * 2 * half * half * half / 3, size);
+    }
     if (band.isEmpty()) {
       return system
           .part(SparseSystem.class)

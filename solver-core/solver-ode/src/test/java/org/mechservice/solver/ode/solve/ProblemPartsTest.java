@@ -86,6 +86,44 @@ class ProblemPartsTest {
     assertThat(plain.endState()[30]).isCloseTo(full.endState()[30], within(1e-7));
   }
 
+  /** Six pieces of ten components of a rod that are cut off from each other. */
+  @Test
+  void blocksSaveEvaluationsAndChangeNothingButRounding() {
+    int size = N / 6;
+    OdeFunction pieces =
+        (t, y, yDot) -> {
+          for (int i = 0; i < N; i++) {
+            double left = i % size == 0 ? 0 : y[i - 1];
+            double right = i % size == size - 1 ? 0 : y[i + 1];
+            yDot[i] = 100 * (left - 2 * y[i] + right) - (1 + i / size) * y[i] * y[i];
+          }
+        };
+    OdeProblem.Jacobian known =
+        (t, y, fy) -> {
+          for (int i = 0; i < N; i++) {
+            int diagonal = i * size + i % size;
+            fy[diagonal] = -200 - 2 * (1 + i / size) * y[i];
+            if (i % size > 0) {
+              fy[diagonal - 1] = 100;
+            }
+            if (i % size < size - 1) {
+              fy[diagonal + 1] = 100;
+            }
+          }
+        };
+    OdeProblem blocks = Ode.system(N, pieces).withBlocks(size);
+    OdeSolution full = solve(Ode.system(N, pieces));
+    OdeSolution differences = solve(blocks);
+    OdeSolution analytic = solve(blocks.withJacobian(known));
+    assertThat(differences.statistics().steps()).isEqualTo(full.statistics().steps());
+    assertThat(differences.statistics().evaluations() + 40)
+        .isLessThan(full.statistics().evaluations());
+    assertThat(analytic.statistics().evaluations())
+        .isLessThan(differences.statistics().evaluations());
+    assertThat(differences.endState()).containsExactly(full.endState(), within(1e-12));
+    assertThat(analytic.endState()).containsExactly(full.endState(), within(1e-7));
+  }
+
   @Test
   void systemOfAnotherClassKeepsItsPartsInsideAProblem() {
     OdeProblem inner = Ode.system(N, ROD).withBand(1, 1).withJacobian(BAND);
