@@ -71,7 +71,12 @@ public final class ReusedCode {
 
   private static ClassLoader load(Map<String, ByteBuffer> shape) {
     SortedMap<String, byte[]> files = new TreeMap<>();
-    shape.forEach((name, bytes) -> files.put(name, bytes.array()));
+    shape.forEach(
+        (name, bytes) -> {
+          byte[] file = new byte[bytes.remaining()];
+          bytes.duplicate().get(file);
+          files.put(name, file);
+        });
     return new ModelClassLoader(files, ModelSource.class.getClassLoader());
   }
 
