@@ -97,6 +97,27 @@ class SimulateOutputTest {
     assertThat(out.toString()).isEmpty();
   }
 
+  /**
+   * It is told at once, not after the set-up: the model, which does not exist, is not asked for.
+   */
+  @Test
+  void aFolderThatDoesNotExistIsToldBeforeTheModelIsRead() {
+    Path results = folder.resolve("none").resolve("r.csv");
+    int status =
+        Mech.run(
+            new PrintWriter(out),
+            new PrintWriter(err),
+            "simulate",
+            folder.resolve("none.xml").toString(),
+            "--out",
+            results.toString());
+
+    assertThat(status).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(err.toString())
+        .startsWith("S-044 --out " + results)
+        .contains("the folder " + folder.resolve("none") + " does not exist");
+  }
+
   @ParameterizedTest
   @ValueSource(strings = {"r.xlsx", "r", "r.csv.gz"})
   void unknownEndingIsRefusedWithTheKnownOnes(String name) {

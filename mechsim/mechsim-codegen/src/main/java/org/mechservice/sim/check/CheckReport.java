@@ -9,8 +9,8 @@ import org.mechservice.sim.scene.Finding;
 import org.mechservice.sim.scene.LoopAnalysis;
 import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.sim.scene.RoadmapEntry;
-import org.mechservice.sim.scene.RunForecast;
 import org.mechservice.sim.scene.SceneAnalysis;
+import org.mechservice.sim.scene.forecast.RunForecast;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**

@@ -73,9 +73,9 @@ public final class ReusedCode {
     SortedMap<String, byte[]> files = new TreeMap<>();
     shape.forEach(
         (name, bytes) -> {
-          byte[] file = new byte[bytes.remaining()];
-          bytes.duplicate().get(file);
-          files.put(name, file);
+          byte[] content = new byte[bytes.remaining()];
+          bytes.duplicate().get(content);
+          files.put(name, content);
         });
     return new ModelClassLoader(files, ModelSource.class.getClassLoader());
   }

@@ -42,7 +42,8 @@ import org.mechservice.solver.mechanism.joint.Joint;
  *     spring whose preload buckles it has λ and −λ, and does not decay
  * @param joint the joint with the largest velocity in it
  */
-record FastestMotion(boolean swings, double modulus, double real, double growth, Joint joint) {
+public record FastestMotion(
+    boolean swings, double modulus, double real, double growth, Joint joint) {
   /** Smallest damping ratio at which a motion decays before a method must follow it. */
   private static final double DAMPED = 0.05;
 
@@ -63,7 +64,7 @@ record FastestMotion(boolean swings, double modulus, double real, double growth,
    * @return empty with user forces, with more than 1000 velocities, and if the equations have no
    *     derivative
    */
-  static Optional<FastestMotion> of(
+  public static Optional<FastestMotion> of(
       Mechanism mechanism, RunSettings settings, Supplier<ClosedStart> start) {
     boolean user = mechanism.forces().stream().anyMatch(UserForceElement.class::isInstance);
     if (user || mechanism.velocityCount() == 0 || mechanism.velocityCount() > MOST_VELOCITIES) {
@@ -78,12 +79,12 @@ record FastestMotion(boolean swings, double modulus, double real, double growth,
   }
 
   /** Returns whether the motion decays soon, so that an implicit method need not resolve it. */
-  boolean isDamped() {
+  public boolean isDamped() {
     return growth < FAST * modulus && (!swings || -real > DAMPED * modulus);
   }
 
   /** Returns the motion in words, as a predicate. */
-  String text() {
+  public String text() {
     return swings
         ? String.format(
             Locale.ROOT,

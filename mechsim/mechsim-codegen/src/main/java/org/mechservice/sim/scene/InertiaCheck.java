@@ -47,7 +47,7 @@ public final class InertiaCheck {
   }
 
   /** Returns the joint that a velocity belongs to. */
-  static Joint jointAt(Mechanism mechanism, int velocity) {
+  public static Joint jointAt(Mechanism mechanism, int velocity) {
     return mechanism.joints().get(jointOf(mechanism, velocity));
   }
 

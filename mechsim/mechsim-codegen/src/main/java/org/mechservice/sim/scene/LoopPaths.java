@@ -14,7 +14,7 @@ import org.mechservice.solver.mechanism.closure.RollingClosure;
 import org.mechservice.solver.mechanism.joint.Attachment;
 
 /** The paths through the tree that constraints close to loops. */
-final class LoopPaths {
+public final class LoopPaths {
   private final Mechanism mechanism;
 
   /** Two bodies by index. */
@@ -58,7 +58,7 @@ final class LoopPaths {
    * Returns the indices of the bodies that a constraint connects; none for a coupling of
    * coordinates.
    */
-  static List<Integer> indices(LoopClosure closure) {
+  public static List<Integer> indices(LoopClosure closure) {
     List<Integer> indices = new ArrayList<>();
     for (Pair pair : pair(closure)) {
       indices.add(pair.first());

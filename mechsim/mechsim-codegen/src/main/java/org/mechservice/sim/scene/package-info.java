@@ -4,10 +4,8 @@
  * <p>{@link org.mechservice.sim.scene.SceneAnalysis} describes the tree: where each joint is in the
  * state, the degrees of freedom, and suspicious data such as a joint that moves no mass. {@link
  * org.mechservice.sim.scene.LoopAnalysis} describes the loops: their equations, the rank of these,
- * and how well the start closes them. {@link org.mechservice.sim.scene.RunForecast} collects
- * forecasts of the run: stiffness, loss of digits, fast spin, pulses shorter than a step, formulas
- * without a value. Each {@link org.mechservice.sim.scene.Finding} has a code of the error
- * catalogue.
+ * and how well the start closes them. Each {@link org.mechservice.sim.scene.Finding} has a code of
+ * the error catalogue.
  *
  * <p>Three classes decide about {@code auto}: {@link org.mechservice.sim.scene.FormulationChoice}
  * (formulation and closure), {@link org.mechservice.sim.scene.IntegratorSelection} (integrator),

@@ -7,7 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.mechservice.mechml.MechmlModel;
-import org.mechservice.sim.scene.RunForecast;
+import org.mechservice.sim.scene.forecast.RunForecast;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.dynamics.LinearisedResidualModel;

@@ -13,6 +13,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.resolve.MechmlReader;
+import org.mechservice.sim.scene.forecast.StiffnessForecast;
 
 /** The automatic integrator goes by what of the spectrum at the start will last. */
 class IntegratorSelectionTest {

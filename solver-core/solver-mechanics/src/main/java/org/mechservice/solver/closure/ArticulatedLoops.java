@@ -6,8 +6,10 @@ import static org.mechservice.solver.spatial.Blocks.applyTransposed;
 import java.util.Arrays;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.closure.equations.LoopEquations;
+import org.mechservice.solver.closure.equations.RowSupport;
 import org.mechservice.solver.dynamics.recursion.ArticulatedInertias;
 import org.mechservice.solver.dynamics.recursion.LinkInertias;
+import org.mechservice.solver.dynamics.recursion.MassiveRods;
 import org.mechservice.solver.dynamics.recursion.RigidComposites;
 import org.mechservice.solver.dynamics.tree.PivotCheck;
 import org.mechservice.solver.kinematics.TreeGeometry;
@@ -32,8 +34,10 @@ import org.mechservice.solver.linear.SparseSymmetric;
  * Iᴬ += K_e K_eᵀ / Λ_ee,  K −= K_e Λ_e / Λ_ee        for each equation e at home
  * </pre>
  *
- * <p>Workspace of one thread; nothing allocates after construction. Rods with mass are not
- * supported, because they couple two bodies.
+ * <p>Rods with mass couple two bodies without restricting them: Bᵀ W B x of their ends'
+ * accelerations B x is the load of six more multipliers μ with the compliance W⁻¹, B x = W⁻¹ μ.
+ *
+ * <p>Workspace of one thread; nothing allocates after construction.
  */
 public final class ArticulatedLoops {
   private static final double[] NONE = {};
@@ -41,7 +45,12 @@ public final class ArticulatedLoops {
   private final TreeGeometry tree;
   private final TreeMotion motion;
   private final LoopEquations loops;
+  private final MassiveRods rods;
   private final LoopFronts fronts;
+
+  /** Rows of the equations of loops; those of rods follow them. */
+  private final int[] rows;
+
   private final SparseSymmetric multipliers;
   private final ArticulatedInertias inertia;
   private final RigidComposites rigid;
@@ -77,14 +86,26 @@ public final class ArticulatedLoops {
   private final int[] places;
   private boolean[] heldAt = {};
 
+  /** Inertias added to joints, and those to be added where a pivot lacks; empty for none. */
+  private double[] addedAt = NONE;
+
+  private double[] leastAt = NONE;
+
   /**
    * @param rows rows of the equations that are used; independent of each other
+   * @param rods of the same tree, light beside the links
    */
-  public ArticulatedLoops(TreeMotion motion, LoopEquations loops, int[] rows) {
+  public ArticulatedLoops(TreeMotion motion, LoopEquations loops, int[] rows, MassiveRods rods) {
     tree = motion.tree();
     this.motion = motion;
     this.loops = loops;
-    fronts = new LoopFronts(tree, loops, rows);
+    this.rods = rods;
+    this.rows = rows.clone();
+    RowSupport[] support = new RowSupport[rows.length + rods.equationCount()];
+    for (int i = 0; i < support.length; i++) {
+      support[i] = i < rows.length ? loops.support(rows[i]) : support(i - rows.length);
+    }
+    fronts = new LoopFronts(tree, support);
     multipliers = fronts.matrix;
     LinkInertias inertias = new LinkInertias(tree);
     inertia = new ArticulatedInertias(motion, inertias);
@@ -106,13 +127,18 @@ public final class ArticulatedLoops {
     ofMultiplier = new double[6 * tree.linkCount];
     ofVelocity = new double[tree.velocityCount];
     spatial = new double[6 * tree.linkCount];
-    row = new double[rows.length];
+    row = new double[support.length];
     places = fronts.place;
   }
 
+  private RowSupport support(int ofRods) {
+    int[] ends = rods.ends(ofRods);
+    return RowSupport.between(ends[0], ends[1]);
+  }
+
   /** Returns whether these factors were made for a set of equations. */
-  public boolean areOf(int[] rows) {
-    return Arrays.equals(fronts.rows, rows);
+  public boolean areOf(int[] others) {
+    return Arrays.equals(rows, others);
   }
 
   /**
@@ -123,6 +149,24 @@ public final class ArticulatedLoops {
    */
   public int factor() {
     return factor(NONE, new boolean[0]);
+  }
+
+  /**
+   * Factors as {@link #factor()}, with inertias added to joints that the links do not resist. The
+   * caller removes them from the solution by iteration.
+   *
+   * @param added inertia of each velocity of the state; zeros become {@code least} where the tree
+   *     has no pivot
+   * @param least inertia to be added, one number per velocity of the state; not modified
+   * @return as {@link #factor()}
+   */
+  public int factor(double[] added, double[] least) {
+    addedAt = added;
+    leastAt = least;
+    int factored = factor(NONE, new boolean[0]);
+    addedAt = NONE;
+    leastAt = NONE;
+    return factored;
   }
 
   /**
@@ -138,8 +182,11 @@ public final class ArticulatedLoops {
     multipliers.clear();
     load();
     heldAt = held;
-    for (int i = 0; i < fronts.rows.length && compliance.length > 0; i++) {
-      multipliers.addDiagonal(multipliers.placeOf(i), compliance[fronts.rows[i]]);
+    for (int i = 0; i < rows.length && compliance.length > 0; i++) {
+      multipliers.addDiagonal(multipliers.placeOf(i), compliance[rows[i]]);
+    }
+    for (int i = rows.length; i < row.length; i++) {
+      multipliers.addDiagonal(multipliers.placeOf(i), rods.compliance(i - rows.length));
     }
     for (int link = 0; link < tree.linkCount; link++) {
       inertia.startAtRest(link);
@@ -156,18 +203,28 @@ public final class ArticulatedLoops {
     }
     for (int at = 0; at < multipliers.size(); at++) {
       if (fronts.isAtHomeOnRoot(at) && !multipliers.eliminate(at)) {
-        return -2 - fronts.rows[multipliers.rowAt(at)];
+        return redundant(at);
       }
     }
     return ExplicitModel.REGULAR;
+  }
+
+  /** Returns −2 − the row of the equation at a place; those of rods have no row. */
+  private int redundant(int place) {
+    int equation = multipliers.rowAt(place);
+    return -2 - (equation < rows.length ? rows[equation] : 0);
   }
 
   /** Sets K and g of the multipliers in the links on which they act. */
   private void load() {
     Arrays.fill(wrench, 0);
     Arrays.fill(direct, 0);
-    for (int i = 0; i < fronts.rows.length; i++) {
-      loops.addForces(fronts.rows[i], 1, ofMultiplier, ofVelocity);
+    for (int i = 0; i < row.length; i++) {
+      if (i < rows.length) {
+        loops.addForces(rows[i], 1, ofMultiplier, ofVelocity);
+      } else {
+        rods.addLoads(motion, i - rows.length, ofMultiplier);
+      }
       for (int l = 0; l < fronts.loaded[i].length; l++) {
         int from = 6 * fronts.loaded[i][l];
         if (fronts.loadedEntry[i][l] >= 0) {
@@ -190,7 +247,7 @@ public final class ArticulatedLoops {
     for (int e = fronts.start[link]; e < fronts.open[link]; e++) {
       int at = places[e];
       if (!multipliers.eliminate(at)) {
-        return -2 - fronts.rows[multipliers.rowAt(at)];
+        return redundant(at);
       }
       int later = multipliers.start(at);
       int end = multipliers.start(at + 1);
@@ -220,8 +277,15 @@ public final class ArticulatedLoops {
       }
       project(link, k);
       pivot[k] = dot(motion.subspace, 6 * k, projected, 6 * k);
+      if (addedAt.length > 0) {
+        pivot[k] += addedAt[k];
+      }
       if (!check.regular(k, pivot[k], rigid.scale(link))) {
-        return k;
+        if (addedAt.length == 0 || addedAt[k] > 0) {
+          return k;
+        }
+        addedAt[k] = leastAt[k];
+        pivot[k] += leastAt[k];
       }
       double perPivot = 1 / pivot[k];
       for (int i = 0; i < count; i++) {
@@ -296,8 +360,8 @@ public final class ArticulatedLoops {
    */
   public void solve(double[] force, double[] offset, double[] x, int at, double[] lambda) {
     Arrays.fill(spatial, 0);
-    for (int i = 0; i < fronts.rows.length; i++) {
-      row[multipliers.placeOf(i)] = offset[fronts.rows[i]];
+    for (int i = 0; i < row.length; i++) {
+      row[multipliers.placeOf(i)] = i < rows.length ? offset[rows[i]] : 0;
     }
     for (int link = tree.linkCount - 1; link >= 0; link--) {
       pushInwards(link, force);
@@ -317,7 +381,10 @@ public final class ArticulatedLoops {
     }
     Arrays.fill(lambda, 0);
     for (int place = 0; place < row.length; place++) {
-      lambda[fronts.rows[multipliers.rowAt(place)]] = -row[place];
+      int equation = multipliers.rowAt(place);
+      if (equation < rows.length) {
+        lambda[rows[equation]] = -row[place];
+      }
     }
   }
 

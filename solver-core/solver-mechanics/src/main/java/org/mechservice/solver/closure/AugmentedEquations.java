@@ -1,7 +1,6 @@
 package org.mechservice.solver.closure;
 
 import java.util.Arrays;
-import org.mechservice.solver.dynamics.tree.TreeSquare;
 import org.mechservice.solver.linear.SparseMatrix;
 
 /**
@@ -15,7 +14,7 @@ import org.mechservice.solver.linear.SparseMatrix;
  * one thread.
  */
 public abstract sealed class AugmentedEquations
-    permits DenseAugmentedEquations, SparseAugmentedEquations {
+    permits ArticulatedAugmentedEquations, DenseAugmentedEquations, SparseAugmentedEquations {
   private static final int REPETITIONS = 10;
 
   /** Relative residual at which the iteration stops. */
@@ -57,16 +56,6 @@ public abstract sealed class AugmentedEquations
   }
 
   /**
-   * Factors the equations of the corrections, with J as it has been written.
-   *
-   * @param a A; not modified
-   * @param penalty α of a row of unit length. Longer rows get a smaller α, so that α JᵀJ does not
-   *     swamp A; the rows of a ring of many bodies are as long as the ring is wide
-   * @return a negative number, or the unknown without a pivot
-   */
-  public abstract int factor(TreeSquare a, double penalty);
-
-  /**
    * Solves for one correction.
    *
    * @param force f; overwritten with Δx
@@ -77,7 +66,12 @@ public abstract sealed class AugmentedEquations
   /** Subtracts A x, the x from {@code at}, from a force. */
   abstract void subtractProduct(double[] x, int at, double[] force);
 
-  /** Sets α of each row. */
+  /**
+   * Sets α of each row.
+   *
+   * @param penalty α of a row of unit length. Longer rows get a smaller α, so that α JᵀJ does not
+   *     swamp A; the rows of a ring of many bodies are as long as the ring is wide
+   */
   final void setPenalties(double penalty) {
     for (int row = 0; row < m; row++) {
       penalties[row] = penalty / Math.max(1, square(row));

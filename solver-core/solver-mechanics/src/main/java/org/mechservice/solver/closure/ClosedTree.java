@@ -8,6 +8,7 @@ import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.dynamics.OpenTree;
 import org.mechservice.solver.dynamics.SemiRecursive;
 import org.mechservice.solver.dynamics.WorldMotion;
+import org.mechservice.solver.dynamics.derivative.ArticulatedIteration;
 import org.mechservice.solver.dynamics.derivative.FurtherDerivatives;
 import org.mechservice.solver.dynamics.derivative.StepDerivatives;
 import org.mechservice.solver.dynamics.recursion.MassiveRods;
@@ -28,7 +29,7 @@ public class ClosedTree {
   public final LoopEquations loops;
   public final StateCoordinates coordinates;
   public final CoordinateUnits units;
-  final MassiveRods rods;
+  public final MassiveRods rods;
   final OpenTree open;
   public final ForceSet forces;
   private final FurtherRates furtherRates;
@@ -151,7 +152,7 @@ public class ClosedTree {
 
   /** Returns whether accelerations are solved for with sparse matrices. */
   public boolean isLarge() {
-    return loops.isLarge() && rods.isEmpty();
+    return loops.isLarge() && rods.areLight();
   }
 
   /**
@@ -160,6 +161,14 @@ public class ClosedTree {
    */
   public boolean isLocal() {
     return rods.isEmpty() && forces.isLocal() && loops.isLocal();
+  }
+
+  /** Returns whether the equations of an implicit step are best eliminated from link to link. */
+  public boolean isEliminatedByLinks() {
+    return isLarge()
+        && isLocal()
+        && loops.count() <= LoopEquations.FEW
+        && ArticulatedIteration.pays(tree);
   }
 
   /** Evaluates the applied forces at the last sweep; returns whether all have values. */

@@ -80,7 +80,13 @@ public final class DenseAugmentedEquations extends AugmentedEquations {
         });
   }
 
-  @Override
+  /**
+   * Factors the equations of the corrections, with J as it has been written.
+   *
+   * @param a A; not modified
+   * @param penalty α of a row of unit length
+   * @return a negative number, or the unknown without a pivot
+   */
   public int factor(TreeSquare a, double penalty) {
     a.toDense(matrix);
     return factorAugmented(penalty);

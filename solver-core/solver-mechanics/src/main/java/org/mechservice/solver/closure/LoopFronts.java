@@ -6,7 +6,6 @@ import java.util.BitSet;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
-import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.closure.equations.RowSupport;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.linear.SparseSymmetric;
@@ -21,12 +20,7 @@ import org.mechservice.solver.linear.SparseSymmetric;
  * home at this link first. Immutable.
  */
 final class LoopFronts {
-  /** Equations that are eliminated, by the rows of the loops. */
-  final int[] rows;
-
-  /**
-   * Matrix of the multipliers, one row per equation of {@link #rows}, in the order of elimination.
-   */
+  /** Matrix of the multipliers, one row per equation, in the order of elimination. */
   final SparseSymmetric matrix;
 
   /** First entry of each link's front, and the first entry whose home is not this link. */
@@ -59,12 +53,12 @@ final class LoopFronts {
   private final TreeGeometry tree;
   private final int[] home;
 
-  LoopFronts(TreeGeometry tree, LoopEquations loops, int[] rows) {
+  /**
+   * @param support what each equation depends on
+   */
+  LoopFronts(TreeGeometry tree, RowSupport[] support) {
     this.tree = tree;
-    this.rows = rows.clone();
-    int count = rows.length;
-    RowSupport[] support = new RowSupport[count];
-    Arrays.setAll(support, i -> loops.support(rows[i]));
+    int count = support.length;
     home = new int[count];
     Arrays.setAll(home, i -> home(support[i]));
     List<List<Integer>> through = new ArrayList<>();

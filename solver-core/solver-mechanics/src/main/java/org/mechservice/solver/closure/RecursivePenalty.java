@@ -39,7 +39,8 @@ final class RecursivePenalty implements PenaltyEquations {
     this.stiffness = stiffness;
     this.holds = holds;
     int m = work.loops.count();
-    factors = new ArticulatedLoops(work.motion, work.loops, IntStream.range(0, m).toArray());
+    factors =
+        new ArticulatedLoops(work.motion, work.loops, IntStream.range(0, m).toArray(), work.rods);
     compliance = new double[m];
     gap = new double[m];
     force = new double[work.nv];

@@ -99,7 +99,13 @@ public final class SparseAugmentedEquations extends AugmentedEquations {
     return Arrays.stream(columns).map(rowsOf -> rowsOf.stream().toArray()).toArray(int[][]::new);
   }
 
-  @Override
+  /**
+   * Factors the equations of the corrections, with J as it has been written.
+   *
+   * @param a A; not modified
+   * @param penalty α of a row of unit length
+   * @return a negative number, or the unknown without a pivot
+   */
   public int factor(TreeSquare a, double penalty) {
     setPenalties(penalty);
     factored.copy(a);

@@ -203,6 +203,11 @@ final class Linkages {
    * @param speed of the uprights at the start, rad/s
    */
   static Mechanism windows(int count, double speed) {
+    return windows(count, speed, 1);
+  }
+
+  /** As {@link #windows(int, double)}, with couplers of any mass. */
+  static Mechanism windows(int count, double speed, double couplerMass) {
     List<Body> bodies = new ArrayList<>();
     List<Joint> joints = new ArrayList<>();
     List<LoopClosure> closures = new ArrayList<>();
@@ -215,7 +220,7 @@ final class Linkages {
       Vector3 left = X.times(i - 1).plus(Z);
       Vector3 right = X.times(i).plus(Z);
       int coupler = count + i;
-      bodies.add(bar("coupler" + i, left, right, 1));
+      bodies.add(bar("coupler" + i, left, right, couplerMass));
       joints.add(turning("top" + i, i - 1, coupler, left, -speed));
       closures.add(
           new PointOnLineClosure(

@@ -31,13 +31,16 @@ final class FailureText {
    *     ExplicitModel#REGULAR}
    * @param event the event it may lie at; empty if none can be named
    * @param motion motion of the state that keeps steps short, followed by a space; empty if unknown
+   * @param completed whether an implicit step solves for independent coordinates alone, and others
+   *     are completed from them
    */
   static Failure of(
       IntegrationFailure failure,
       ModelDescription model,
       int singularJoint,
       String event,
-      String motion) {
+      String motion,
+      boolean completed) {
     return switch (failure.cause()) {
       case NOT_FINITE ->
           singularJoint == ExplicitModel.REGULAR
@@ -83,8 +86,13 @@ final class FailureText {
               failure,
               state(model, failure.worstComponent()),
               motion
-                  + "Look for a force that jumps or has a vertical slope there; tighten the"
-                  + " tolerances if it does not.");
+                  + (completed
+                      ? "By projection the iteration is over independent coordinates; where the"
+                          + " dependent ones move far more inertia, as in long chains, it diverges"
+                          + " at large forces: use closure penalty, or DSR. In short loops look for"
+                          + " a force that jumps or has a vertical slope there."
+                      : "Look for a force that jumps or has a vertical slope there; tighten the"
+                          + " tolerances if it does not."));
       case SINGULAR_MATRIX ->
           failure(
               MessageCode.SINGULAR_ITERATION_MATRIX,

@@ -6,8 +6,10 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.capability.Defects;
+import org.mechservice.solver.api.capability.DependentStates;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.capability.MomentumBalance;
+import org.mechservice.solver.api.capability.ResidualModel;
 import org.mechservice.solver.api.run.Failure;
 import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.api.run.RunNotes;
@@ -102,7 +104,9 @@ final class RunFailures {
                 FailureText.staysShort(failure.cause())
                     ? LocalMotion.of(equations, failure.worstComponent(), integrator.time(), y)
                         .said()
-                    : "");
+                    : "",
+                equations.model() instanceof ResidualModel
+                    && equations.model() instanceof DependentStates);
     return failed(told.after(tried));
   }
 

@@ -109,6 +109,17 @@ class StaticEquilibriumTest {
     "20, -1.57"
   })
   void aChainHangsDownAfterFewStepsHoweverLong(int n, double start) {
+    StaticEquilibrium found = of(chain(n, start));
+    assertThat(found.find(0)).isTrue();
+    assertThat(found.iterations()).isLessThan(50);
+    assertThat(found.notes()).isEmpty();
+    assertThat(Math.sin(found.state()[0])).isCloseTo(1, within(1e-12));
+    for (int i = 1; i < n; i++) {
+      assertThat(Math.cos(found.state()[i])).isCloseTo(1, within(1e-12));
+    }
+  }
+
+  private static Mechanism chain(int n, double start) {
     List<Body> bodies = new ArrayList<>();
     List<Joint> joints = new ArrayList<>();
     for (int i = 0; i < n; i++) {
@@ -124,14 +135,15 @@ class StaticEquilibriumTest {
       double angle = i == 0 ? start : 0.02 * (i % 3);
       joints.add(new Revolute("hinge" + i, at, Y, angle, 0, Origin.NONE));
     }
-    StaticEquilibrium found = of(with(bodies, joints, List.of(), List.of()));
-    assertThat(found.find(0)).isTrue();
-    assertThat(found.iterations()).isLessThan(50);
-    assertThat(found.notes()).isEmpty();
-    assertThat(Math.sin(found.state()[0])).isCloseTo(1, within(1e-12));
-    for (int i = 1; i < n; i++) {
-      assertThat(Math.cos(found.state()[i])).isCloseTo(1, within(1e-12));
-    }
+    return with(bodies, joints, List.of(), List.of());
+  }
+
+  @Test
+  void aSearchThatIsCutShortTellsHowManyCorrectionsItMade() {
+    StaticEquilibrium found = new StaticEquilibrium(chain(20, 0), UserForceSource.NONE, 1e-12, 3);
+    assertThat(found.find(0)).isFalse();
+    assertThat(found.iterations()).isEqualTo(3);
+    assertThat(found.defect().cause()).contains("in 3 corrections");
   }
 
   /** A double pendulum with a strut between ground and its end, from where users begin. */

@@ -10,7 +10,7 @@ import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.ReadOptions;
 import org.mechservice.mechml.diagnosis.Diagnostic;
 import org.mechservice.sim.scene.Finding;
-import org.mechservice.sim.scene.RunForecast;
+import org.mechservice.sim.scene.forecast.RunForecast;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.catalogue.Severity;

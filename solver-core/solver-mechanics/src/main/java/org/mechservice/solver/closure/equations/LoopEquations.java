@@ -30,6 +30,9 @@ import org.mechservice.solver.mechanism.closure.RollingClosure;
  * equations are compared relative to the {@link #size} of what each measures.
  */
 public final class LoopEquations {
+  /** Most equations with which a step is eliminated from link to link. */
+  public static final int FEW = 20;
+
   /** Number of velocities from which matrices are sparse; dense matrices are as fast below it. */
   public static final int LARGE = 100;
 

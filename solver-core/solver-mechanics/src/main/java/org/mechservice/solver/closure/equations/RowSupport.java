@@ -1,6 +1,7 @@
 package org.mechservice.solver.closure.equations;
 
 import java.util.BitSet;
+import org.mechservice.solver.kinematics.TreeGeometry;
 
 /**
  * The links and velocities that a loop equation depends on. Immutable; callers must not write to
@@ -15,6 +16,22 @@ public final class RowSupport {
     this.ways = ways.stream().toArray();
     this.loaded = loaded.stream().toArray();
     this.velocities = velocities.stream().toArray();
+  }
+
+  /**
+   * Returns the support of an equation between points of two links.
+   *
+   * @param one a link, or {@link TreeGeometry#ROOT}
+   * @param other likewise
+   */
+  public static RowSupport between(int one, int other) {
+    BitSet links = new BitSet();
+    for (int link : new int[] {one, other}) {
+      if (link != TreeGeometry.ROOT) {
+        links.set(link);
+      }
+    }
+    return new RowSupport(links, links, new BitSet());
   }
 
   /** Returns the links whose joints it depends on, ascending. */

@@ -164,7 +164,7 @@ public class ProjectionModel extends LoopModel implements DependentStates, Model
     if (!work.formBias(t)) {
       return fail(work.forces.defect());
     }
-    RecursiveAccelerations.Solved solved = recursive.get().solve(yDot, work.nq);
+    RecursiveAccelerations.Solved solved = recursive.get().solve(t, yDot, work.nq);
     if (solved == RecursiveAccelerations.Solved.WITHOUT_INERTIA) {
       return solveInFreeDirections(t, y, yDot);
     }

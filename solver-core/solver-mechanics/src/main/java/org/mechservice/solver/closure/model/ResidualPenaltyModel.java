@@ -1,17 +1,23 @@
 package org.mechservice.solver.closure.model;
 
 import java.util.Arrays;
+import java.util.Optional;
+import java.util.function.DoubleToIntFunction;
 import org.mechservice.solver.api.capability.LinearisedModel;
+import org.mechservice.solver.closure.ArticulatedAugmentedEquations;
 import org.mechservice.solver.closure.AugmentedEquations;
 import org.mechservice.solver.closure.ClosedMechanism;
 import org.mechservice.solver.closure.DenseAugmentedEquations;
 import org.mechservice.solver.closure.PenaltySettings;
 import org.mechservice.solver.closure.SparseAugmentedEquations;
 import org.mechservice.solver.closure.equations.LoopRounding;
+import org.mechservice.solver.dynamics.derivative.ArticulatedIteration;
 import org.mechservice.solver.dynamics.derivative.BorderedStep;
 import org.mechservice.solver.dynamics.derivative.FurtherDerivatives;
 import org.mechservice.solver.dynamics.derivative.ResidualDifferences;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
+import org.mechservice.solver.dynamics.derivative.StepDerivatives;
+import org.mechservice.solver.dynamics.derivative.StepReduction;
 import org.mechservice.solver.dynamics.derivative.TreeIteration;
 import org.mechservice.solver.dynamics.tree.TreePattern;
 import org.mechservice.solver.dynamics.tree.TreeSquare;
@@ -51,10 +57,13 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
   /** Relative change of the rates when positions change by their rounding errors. */
   private static final double RATE_ROUNDING = 1e-11;
 
-  private final Derivatives derivatives;
-  private final ResidualJacobian jacobian;
-  private final ResidualDifferences differences;
-  private final TreeIteration iteration;
+  private final StepDerivatives jacobian;
+  private final Optional<ResidualDifferences> differences;
+  private final StepReduction iteration;
+
+  /** Factors {@link #equations} for hγ; a negative number, or the velocity without a pivot. */
+  private final DoubleToIntFunction factors;
+
   private final int n;
   private final int m;
 
@@ -113,14 +122,8 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
       PenaltySettings settings,
       Derivatives derivatives) {
     super(closed, userForces, settings);
-    this.derivatives = derivatives;
     n = work.nv;
     m = work.loops.count();
-    TreePattern pattern = new TreePattern(work.tree, work.coupledLinks());
-    jacobian = new ResidualJacobian(work.motion, pattern);
-    iteration = new TreeIteration(work.tree, pattern, jacobian);
-    differences =
-        new ResidualDifferences(jacobian, work.coordinates, pattern, work.tree.velocityCount);
     rows = work.loops.stateRows(n, false);
     linearisedRows = rows.sameShape();
     positionRows = work.loops.isHolonomic() ? linearisedRows : rows.sameShape();
@@ -128,10 +131,38 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     velocity = new double[n];
     lambda = new double[m];
     double[] units = work.units.velocities;
-    equations =
-        work.loops.isLarge()
-            ? new SparseAugmentedEquations(linearisedRows, units, pattern)
-            : DenseAugmentedEquations.general(linearisedRows, units);
+    if (derivatives == Derivatives.RECURSIVE && work.isEliminatedByLinks()) {
+      ArticulatedIteration links = new ArticulatedIteration(work.motion);
+      ArticulatedAugmentedEquations few =
+          new ArticulatedAugmentedEquations(linearisedRows, units, links);
+      jacobian = links;
+      iteration = links;
+      differences = Optional.empty();
+      equations = few;
+      factors = step -> few.factor(step, settings.stiffness());
+    } else {
+      TreePattern pattern = new TreePattern(work.tree, work.coupledLinks());
+      ResidualJacobian elements = new ResidualJacobian(work.motion, pattern);
+      TreeIteration tree = new TreeIteration(work.tree, pattern, elements);
+      jacobian = elements;
+      iteration = tree;
+      differences =
+          derivatives == Derivatives.DIFFERENCES
+              ? Optional.of(
+                  new ResidualDifferences(
+                      elements, work.coordinates, pattern, work.tree.velocityCount))
+              : Optional.empty();
+      if (work.loops.isLarge()) {
+        SparseAugmentedEquations sparse =
+            new SparseAugmentedEquations(linearisedRows, units, pattern);
+        equations = sparse;
+        factors = step -> sparse.factor(formed(tree, step), penalty(tree.matrix()));
+      } else {
+        DenseAugmentedEquations dense = DenseAugmentedEquations.general(linearisedRows, units);
+        equations = dense;
+        factors = step -> dense.factor(formed(tree, step), penalty(tree.matrix()));
+      }
+    }
     correction =
         work.loops.isLarge()
             ? new SparsePositionCorrection(positionRows, units)
@@ -262,9 +293,11 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     int atLambda = work.stateCount;
     work.place(t, y);
     findRepeated();
-    if (derivatives == Derivatives.DIFFERENCES) {
+    if (differences.isPresent()) {
       work.placeLinks(t, y);
-      if (!differences.evaluate(y, work.units.velocities, (at, f) -> pushed(t, at, y, yDot, f))) {
+      if (!differences
+          .get()
+          .evaluate(y, work.units.velocities, (at, f) -> pushed(t, at, y, yDot, f))) {
         return false;
       }
       work.place(t, y);
@@ -315,16 +348,24 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
   @Override
   public boolean factor(double hGamma) {
     this.hGamma = hGamma;
-    iteration.form(hGamma);
-    TreeSquare matrix = iteration.matrix();
+    singular = factors.applyAsInt(hGamma);
+    regular = singular < 0 && factorCorrection();
+    return regular && bordered.factor(hGamma);
+  }
+
+  private static TreeSquare formed(TreeIteration tree, double step) {
+    tree.form(step);
+    return tree.matrix();
+  }
+
+  /** Returns α of a row of unit length. */
+  private double penalty(TreeSquare matrix) {
     double largest = 0;
     for (int j = 0; j < n; j++) {
       double unit = work.units.velocities[j];
       largest = Math.max(largest, Math.abs(matrix.get(j, j)) * unit * unit);
     }
-    singular = equations.factor(matrix, settings.stiffness() * largest);
-    regular = singular < 0 && factorCorrection();
-    return regular && bordered.factor(hGamma);
+    return settings.stiffness() * largest;
   }
 
   private boolean factorCorrection() {

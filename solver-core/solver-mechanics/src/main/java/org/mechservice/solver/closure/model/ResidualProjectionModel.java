@@ -3,7 +3,6 @@ package org.mechservice.solver.closure.model;
 import org.mechservice.solver.api.capability.ResidualModel;
 import org.mechservice.solver.closure.ClosedMechanism;
 import org.mechservice.solver.closure.model.ResidualPenaltyModel.Derivatives;
-import org.mechservice.solver.dynamics.derivative.ArticulatedIteration;
 import org.mechservice.solver.dynamics.tree.TreePattern;
 import org.mechservice.solver.force.user.UserForceSource;
 
@@ -14,9 +13,6 @@ import org.mechservice.solver.force.user.UserForceSource;
 public class ResidualProjectionModel extends ProjectionModel implements ResidualModel {
   /** Elements of Rᵀ A R to one of A above which neither R nor the former is formed. */
   private static final int ELEMENTS = 8;
-
-  /** Most equations of loops for which a step is eliminated from link to link. */
-  private static final int MOST_EQUATIONS = 20;
 
   /** Whether a step is eliminated from link to link, so that no matrix has a pattern. */
   final boolean fromLinkToLink;
@@ -51,11 +47,8 @@ public class ResidualProjectionModel extends ProjectionModel implements Residual
     int f = closed.freedom();
     fromLinkToLink =
         derivatives == Derivatives.RECURSIVE
-            && work.isLarge()
-            && work.isLocal()
-            && work.loops.count() <= MOST_EQUATIONS
-            && closed.start().rank() == work.loops.count()
-            && ArticulatedIteration.pays(work.tree);
+            && work.isEliminatedByLinks()
+            && closed.start().rank() == work.loops.count();
     int[] none = {};
     pattern =
         fromLinkToLink

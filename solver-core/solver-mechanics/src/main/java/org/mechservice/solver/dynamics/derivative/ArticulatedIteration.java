@@ -391,7 +391,7 @@ public final class ArticulatedIteration extends StepReduction implements StepDer
   }
 
   /** Adds factor · A x, for A as factored last. */
-  void addMatrixProduct(double factor, double[] x, double[] sum) {
+  public void addMatrixProduct(double factor, double[] x, double[] sum) {
     addProduct(x, column, force, direct, factor, sum);
   }
 

@@ -19,6 +19,9 @@ import org.mechservice.solver.mechanism.closure.DistanceClosure;
  * <p>Workspace of one thread; nothing allocates after construction.
  */
 public final class MassiveRods {
+  /** Mass of a rod over that of a link at its end up to which at most three digits are lost. */
+  private static final double MOST_BESIDE_LINKS = 1e3;
+
   private final TreeGeometry tree;
   private final DistanceClosure[] rods;
   private final int[] linkA;
@@ -68,6 +71,58 @@ public final class MassiveRods {
   /** Returns whether there are none. */
   public boolean isEmpty() {
     return rods.length == 0;
+  }
+
+  /**
+   * Returns whether no rod is so heavy beside the links at its ends that {@link #compliance} loses
+   * the digits of their inertia. Links without mass do not count: others have to move with them.
+   */
+  public boolean areLight() {
+    for (int rod = 0; rod < rods.length; rod++) {
+      for (int link : new int[] {linkA[rod], linkB[rod]}) {
+        double mass = link == TreeGeometry.ROOT ? 0 : tree.mass[link];
+        if (mass > 0 && rods[rod].rodMass() > MOST_BESIDE_LINKS * mass) {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  /**
+   * Returns the number of equations B x = C μ by which the rods act as loads −Bᵀ μ of the links on
+   * each other: three for the sum and three for the difference of the ends' accelerations.
+   */
+  public int equationCount() {
+    return 6 * rods.length;
+  }
+
+  /** Returns C of an equation, 1/kg: 2/m for a sum, 6/m for a difference. */
+  public double compliance(int equation) {
+    return (equation % 6 < 3 ? 2 : 6) / rods[equation / 6].rodMass();
+  }
+
+  /** Returns the links at the ends of the rod of an equation; one may be the root. */
+  public int[] ends(int equation) {
+    return new int[] {linkA[equation / 6], linkB[equation / 6]};
+  }
+
+  /**
+   * Adds the loads Bᵀ of an equation's multiplier: forces of 1/√2 along an axis of the world at
+   * both ends, alike for a sum and opposite for a difference.
+   *
+   * @param motion after a sweep
+   * @param onLinks [moment; force], 6 per link, in link axes at the reference points; added to
+   */
+  public void addLoads(TreeMotion motion, int equation, double[] onLinks) {
+    int rod = equation / 6;
+    Arrays.fill(force, 0);
+    force[equation % 3] = Math.sqrt(0.5);
+    motion.wrenches.addForceAtPoint(linkA[rod], endA, 3 * rod, force, 0, onLinks);
+    if (equation % 6 >= 3) {
+      force[equation % 3] = -force[equation % 3];
+    }
+    motion.wrenches.addForceAtPoint(linkB[rod], endB, 3 * rod, force, 0, onLinks);
   }
 
   /** Returns the links that rods couple, two numbers per rod, for {@link TreePattern}. */

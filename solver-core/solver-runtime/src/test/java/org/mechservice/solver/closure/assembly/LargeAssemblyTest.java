@@ -122,4 +122,13 @@ class LargeAssemblyTest {
     sparse.solve(0, new double[] {1, 1}, x);
     assertThat(x).containsOnly(0);
   }
+
+  @Test
+  void oneRedundantEquationIsToldInTheSingular() {
+    LoopFinding.Kind kind = LoopFinding.Kind.REDUNDANT;
+    assertThat(new LoopFinding(kind, "constraint \"end\"", 1, "1", 0).message())
+        .startsWith("One equation of the loops follows from the others");
+    assertThat(new LoopFinding(kind, "constraints", 2, "1", 0).message())
+        .startsWith("2 equations of the loops follow from the others");
+  }
 }

@@ -1,7 +1,9 @@
-package org.mechservice.sim.scene;
+package org.mechservice.sim.scene.forecast;
 
 import java.util.Locale;
 import java.util.Optional;
+import org.mechservice.sim.scene.Finding;
+import org.mechservice.sim.scene.InertiaCheck;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.MessageCode;

@@ -1,4 +1,4 @@
-package org.mechservice.sim.scene;
+package org.mechservice.sim.scene.forecast;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -6,6 +6,8 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.SimulationTask;
+import org.mechservice.sim.scene.Finding;
+import org.mechservice.sim.scene.LoopPaths;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.Formulation;

@@ -1,8 +1,10 @@
-package org.mechservice.sim.scene;
+package org.mechservice.sim.scene.forecast;
 
 import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.mechml.MechmlModel;
+import org.mechservice.sim.scene.Finding;
+import org.mechservice.sim.scene.SceneAnalysis;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.mechanism.Mechanism;
 
@@ -16,12 +18,14 @@ public final class RunForecast {
         && run.tEnd() == other.tEnd()
         && run.maxStep() == other.maxStep()
         && run.relativeTolerance() == other.relativeTolerance()
-        && StiffnessForecast.isSame(run.integrator(), other.integrator());
+        && StiffnessForecast.isSame(run.integrator(), other.integrator())
+        && DenseForecast.isSame(run.integrator(), other.integrator());
   }
 
   /**
    * Returns the findings that the model does not silence: joints that move nothing, bodies that
-   * nothing moves, causes of a long run, and events that a step may miss.
+   * nothing moves, causes of a long run, dense matrices of large mechanisms, and events that a step
+   * may miss.
    *
    * @param formulation requested formulation, {@code auto} or a name
    */
@@ -37,6 +41,7 @@ public final class RunForecast {
     DigitsForecast.of(mechanism, formulation, settings).ifPresent(findings::add);
     ShortPulseCheck.of(mechanism, settings).ifPresent(findings::add);
     findings.addAll(FormulaForecast.of(mechanism, settings));
+    findings.addAll(DenseForecast.of(model, formulation, settings));
     findings.removeIf(finding -> model.silenced().contains(finding.code()));
     return findings;
   }

@@ -1,4 +1,4 @@
-package org.mechservice.sim.scene;
+package org.mechservice.sim.scene.forecast;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -14,6 +14,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.resolve.MechmlReader;
+import org.mechservice.sim.scene.Finding;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /** What makes a run endless is told before it, with the part it lies in. */

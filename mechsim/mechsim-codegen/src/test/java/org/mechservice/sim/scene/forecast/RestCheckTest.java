@@ -1,4 +1,4 @@
-package org.mechservice.sim.scene;
+package org.mechservice.sim.scene.forecast;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

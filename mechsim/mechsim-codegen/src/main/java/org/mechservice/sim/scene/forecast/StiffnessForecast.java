@@ -1,8 +1,10 @@
-package org.mechservice.sim.scene;
+package org.mechservice.sim.scene.forecast;
 
 import java.util.Locale;
 import java.util.Optional;
 import org.mechservice.mechml.MechmlModel;
+import org.mechservice.sim.scene.FastestMotion;
+import org.mechservice.sim.scene.Finding;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.IntegrationMethod;
 import org.mechservice.solver.catalogue.MessageCode;

@@ -1,4 +1,4 @@
-package org.mechservice.sim.scene;
+package org.mechservice.sim.scene.forecast;
 
 import java.util.ArrayDeque;
 import java.util.Arrays;
@@ -10,6 +10,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
+import org.mechservice.sim.scene.Finding;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
