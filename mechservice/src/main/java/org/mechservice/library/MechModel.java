@@ -12,6 +12,7 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
@@ -116,7 +117,7 @@ public final class MechModel {
     }
 
     ValidatedFile file() throws MechmlException {
-      ValidatedFile known = validated.get().get();
+      ValidatedFile known = Objects.requireNonNull(validated.get()).get();
       if (known == null) {
         known = ValidatedFile.of(fileName, content);
         validated.set(new SoftReference<>(known));

@@ -71,7 +71,12 @@ public final class ReusedCode {
 
   private static ClassLoader load(Map<String, ByteBuffer> shape) {
     SortedMap<String, byte[]> files = new TreeMap<>();
-    shape.forEach((name, bytes) -> files.put(name, bytes.array()));
+    shape.forEach(
+        (name, bytes) -> {
+          byte[] content = new byte[bytes.remaining()];
+          bytes.duplicate().get(content);
+          files.put(name, content);
+        });
     return new ModelClassLoader(files, ModelSource.class.getClassLoader());
   }
 
