@@ -18,7 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /**
  * The first minutes of users who start from nothing: the wheel in a fresh Python without Java, and
- * a new Maven project with one dependency. Neither needs a network: what they depend on is taken
+ * new Maven projects with one dependency. Neither needs a network: what they depend on is taken
  * from {@code python/.venv} and from the local Maven repository of this build.
  */
 @Tag("soak")
@@ -95,16 +95,13 @@ class NewcomerIT {
   @Test
   void mavenProjectWithOneDependencyRunsADoublePendulum() throws IOException {
     Terminal terminal = new Terminal(folder);
-    assumeTrue(
-        terminal.shell("command -v mvn").exitStatus() == 0,
-        "the Maven project is not tried: there is no mvn on the path");
-    publish(folder.resolve("published"));
+    requireMaven(terminal);
     Files.createDirectories(folder.resolve("src/main/java"));
     Files.copy(
         WorkingTree.TOP.resolve("examples/library/Built.java"),
         folder.resolve("src/main/java/Built.java"));
-    Files.writeString(
-        folder.resolve("pom.xml"),
+    compile(
+        terminal,
         """
         <project xmlns="http://maven.apache.org/POM/4.0.0">
           <modelVersion>4.0.0</modelVersion>
@@ -122,9 +119,58 @@ class NewcomerIT {
               <version>%s</version>
             </dependency>
           </dependencies>
-        %s</project>
+        </project>
         """
-            .formatted(VERSION, pluginsOfTheBuild()));
+            .formatted(VERSION));
+    assertThat(folder.resolve("lib")).isDirectoryContaining("glob:**/solver-ode-*.jar");
+    assertThat(terminal.shell("ls lib").stdout())
+        .doesNotContain("jacorb")
+        .doesNotContain("picocli");
+    String printed = terminal.run("java", "-cp", "target/classes:lib/*", "Built").orFail().stdout();
+    assertThat(printed).startsWith("0.0000\n").contains("M-");
+  }
+
+  /** The project and the program that docs/ode-library.md begins with. */
+  @Test
+  void mavenProjectWithTheIntegratorsAloneRunsAProgramOfTenLines() throws IOException {
+    Terminal terminal = new Terminal(folder);
+    requireMaven(terminal);
+    Path page = WorkingTree.TOP.resolve("docs/ode-library.md");
+    String section = String.join("\n", Documentation.section(page, "A program of ten lines"));
+    Files.createDirectories(folder.resolve("src/main/java"));
+    Files.writeString(folder.resolve("src/main/java/Ball.java"), block(section, "java"));
+    compile(terminal, block(section, "xml"));
+    assertThat(terminal.shell("ls lib").stdout()).isEqualTo("solver-ode-" + VERSION + ".jar\n");
+    String printed =
+        terminal
+            .run("java", "-Duser.language=en", "-cp", "target/classes:lib/*", "Ball")
+            .orFail()
+            .stdout();
+    assertThat(printed.lines()).containsExactlyElementsOf(block(section, "").lines().toList());
+  }
+
+  /** Returns the first block of a section in a language. */
+  private static String block(String section, String language) {
+    Matcher blocks = Pattern.compile("(?s)```(\\w*)\n(.*?)```").matcher(section);
+    return blocks
+        .results()
+        .filter(block -> block.group(1).equals(language))
+        .findFirst()
+        .orElseThrow()
+        .group(2);
+  }
+
+  private static void requireMaven(Terminal terminal) {
+    assumeTrue(
+        terminal.shell("command -v mvn").exitStatus() == 0,
+        "the Maven project is not tried: there is no mvn on the path");
+  }
+
+  /** Compiles the project in the folder, with its libraries copied to {@code lib}. */
+  private void compile(Terminal terminal, String pom) throws IOException {
+    publish(folder.resolve("published"));
+    Files.writeString(
+        folder.resolve("pom.xml"), pom.replace("</project>", pluginsOfTheBuild() + "</project>"));
     Files.writeString(
         folder.resolve("settings.xml"),
         """
@@ -149,12 +195,6 @@ class NewcomerIT {
             "dependency:copy-dependencies",
             "-DoutputDirectory=lib")
         .orFail();
-    assertThat(folder.resolve("lib")).isDirectoryContaining("glob:**/solver-ode-*.jar");
-    assertThat(terminal.shell("ls lib").stdout())
-        .doesNotContain("jacorb")
-        .doesNotContain("picocli");
-    String printed = terminal.run("java", "-cp", "target/classes:lib/*", "Built").orFail().stdout();
-    assertThat(printed).startsWith("0.0000\n").contains("M-");
   }
 
   /**

@@ -44,7 +44,7 @@ final class SetUpWarnings {
   static Set<MessageCode> silenced(NameValue[] facts) {
     return Arrays.stream(facts)
         .filter(fact -> fact.key.equals("silenced"))
-        .flatMap(fact -> Stream.of(fact.text.split(" ")))
+        .flatMap(fact -> Stream.of(fact.text.split(" ", -1)))
         .flatMap(code -> MessageCode.find(code).stream())
         .collect(Collectors.toSet());
   }

@@ -41,7 +41,9 @@ class ExampleWarningsTest {
       byte[] content = Files.readAllBytes(file);
       if (Files.readString(file).contains("<MBSmodel")) {
         byte[] whole = ModelFiles.inlined(content, file);
-        MechmlReader.read(file.toString(), whole).warnings().forEach(w -> warnings.add("" + w));
+        MechmlReader.read(file.toString(), whole)
+            .warnings()
+            .forEach(w -> warnings.add(w.toString()));
         read++;
       }
     }

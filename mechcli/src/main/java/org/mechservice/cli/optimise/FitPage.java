@@ -9,6 +9,7 @@ import org.mechservice.report.page.PageFrame;
 import org.mechservice.study.identify.Identification;
 import org.mechservice.study.identify.Measurements;
 import org.mechservice.study.identify.Measurements.Sample;
+import org.mechservice.study.identify.Profile;
 import org.mechservice.study.optimise.DesignVariable;
 import org.mechservice.view.plot.Plot;
 
@@ -16,7 +17,12 @@ import org.mechservice.view.plot.Plot;
 final class FitPage {
   private FitPage() {}
 
-  static String of(String model, Identification found, Measurements measured, double level) {
+  static String of(
+      String model,
+      Identification found,
+      Measurements measured,
+      List<Profile> profiles,
+      double level) {
     String title = "Parameters of " + model + " from measurements";
     StringBuilder open = new StringBuilder();
     found
@@ -39,6 +45,7 @@ final class FitPage {
             + open
             + "<h2>Parameters</h2>\n"
             + parameters(found, level)
+            + profiles(found, profiles, level)
             + "<h2>Correlation</h2>\n"
             + correlation(found)
             + "<h2>Fit</h2>\n"
@@ -63,6 +70,43 @@ final class FitPage {
     }
     String interval = "interval of " + OptimiseCommand.shown(100 * level) + " %";
     return OptimumPage.table(List.of("parameter", "value", interval, "bounds", ""), rows);
+  }
+
+  /** τ over each parameter, with the linear theory beside it. */
+  private static String profiles(Identification found, List<Profile> profiles, double level) {
+    if (profiles.isEmpty()) {
+      return "";
+    }
+    StringBuilder html = new StringBuilder("<h2>Profiles</h2>\n");
+    html.append("<p>Each parameter is held beside its value, and the others are fitted anew: ");
+    html.append("&tau; counts the standard deviations by which the fit gets worse. The straight ");
+    html.append("line is what a model would do that is linear in its parameters.</p>\n");
+    for (Profile profile : profiles) {
+      String name = found.variables().get(profile.variable()).name();
+      double value = found.values()[profile.variable()];
+      double deviation = found.deviations()[profile.variable()];
+      List<double[]> linear = new ArrayList<>();
+      if (Double.isFinite(deviation)) {
+        profile.points().forEach(p -> linear.add(new double[] {p[0], (p[0] - value) / deviation}));
+      }
+      List<Plot.Curve> curves = new ArrayList<>();
+      curves.add(new Plot.Curve("profile", 0, 0, profile.points(), 1));
+      if (!linear.isEmpty()) {
+        curves.add(new Plot.Curve("linear", 0, 1, linear, 1));
+      }
+      html.append(
+          OptimumPage.picture(
+              OptimumPage.plot(
+                  "Profile of " + name, name, List.of(new Plot.Panel("τ", "", curves)))));
+      html.append("<p>");
+      html.append(OptimumPage.escaped(sentence(IdentifyCommand.sentence(found, profile), level)));
+      html.append("</p>\n");
+    }
+    return html.toString();
+  }
+
+  private static String sentence(String words, double level) {
+    return "Interval of " + OptimiseCommand.shown(100 * level) + " % by the " + words + ".";
   }
 
   private static String correlation(Identification found) {

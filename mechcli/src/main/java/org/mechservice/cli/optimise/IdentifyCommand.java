@@ -11,6 +11,7 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -26,9 +27,11 @@ import org.mechservice.result.SignalTable;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.study.identify.Identification;
 import org.mechservice.study.identify.Measurements;
+import org.mechservice.study.identify.Profile;
 import org.mechservice.study.optimise.Derivatives;
 import org.mechservice.study.optimise.DesignVariable;
 import org.mechservice.study.optimise.PointFailedException;
+import org.mechservice.study.optimise.Response;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -83,6 +86,15 @@ public final class IdentifyCommand implements Callable<Integer> {
   private double level;
 
   @Option(
+      names = "--profile",
+      arity = "1..*",
+      paramLabel = "PARAMETER",
+      description =
+          "Parameters whose intervals are computed without taking the model as linear: each is"
+              + " held at values beside the found one, and the others are fitted anew.")
+  private List<String> profiled = List.of();
+
+  @Option(
       names = "--report",
       paramLabel = "FILE.html",
       description = "Write a page with the parameters and pictures of fit and residuals.")
@@ -104,6 +116,7 @@ public final class IdentifyCommand implements Callable<Integer> {
     MechModel model = design.model();
     Measurements measured = measurements(SignalTable.read(data));
     Identification found;
+    List<Profile> profiles = new ArrayList<>();
     try {
       if (!(level > 0 && level < 1)) {
         throw new IllegalArgumentException(
@@ -114,9 +127,23 @@ public final class IdentifyCommand implements Callable<Integer> {
           design.derived(
               exact -> exact ? Optional.of(measured.slopes(model, variables)) : Optional.empty());
       derivatives = derived.derivatives();
-      found =
-          Identification.of(
-              variables, measured.residuals(model, variables), design.step(), derived.made());
+      Response residuals = measured.residuals(model, variables);
+      List<String> names = variables.stream().map(DesignVariable::name).toList();
+      for (String name : profiled) {
+        if (!names.contains(name)) {
+          throw new IllegalArgumentException(
+              "--profile "
+                  + name
+                  + ": no parameter of that name is identified; there are "
+                  + String.join(", ", names));
+        }
+      }
+      found = Identification.of(variables, residuals, design.step(), derived.made());
+      for (String name : profiled) {
+        profiles.add(
+            Profile.of(
+                found, names.indexOf(name), residuals, design.step(), derived.made(), level));
+      }
     } catch (IllegalArgumentException | MechmlException e) {
       throw VariableOptions.refused(MessageCode.DESIGN_UNUSABLE, e);
     } catch (PointFailedException e) {
@@ -124,11 +151,11 @@ public final class IdentifyCommand implements Callable<Integer> {
       return ExitStatus.SIMULATION_FAILED;
     }
     if (report != null) {
-      String page = FitPage.of(design.fileName(), found, measured, level);
+      String page = FitPage.of(design.fileName(), found, measured, profiles, level);
       OutputFile.write(report, page.getBytes(StandardCharsets.UTF_8));
     }
     PrintWriter out = spec.commandLine().getOut();
-    out.println(json ? JSON.toJson(json(found)) : text(found));
+    out.println(json ? JSON.toJson(json(found, profiles)) : text(found, profiles));
     out.flush();
     found
         .undetermined()
@@ -164,7 +191,7 @@ public final class IdentifyCommand implements Callable<Integer> {
     }
   }
 
-  private String text(Identification found) {
+  private String text(Identification found, List<Profile> profiles) {
     StringBuilder text = new StringBuilder();
     for (int j = 0; j < found.values().length; j++) {
       String place = OptimiseCommand.place(found.bound(j));
@@ -174,6 +201,9 @@ public final class IdentifyCommand implements Callable<Integer> {
           .append(interval(found, j, level))
           .append(place.isEmpty() ? "" : "  (" + place + ")")
           .append('\n');
+    }
+    for (Profile profile : profiles) {
+      text.append(sentence(found, profile)).append('\n');
     }
     return text.append("noise ")
         .append(OptimiseCommand.shown(found.noise()))
@@ -186,6 +216,19 @@ public final class IdentifyCommand implements Callable<Integer> {
         .toString();
   }
 
+  /** Returns the interval of a profile in words. */
+  static String sentence(Identification found, Profile profile) {
+    DesignVariable variable = found.variables().get(profile.variable());
+    return "profile of "
+        + variable.name()
+        + ": from "
+        + profile.lower().map(OptimiseCommand::shown).orElse("below what was tried")
+        + " to "
+        + profile.upper().map(OptimiseCommand::shown).orElse("above what was tried")
+        + ", "
+        + OptimiseCommand.counted(profile.runs(), "run");
+  }
+
   /** Returns the half width of an interval, or that there is none. */
   static String interval(Identification found, int variable, double level) {
     return Double.isInfinite(found.deviations()[variable])
@@ -193,7 +236,7 @@ public final class IdentifyCommand implements Callable<Integer> {
         : " ± " + OptimiseCommand.shown(found.halfWidth(variable, level));
   }
 
-  private JsonObject json(Identification found) {
+  private JsonObject json(Identification found, List<Profile> profiles) {
     JsonObject all = new JsonObject();
     JsonArray parameters = new JsonArray();
     for (int j = 0; j < found.values().length; j++) {
@@ -224,6 +267,25 @@ public final class IdentifyCommand implements Callable<Integer> {
     JsonArray undetermined = new JsonArray();
     found.undetermined().forEach(undetermined::add);
     all.add("undetermined", undetermined);
+    if (!profiles.isEmpty()) {
+      JsonArray curves = new JsonArray();
+      for (Profile profile : profiles) {
+        JsonObject one = new JsonObject();
+        one.addProperty("name", found.variables().get(profile.variable()).name());
+        one.add("lower", finite(profile.lower().orElse(Double.NaN)));
+        one.add("upper", finite(profile.upper().orElse(Double.NaN)));
+        JsonArray points = new JsonArray();
+        for (double[] point : profile.points()) {
+          JsonObject each = new JsonObject();
+          each.addProperty("value", point[0]);
+          each.addProperty("tau", point[1]);
+          points.add(each);
+        }
+        one.add("points", points);
+        curves.add(one);
+      }
+      all.add("profiles", curves);
+    }
     all.addProperty("noise", found.noise());
     all.addProperty("measuredValues", found.residuals().length);
     all.addProperty("runs", found.runs());

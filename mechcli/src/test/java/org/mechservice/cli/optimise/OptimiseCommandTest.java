@@ -265,12 +265,18 @@ class OptimiseCommandTest {
                 "slide.q=0.01",
                 "--level",
                 "0.99",
+                "--profile",
+                "c",
                 "--report",
                 page.toString(),
                 "--json"))
         .as(err.toString())
         .isEqualTo(ExitStatus.DONE);
     JsonObject json = JsonParser.parseString(out.toString()).getAsJsonObject();
+    JsonObject profile = json.getAsJsonArray("profiles").get(0).getAsJsonObject();
+    assertThat(profile.get("lower").getAsDouble()).isLessThan(0.4);
+    assertThat(profile.get("upper").getAsDouble()).isGreaterThan(0.4);
+    assertThat(page).content().contains("Profile of c");
     double[] truth = {0.4, 0.5};
     for (int i = 0; i < truth.length; i++) {
       JsonObject one = json.getAsJsonArray("parameters").get(i).getAsJsonObject();
@@ -324,6 +330,10 @@ class OptimiseCommandTest {
   @Test
   void measurementsThatCannotBeUsedAreRefused() throws IOException {
     Path data = Files.writeString(folder.resolve("d.csv"), "t,slide.q\n0,1\n1,0.5\n2,0\n");
+    assertThat(
+            mech("identify", model, "--data", data.toString(), "--by", "c=1:2", "--profile", "d"))
+        .isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(err.toString()).startsWith("S-210 --profile d: no parameter of that name");
     assertThat(mech("identify", model, "--data", data.toString(), "--by", "c=1:2", "--column", "x"))
         .isEqualTo(ExitStatus.BAD_INPUT);
     assertThat(err.toString()).startsWith("S-213 the measurements have no column \"x\"");

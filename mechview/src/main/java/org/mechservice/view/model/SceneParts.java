@@ -350,16 +350,18 @@ final class SceneParts {
 
     @Override
     public SceneForce pairForce(PairForce one) {
-      Vector3 axis = one.disc() ? one.frame2().axes().apply(Z) : one.frame1().axes().apply(Z);
-      int carrier = one.disc() ? one.frame2().body() : one.frame1().body();
+      // A sphere touches a shape about frame 1; a disc, a box or a wheel touches its plane.
+      boolean onPlane = one.disc() || one.radius() == 0;
+      Point3 normal = point(one.frame1().axes().apply(Z));
       return new SceneForce(
           one.name(),
           SceneForce.Kind.CONTACT,
           List.of(anchor(one.frame2().origin()), anchor(one.frame1().origin())),
-          pose(carrier).turn(point(axis)),
-          one.disc(),
+          onPlane ? pose(one.frame1().body()).turn(normal) : Point3.ZERO,
+          false,
           one.radius(),
-          "");
+          "",
+          one.disc() ? point(one.frame2().axes().apply(Z)) : Point3.ZERO);
     }
 
     @Override

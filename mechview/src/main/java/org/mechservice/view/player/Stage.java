@@ -24,7 +24,7 @@ import org.mechservice.view.scene.SceneJoint;
  * of bodies that rods and springs are drawn as.
  *
  * <p>A body without a geometry file gets rods that join its joints, and the box or cylinder of even
- * density that has its inertia; a body in contact by a sphere gets that sphere. Sizes of symbols
+ * density that has its inertia; a body in contact by a sphere or a tyre gets that. Sizes of symbols
  * follow from the extent of the mechanism at the start.
  */
 public final class Stage {
@@ -186,13 +186,22 @@ public final class Stage {
     return shapes;
   }
 
-  /** Returns the spheres by which a body is in contact. */
+  /** Returns the spheres, discs and tyres by which a body is in contact. */
   private List<Mesh> balls(int body) {
     return scene.forces().stream()
         .filter(force -> force.kind() == SceneForce.Kind.CONTACT && force.radius() > 0)
         .filter(force -> force.anchors().get(0).body() == body)
-        .map(force -> Solids.sphere(force.radius()).moved(at(force.anchors().get(0).point())))
+        .map(Stage::round)
         .toList();
+  }
+
+  /** Returns the sphere of a contact, or its disc as a tyre. */
+  private static Mesh round(SceneForce force) {
+    double r = force.radius();
+    Point3 centre = force.anchors().get(0).point();
+    return force.isOfDisc()
+        ? Solids.tube(0.6 * r, r, 0.35 * r).moved(Solids.zAlong(force.axle(), centre))
+        : Solids.sphere(r).moved(at(centre));
   }
 
   /** Returns whether a box says more than the rod between two points. */
@@ -362,9 +371,11 @@ public final class Stage {
       case DAMPER -> addLink(Strut.Kind.DAMPER, force);
       case ROPE -> addRope(force.name(), force.anchors());
       case CONTACT -> {
-        Anchor surface = force.anchors().get(1);
-        Point3 normal = scene.pose(surface.body()).turnBack(force.direction());
-        addSurface(force.name(), surface, normal);
+        if (force.direction().norm() > 0) {
+          Anchor surface = force.anchors().get(1);
+          Point3 normal = scene.pose(surface.body()).turnBack(force.direction());
+          addSurface(force.name(), surface, normal);
+        }
       }
       default -> {
         // drawn by its arrow, or in its joint

@@ -11,11 +11,13 @@ import java.util.List;
  *     centre of the sphere and origin of the surface of a contact; the points of a user's force;
  *     the joint's points for what acts in a joint
  * @param direction unit vector in world axes at the start: the direction of a force or moment, the
- *     outward normal of a contact's surface; zero where there is none
+ *     outward normal of a contact's surface, if it is a plane; zero where there is none
  * @param inBodyAxes whether the components of the force in results are in axes of the body it acts
  *     on, not of the world
- * @param radius radius of a contact's sphere, m; 0 for every other force
+ * @param radius radius of a contact's sphere, disc or wheel, m; 0 for every other force
  * @param joint name of the joint it acts in; empty if it acts between points
+ * @param axle unit vector along the axle of a disc or wheel in contact, in the axes of the first
+ *     anchor's body; zero for every other force
  */
 public record SceneForce(
     String name,
@@ -24,7 +26,8 @@ public record SceneForce(
     Point3 direction,
     boolean inBodyAxes,
     double radius,
-    String joint) {
+    String joint,
+    Point3 axle) {
   /** What acts. */
   public enum Kind {
     /** A spring without damping between two points. */
@@ -57,5 +60,22 @@ public record SceneForce(
 
   public SceneForce {
     anchors = List.copyOf(anchors);
+  }
+
+  /** Creates a force without a disc or wheel. */
+  public SceneForce(
+      String name,
+      Kind kind,
+      List<Anchor> anchors,
+      Point3 direction,
+      boolean inBodyAxes,
+      double radius,
+      String joint) {
+    this(name, kind, anchors, direction, inBodyAxes, radius, joint, Point3.ZERO);
+  }
+
+  /** Returns whether it is the contact of a disc or wheel. */
+  public boolean isOfDisc() {
+    return axle.norm() > 0;
   }
 }

@@ -84,7 +84,9 @@ final class InteractionSketch {
       }
       case ROLLING -> {
         Place centre = layout.place(constraint.anchors().get(0));
-        canvas.draw(rim(constraint), new Pen(CONSTRAINT, 1.6));
+        canvas.draw(
+            rim(constraint.anchors().get(0), constraint.wheel().orElseThrow()),
+            new Pen(CONSTRAINT, 1.6));
         forces.dot(centre, CONSTRAINT);
         names.name(constraint.name(), CONSTRAINT, false, List.of(centre), 14);
       }
@@ -120,9 +122,7 @@ final class InteractionSketch {
   }
 
   /** Returns the rim of a wheel, or the circle of a ball that faces the viewer. */
-  private Path2D rim(SceneConstraint constraint) {
-    Anchor centre = constraint.anchors().get(0);
-    SceneConstraint.Wheel wheel = constraint.wheel().orElseThrow();
+  private Path2D rim(Anchor centre, SceneConstraint.Wheel wheel) {
     Point3 axle =
         wheel.isBall()
             ? layout.projection().right().cross(layout.projection().up())
@@ -249,10 +249,14 @@ final class InteractionSketch {
     }
   }
 
-  /** Draws the sphere and the part of the surface beneath it. */
+  /** Draws the sphere, disc or wheel and the part of the surface beneath it. */
   private void contact(SceneForce force, Place centre) {
     double radius = force.radius() * layout.scale();
-    if (radius > 1) {
+    if (force.isOfDisc() && radius > 1) {
+      SceneConstraint.Wheel wheel = new SceneConstraint.Wheel(force.axle(), force.radius());
+      canvas.draw(rim(force.anchors().get(0), wheel), new Pen(FORCE, 1.6));
+      forces.dot(centre, FORCE);
+    } else if (radius > 1) {
       forces.sphere(centre, radius, FORCE);
     } else {
       forces.dot(centre, FORCE);

@@ -39,7 +39,7 @@ final class FmuSources {
           "accepted",
           "next_jump",
           "go_on",
-          "jacobian",
+          "directional",
           "failure");
 
   /** What stands for a function that a model does not have. */
@@ -54,7 +54,7 @@ final class FmuSources {
           Map.entry("begin", "(m, t, x) 0"),
           Map.entry("go_on", "(m, t, x) ((void)(t), 0)"),
           Map.entry("outputs", "(m, t, x, y) 0"),
-          Map.entry("jacobian", "(m, t, x, J) ((void)(J), -1)"),
+          Map.entry("directional", "(m, t, x, seed, dx) ((void)(seed), (void)(dx), -1)"),
           Map.entry("failure", "(m) \"\""));
 
   private FmuSources() {}

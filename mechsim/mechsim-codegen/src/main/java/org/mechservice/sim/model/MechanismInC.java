@@ -157,12 +157,7 @@ final class MechanismInC {
     if (beyond.isEmpty()) {
       beyond.addAll(
           GenerationLimits.isRecursive(mechanism)
-              ? List.of(
-                  "loops of more than "
-                      + LoopEquations.LARGE
-                      + " velocities (it has "
-                      + mechanism.velocityCount()
-                      + ")")
+              ? GenerationLimits.largeWithMassMatrix(mechanism)
               : GenerationLimits.notGenerated(mechanism, choice, () -> 0));
     }
     refuse(beyond);

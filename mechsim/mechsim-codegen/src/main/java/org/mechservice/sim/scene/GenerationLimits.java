@@ -69,6 +69,12 @@ public final class GenerationLimits {
    */
   private static final int MOST_EQUATIONS = 20;
 
+  /**
+   * Largest number of velocities of loops that are exported with dense matrices: an instance has up
+   * to 6 MB, and an evaluation factors a matrix of this size.
+   */
+  private static final int MOST_VELOCITIES = 300;
+
   /** Reason why derivatives of a residual with loops are computed from data. */
   public static final String TOO_LONG_DERIVATIVES =
       "they take more than "
@@ -124,6 +130,36 @@ public final class GenerationLimits {
    */
   public static boolean isRecursive(Mechanism mechanism) {
     return !mechanism.closures().isEmpty() && mechanism.velocityCount() > LoopEquations.LARGE;
+  }
+
+  /**
+   * Returns the parts of large loops for which no code with a mass matrix is generated: C solves
+   * them by the penalty closure with dense matrices, as smaller ones.
+   */
+  public static List<String> largeWithMassMatrix(Mechanism mechanism) {
+    int velocities = mechanism.velocityCount();
+    int elements = elements(mechanism);
+    List<String> beyond = new ArrayList<>();
+    if (velocities > MOST_VELOCITIES) {
+      beyond.add(
+          "loops of more than "
+              + MOST_VELOCITIES
+              + " velocities (it has "
+              + velocities
+              + "), whose dense matrices would make an evaluation slow and an instance large");
+    } else if (elements > MOST_ELEMENTS) {
+      beyond.add(
+          "loops of bodies with a mass matrix of more than "
+              + MOST_ELEMENTS
+              + " elements (it has "
+              + elements
+              + "), whose code would be too long to compile");
+    }
+    add(
+        beyond,
+        "tunable parameters in coefficients of forces",
+        SettledCoefficients.withParameters(mechanism).stream());
+    return beyond;
   }
 
   /**

@@ -827,9 +827,9 @@ mech_status mech_directional(mech_instance *c, const char *function, const unsig
                              const double *seed, size_t seeds, double *sensitivity,
                              size_t sensitivities) {
   double largest = 0, size = 0, e;
-  size_t i, j;
+  size_t i;
   mech_status status = know_start(c);
-  int by_jacobian = 1;
+  int exact = 1;
   if (status != MECH_OK) {
     return status;
   }
@@ -843,20 +843,21 @@ mech_status mech_directional(mech_instance *c, const char *function, const unsig
       return mech_say(c, MECH_FAILED, "%s: a seed is not finite.", function);
     }
     largest = fabs(seed[i]) > largest ? fabs(seed[i]) : largest;
-    by_jacobian &= known[i] >= MECH_STATE && known[i] < MECH_DERIVATIVE;
+    exact &= (known[i] >= MECH_STATE && known[i] < MECH_DERIVATIVE) ||
+             (known[i] >= MECH_PARAMETER && known[i] < MECH_OUTPUT);
   }
   for (i = 0; i < unknowns; i++) {
-    by_jacobian &= unknown[i] >= MECH_DERIVATIVE && unknown[i] < MECH_PARAMETER;
+    exact &= unknown[i] >= MECH_DERIVATIVE && unknown[i] < MECH_PARAMETER;
   }
-  if (by_jacobian) {
-    double jacobian[MECH_N * MECH_N];
-    if (MODEL_jacobian(&c->s.model, c->s.t, c->s.x, jacobian) >= 0) {
+  if (exact) {
+    double seeds[MECH_N + MODEL_NP + MODEL_NU] = {0}, rates[MECH_N];
+    for (i = 0; i < knowns; i++) {
+      unsigned r = known[i];
+      seeds[r < MECH_DERIVATIVE ? r - MECH_STATE : MODEL_NX + (r - MECH_PARAMETER)] += seed[i];
+    }
+    if (MODEL_directional(&c->s.model, c->s.t, c->s.x, seeds, rates) >= 0) {
       for (i = 0; i < unknowns; i++) {
-        sensitivity[i] = 0;
-        for (j = 0; j < knowns; j++) {
-          sensitivity[i] += seed[j] * jacobian[(unknown[i] - MECH_DERIVATIVE) * MODEL_NX +
-                                               (known[j] - MECH_STATE)];
-        }
+        sensitivity[i] = rates[unknown[i] - MECH_DERIVATIVE];
       }
       return MECH_OK;
     }

@@ -46,12 +46,12 @@ int ball_project(ball_t *m, double t, double *x) {
   (void)x;
   return 0;
 }
-int ball_jacobian(ball_t *m, double t, const double *x, double *J) {
+int ball_directional(ball_t *m, double t, const double *x, const double *seed, double *dx) {
   (void)m;
   (void)t;
   (void)x;
-  J[0] = J[2] = J[3] = 0;
-  J[1] = 1;
+  dx[0] = seed[1];
+  dx[1] = 0;
   return 0;
 }
 const char *ball_failure(const ball_t *m) {

@@ -12,6 +12,6 @@ int ball_outputs(ball_t *m, double t, const double *x, double *y);
 int ball_event_values(ball_t *m, double t, const double *x, double *g);
 int ball_event(ball_t *m, const signed char *occurred, double t, double *x);
 int ball_project(ball_t *m, double t, double *x);
-int ball_jacobian(ball_t *m, double t, const double *x, double *J);
+int ball_directional(ball_t *m, double t, const double *x, const double *seed, double *dx);
 const char *ball_failure(const ball_t *m);
 #endif

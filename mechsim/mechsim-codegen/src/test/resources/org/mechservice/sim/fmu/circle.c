@@ -67,11 +67,12 @@ int circle_project(circle_t *m, double t, double *x) {
   x[3] -= along * x[1];
   return 1;
 }
-int circle_jacobian(circle_t *m, double t, const double *x, double *J) {
+int circle_directional(circle_t *m, double t, const double *x, const double *seed, double *dx) {
   (void)m;
   (void)t;
   (void)x;
-  (void)J;
+  (void)seed;
+  (void)dx;
   return -1;
 }
 const char *circle_failure(const circle_t *m) {

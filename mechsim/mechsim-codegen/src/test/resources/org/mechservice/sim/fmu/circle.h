@@ -12,6 +12,6 @@ int circle_outputs(circle_t *m, double t, const double *x, double *y);
 int circle_event_values(circle_t *m, double t, const double *x, double *g);
 int circle_event(circle_t *m, const signed char *occurred, double t, double *x);
 int circle_project(circle_t *m, double t, double *x);
-int circle_jacobian(circle_t *m, double t, const double *x, double *J);
+int circle_directional(circle_t *m, double t, const double *x, const double *seed, double *dx);
 const char *circle_failure(const circle_t *m);
 #endif

@@ -9,8 +9,10 @@ import java.time.LocalDate;
 import java.time.ZoneId;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.mechservice.solver.ode.IntegratorSettings.Mode;
@@ -20,6 +22,7 @@ import org.mechservice.solver.ode.stiff.Ode15s;
 import org.mechservice.solver.ode.suite.ResidualProblem;
 import org.mechservice.solver.ode.suite.ResidualRun;
 import org.mechservice.solver.ode.suite.Run;
+import org.mechservice.solver.ode.suite.StiffnessDraw;
 import org.mechservice.solver.ode.suite.StiffnessFamily;
 import org.mechservice.solver.ode.suite.SuiteProblem;
 import org.mechservice.solver.ode.switching.Switching;
@@ -36,6 +39,9 @@ class IntegratorReportTest {
 
   private static final int LEAST_DIGITS = 3;
   private static final int MOST_DIGITS = 10;
+
+  /** Problems drawn of each group. */
+  private static final int DRAWS = 40;
 
   /**
    * Steps/rejected/evaluations, then Jacobians and factorisations, at 1e-3, 1e-6 and 1e-9, of
@@ -84,6 +90,7 @@ class IntegratorReportTest {
     stiffness();
     switching();
     changesOnFamilies();
+    changesOnDraws();
     standing();
     Files.writeString(PAGE, page);
     assertThat(PAGE).exists();
@@ -294,18 +301,19 @@ class IntegratorReportTest {
     line("### Families of problems more or less stiff");
     line("");
     line(
-        "Problems on which nothing was chosen (`StiffnessFamily`), at 1e-3 to 1e-8, absolute alike:"
-            + " evaluations of the change over those of the better of ode113 and ode15s. Long runs"
-            + " are those of which the better method takes 200 evaluations and more.");
+        "Fixed problems (`StiffnessFamily`) at 1e-3 to 1e-8, absolute alike: evaluations of the"
+            + " change over those of the better of ode113 and ode15s. Long runs are those of which"
+            + " the better method takes 200 evaluations and more.");
     line("");
-    line("| family | runs | at most 1.3 | median | worst | long runs | at most 1.3 | worst |");
-    line("|---|---|---|---|---|---|---|---|");
+    head();
     List<double[]> all = new ArrayList<>();
     for (StiffnessFamily family : StiffnessFamily.all()) {
       List<double[]> runs = new ArrayList<>();
       for (StiffnessFamily.Member member : family.members()) {
         for (int k = LEAST_DIGITS; k <= 8; k++) {
-          runs.add(betterAndRatio(member, StrictMath.pow(10, -k)));
+          double tolerance = StrictMath.pow(10, -k);
+          IntegratorSettings settings = new IntegratorSettings(tolerance, tolerance);
+          runs.add(betterAndRatio(member.ode(), member.start(), member.end(), settings));
         }
       }
       row(family.name(), runs);
@@ -314,22 +322,57 @@ class IntegratorReportTest {
     row("all", all);
   }
 
-  private static double[] betterAndRatio(StiffnessFamily.Member member, double tolerance) {
-    IntegratorSettings settings = new IntegratorSettings(tolerance, tolerance);
-    Run explicit = run(new Ode113(bounded(settings, 200_000)), member);
-    Run implicit = run(new Ode15s(settings), member);
-    Run changing = run(new Switching(settings), member);
-    assertThat(implicit.result()).as(member.name()).isEqualTo(StepResult.REACHED_END);
-    assertThat(changing.result()).as(member.name()).isEqualTo(StepResult.REACHED_END);
+  private void head() {
+    line("| group | runs | at most 1.3 | median | worst | long runs | at most 1.3 | worst |");
+    line("|---|---|---|---|---|---|---|---|");
+  }
+
+  /** The same on problems drawn at random. */
+  private void changesOnDraws() {
+    line("");
+    line("### Problems drawn at random");
+    line("");
+    line(
+        "`StiffnessDraw`, %d of each group, seed %d, tolerances drawn from 1e-8 to 1e-3. By two"
+            + " thirds of each group the rules of the change were chosen; by the last third nothing"
+            + " was.",
+        DRAWS, StiffnessDraw.SEED);
+    draws("Looked at:", false);
+    draws("Held out:", true);
+  }
+
+  private void draws(String title, boolean heldOut) {
+    line("");
+    line(title);
+    line("");
+    head();
+    Map<String, List<double[]>> groups = new LinkedHashMap<>();
+    List<double[]> all = new ArrayList<>();
+    for (StiffnessDraw draw : StiffnessDraw.all(DRAWS)) {
+      if (draw.heldOut() == heldOut) {
+        double tolerance = draw.tolerance();
+        IntegratorSettings settings = new IntegratorSettings(tolerance, tolerance * draw.small());
+        double[] run = betterAndRatio(draw.ode(), draw.start(), draw.end(), settings);
+        groups.computeIfAbsent(draw.group(), name -> new ArrayList<>()).add(run);
+        all.add(run);
+      }
+    }
+    groups.forEach(this::row);
+    row("all", all);
+  }
+
+  private static double[] betterAndRatio(
+      OdeSystem ode, double[] start, double end, IntegratorSettings settings) {
+    Run explicit = Run.of(new Ode113(bounded(settings, 200_000)), ode, 0, start, end);
+    Run implicit = Run.of(new Ode15s(settings), ode, 0, start, end);
+    Run changing = Run.of(new Switching(settings), ode, 0, start, end);
+    assertThat(implicit.result()).isEqualTo(StepResult.REACHED_END);
+    assertThat(changing.result()).isEqualTo(StepResult.REACHED_END);
     long better = implicit.statistics().evaluations();
     if (explicit.result() == StepResult.REACHED_END) {
       better = Math.min(better, explicit.statistics().evaluations());
     }
     return new double[] {better, (double) changing.statistics().evaluations() / better};
-  }
-
-  private static Run run(Integrator integrator, StiffnessFamily.Member member) {
-    return Run.of(integrator, member.ode(), 0, member.start(), member.end());
   }
 
   private void row(String name, List<double[]> runs) {

@@ -76,8 +76,7 @@ final class CHeader {
             + " model's.");
     line(" */");
     line("typedef struct {");
-    int loads = model.inputs().parameters() + model.inputs().loads();
-    line("  double p[" + Math.max(1, model.parameters().size() + loads) + "];");
+    line("  double p[" + Math.max(1, model.parameterSlots()) + "];");
     line("  double u[" + Math.max(1, model.inputs().variables().size()) + "];");
     line("  double w[" + Math.max(1, slots) + "];");
     if (model.motion() instanceof CLoops loops) {
@@ -101,6 +100,16 @@ final class CHeader {
         "int",
         "derivatives(@ *m, double t, const double *x, double *dx)",
         "Evaluates dx/dt. Returns 0, or -1 if the model is singular there: see failure.");
+    function(
+        "int",
+        "directional(@ *m, double t, const double *x, const double *seed, double *dx)",
+        "Evaluates the derivative of dx/dt along a direction: seed has the rates of x, of p and of"
+            + " u, one behind the other. Returns as derivatives.");
+    function(
+        "int",
+        "jacobian(@ *m, double t, const double *x, double *jacobian)",
+        "Evaluates the derivatives of dx/dt by x, row after row: element i * NX + k is that of"
+            + " dx[i]/dt by x[k]. Returns as derivatives.");
     function(
         "int",
         "outputs(@ *m, double t, const double *x, double *y)",

@@ -140,6 +140,11 @@ public final class CModel {
     return lines;
   }
 
+  /** Returns how many parameters, inputs and loads the programs read. */
+  int parameterSlots() {
+    return parameters().size() + inputs.parameters() + inputs.loads();
+  }
+
   /** Returns whether the programs take unwrapped angles behind the state. */
   boolean hasAngles() {
     return motion instanceof CLoops loops && loops.angles().isPresent();

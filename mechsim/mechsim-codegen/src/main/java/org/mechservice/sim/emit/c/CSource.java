@@ -31,6 +31,14 @@ final class CSource {
 
   private static final int WITHOUT_INERTIA = 1_000_000;
 
+  /** Functions of derivatives along a direction. */
+  private static final String TANGENT = "along";
+
+  private static final String FURTHER_TANGENT = "further_along";
+
+  /** Number of rates that give a direction: of states, time and what the programs read. */
+  private final int seeds;
+
   private final CModel model;
   private final String name;
   private final ConstantTable constants = new ConstantTable();
@@ -42,13 +50,38 @@ final class CSource {
   CSource(CModel model) {
     this.model = model;
     this.name = model.name();
+    int states = model.states().size();
+    seeds = states + 1 + model.parameterSlots();
+    CTangents tangents = new CTangents(states, model.parameterSlots());
     if (model.motion() instanceof CMotion.Tree tree) {
       add("derivative", "dx", true, tree.derivative());
+      add(TANGENT, "dx", true, tangents.of(tree.derivative(), states), argument("seed", states));
     } else if (model.motion() instanceof CLoops loops) {
       add("loop_terms", "terms", false, loops.loops());
       add("all_terms", "terms", true, loops.equations());
       add("mass_matrix", "terms", false, loops.mass());
       loops.further().ifPresent(program -> add("further_rates", "rates", false, program));
+      int given = states + loops.angleStarts().size();
+      int velocities = model.description().velocityCount();
+      int seed = given + velocities + loops.rows();
+      add(
+          TANGENT,
+          "rates",
+          false,
+          tangents.ofLoops(loops, velocities, given, seed),
+          argument("given", given),
+          argument("seed", seed));
+      loops
+          .further()
+          .ifPresent(
+              program ->
+                  add(
+                      FURTHER_TANGENT,
+                      "rates",
+                      false,
+                      tangents.of(program, seed),
+                      argument("given", given),
+                      argument("seed", seed)));
       loops.angles().ifPresent(program -> add("cut_angles", "angles", false, program));
     }
     CEvents events = model.events();
@@ -66,11 +99,20 @@ final class CSource {
     }
   }
 
-  private void add(String function, String output, boolean returnsResult, Program program) {
-    List<MethodSignature.Argument> state =
-        List.of(
-            new MethodSignature.Argument("t", false, Program.TIME),
-            new MethodSignature.Argument("x", true, 0));
+  private static MethodSignature.Argument argument(String array, int first) {
+    return new MethodSignature.Argument(array, true, first);
+  }
+
+  private void add(
+      String function,
+      String output,
+      boolean returnsResult,
+      Program program,
+      MethodSignature.Argument... further) {
+    List<MethodSignature.Argument> state = new ArrayList<>();
+    state.add(new MethodSignature.Argument("t", false, Program.TIME));
+    state.add(argument("x", 0));
+    state.addAll(List.of(further));
     MethodSignature head = new MethodSignature(function, state, output, returnsResult, false);
     parts.add(new Part(head, CodeLayout.plan(program, head, CodeForm.AUTO, constants)));
   }
@@ -159,6 +201,8 @@ final class CSource {
     callback("void", "loop_terms", "terms");
     callback("int", "all_terms", "terms");
     callback("void", "mass_matrix", "terms");
+    tangentCallback(TANGENT);
+    loops.further().ifPresent(program -> tangentCallback(FURTHER_TANGENT));
     loops.further().ifPresent(program -> callback("void", "further_rates", "rates"));
     loops.angles().ifPresent(program -> callback("void", "cut_angles", "angles"));
     StateCoordinates coordinates = new StateCoordinates(model.mechanism());
@@ -196,11 +240,23 @@ final class CSource {
                 numbers.of(penalty.frequency()),
                 numbers.of(penalty.damping())));
     source.line(
-        "    loop_terms_of, all_terms_of, mass_matrix_of, %s, %s"
+        "    loop_terms_of, all_terms_of, mass_matrix_of, %s, %s, %s_of, %s"
             .formatted(
                 loops.further().isPresent() ? "further_rates_of" : "NULL",
-                loops.angles().isPresent() ? "cut_angles_of" : "NULL"));
+                loops.angles().isPresent() ? "cut_angles_of" : "NULL",
+                TANGENT,
+                loops.further().isPresent() ? FURTHER_TANGENT + "_of" : "NULL"));
     source.line("};").blank();
+  }
+
+  private void tangentCallback(String function) {
+    source.open(
+        "static void "
+            + function
+            + "_of(void *model, double t, const double *y, const double *given,"
+            + " const double *seed, double *rates)");
+    source.line(function + "((" + name + "_t *)model, t, y, given, seed, rates);");
+    source.close().blank();
   }
 
   private void callback(String result, String function, String output) {
@@ -276,10 +332,60 @@ final class CSource {
       source.line("return m->failure == REGULAR ? 0 : -1;");
     }
     source.close();
+    tangents();
     open("int ", "energy", instance() + ", double t, const double *x, double *energy");
     beside();
     behind();
     source.line(COutputs.ENERGIES + "(m, t, x, energy);");
+    source.line("return 0;").close();
+  }
+
+  /** Writes the derivative of x' along directions, and by the states. */
+  private void tangents() {
+    String open = instance() + ", double t, const double *x, ";
+    String refresh = model.motion() instanceof CLoops ? ", int again" : "";
+    source.blank().line("/* seed: rates of x, of t and of what the programs read behind. */");
+    source.open(
+        "static int derivative_along(" + open + "const double *seed, double *dx" + refresh + ")");
+    if (model.motion() instanceof CLoops) {
+      source.line(
+          "return mech_loops_along(&LOOPS, m, m->loop, t, x, seed, again, dx, &m->failure);");
+    } else {
+      source.line("m->failure = " + TANGENT + "(m, t, x, seed, dx);");
+      source.line("return m->failure == REGULAR ? 0 : -1;");
+    }
+    source.close();
+    String more = refresh.isEmpty() ? "" : ", 0";
+    open("int ", "directional", open + "const double *seed, double *dx");
+    source.line("double all[" + seeds + "] = {0};");
+    source.line("memcpy(all, seed, " + name + "_NX * sizeof(double));");
+    if (!model.parameters().isEmpty()) {
+      source.line(
+          "memcpy(all + %1$s_NX + 1, seed + %1$s_NX, %1$s_NP * sizeof(double));".formatted(name));
+    }
+    if (!model.inputs().variables().isEmpty()) {
+      source.open("for (int i = 0; i < " + name + "_NU; i++)");
+      source.line(
+          "all[%1$s_NX + 1 + %1$s_NP + LOAD_OF[i]] = seed[%1$s_NX + %1$s_NP + i];".formatted(name));
+      source.close();
+    }
+    beside();
+    source.line("return derivative_along(m, t, x, all, dx" + more + ");").close();
+    open("int ", "jacobian", open + "double *jacobian");
+    source.line("double seed[" + seeds + "] = {0}, column[" + name + "_NX + 1];");
+    beside();
+    source.open("for (int k = 0; k < " + name + "_NX; k++)");
+    source.line("int result;");
+    source.line("seed[k] = 1;");
+    source.line(
+        "result = derivative_along(m, t, x, seed, column"
+            + (refresh.isEmpty() ? "" : ", k > 0")
+            + ");");
+    source.open("if (result < 0)").line("return result;").close();
+    source.line("seed[k] = 0;");
+    source.open("for (int i = 0; i < " + name + "_NX; i++)");
+    source.line("jacobian[i * " + name + "_NX + k] = column[i];").close();
+    source.close();
     source.line("return 0;").close();
   }
 

@@ -31,6 +31,7 @@ typedef struct {
   double *force, *right, *change, *a;
   double *full, *augmented, *factors;
   double *columns;                             /* of J, for coordinates that others determine */
+  double *given, *along;                       /* a and lambda, and a derivative of their equations */
 } parts;
 
 static parts places(const mech_loops *l, double *work) {
@@ -61,6 +62,8 @@ static parts places(const mech_loops *l, double *work) {
   p.change = p.right + n;
   p.a = p.change + n;
   p.columns = p.a + n;
+  p.given = p.columns + m * n;
+  p.along = p.given + all;
   return p;
 }
 
@@ -268,6 +271,15 @@ static void solve(const mech_loops *l, const parts *p, int count, double *x) {
   }
 }
 
+/* Rate of Euler parameters e at an angular velocity. */
+static void ball_rate(const double *e, const double *omega, double *rate) {
+  double wx = 0.5 * omega[0], wy = 0.5 * omega[1], wz = 0.5 * omega[2];
+  rate[0] = -wx * e[1] - wy * e[2] - wz * e[3];
+  rate[1] = wx * e[0] + wy * e[3] - wz * e[2];
+  rate[2] = wy * e[0] + wz * e[1] - wx * e[3];
+  rate[3] = wz * e[0] + wx * e[2] - wy * e[1];
+}
+
 int mech_loops_derivatives(const mech_loops *l, void *model, double *work, double t,
                            const double *x, double *dx, int *failure) {
   parts p = places(l, work);
@@ -299,17 +311,52 @@ int mech_loops_derivatives(const mech_loops *l, void *model, double *work, doubl
     }
   }
   for (b = 0; b < l->balls; b++) {
-    const double *e = x + l->ball_q[b], *omega = x + l->nq + l->ball_v[b];
-    double *rate = dx + l->ball_q[b];
-    double wx = 0.5 * omega[0], wy = 0.5 * omega[1], wz = 0.5 * omega[2];
-    rate[0] = -wx * e[1] - wy * e[2] - wz * e[3];
-    rate[1] = wx * e[0] + wy * e[3] - wz * e[2];
-    rate[2] = wy * e[0] + wz * e[1] - wx * e[3];
-    rate[3] = wz * e[0] + wx * e[2] - wy * e[1];
+    ball_rate(x + l->ball_q[b], x + l->nq + l->ball_v[b], dx + l->ball_q[b]);
   }
   solve(l, &p, l->m, dx + l->nq);
   if (l->further != NULL) {
     l->further(model, t, p.y, dx + l->nq + l->nv);
+  }
+  return 0;
+}
+
+int mech_loops_along(const mech_loops *l, void *model, double *work, double t, const double *x,
+                     const double *seed, int again, double *dx, int *failure) {
+  parts p = places(l, work);
+  int i, b;
+  if (!again) {
+    if (mech_loops_derivatives(l, model, work, t, x, dx, failure) < 0) {
+      return -1;
+    }
+    memcpy(p.given, dx + l->nq, (size_t)l->nv * sizeof(double));
+    for (i = 0; i < l->m; i++) {
+      p.given[l->nv + i] = p.lambda[i] / p.size[i];
+    }
+  }
+  l->along(model, t, p.y, p.given, seed, p.along);
+  for (i = 0; i < l->nv; i++) {
+    p.right[i] = -p.along[i];
+  }
+  for (i = 0; i < l->m; i++) {
+    p.offset[i] = p.along[l->nv + i] / p.size[i];
+  }
+  for (i = 0; i < l->nq; i++) {
+    if (l->velocity_of[i] >= 0) {
+      dx[i] = seed[l->nq + l->velocity_of[i]];
+    }
+  }
+  for (b = 0; b < l->balls; b++) {
+    const double *e = x + l->ball_q[b], *omega = x + l->nq + l->ball_v[b];
+    double rate[4];
+    ball_rate(e, seed + l->nq + l->ball_v[b], rate);
+    ball_rate(seed + l->ball_q[b], omega, dx + l->ball_q[b]);
+    for (i = 0; i < 4; i++) {
+      dx[l->ball_q[b] + i] += rate[i];
+    }
+  }
+  solve(l, &p, l->m, dx + l->nq);
+  if (l->further_along != NULL) {
+    l->further_along(model, t, p.y, p.given, seed, dx + l->nq + l->nv);
   }
   return 0;
 }

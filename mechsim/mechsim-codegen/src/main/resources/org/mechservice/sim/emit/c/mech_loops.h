@@ -33,17 +33,27 @@ typedef struct {
   void (*mass)(void *model, double t, const double *y, double *terms);
   void (*further)(void *model, double t, const double *y, double *rates);
   void (*angles)(void *model, double t, const double *y, double *angles);
+  /* Derivatives along a direction, given by the rates of states, of time and of parameters: of
+   * M a + b + J' lambda and J a + c at given a and lambda, and of the further rates. */
+  void (*along)(void *model, double t, const double *y, const double *given, const double *seed,
+                double *rates);
+  void (*further_along)(void *model, double t, const double *y, const double *given,
+                        const double *seed, double *rates);
 } mech_loops;
 
 /* Numbers of a workspace of m equations in n velocities with a pattern of e elements, for k states
  * and twice the number of unwrapped angles. */
 #define MECH_LOOPS_WORK(m, n, e, k) \
-  (9 * (m) + 2 * (m) * (n) + 10 * (n) + 4 * (n) * (n) + 2 * (e) + (k))
+  (9 * (m) + 2 * (m) * (n) + 2 * ((m) + (n)) + 10 * (n) + 4 * (n) * (n) + 2 * (e) + (k))
 
 /* dx/dt; returns 0, or -1 with *failure set to a force without value or, counted from 1000000, a
  * velocity without inertia. work begins with the unwrapped angles. */
 int mech_loops_derivatives(const mech_loops *l, void *model, double *work, double t,
                            const double *x, double *dx, int *failure);
+/* Derivative of dx/dt along a direction, on the loops; again: at the state of the last call, whose
+ * factors are taken. Returns as mech_loops_derivatives. */
+int mech_loops_along(const mech_loops *l, void *model, double *work, double t, const double *x,
+                     const double *seed, int again, double *dx, int *failure);
 /* Moves a state onto the loops after a step; returns 1, or -1 if it is too far off. */
 int mech_loops_project(const mech_loops *l, void *model, double *work, double t, double *x,
                        int *failure);

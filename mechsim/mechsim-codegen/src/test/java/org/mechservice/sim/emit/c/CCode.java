@@ -26,6 +26,9 @@ final class CCode {
   /** Optimised, as users compile. */
   static final List<String> FAST = List.of("-O2");
 
+  /** Compiled quickly, for many programs that run briefly. */
+  static final List<String> PLAIN = List.of("-O0");
+
   /** Undefined behaviour and accesses outside arrays end the program. */
   static final List<String> CHECKED =
       List.of("-O1", "-fsanitize=address,undefined", "-fno-sanitize-recover=all");

@@ -41,6 +41,7 @@ import org.mechservice.solver.mechanism.Mechanism;
 class LoopsAndEventsInCTest {
   private static final int FEW = 4;
   private static final int MANY = 250;
+  private static final int CHECKED = 50;
 
   /** Reads t and x; writes x', the projected state, functions of events, the state after them. */
   private static final String DRIVER =
@@ -223,19 +224,19 @@ class LoopsAndEventsInCTest {
                     : RandomMechmlTrees.ofAllJoints(seed, 2 + seed % 5));
   }
 
-  private void compareScenes(int count, int states) throws IOException {
+  private void compareScenes(int count, int states, List<String> flags) throws IOException {
     for (Mechanism tree : trees().limit(count).toList()) {
-      compareScene(tree, states, CCode.FAST);
+      compareScene(tree, states, flags);
     }
     for (Mechanism loops : LoopAgreement.scenes().limit(count).map(Named::getPayload).toList()) {
-      compareScene(loops, states, CCode.FAST);
+      compareScene(loops, states, flags);
     }
   }
 
   @Test
   void loopsAndEventsHaveTheBitsOfJava() throws IOException {
     CCode.compiler();
-    compareScenes(FEW, 10);
+    compareScenes(FEW, 10, CCode.FAST);
     assertThat(different).as("of %d numbers", compared).isEmpty();
     assertThat(close).isLessThan(compared / 20);
   }
@@ -250,9 +251,18 @@ class LoopsAndEventsInCTest {
 
   @Tag("soak")
   @Test
+  void noneOfManyLoopsHasUndefinedBehaviour() throws IOException {
+    CCode.compiler();
+    assumeTrue(CCode.hasSanitizers(folder), "this C compiler has no sanitizers");
+    compareScenes(CHECKED, 100, CCode.CHECKED);
+    assertThat(different).as("of %d numbers", compared).isEmpty();
+  }
+
+  @Tag("soak")
+  @Test
   void manyLoopsAndEventsHaveTheBitsOfJava() throws IOException {
     CCode.compiler();
-    compareScenes(MANY, 100);
+    compareScenes(MANY, 100, CCode.PLAIN);
     assertThat(different).as("of %d numbers", compared).isEmpty();
     assertThat(close).isLessThan(compared / 20);
   }

@@ -65,6 +65,9 @@ abstract class AdamsPece extends SteppingIntegrator {
 
   private boolean prepared;
 
+  /** Whether the step being tried is predicted, and f known there. */
+  private boolean foreseen;
+
   private int notFiniteComponent;
 
   /**
@@ -152,6 +155,19 @@ abstract class AdamsPece extends SteppingIntegrator {
     return stiffness.latestProduct();
   }
 
+  /**
+   * Returns for how many steps a motion that is hardly damped has been followed at the edge of
+   * stability.
+   */
+  public final long stepsAtEdge() {
+    return stiffness.stepsAtEdge();
+  }
+
+  /** Returns about how many time constants of damping have passed in these steps. */
+  public final double dampingAtEdge() {
+    return stiffness.dampingAtEdge();
+  }
+
   /** Returns the state reached; not to be modified. */
   public final double[] state() {
     return history.state();
@@ -160,6 +176,48 @@ abstract class AdamsPece extends SteppingIntegrator {
   /** Returns the norm that errors are judged by. */
   public final ErrorNorm norm() {
     return norm;
+  }
+
+  /**
+   * Predicts the first step after a start and evaluates f there; {@link #step} goes on from that.
+   * Returns false if told to stop instead.
+   */
+  public final boolean foresee() {
+    beginStep();
+    prepare();
+    TrialOutcome prediction = predict(control.order());
+    foreseen = prediction == TrialOutcome.PASSED;
+    return prediction != TrialOutcome.STOPPED;
+  }
+
+  /** Returns whether a first step is foreseen. */
+  public final boolean foreseen() {
+    return foreseen;
+  }
+
+  /** Returns the size of the step foreseen, signed. */
+  public final double foreseenStep() {
+    return h;
+  }
+
+  /** Gives a step up that was foreseen. */
+  public final void abandonStep() {
+    begun = false;
+    prepared = false;
+    foreseen = false;
+  }
+
+  /**
+   * Returns by how much f at the prediction differed from its extrapolation: the direction of the
+   * fastest motion where stability is near; not to be modified.
+   */
+  public final double[] discrepancy() {
+    return history.discrepancy;
+  }
+
+  /** Returns f at the state reached; not to be modified. */
+  public final double[] slope() {
+    return history.difference(1);
   }
 
   /** Returns how many jumps lie ahead; {@link JumpSearch#ahead}. */
@@ -190,6 +248,7 @@ abstract class AdamsPece extends SteppingIntegrator {
     h = 0;
     begun = false;
     prepared = false;
+    foreseen = false;
     history.begin(y);
     boolean complete = manifold.complete(t, history.state());
     norm.weigh(history.state());
@@ -285,15 +344,15 @@ abstract class AdamsPece extends SteppingIntegrator {
   /** Predict, complete, evaluate, estimate, correct, complete and project, evaluate. */
   private TrialOutcome tryStep() {
     int k = control.order();
-    history.predict(h, k, coefficients.beta, coefficients.g);
-    if (!manifold.complete(triedTime, history.predicted)) {
-      return TrialOutcome.NOT_COMPLETED;
+    TrialOutcome prediction = foreseen ? TrialOutcome.PASSED : predict(k);
+    foreseen = false;
+    if (prediction != TrialOutcome.PASSED) {
+      return prediction;
     }
-    if (!evaluate(history.predicted)) {
-      return TrialOutcome.STOPPED;
-    }
-    history.compareDerivative();
     control.estimate(Math.abs(h), coefficients, history, norm);
+    if (control.error() <= 1 && crossesUnseen(k)) {
+      jumps.found(h, k, triedTime, control.error(), control.discrepancy());
+    }
     if (!(control.error() <= 1) || jumps.inside(h, control.discrepancy())) {
       return finite(history.derivative) ? TrialOutcome.TOO_INACCURATE : TrialOutcome.NOT_FINITE;
     }
@@ -306,6 +365,31 @@ abstract class AdamsPece extends SteppingIntegrator {
     return finite(history.corrected()) && finite(history.derivative)
         ? TrialOutcome.PASSED
         : TrialOutcome.NOT_FINITE;
+  }
+
+  /** Returns whether a step that passes, after one that failed, has a jump inside. */
+  private boolean crossesUnseen(int k) {
+    if (settings.mode() == Mode.FAITHFUL
+        || manifold.completes()
+        || !jumps.suspects(h, k, control.error(), control.discrepancy())) {
+      return false;
+    }
+    int component = norm.largest(history.discrepancy);
+    return new JumpProbe(equations.system(), progress.time(), history.state())
+        .foundOnTheWay(h, history.predicted, component);
+  }
+
+  /** Predict, complete, evaluate. */
+  private TrialOutcome predict(int k) {
+    history.predict(h, k, coefficients.beta, coefficients.g);
+    if (!manifold.complete(triedTime, history.predicted)) {
+      return TrialOutcome.NOT_COMPLETED;
+    }
+    if (!evaluate(history.predicted)) {
+      return TrialOutcome.STOPPED;
+    }
+    history.compareDerivative();
+    return TrialOutcome.PASSED;
   }
 
   /** Forms the corrected state, moved onto the manifold: f there enters the history. */

@@ -35,6 +35,9 @@ public final class StiffnessMonitor {
   private static final double LIMIT_DAMPED = 0.35;
   private static final double DAMPED = -0.6;
 
+  /** Steps in a row below the edge of stability after which it is left. */
+  private static final int OFF_THE_EDGE = 16;
+
   private static final int STEPS_PER_VERDICT = 500;
   private static final int LOW_ORDER_STEPS = 50;
   private static final int LOW_ORDER = 4;
@@ -64,6 +67,12 @@ public final class StiffnessMonitor {
   private boolean suspected;
   private boolean verdict;
 
+  /** Steps with h L at the edge along no damped direction, their damping, and those since. */
+  private long stepsAtEdge;
+
+  private double dampingAtEdge;
+  private int stepsOffEdge;
+
   /** Sum of h L over the steps that stability along a damped direction limited. */
   private double timeConstants;
 
@@ -79,6 +88,7 @@ public final class StiffnessMonitor {
     slot = 0;
     limitedSteps = 0;
     latestLimitedSteps = 0;
+    leaveEdge();
     beginCount();
   }
 
@@ -114,6 +124,7 @@ public final class StiffnessMonitor {
     double cosine = product / Math.sqrt(reaction * correction);
     double hL = ratio / g;
     latestProduct = reaction > ROUNDING * ROUNDING * whole ? hL : 0;
+    lookAtEdge(hL, cosine);
     lookAtLimit(hL, cosine);
     count(k, error);
   }
@@ -127,6 +138,22 @@ public final class StiffnessMonitor {
       verdict |= suspected;
       beginCount();
     }
+  }
+
+  private void lookAtEdge(double hL, double cosine) {
+    if (hL >= LIMIT_DAMPED && cosine > DAMPED) {
+      stepsAtEdge++;
+      dampingAtEdge -= hL * cosine;
+      stepsOffEdge = 0;
+    } else if (++stepsOffEdge >= OFF_THE_EDGE) {
+      leaveEdge();
+    }
+  }
+
+  private void leaveEdge() {
+    stepsAtEdge = 0;
+    dampingAtEdge = 0;
+    stepsOffEdge = 0;
   }
 
   private void lookAtLimit(double hL, double cosine) {
@@ -162,6 +189,19 @@ public final class StiffnessMonitor {
     return latestLimitedSteps > 0;
   }
 
+  /**
+   * Returns how many steps had h L of 0.35 and more along a direction that is not damped, since 16
+   * in a row had not.
+   */
+  long stepsAtEdge() {
+    return stepsAtEdge;
+  }
+
+  /** Returns the time constants of damping that passed in these steps, about. */
+  double dampingAtEdge() {
+    return dampingAtEdge;
+  }
+
   /** Returns h L of the latest step; zero if rounding may have made it. */
   double latestProduct() {
     return latestProduct;
@@ -191,5 +231,8 @@ public final class StiffnessMonitor {
     suspected = state.flag(suspected);
     verdict = state.flag(verdict);
     timeConstants = state.number(timeConstants);
+    stepsAtEdge = state.integer(stepsAtEdge);
+    stepsOffEdge = state.integer(stepsOffEdge);
+    dampingAtEdge = state.number(dampingAtEdge);
   }
 }

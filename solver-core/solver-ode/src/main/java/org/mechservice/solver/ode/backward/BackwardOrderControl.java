@@ -272,8 +272,10 @@ public final class BackwardOrderControl {
     return Math.min(1, Math.max(SMALLEST_LOWERED, factor));
   }
 
+  /** At order 1 an oscillation that is heeded is followed worse, and damped no better. */
   private boolean mayFall() {
-    return order > (caught ? 2 : 1);
+    boolean notTo1 = caught || (heedsGrowth && damping > 0);
+    return order > (notTo1 ? 2 : 1);
   }
 
   /** Returns whether the next difference is smaller, or nobody asks. */
@@ -318,6 +320,7 @@ public final class BackwardOrderControl {
     failedBefore = state.flag(failedBefore);
     grown = state.flag(grown);
     caught = state.flag(caught);
+    damping = state.number(damping);
     error = state.number(error);
   }
 }

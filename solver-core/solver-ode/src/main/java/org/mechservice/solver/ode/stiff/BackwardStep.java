@@ -35,6 +35,9 @@ final class BackwardStep {
   /** Whether formulas that make the fastest oscillation grow are avoided. */
   private final boolean watchesOscillations;
 
+  /** Whether formulas are changed for that, too. */
+  private final boolean changesFormulas;
+
   private final ErrorAllowance allowance;
   private final BackwardOrderControl control;
 
@@ -72,7 +75,8 @@ final class BackwardStep {
     usual = formulas;
     this.formulas = formulas;
     this.mode = mode;
-    watchesOscillations = !turns && mode != Mode.FAITHFUL;
+    watchesOscillations = mode != Mode.FAITHFUL;
+    changesFormulas = watchesOscillations && !turns;
     allowance = turns ? ErrorAllowance.full() : ErrorAllowance.of(mode);
     control = new BackwardOrderControl(formulas, turns);
     equations = StepEquations.none();
@@ -188,7 +192,7 @@ final class BackwardStep {
       return false;
     }
     control.beginStep();
-    if (watchesOscillations) {
+    if (changesFormulas) {
       chooseFormulas();
     }
     begun = true;

@@ -43,10 +43,7 @@ final class StepCosts {
   private static final double WORTH_A_CHANGE = 0.75;
 
   /** Short steps of the backward formula from order 1 on. */
-  private static final double STEPS_TO_BEGIN = 25;
-
-  /** Of the change itself: classes, arrays and code that the processor has not at hand. */
-  private static final double CHANGE = 40_000;
+  private static final double STEPS_TO_BEGIN = 15;
 
   private final double evaluation;
   private final double adamsStep;
@@ -61,7 +58,7 @@ final class StepCosts {
     backwardTry = BACKWARD_STEP + BACKWARD_STEP_PER_UNKNOWN * dimension;
     factorisation = OPERATION * operations;
     backwardStep = backward(1, BACKWARD_EVALUATIONS, BACKWARD_FACTORISATIONS);
-    start = CHANGE + evaluation * columns + STEPS_TO_BEGIN * backwardStep;
+    start = evaluation * columns + STEPS_TO_BEGIN * backwardStep;
   }
 
   /** Returns the costs for a problem of which nothing but the number of unknowns is known. */
@@ -119,6 +116,11 @@ final class StepCosts {
 
   private double backward(double tries, double evaluations, double factorisations) {
     return backwardTry * tries + evaluation * evaluations + factorisation * factorisations;
+  }
+
+  /** Returns the usual cost of a step of the backward formula. */
+  double backwardStep() {
+    return backwardStep;
   }
 
   /**

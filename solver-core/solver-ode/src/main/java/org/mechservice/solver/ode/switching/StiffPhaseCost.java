@@ -4,13 +4,16 @@ import java.util.Arrays;
 import org.mechservice.solver.ode.SavedState;
 
 /**
- * Judges whether an implicit method still pays: what its last 20 steps cost against what an Adams
- * method would have spent over the same way.
+ * Judges whether an implicit method still pays: what its steps cost against what an Adams method
+ * would have spent over the same way.
  *
  * <p>How long the steps of an Adams method would be is known where it was left: so long, at the
  * limit of its stability, were its last ones. Where the fastest motion has another rate, that limit
- * has moved by as much. As long as the implicit steps grow, as they do for a while from their
- * start, they are not judged.
+ * has moved by as much. What steps cost beyond that adds up, and what others save is taken off,
+ * down to nothing, as in the test of Page, <i>Continuous inspection schemes</i>, Biometrika 41
+ * (1954) 100: a few bad steps among good ones are no reason to leave, as few good ones among bad
+ * are none to stay. Steps that grow over 20, as they do for a while from a start, are not held
+ * against it.
  */
 final class StiffPhaseCost {
   private static final int WINDOW = 20;
@@ -18,16 +21,15 @@ final class StiffPhaseCost {
   /** Least h ρ of an Adams step at the limit of its stability, ρ the rate of the fastest motion. */
   private static final double ADAMS_LIMIT = 0.35;
 
-  /** Cost of the Adams method, relative to the other's, from which on a change pays. */
+  /** Cost of the Adams method, relative to the other's, at which steps are neither. */
   private static final double WORTH_A_CHANGE = 0.75;
 
-  /** Ends of the last steps, work up to there, and what an Adams method would have spent; rings. */
-  private final double[] time = new double[WINDOW + 1];
+  /** Sizes of the last steps; a ring. */
+  private final double[] sizes = new double[WINDOW];
 
-  private final double[] spent = new double[WINDOW + 1];
-  private final double[] saved = new double[WINDOW + 1];
   private int slot;
   private int recorded;
+  private double loss;
 
   /** Length of the last steps of the Adams method, and h ρ there; 0 before ρ is known. */
   private double adamsStep;
@@ -60,9 +62,8 @@ final class StiffPhaseCost {
 
   /** Looks at the steps from here on. */
   void watch() {
-    Arrays.fill(time, 0);
-    Arrays.fill(spent, 0);
-    Arrays.fill(saved, 0);
+    Arrays.fill(sizes, 0);
+    loss = 0;
     slot = 0;
     recorded = 0;
   }
@@ -79,26 +80,27 @@ final class StiffPhaseCost {
     if (limit == 0) {
       limit = Math.max(ADAMS_LIMIT, adamsStep * rate);
     }
-    ofAdams += costOfAdamsStep * Math.abs(end - reached) * rate / limit;
+    double size = Math.abs(end - reached);
+    double adams = costOfAdamsStep * size * rate / limit;
+    double more = WORTH_A_CHANGE * (work - ofThis) - adams;
+    boolean judged = recorded == WINDOW && size <= sizes[slot];
+    if (judged || more < 0) {
+      loss = Math.max(0, loss + more);
+    }
+    ofAdams += adams;
     ofThis = work;
     reached = end;
-    time[slot] = end;
-    spent[slot] = work;
-    saved[slot] = ofAdams;
-    slot = (slot + 1) % time.length;
-    recorded = Math.min(recorded + 1, time.length);
+    sizes[slot] = size;
+    slot = (slot + 1) % WINDOW;
+    recorded = Math.min(recorded + 1, WINDOW);
   }
 
-  /** Returns whether an Adams method would have cost clearly less over the last steps. */
-  boolean costsMoreThanAdams() {
-    if (recorded < time.length) {
-      return false;
-    }
-    int latest = (slot + time.length - 1) % time.length;
-    if (size(latest - 1) > size(slot)) {
-      return false;
-    }
-    return saved[latest] - saved[slot] <= WORTH_A_CHANGE * (spent[latest] - spent[slot]);
+  /**
+   * Returns by how much the latest steps cost more than they may: the largest sum over any number
+   * of them.
+   */
+  double loss() {
+    return loss;
   }
 
   /** Returns whether the phase as a whole cost clearly less than an Adams method would have. */
@@ -111,17 +113,10 @@ final class StiffPhaseCost {
     return Math.abs(reached - start);
   }
 
-  /** Returns how long the step after a slot was. */
-  private double size(int after) {
-    int from = (after + time.length) % time.length;
-    return Math.abs(time[(from + 1) % time.length] - time[from]);
-  }
-
   /** Carries the state between two steps over. */
   void transfer(SavedState state) {
-    state.numbers(time);
-    state.numbers(spent);
-    state.numbers(saved);
+    state.numbers(sizes);
+    loss = state.number(loss);
     slot = state.integer(slot);
     recorded = state.integer(recorded);
     adamsStep = state.number(adamsStep);

@@ -35,15 +35,16 @@ import org.mechservice.solver.ode.stiff.Ode15s;
  * long enough to pay its start. Where the solution has only begun to get smooth, nothing is lost by
  * waiting: both cost the same until then. It also takes over when ode113 slides along what looks
  * like a jump, or crosses such things again and again: friction so steep that no step of its own
- * tells it from one. And it takes over after one of the first steps if that was accurate and far
- * too long for stability.
+ * tells it from one. It takes over before or after one of the first steps if that is accurate and
+ * far too long for stability, and from an oscillation that only ode113 keeps alive ({@link
+ * FastestMotionProbe}).
  *
  * <p>ode113 takes over when its steps, as long as they were when it was left or shorter by as much
- * as the fastest motion got faster, would cost three quarters of what ode15s has spent lately
- * ({@link StiffPhaseCost}). Both begin at order 1. A phase that has not paid makes the next change
- * of that kind ask for four times the evidence, so that methods that are about equally good do not
- * take turns: one of ode15s that cost more than three quarters of what ode113 would have spent
- * there, one of ode113 of less than 50 steps.
+ * as the fastest motion got faster, would cost three quarters of what ode15s spends, for as long as
+ * adds up to a dozen of its steps ({@link StiffPhaseCost}). Both begin at order 1. A phase that has
+ * not paid makes the next change of that kind ask for four times as much, so that methods that are
+ * about equally good do not take turns: one of ode15s that cost more than three quarters of what
+ * ode113 would have spent there, one of ode113 of less than 50 steps.
  *
  * <p>The workspace of ode15s is made when it is first needed. {@link IntegratorSettings#maxOrder}
  * bounds both; ode15s knows no more than 5.
@@ -61,6 +62,21 @@ public final class Switching implements Integrator {
 
   /** Times the length of steps that cost less by which they save next to all. */
   private static final double MUCH_LONGER = 8;
+
+  /** Part of the way ahead over which stiffness is expected to last. */
+  private static final double SHARE_AHEAD = 0.8;
+
+  /** Loss after which ode15s is left, in steps of its own. */
+  private static final double LOSS_ALLOWED = 12;
+
+  /** Steps at the edge of stability after which their motion is looked at first. */
+  private static final long STEPS_TO_PROBE = 1000;
+
+  /** Times a motion has to have decayed by e to be gone. */
+  private static final double TIME_CONSTANTS = 20;
+
+  /** Part of what ode113 has spent at the edge of stability that a trial may cost. */
+  private static final double SHARE_OF_TRIAL = 0.1;
 
   private static final int MORE_EVIDENCE = 4;
   private static final int MOST_EVIDENCE = 256;
@@ -81,6 +97,7 @@ public final class Switching implements Integrator {
   private final MethodChanges changes = new MethodChanges();
 
   private final StepForecast forecast = new StepForecast();
+  private FastestMotionProbe probe;
   private final double rootOfTolerance;
 
   /** Of both methods. */
@@ -123,10 +140,19 @@ public final class Switching implements Integrator {
   /** What was spent up to the start of the present phase. */
   private double spentBefore;
 
-  /** How many steps in a row must speak for ode15s, and for ode113. */
+  /** How many steps in a row must speak for ode15s, and times the loss allowed to that. */
   private int neededForBackward;
 
-  private int neededForAdams;
+  private int lossFactor;
+
+  /** Loss allowed to a phase of ode15s that is a trial. */
+  private double patience;
+
+  /** Steps at the edge of stability after which its motion is looked at. */
+  private long stepsToProbe;
+
+  /** Whether the first step is still to be looked at. */
+  private boolean startDue;
 
   /**
    * @throws IllegalArgumentException if a setting is out of range
@@ -135,6 +161,7 @@ public final class Switching implements Integrator {
     rootOfTolerance = Math.sqrt(settings.relativeTolerance());
     adams = new Ode113(settings, progress);
     backward = new Ode15s(settings, progress);
+    probe = new FastestMotionProbe(system, adams.norm());
   }
 
   private SteppingIntegrator atWork() {
@@ -149,9 +176,12 @@ public final class Switching implements Integrator {
     backwardBegun = false;
     jumps = false;
     neededForBackward = 1;
-    neededForAdams = 1;
+    lossFactor = 1;
     lastedBefore = 0;
+    stepsToProbe = STEPS_TO_PROBE;
+    patience = 0;
     beginPhase(false);
+    startDue = result == StepResult.ADVANCED;
     return result;
   }
 
@@ -161,6 +191,7 @@ public final class Switching implements Integrator {
     y = new double[system.dimension()];
     yDot = new double[system.dimension()];
     forecast.prepare(system.dimension(), tEnd - t0);
+    probe = new FastestMotionProbe(system, adams.norm());
     costs = StepCosts.of(system);
   }
 
@@ -176,6 +207,7 @@ public final class Switching implements Integrator {
   private void beginWatch() {
     changeDue = false;
     evidence = 0;
+    startDue = false;
     stiffPhase.watch();
     forecast.begin();
     worthChange = false;
@@ -189,8 +221,29 @@ public final class Switching implements Integrator {
     return result;
   }
 
+  /** Looks whether the problem is stiff from its first step on; returns false if told to stop. */
+  private boolean lookAtStart() {
+    if (!adams.foresee()) {
+      return false;
+    }
+    startDue = false;
+    double t = progress.time();
+    double h = adams.foreseenStep();
+    changeDue =
+        adams.foreseen()
+            && probe.startsStiff(t, adams.state(), adams.slope(), adams.discrepancy(), h)
+            && paysStart(1 / probe.rate());
+    if (changeDue) {
+      adams.abandonStep();
+    }
+    return true;
+  }
+
   @Override
   public StepResult step() {
+    if (startDue && !lookAtStart()) {
+      return StepResult.STOPPED;
+    }
     if (changeDue) {
       StepResult result = change();
       if (result != StepResult.ADVANCED) {
@@ -208,10 +261,12 @@ public final class Switching implements Integrator {
   private void watch() {
     stepsOfPhase++;
     boolean slides = !stiff && !jumps && (slidesAlongSteepness() || crossesSteepness());
-    boolean speaksForOther = stiff ? backwardCostsMore() : adamsCostsMore();
-    evidence = speaksForOther ? evidence + 1 : 0;
-    boolean atOnce = slides || startsStiff();
-    changeDue = atOnce || evidence >= (stiff ? neededForAdams : neededForBackward);
+    if (stiff) {
+      changeDue = backwardCostsMore();
+    } else {
+      evidence = adamsCostsMore() ? evidence + 1 : 0;
+      changeDue = evidence >= neededForBackward || slides || startsStiff() || keepsAlive();
+    }
   }
 
   /**
@@ -226,7 +281,30 @@ public final class Switching implements Integrator {
       return false;
     }
     double stable = Math.abs(progress.stepSize()) / product;
-    return costs.paysStart(0.5 * Math.abs(tEnd - progress.time()) / stable, MUCH_LONGER);
+    return paysStart(stable);
+  }
+
+  /** Returns whether steps far longer than a size pay the start of ode15s up to the end. */
+  private boolean paysStart(double stable) {
+    return costs.paysStart(SHARE_AHEAD * Math.abs(tEnd - progress.time()) / stable, MUCH_LONGER);
+  }
+
+  /**
+   * Returns whether an oscillation that ode113 follows would be long gone but for that: at the edge
+   * of stability it has gone on for many times the time in which it decays. To end it ode15s may
+   * take a part of what ode113 has spent on it.
+   */
+  private boolean keepsAlive() {
+    long steps = adams.stepsAtEdge();
+    if (steps < stepsToProbe || adams.dampingAtEdge() < TIME_CONSTANTS) {
+      return false;
+    }
+    double h = Math.abs(progress.stepSize());
+    double decay = probe.decay(progress.time(), adams.state(), adams.slope(), adams.discrepancy());
+    boolean gone = decay * h * steps >= TIME_CONSTANTS && paysStart(h);
+    patience = gone ? SHARE_OF_TRIAL * steps * costs.adamsStep() : 0;
+    stepsToProbe = (gone ? 4 : 2) * steps;
+    return gone;
   }
 
   /**
@@ -286,16 +364,16 @@ public final class Switching implements Integrator {
   }
 
   /**
-   * Returns how long stiffness is expected to last. It may end anywhere before the run does; but if
-   * it has come and gone before, it is expected to last as long as then, or as long again as it has
-   * lasted already.
+   * Returns how long stiffness is expected to last. It may end before the run does; and if it has
+   * come and gone before, it is expected to last as long as then, or as long again as it has lasted
+   * already.
    */
   private double stiffnessAhead() {
-    double half = 0.5 * Math.abs(tEnd - progress.time());
+    double most = SHARE_AHEAD * Math.abs(tEnd - progress.time());
     if (lastedBefore == 0) {
-      return half;
+      return most;
     }
-    return Math.min(half, Math.max(lastedBefore, Math.abs(progress.time() - limitedSince)));
+    return Math.min(most, Math.max(lastedBefore, Math.abs(progress.time() - limitedSince)));
   }
 
   private boolean passes(double step) {
@@ -305,7 +383,8 @@ public final class Switching implements Integrator {
   private boolean backwardCostsMore() {
     double rate = backward.fastestRate();
     stiffPhase.record(progress.time(), spent() - spentBefore, rate, costs.adamsStep());
-    return stiffPhase.costsMoreThanAdams() && roomToBegin();
+    double allowed = patience + LOSS_ALLOWED * lossFactor * costs.backwardStep();
+    return stiffPhase.loss() > allowed && roomToBegin();
   }
 
   /** Returns what ode15s has cost, and the steps of ode113 as if they had been its own. */
@@ -335,6 +414,7 @@ public final class Switching implements Integrator {
     }
     if (stiff) {
       lastedBefore = stiffPhase.covered();
+      patience = 0;
     }
     beginPhase(!stiff);
     if (!stiff) {
@@ -355,7 +435,7 @@ public final class Switching implements Integrator {
     if (stiff) {
       neededForBackward = Math.min(MORE_EVIDENCE * neededForBackward, MOST_EVIDENCE);
     } else if (changes.count() > 1) {
-      neededForAdams = Math.min(MORE_EVIDENCE * neededForAdams, MOST_EVIDENCE);
+      lossFactor = Math.min(MORE_EVIDENCE * lossFactor, MOST_EVIDENCE);
     }
   }
 
@@ -443,20 +523,24 @@ public final class Switching implements Integrator {
     spentBefore = state.number(spentBefore);
     evidence = state.integer(evidence);
     neededForBackward = state.integer(neededForBackward);
-    neededForAdams = state.integer(neededForAdams);
+    lossFactor = state.integer(lossFactor);
+    patience = state.number(patience);
+    stepsToProbe = state.integer(stepsToProbe);
+    startDue = state.flag(startDue);
+    probe.transfer(state);
   }
 
   @Override
   public IntegrationStatistics statistics() {
     IntegrationStatistics ofAdams = adams.statistics();
-    if (!backwardBegun) {
+    if (!backwardBegun && probe.evaluations() == 0) {
       return ofAdams;
     }
     IntegrationStatistics ofBackward = backward.statistics();
     return new IntegrationStatistics(
         ofAdams.steps(),
         ofAdams.rejectedSteps(),
-        ofAdams.evaluations() + ofBackward.evaluations(),
+        ofAdams.evaluations() + ofBackward.evaluations() + probe.evaluations(),
         ofBackward.jacobians(),
         ofBackward.factorisations(),
         ofBackward.solutions(),
