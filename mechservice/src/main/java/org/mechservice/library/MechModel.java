@@ -12,7 +12,6 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
@@ -113,11 +112,12 @@ public final class MechModel {
       List<Path> userCode,
       AtomicReference<SoftReference<ValidatedFile>> validated) {
     Source(String fileName, byte[] content, List<Path> userCode) {
-      this(fileName, content, userCode, new AtomicReference<>(new SoftReference<>(null)));
+      this(fileName, content, userCode, new AtomicReference<>());
     }
 
     ValidatedFile file() throws MechmlException {
-      ValidatedFile known = Objects.requireNonNull(validated.get()).get();
+      SoftReference<ValidatedFile> latest = validated.get();
+      ValidatedFile known = latest == null ? null : latest.get();
       if (known == null) {
         known = ValidatedFile.of(fileName, content);
         validated.set(new SoftReference<>(known));
