@@ -152,7 +152,7 @@ class Builder(Element):
         """Adds a constraint that keeps two points at a distance."""
         ...
     def drive(self, joint: str, motion: str) -> OtherElement:
-        """Prescribes the motion of a joint's coordinate, an expression of the time ``t``."""
+        """Prescribes the motion of a joint: an expression of the time ``t`` for each coordinate, separated by semicolons"""
         ...
     def dynamic(self, tEnd: float, tStep: float) -> SimulationElement:
         """Adds a simulation of the motion from t = 0."""

@@ -112,11 +112,12 @@ public final class MechModel {
       List<Path> userCode,
       AtomicReference<SoftReference<ValidatedFile>> validated) {
     Source(String fileName, byte[] content, List<Path> userCode) {
-      this(fileName, content, userCode, new AtomicReference<>(new SoftReference<>(null)));
+      this(fileName, content, userCode, new AtomicReference<>());
     }
 
     ValidatedFile file() throws MechmlException {
-      ValidatedFile known = validated.get().get();
+      SoftReference<ValidatedFile> latest = validated.get();
+      ValidatedFile known = latest == null ? null : latest.get();
       if (known == null) {
         known = ValidatedFile.of(fileName, content);
         validated.set(new SoftReference<>(known));

@@ -351,7 +351,11 @@ public final class MechanismBuilder extends BuiltElement<MechanismBuilder> {
     return starts.element("jointVal", "name", joint);
   }
 
-  /** Prescribes the motion of a joint's coordinate, an expression of the time {@code t}. */
+  /**
+   * Prescribes the motion of a joint: an expression of the time {@code t} for each coordinate,
+   * separated by semicolons; with the value {@code rotation} three angles in place of Euler
+   * parameters.
+   */
   public OtherElement drive(String joint, String motion) {
     return start(joint).set("driven", motion);
   }

@@ -372,6 +372,21 @@ class MechanismBuilderTest {
   }
 
   @Test
+  void mapInCodeIsThatOfAFile() throws Exception {
+    MechanismBuilder model = doublePendulum();
+    model
+        .map(
+            "brake",
+            new double[] {0, 2},
+            new double[] {0, 1, 3},
+            new double[][] {{1, 2, 3}, {4, 5, 6}})
+        .set("extrapolation", "hold");
+    assertThat(model.mechml())
+        .contains(
+            "<map name=\"brake\" x=\"0;2\" y=\"0;1;3\" z=\"1;2;3;4;5;6\" extrapolation=\"hold\"/>");
+  }
+
+  @Test
   void startAndDriveOfAJointAreOne() throws Exception {
     MechanismBuilder model = doublePendulum();
     model.drive("shoulder", "0.3 + 0.1*t");

@@ -259,7 +259,7 @@ final class SimulationReader {
     boolean wanted = asked.attribute("at").map("trim"::equals).orElse(false);
     Optional<Element> trim = asked.child("trim");
     boolean ofStart = asked.attribute("at").isPresent() && !wanted;
-    if (wanted && trim.isEmpty() || ofStart && trim.isPresent()) {
+    if ((wanted && trim.isEmpty()) || (ofStart && trim.isPresent())) {
       diagnostics.error(
           MessageCode.TRIM_UNUSABLE,
           asked.position(),

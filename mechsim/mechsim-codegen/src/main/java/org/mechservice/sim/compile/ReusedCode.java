@@ -1,6 +1,6 @@
 package org.mechservice.sim.compile;
 
-import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -30,14 +30,13 @@ public final class ReusedCode {
   private static final String TEXTS = "constantTexts";
   private static final int MOST_SHAPES = 16;
 
-  /** Loaded classes by their files without constants, those used latest. */
-  private final Map<Map<String, ByteBuffer>, ClassLoader> shapes =
+  /** Loaded classes by their files without constants, a character a byte; those used latest. */
+  private final Map<Map<String, String>, ClassLoader> shapes =
       new LinkedHashMap<>(MOST_SHAPES, 0.75f, true) {
         private static final long serialVersionUID = 1L;
 
         @Override
-        protected boolean removeEldestEntry(
-            Map.Entry<Map<String, ByteBuffer>, ClassLoader> eldest) {
+        protected boolean removeEldestEntry(Map.Entry<Map<String, String>, ClassLoader> eldest) {
           return size() > MOST_SHAPES;
         }
       };
@@ -50,12 +49,12 @@ public final class ReusedCode {
    */
   public ModelSource source(String className, SortedMap<String, byte[]> classFiles) {
     Map<String, Constants> constants = new TreeMap<>();
-    Map<String, ByteBuffer> shape = new TreeMap<>();
+    Map<String, String> shape = new TreeMap<>();
     classFiles.forEach(
         (name, bytes) -> {
           Constants taken = new Constants(name.replace('.', '/'));
           constants.put(name, taken);
-          shape.put(name, ByteBuffer.wrap(taken.takeFrom(bytes)));
+          shape.put(name, new String(taken.takeFrom(bytes), StandardCharsets.ISO_8859_1));
         });
     ClassLoader loader = shapes.computeIfAbsent(shape, ReusedCode::load);
     try {
@@ -69,9 +68,9 @@ public final class ReusedCode {
     }
   }
 
-  private static ClassLoader load(Map<String, ByteBuffer> shape) {
+  private static ClassLoader load(Map<String, String> shape) {
     SortedMap<String, byte[]> files = new TreeMap<>();
-    shape.forEach((name, bytes) -> files.put(name, bytes.array()));
+    shape.forEach((name, text) -> files.put(name, text.getBytes(StandardCharsets.ISO_8859_1)));
     return new ModelClassLoader(files, ModelSource.class.getClassLoader());
   }
 

@@ -18,6 +18,9 @@
  * step. A unit allocates nothing after it was instantiated, and refuses wrong orders of calls,
  * wrong value references and values that are not finite with an error and a message.
  *
+ * <p>{@code IndependentCoordinates} chooses states of closed loops that determine all others, which
+ * {@code mech_independent.c} then computes at every evaluation.
+ *
  * <p>{@link org.mechservice.sim.fmu.WebAssemblyModule} compiles the same sources, without the
  * interface of FMI, to a module that browsers run.
  *

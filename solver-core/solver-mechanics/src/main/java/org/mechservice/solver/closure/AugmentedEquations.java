@@ -41,7 +41,7 @@ public abstract sealed class AugmentedEquations
   public final double[] multipliers;
 
   /**
-   * @param rows J, to be written before each {@link #factor}
+   * @param rows J, to be written before each factorisation
    * @param units of the unknowns, which scale the columns of J
    */
   AugmentedEquations(SparseMatrix rows, double[] units) {

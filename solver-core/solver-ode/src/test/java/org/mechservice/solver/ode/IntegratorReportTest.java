@@ -334,8 +334,8 @@ class IntegratorReportTest {
     line("");
     line(
         "`StiffnessDraw`, %d of each group, seed %d, tolerances drawn from 1e-8 to 1e-3. By two"
-            + " thirds of each group the rules of the change were chosen; the last third was not"
-            + " looked at until they stood.",
+            + " thirds of each group the rules of the change were chosen; by the last third nothing"
+            + " was.",
         DRAWS, StiffnessDraw.SEED);
     draws("Looked at:", false);
     draws("Held out:", true);

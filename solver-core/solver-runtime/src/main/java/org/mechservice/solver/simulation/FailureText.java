@@ -3,9 +3,13 @@ package org.mechservice.solver.simulation;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.capability.Defects;
+import org.mechservice.solver.api.capability.DependentStates;
 import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.capability.ProjectedStates;
+import org.mechservice.solver.api.capability.ResidualModel;
 import org.mechservice.solver.api.run.Failure;
 import org.mechservice.solver.api.run.RunNotes;
 import org.mechservice.solver.api.run.RunSettings;
@@ -22,6 +26,25 @@ final class FailureText {
   /** Spacing of floating-point times, s, above which steps cannot be short. */
   private static final double COARSE = 1e-10;
 
+  /** How an implicit step on the residual closes loops. */
+  enum ImplicitLoops {
+    /** There are none, or the equations are explicit. */
+    NONE,
+    /** It solves for independent coordinates; others are completed from them. */
+    PROJECTION,
+    /** It solves for all coordinates and multipliers. */
+    PENALTY;
+
+    static ImplicitLoops of(Model model) {
+      if (!(model instanceof ResidualModel)) {
+        return NONE;
+      }
+      return model instanceof DependentStates
+          ? PROJECTION
+          : model instanceof ProjectedStates ? PENALTY : NONE;
+    }
+  }
+
   private FailureText() {}
 
   /**
@@ -31,8 +54,7 @@ final class FailureText {
    *     ExplicitModel#REGULAR}
    * @param event the event it may lie at; empty if none can be named
    * @param motion motion of the state that keeps steps short, followed by a space; empty if unknown
-   * @param completed whether an implicit step solves for independent coordinates alone, and others
-   *     are completed from them
+   * @param loops how an implicit step on the residual closes loops
    */
   static Failure of(
       IntegrationFailure failure,
@@ -40,7 +62,7 @@ final class FailureText {
       int singularJoint,
       String event,
       String motion,
-      boolean completed) {
+      ImplicitLoops loops) {
     return switch (failure.cause()) {
       case NOT_FINITE ->
           singularJoint == ExplicitModel.REGULAR
@@ -62,8 +84,13 @@ final class FailureText {
                   ? "The spacing of numbers near this time is too coarse for steps: start the run"
                       + " near t = 0."
                   : motion
-                      + "The motion is singular or very stiff there; use ode15s, loosen the"
-                      + " tolerances, or check the forces on this joint.");
+                      + (loops == ImplicitLoops.PENALTY
+                          ? "By penalty, velocities keep rounding errors of the loops of about"
+                              + " 1e-11 of the speed, which shorter steps do not reduce: if the"
+                              + " absolute tolerance is finer, loosen it, or use closure projection"
+                              + " or DSR. Otherwise check the forces on this joint."
+                          : "The motion is singular or very stiff there; use ode15s, loosen the"
+                              + " tolerances, or check the forces on this joint."));
       case UNBOUNDED ->
           failure(
               MessageCode.STEP_TOO_SMALL,
@@ -86,7 +113,7 @@ final class FailureText {
               failure,
               state(model, failure.worstComponent()),
               motion
-                  + (completed
+                  + (loops == ImplicitLoops.PROJECTION
                       ? "By projection the iteration is over independent coordinates; where the"
                           + " dependent ones move far more inertia, as in long chains, it diverges"
                           + " at large forces: use closure penalty, or DSR. In short loops look for"

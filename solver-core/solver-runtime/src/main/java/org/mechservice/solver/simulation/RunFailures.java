@@ -6,10 +6,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.capability.Defects;
-import org.mechservice.solver.api.capability.DependentStates;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.capability.MomentumBalance;
-import org.mechservice.solver.api.capability.ResidualModel;
 import org.mechservice.solver.api.run.Failure;
 import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.api.run.RunNotes;
@@ -105,8 +103,7 @@ final class RunFailures {
                     ? LocalMotion.of(equations, failure.worstComponent(), integrator.time(), y)
                         .said()
                     : "",
-                equations.model() instanceof ResidualModel
-                    && equations.model() instanceof DependentStates);
+                FailureText.ImplicitLoops.of(equations.model()));
     return failed(told.after(tried));
   }
 

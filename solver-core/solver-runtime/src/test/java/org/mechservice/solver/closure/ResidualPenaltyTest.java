@@ -3,19 +3,33 @@ package org.mechservice.solver.closure;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.closure.model.ResidualPenaltyModel;
+import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.mechanism.Body;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.closure.DistanceClosure;
+import org.mechservice.solver.mechanism.closure.LoopClosure;
+import org.mechservice.solver.mechanism.joint.Joint;
 import org.mechservice.solver.scenes.SharedScene;
+import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.text.Origin;
 
 class ResidualPenaltyTest {
   /** So little that squares do not show, and more than what residuals leave out as rounding. */
   private static final double SMALL = 1e-3;
+
+  /** Direction of bars that fall. */
+  private static final Vector3 ALONG = new Vector3(0.6, 0, 0.8);
 
   @ParameterizedTest
   @CsvSource({
@@ -74,5 +88,49 @@ class ResidualPenaltyTest {
             SceneRun.settings(0, 0.1, "ode15sR", 1e-6));
     assertThat(run.report.outcome()).isInstanceOf(Outcome.Completed.class);
     assertThat(run.rows).hasSize(1);
+  }
+
+  /**
+   * Two bars of 1 m side by side, joined by rods at three of their points: any one of the rods
+   * makes the bars turn alike, and beside that position the rods contradict each other.
+   */
+  private static Mechanism parallelBars(int rods) {
+    List<Body> bars = new ArrayList<>();
+    List<Joint> hinges = new ArrayList<>();
+    for (int i = 0; i < 2; i++) {
+      Vector3 foot = Linkages.X.times(i);
+      bars.add(Linkages.bar("bar" + i, foot, foot.plus(ALONG), 1));
+      hinges.add(new Linkages.Hinge("foot" + i, JointType.R, -1, i, foot, Linkages.Y).joint());
+    }
+    List<LoopClosure> closures = new ArrayList<>();
+    for (int i = 0; i < rods; i++) {
+      Vector3 up = ALONG.times(1 - 0.3 * i);
+      closures.add(
+          new DistanceClosure(
+              "rod" + i,
+              new BodyPoint(0, up),
+              new BodyPoint(1, Linkages.X.plus(up)),
+              1,
+              0,
+              Origin.NONE));
+    }
+    return Linkages.mechanism("parallel bars", bars, hinges, closures);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"RR, 1e-9", "RR-JF, 1e-9"})
+  void rodsThatRepeatEachOtherMoveTheBarsAsOneDoes(String formulation, double tolerance) {
+    SceneRun expected =
+        LoopModels.run(parallelBars(1), "DSR", SceneRun.settings(1.5, 0.5, "ode113", 1e-11));
+    SceneRun run =
+        LoopModels.run(
+            parallelBars(3),
+            formulation + " penalty",
+            SceneRun.settings(1.5, 0.5, "ode15sR", tolerance));
+    assertThat(run.report.outcome()).isInstanceOf(Outcome.Completed.class);
+    for (int i = 1; i <= 2; i++) {
+      // error ≤ 10 rtol of the speed so far, the run's promise
+      assertThat(run.at(1.5)[i]).isCloseTo(expected.at(1.5)[i], within(100 * tolerance));
+    }
   }
 }

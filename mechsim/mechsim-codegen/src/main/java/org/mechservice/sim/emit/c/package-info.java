@@ -13,6 +13,9 @@
  * the same order of operations. {@link org.mechservice.sim.emit.c.CEvents} has events and times of
  * jumps, {@link org.mechservice.sim.emit.c.CInputs} loads that stand for forces written as classes.
  *
+ * <p>{@code CTangents} differentiates the equations along directions, for Jacobians and the
+ * directional derivatives of FMUs.
+ *
  * <p>The package knows no files and no compilers; {@code sim.model.ModelFactory} derives the
  * programs and refuses what has no C yet.
  */

@@ -51,6 +51,12 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
 
   private static final int REPETITIONS = 3;
 
+  /**
+   * Scaled pivot below which an equation counts as redundant. On the way of a mechanism that moves
+   * by symmetry, such as one of parallel rods, such a pivot is an error of the prediction.
+   */
+  private static final double HIDDEN = 1e-5;
+
   /** Relative residual that assembly leaves, in addition to rounding. */
   private static final double ROUNDING = 2e-13;
 
@@ -256,6 +262,9 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
   private void findRepeated() {
     if (independent.choose(work.loops.jacobian)) {
       independent.listLeftOut(isRepeated);
+      if (independent.bestPivot() < HIDDEN) {
+        isRepeated[independent.weakestRow()] = true;
+      }
     }
   }
 

@@ -350,6 +350,9 @@ abstract class AdamsPece extends SteppingIntegrator {
       return prediction;
     }
     control.estimate(Math.abs(h), coefficients, history, norm);
+    if (control.error() <= 1 && crossesUnseen(k)) {
+      jumps.found(h, k, triedTime, control.error(), control.discrepancy());
+    }
     if (!(control.error() <= 1) || jumps.inside(h, control.discrepancy())) {
       return finite(history.derivative) ? TrialOutcome.TOO_INACCURATE : TrialOutcome.NOT_FINITE;
     }
@@ -362,6 +365,18 @@ abstract class AdamsPece extends SteppingIntegrator {
     return finite(history.corrected()) && finite(history.derivative)
         ? TrialOutcome.PASSED
         : TrialOutcome.NOT_FINITE;
+  }
+
+  /** Returns whether a step that passes, after one that failed, has a jump inside. */
+  private boolean crossesUnseen(int k) {
+    if (settings.mode() == Mode.FAITHFUL
+        || manifold.completes()
+        || !jumps.suspects(h, k, control.error(), control.discrepancy())) {
+      return false;
+    }
+    int component = norm.largest(history.discrepancy);
+    return new JumpProbe(equations.system(), progress.time(), history.state())
+        .foundOnTheWay(h, history.predicted, component);
   }
 
   /** Predict, complete, evaluate. */

@@ -23,6 +23,9 @@ public final class JumpSearch {
   /** Error over the tolerance that is worth a second look. */
   private static final double FAR_OFF = 100;
 
+  /** Part of an error that falls as the step does. */
+  private static final double AS_THE_STEP = 0.6;
+
   /** Part of the error expected of a smooth solution that is next to nothing. */
   private static final double NOTHING = 0.05;
 
@@ -89,6 +92,12 @@ public final class JumpSearch {
   private int failedOrder;
   private boolean suspected;
 
+  /** The last try of the present step, which failed; 0 if there is none. */
+  private double missedError;
+
+  private double missedSize;
+  private int missedOrder;
+
   /** Jumps crossed since a time. */
   private int crossings;
 
@@ -113,6 +122,7 @@ public final class JumpSearch {
   private double jump;
 
   public void clear() {
+    missedError = 0;
     crossings = 0;
     crossed = Double.NaN;
     shortest = 0;
@@ -155,6 +165,9 @@ public final class JumpSearch {
    * @param discrepancy norm of the difference of the right-hand side from its extrapolation
    */
   public void rejected(double h, int k, double end, double error, double discrepancy) {
+    missedError = error;
+    missedSize = Math.abs(h);
+    missedOrder = k;
     if (firstFailed == 0) {
       firstFailed = Math.abs(h);
       firstBehind = end;
@@ -189,6 +202,35 @@ public final class JumpSearch {
   }
 
   /**
+   * Returns whether a step that passes, after one that failed, may have crossed a jump unseen: at
+   * loose tolerances a jump misses the error test by little, and soon passes it. Its error then
+   * falls as the step does, and would be too large for a step across.
+   *
+   * @param h its size
+   * @param k its order
+   * @param error over the tolerance
+   * @param discrepancy norm of the difference of the right-hand side from its extrapolation
+   */
+  public boolean suspects(double h, int k, double error, double discrepancy) {
+    return missedError > 0
+        && !active
+        && k == missedOrder
+        && error >= AS_THE_STEP * missedError * Math.abs(h) / missedSize
+        && errorAcross(h, discrepancy) > MOST_ACROSS;
+  }
+
+  /**
+   * Begins to narrow a jump down that was found inside a step that passes.
+   *
+   * @param h its size
+   * @param end where it would end
+   */
+  public void found(double h, int k, double end, double error, double discrepancy) {
+    active = true;
+    rejected(h, k, end, error, discrepancy);
+  }
+
+  /**
    * Returns whether a step that passes the error test has the jump inside all the same: formulas of
    * high order think little of a single value that is off.
    *
@@ -213,6 +255,7 @@ public final class JumpSearch {
    */
   public boolean accepted(double h, double end, double error) {
     failuresInARow = 0;
+    missedError = 0;
     notice(Math.abs(h), end, Math.copySign(1, h));
     if (failedError == 0) {
       return false;
@@ -332,6 +375,9 @@ public final class JumpSearch {
     firstFailed = state.number(firstFailed);
     firstBehind = state.number(firstBehind);
     narrow = state.flag(narrow);
+    missedError = state.number(missedError);
+    missedSize = state.number(missedSize);
+    missedOrder = state.integer(missedOrder);
     failedError = state.number(failedError);
     failedSize = state.number(failedSize);
     failedOrder = state.integer(failedOrder);
