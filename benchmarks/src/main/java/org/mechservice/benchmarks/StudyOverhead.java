@@ -49,6 +49,8 @@ public final class StudyOverhead {
   }
 
   /**
+   * Measures studies.
+   *
    * @param arguments study files
    */
   public static void main(String[] arguments)

@@ -99,13 +99,13 @@ public record Front(
         Optional<Point> next = Optional.empty();
         for (int k = count - 2; k > 0; k--) {
           double atMost = lowest + (highest - lowest) * k / (count - 1);
-          DesignProblem between = between(first, second, atMost, highest - lowest, before);
+          DesignProblem between = between(second, atMost, highest - lowest, before);
           Optional<Point> found = best(between);
           before = found.orElse(before);
           next = next.or(() -> found);
         }
-        settle(from, second, first, next.orElse(to));
-        settle(to, first, second, before);
+        settle(from, first, next.orElse(to));
+        settle(to, second, before);
       }
       return new Front(problem, settings.method(), notDominated(), runs, failures);
     }
@@ -114,12 +114,12 @@ public record Front(
      * Lets the other objective decide what an end leaves open, and replaces the end. The search
      * begins at the point beside it, since the slope of what is held vanishes at the end itself.
      */
-    private void settle(Point end, int least, int held, Point beside)
+    private void settle(Point end, int held, Point beside)
         throws PointFailedException, InterruptedException {
       double range = Math.abs(beside.values()[held] - end.values()[held]);
       if (range > 0) {
         double atMost = end.values()[held] + OPEN * range;
-        if (best(between(least, held, atMost, range, beside)).isPresent()) {
+        if (best(between(held, atMost, range, beside)).isPresent()) {
           found.remove(end);
         }
       }
@@ -151,7 +151,7 @@ public record Front(
     }
 
     /** One objective with the other one held below a value. */
-    private DesignProblem between(int least, int held, double atMost, double scale, Point from) {
+    private DesignProblem between(int held, double atMost, double scale, Point from) {
       List<Aim> aims = new ArrayList<>(problem.aims());
       aims.set(held, new Aim(Aim.Kind.AT_MOST_ZERO, aims.get(held).text(), scale));
       List<DesignVariable> variables = new ArrayList<>();
