@@ -174,12 +174,13 @@ class FmuRunTest {
     assertThat(number(said, "CoSimulation", 0)).isLessThan(1e-12);
   }
 
-  @Test
-  void wrongCallsEndInErrorsAndNothingElse() throws Exception {
+  @ParameterizedTest
+  @EnumSource
+  void wrongCallsEndInErrorsAndNothingElse(FmiVersion version) throws Exception {
     requireCompiler();
-    Map<String, String> files =
-        new TreeMap<>(FmuSources.of(CModels.ball(), FmiVersion.FMI_2, "{token}"));
-    files.put("hostile.c", CModels.resource("hostile.c"));
+    Map<String, String> files = new TreeMap<>(FmuSources.of(CModels.ball(), version, "{token}"));
+    String calls = version == FmiVersion.FMI_2 ? "hostile2.c" : "hostile3.c";
+    files.put("hostile.c", CModels.resource(calls));
     for (Map.Entry<String, String> file : files.entrySet()) {
       Files.writeString(folder.resolve(file.getKey()), file.getValue());
     }
