@@ -5,13 +5,16 @@ import java.util.Random;
 
 /**
  * Random models with an element of every later kind: states, a filter, a controller, a sampled one,
- * an input, tables, couplings with backlash, an elastic rope over a pulley, contacts with friction
- * that sticks, a tyre; closed ones with a coupling, a rolling wheel and a loop as well.
+ * an input, tables, a map, a driven ball, gravity over time, couplings with backlash, an elastic
+ * rope over a pulley, contacts with friction that sticks, a tyre; closed ones with a coupling, a
+ * rolling wheel and a rope of fixed length as well.
  *
  * <pre>
  *   Ground --- hoist (P along z) --- load            hangs on the rope
  *          --- b1 (R) --- b2 (R or P) --- ...        two to four bodies, the last above the ground
  *          --- cart (P along x) --- wheel (R about y)
+ *          --- head (S, driven) --- arm (R about y)
+ *          --- left, right (P along z)             closed ones: on one rope over a drum
  * </pre>
  */
 final class RandomElements {
@@ -36,7 +39,9 @@ final class RandomElements {
         + "<MBSmodel name='m' massUnits='kg' lengthUnits='m'><Tables><table name='pulse'"
         + " method='akima' x='0; 0.05; 0.1; 0.2' y='0; "
         + number(1, 3)
-        + "; 1; 0'/></Tables><Bodies>"
+        + "; 1; 0'/><map name='drag' method='akima' x='-8; -2; 2; 8' y='-1; 0; 1' z='"
+        + number(4, 6)
+        + "; 5; 6; 1; 1.2; 2; -1; -1.5; -2; -4; -5; -7'/></Tables><Bodies>"
         + bodyTexts()
         + "</Bodies><Joints>"
         + joints()
@@ -56,6 +61,8 @@ final class RandomElements {
   private String bodyTexts() {
     StringBuilder text = new StringBuilder("<body name='Ground'>" + AXES);
     text.append("<point name='eye' x='-2' y='0' z='0'/><point name='head' x='0.1' y='0' z='2'/>")
+        .append("<point name='before' x='4.8' y='0' z='-1'/><point name='behind' x='5.2' y='0'")
+        .append(" z='-1'/><point name='drum' x='5' y='0' z='0'/>")
         .append("<point name='side' x='0.3' y='0' z='-1'/><point name='floor' x='0' y='0' z='")
         .append(closed ? "-0.3" : "-0.2999")
         .append("'/></body>")
@@ -63,7 +70,12 @@ final class RandomElements {
     for (int i = 1; i <= bodies; i++) {
       text.append(solid("b" + i, number(0.5, 2)));
     }
-    return text.append(solid("cart", number(2, 4))).append(solid("wheel", "1.5")).toString();
+    text.append(solid("cart", number(2, 4))).append(solid("wheel", "1.5"));
+    text.append(solid("head", "1")).append(solid("arm", number(0.5, 1)));
+    if (closed) {
+      text.append(solid("left", number(1, 2))).append(solid("right", "1.2"));
+    }
+    return text.toString();
   }
 
   private String solid(String name, String mass) {
@@ -111,9 +123,16 @@ final class RandomElements {
               "b" + i,
               axis));
     }
-    return text.append(joint("slide", "P", "Ground", "o", "cart", "x"))
+    text.append(joint("slide", "P", "Ground", "o", "cart", "x"))
         .append(joint("axle", "R", "cart", "o", "wheel", "y"))
-        .toString();
+        .append("<joint name='neck' type='S'><body1 name='Ground' point='head'/><body2 name='head'")
+        .append(" point='o'/></joint>")
+        .append(joint("elbow", "R", "head", "end", "arm", "y"));
+    if (closed) {
+      text.append(joint("up", "P", "Ground", "before", "left", "z"))
+          .append(joint("down", "P", "Ground", "behind", "right", "z"));
+    }
+    return text.toString();
   }
 
   private String constraints() {
@@ -121,7 +140,10 @@ final class RandomElements {
         ? "<Constraints><CoordConstraint name='gear' constant='0'><term joint='j1' factor='1'/><term"
             + " joint='j2' factor='-0.3'/></CoordConstraint><Rolling name='rolls' radius='0.3'>"
             + "<body1 name='Ground' point='floor' vector='z'/><body2 name='wheel' point='o'"
-            + " vector='y'/></Rolling></Constraints>"
+            + " vector='y'/></Rolling><Rope name='tackle' length='2 + 0.2*PI'><plane name='Ground'"
+            + " point='o' vector='y'/><via name='left' point='o'/><pulley name='Ground'"
+            + " point='drum' radius='0.2' side='left'/><via name='right' point='o'/></Rope>"
+            + "</Constraints>"
         : "";
   }
 
@@ -142,7 +164,8 @@ final class RandomElements {
   private String forces() {
     return "<Forces><jointForce name='f1' joint='j1' expression='servo - lag + 0.1*filter'/>"
         + "<jointForce name='f2' joint='slide' expression='push + pulse(t) - 0.5*held -"
-        + " 0.2*slide.v*abs(slide.v)'/><jointForce name='f3' joint='hoist' expression='sampled'/>"
+        + " 0.2*slide.v*abs(slide.v)'/><jointForce name='f4' joint='elbow'"
+        + " expression='drag(elbow.v, sin(elbow.q))'/><jointForce name='f3' joint='hoist' expression='sampled'/>"
         + "<couplingSpringDamper name='mesh' k='"
         + number(50, 200)
         + "' c='0.5' backlash='0.02' smoothing='1e-3'><term joint='j1' factor='0.1'/><term"
@@ -158,7 +181,7 @@ final class RandomElements {
         + " stiffness='2000' damping='5' smoothing='0.002' friction='0.4' stickLength='0.002'>"
         + "<body1 name='cart' point='o'/><body2 name='load' point='o'/></sphereContact>"
         + (closed ? "" : tyre())
-        + "<gravity gx='0' gy='0' gz='-9.81'/></Forces>";
+        + "<gravity gx='0.5*sin(20*t)' gy='0' gz='-9.81'/></Forces>";
   }
 
   private String tyre() {
@@ -175,7 +198,9 @@ final class RandomElements {
     return start("j1", first, rate)
         + start("j2", closed ? first / 0.3 : first, closed ? rate / 0.3 : 0)
         + start("slide", 0, speed)
-        + start("axle", 0, speed / 0.3);
+        + start("axle", 0, speed / 0.3)
+        + start("elbow", 0.3, rate)
+        + "<jointVal name='neck' driven='2*t; 0.6; 5*t' rotation='zxz'/>";
   }
 
   private static String start(String joint, double position, double velocity) {

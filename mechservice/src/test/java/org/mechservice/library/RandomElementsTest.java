@@ -82,8 +82,8 @@ class RandomElementsTest {
         String.format(
             Locale.ROOT,
             "# Random models with all elements%n%n%d models without loops and %d with a coupling, a"
-                + " rolling wheel and its redundant equations, over 0.15 s at tolerances of 1e-10:"
-                + " states, a filter, controllers, samples, an input, a table, couplings with"
+                + " rolling wheel with its redundant equations and a rope of fixed length, over 0.15 s at tolerances of 1e-10:"
+                + " states, a filter, controllers, samples, an input, a table, a map, a driven ball, gravity over time, couplings with"
                 + " backlash, an elastic rope over a pulley, a contact of spheres whose friction"
                 + " sticks, a tyre on those without loops. Written by `RandomElementsTest` under"
                 + " `mvn verify -Psoak`; every build runs two of them. The largest difference of"

@@ -1,5 +1,5 @@
 /**
- * What is said about a run before it begins.
+ * Forecasts: findings about a run before it begins.
  *
  * <p>{@link org.mechservice.sim.scene.forecast.RunForecast} collects the findings, each of which
  * has a class of its own: joints so stiff or bodies that spin so fast that a run takes millions of

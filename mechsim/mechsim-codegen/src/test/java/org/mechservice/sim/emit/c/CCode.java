@@ -13,6 +13,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Stream;
 
 /**
@@ -67,6 +68,27 @@ final class CCode {
       Files.write(file, in.readAllBytes());
     }
     return file;
+  }
+
+  /**
+   * Compiles a model with a program that calls it.
+   *
+   * @param place folder for the sources and the program
+   * @param driver the program's text
+   * @return the program
+   */
+  static Path compiled(CModel model, Path place, List<String> options, String driver)
+      throws IOException {
+    List<Path> sources = new ArrayList<>();
+    for (Map.Entry<String, String> file : model.files().entrySet()) {
+      Path path = place.resolve(file.getKey());
+      Files.writeString(path, file.getValue());
+      if (file.getKey().endsWith(".c") && !file.getKey().equals("example.c")) {
+        sources.add(path);
+      }
+    }
+    sources.add(Files.writeString(place.resolve("driver.c"), driver));
+    return compiled(place, options, sources);
   }
 
   /** Compiles sources to a program and returns it. */

@@ -6,12 +6,9 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
-import java.util.Map;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -128,17 +125,10 @@ class LargeLoopsInCTest {
   }
 
   private Path compiled(CModel model) throws IOException {
-    List<Path> sources = new ArrayList<>();
-    for (Map.Entry<String, String> file : model.files().entrySet()) {
-      Path path = folder.resolve(file.getKey());
-      Files.writeString(path, file.getValue());
-      if (file.getKey().endsWith(".c") && !file.getKey().equals("example.c")) {
-        sources.add(path);
-      }
-    }
-    Path driver = folder.resolve("driver.c");
-    Files.writeString(
-        driver,
+    return CCode.compiled(
+        model,
+        folder,
+        CCode.PLAIN,
         """
         #include "row.h"
         #include <stdio.h>
@@ -154,7 +144,5 @@ class LargeLoopsInCTest {
           return fwrite(dx, sizeof(double), row_NX, stdout) != row_NX;
         }
         """);
-    sources.add(driver);
-    return CCode.compiled(folder, CCode.PLAIN, sources);
   }
 }

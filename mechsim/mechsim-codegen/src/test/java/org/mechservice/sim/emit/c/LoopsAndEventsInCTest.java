@@ -10,7 +10,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Random;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Named;
@@ -102,7 +101,7 @@ class LoopsAndEventsInCTest {
             Scenes.SETTINGS);
     CModel inC = ModelFactory.inC(file, options);
     Path place = Files.createTempDirectory(folder, "scene");
-    Path program = compiled(inC, place, flags);
+    Path program = CCode.compiled(inC, place, flags, DRIVER.replace("MODEL", inC.name()));
     ModelParts parts =
         ModelParts.of(
             ModelFactory.compile(file, options, ModelFactory.generate(file, options))
@@ -200,21 +199,6 @@ class LoopsAndEventsInCTest {
       }
     }
     return set;
-  }
-
-  private static Path compiled(CModel model, Path place, List<String> options) throws IOException {
-    List<Path> sources = new ArrayList<>();
-    for (Map.Entry<String, String> file : model.files().entrySet()) {
-      Path path = place.resolve(file.getKey());
-      Files.writeString(path, file.getValue());
-      if (file.getKey().endsWith(".c") && !file.getKey().equals("example.c")) {
-        sources.add(path);
-      }
-    }
-    Path driver = place.resolve("driver.c");
-    Files.writeString(driver, DRIVER.replace("MODEL", model.name()));
-    sources.add(driver);
-    return CCode.compiled(place, options, sources);
   }
 
   private static Stream<Mechanism> trees() {

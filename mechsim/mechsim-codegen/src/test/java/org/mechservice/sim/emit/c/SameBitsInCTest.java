@@ -112,28 +112,13 @@ class SameBitsInCTest {
         .replace("MODEL", name);
   }
 
-  private static Path compiled(CModel model, Path place, List<String> options) throws IOException {
-    List<Path> sources = new ArrayList<>();
-    for (Map.Entry<String, String> file : model.files().entrySet()) {
-      Path path = place.resolve(file.getKey());
-      Files.writeString(path, file.getValue());
-      if (file.getKey().endsWith(".c") && !file.getKey().equals("example.c")) {
-        sources.add(path);
-      }
-    }
-    Path driver = place.resolve("driver.c");
-    Files.writeString(driver, driver(model.name()));
-    sources.add(driver);
-    return CCode.compiled(place, options, sources);
-  }
-
   /** Compares one scene in random states. */
   private void compare(int seed, int states, List<String> flags, Count count) throws IOException {
     MechmlModel model = Scenes.model(scene(seed));
     BuildOptions options = options(seed);
     CModel inC = ModelFactory.inC(model, options);
     Path place = Files.createDirectory(folder.resolve("scene" + seed));
-    Path program = compiled(inC, place, flags);
+    Path program = CCode.compiled(inC, place, flags, driver(inC.name()));
     GeneratedModel generated = ModelFactory.generate(model, options);
     ExplicitModel java =
         (ExplicitModel) ModelFactory.compile(model, options, generated).newInstance();

@@ -6,11 +6,9 @@ import static org.assertj.core.api.Assertions.within;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Random;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -125,18 +123,7 @@ class TangentsInCTest {
 
   private Path compiled(CModel model) throws IOException {
     Path place = Files.createTempDirectory(folder, "scene");
-    List<Path> sources = new ArrayList<>();
-    for (Map.Entry<String, String> file : model.files().entrySet()) {
-      Path path = place.resolve(file.getKey());
-      Files.writeString(path, file.getValue());
-      if (file.getKey().endsWith(".c") && !file.getKey().equals("example.c")) {
-        sources.add(path);
-      }
-    }
-    Path driver = place.resolve("driver.c");
-    Files.writeString(driver, DRIVER.replace("MODEL", model.name()));
-    sources.add(driver);
-    return CCode.compiled(place, CCode.FAST, sources);
+    return CCode.compiled(model, place, CCode.FAST, DRIVER.replace("MODEL", model.name()));
   }
 
   private static BuildOptions options() {

@@ -19,7 +19,10 @@ public final class JumpProbe {
   /** Halvings after which a change that is kept is a jump's. */
   private static final int FEW_HALVINGS = 6;
 
-  /** What is left of a smooth change after the second of them, and of a jump after all. */
+  /**
+   * A jump keeps this part of its change after all halvings; a smooth change keeps less of it after
+   * two.
+   */
   private static final double KEPT = 0.6;
 
   private final OdeSystem system;
