@@ -377,12 +377,7 @@ public final class ResidualEquations extends StepEquations {
   IterationRules rules(Mode mode) {
     asPublished = mode == Mode.FAITHFUL;
     linearisation.watchForJumps(!asPublished);
-    if (asPublished) {
-      return IterationRules.PUBLISHED;
-    }
-    return linearisation.allDifferential()
-        ? IterationRules.TRUSTING_RESIDUALS
-        : IterationRules.LEARNING;
+    return asPublished ? IterationRules.PUBLISHED : IterationRules.TRUSTING_RESIDUALS;
   }
 
   @Override

@@ -262,12 +262,6 @@ public final class ResidualJacobians implements ResidualLinearisation {
     return algebraic[component];
   }
 
-  /** {@inheritDoc} Only a column that is zero tells, unless all is declared. */
-  @Override
-  public boolean allDifferential() {
-    return false;
-  }
-
   @Override
   public int singularComponent() {
     return matrix.singularColumn();

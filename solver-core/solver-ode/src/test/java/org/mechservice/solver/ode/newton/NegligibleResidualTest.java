@@ -152,11 +152,6 @@ class NegligibleResidualTest {
     }
 
     @Override
-    public boolean allDifferential() {
-      return true;
-    }
-
-    @Override
     public int singularComponent() {
       return -1;
     }
