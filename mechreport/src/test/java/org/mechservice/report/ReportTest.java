@@ -19,6 +19,7 @@ import org.mechservice.report.measure.Effort;
 import org.mechservice.report.measure.MeasurementFile;
 import org.mechservice.report.measure.MethodRunner;
 import org.mechservice.report.measure.Point;
+import org.mechservice.report.measure.ReportBudget;
 import org.mechservice.report.measure.ReportProgress;
 import org.mechservice.report.measure.SceneFindings;
 import org.mechservice.report.measure.Spectrum;
@@ -39,7 +40,7 @@ import org.mechservice.solver.simulation.RuntimeSolver;
 
 class ReportTest {
   private static final Effort SHORT =
-      new Effort("test", new double[] {1e-3, 1e-5, 1e-7, 1e-9}, 20, 3, 0.1, 20, 0, 0);
+      new Effort("test", new double[] {1e-3, 1e-5, 1e-7, 1e-9}, 20, 3, 0.1, 20, 0, 0, 60);
   private static final RunGrid GRID = RunGrid.uniform(0, 2, 20);
   private static final StateDistance DISTANCE =
       new StateDistance(new PlanarPendulum(0).description());
@@ -67,7 +68,8 @@ class ReportTest {
     try (MeasurementFile journal =
             MeasurementFile.open(folder.resolve(integrator + ".csv"), "test");
         MethodRunner runner = new MethodRunner(reference, DISTANCE, judge.grid())) {
-      new Campaign(runner, journal, SHORT, ReportProgress.SILENT).run(List.of(candidate));
+      new Campaign(runner, journal, SHORT, new ReportBudget(60), ReportProgress.SILENT)
+          .run(List.of(candidate));
       points = Point.of(journal.runs());
     }
     ModelProblem problem = new ModelProblem(new PlanarPendulum(damping));
@@ -86,7 +88,8 @@ class ReportTest {
         Map.of(),
         SHORT,
         "planar.csv",
-        List.of("2000-01-01"));
+        List.of("2000-01-01"),
+        List.of());
   }
 
   @Test
@@ -148,7 +151,8 @@ class ReportTest {
             one.freshStarts(),
             one.effort(),
             one.csv(),
-            one.versions());
+            one.versions(),
+            List.of());
 
     assertThat(ReliabilityWarnings.of(both))
         .singleElement()

@@ -65,8 +65,12 @@ public final class ReferenceMaker {
     }
   }
 
+  /** Tolerances of extrapolation on a large mechanism; the first that its time allows is taken. */
+  private static final double[] LARGE_TOLERANCES = {1e-13, 1e-12, 1e-11, 1e-10, 1e-9};
+
   private final StateDistance distance;
   private final double secondsPerCode;
+  private final double secondsForLarge;
   private final double radauTolerance;
   private final double extrapolationTolerance;
 
@@ -79,6 +83,15 @@ public final class ReferenceMaker {
 
   /**
    * @param secondsPerCode time limit of one solution, s
+   * @param secondsForLarge the same of a mechanism too large for dense matrices, whose tolerance is
+   *     chosen so that a solution is likely to end in that time, s
+   */
+  public ReferenceMaker(StateDistance distance, double secondsPerCode, double secondsForLarge) {
+    this(distance, secondsPerCode, secondsForLarge, RADAU_TOLERANCE, EXTRAPOLATION_TOLERANCE);
+  }
+
+  /**
+   * @param secondsPerCode time limit of one solution, s
    * @param radauTolerance of the collocation codes' estimate
    * @param extrapolationTolerance of the other
    */
@@ -87,8 +100,18 @@ public final class ReferenceMaker {
       double secondsPerCode,
       double radauTolerance,
       double extrapolationTolerance) {
+    this(distance, secondsPerCode, secondsPerCode, radauTolerance, extrapolationTolerance);
+  }
+
+  private ReferenceMaker(
+      StateDistance distance,
+      double secondsPerCode,
+      double secondsForLarge,
+      double radauTolerance,
+      double extrapolationTolerance) {
     this.distance = distance;
     this.secondsPerCode = secondsPerCode;
+    this.secondsForLarge = secondsForLarge;
     this.radauTolerance = radauTolerance;
     this.extrapolationTolerance = extrapolationTolerance;
   }
@@ -103,7 +126,7 @@ public final class ReferenceMaker {
   public Optional<Reference> make(List<Source> sources, double[] times) {
     List<String> said = new ArrayList<>();
     List<Solved> solved = new ArrayList<>();
-    for (Attempt attempt : attempts(sources)) {
+    for (Attempt attempt : attempts(sources, times, said)) {
       Optional<Solved> found = solve(attempt, times, 0);
       if (found.isPresent()) {
         solved.add(found.get());
@@ -111,7 +134,7 @@ public final class ReferenceMaker {
           break;
         }
       } else {
-        said.add(attempt.how() + ": not solved, for " + (long) secondsPerCode + " s at most");
+        said.add(attempt.how() + ": not solved, for " + (long) limit(attempt) + " s at most");
       }
     }
     return solved.isEmpty() ? Optional.empty() : comparable(solved, times, said);
@@ -135,10 +158,9 @@ public final class ReferenceMaker {
     if (!problem.course().map(ModelPhases::mayEnd).orElse(false)) {
       return new Extent(whole, "");
     }
-    ReferenceCode code =
-        problem.dimension() > DENSE_LIMIT ? new ExtrapolationCode(6) : new RadauCode(5);
+    ReferenceCode code = isLarge(source) ? new ExtrapolationCode(6) : new RadauCode(5);
     Optional<double[][]> states =
-        code.solve(problem, times, problem.start(), ROUGH_TOLERANCE, deadline());
+        code.solve(problem, times, problem.start(), ROUGH_TOLERANCE, deadline(source));
     ModelPhases course = problem.course().orElseThrow();
     if (states.isEmpty() || states.get().length == times.length) {
       return new Extent(whole, "");
@@ -148,14 +170,22 @@ public final class ReferenceMaker {
     return new Extent(judged, course.end());
   }
 
-  private List<Attempt> attempts(List<Source> sources) {
+  private static boolean isLarge(Source source) {
+    return source.fresh().get().dimension() > DENSE_LIMIT;
+  }
+
+  private List<Attempt> attempts(List<Source> sources, double[] times, List<String> said) {
     Source first = sources.get(0);
     Source second = sources.get(Math.min(1, sources.size() - 1));
-    Attempt extrapolation = new Attempt(second, new ExtrapolationCode(8), extrapolationTolerance);
-    if (first.fresh().get().dimension() > DENSE_LIMIT) {
+    if (isLarge(first)) {
+      double tolerance = largeTolerance(first, times, said);
+      // The first has independent coordinates, if the scene closes loops: it evaluates faster.
       return List.of(
-          extrapolation, new Attempt(first, new ExtrapolationCode(6), extrapolationTolerance));
+          new Attempt(first, new ExtrapolationCode(8), tolerance),
+          new Attempt(second, new ExtrapolationCode(6), tolerance),
+          new Attempt(first, new ExtrapolationCode(6), tolerance));
     }
+    Attempt extrapolation = new Attempt(second, new ExtrapolationCode(8), extrapolationTolerance);
     return List.of(
         new Attempt(first, new RadauCode(7), radauTolerance),
         extrapolation,
@@ -172,12 +202,61 @@ public final class ReferenceMaker {
     }
     return attempt
         .code()
-        .solve(problem, times, y0, attempt.tolerance(), deadline())
+        .solve(problem, times, y0, attempt.tolerance(), deadline(attempt.source()))
         .map(states -> new Solved(attempt.how(), attempt, states, problem.course()));
   }
 
-  private long deadline() {
-    return System.nanoTime() + (long) (secondsPerCode * TimeUnit.SECONDS.toNanos(1));
+  /**
+   * The tightest tolerance that a solution is likely to reach in its time: the steps of a code of
+   * order p grow with the p-th root of the tolerance, from those of a rough solution.
+   */
+  private double largeTolerance(Source source, double[] times, List<String> said) {
+    ExtrapolationCode code = new ExtrapolationCode(8);
+    double rough = seconds(code, source, times);
+    if (rough < secondsForLarge / 3) {
+      // The first is slow because the program is not compiled yet.
+      rough = seconds(code, source, times);
+    }
+    for (double tolerance : LARGE_TOLERANCES) {
+      boolean fits = rough * Math.pow(ROUGH_TOLERANCE / tolerance, 1.0 / 15) <= secondsForLarge;
+      if (tolerance >= extrapolationTolerance && fits) {
+        if (tolerance > extrapolationTolerance) {
+          said.add(looser(rough, tolerance));
+        }
+        return tolerance;
+      }
+    }
+    double loosest = LARGE_TOLERANCES[LARGE_TOLERANCES.length - 1];
+    said.add(looser(rough, loosest));
+    return loosest;
+  }
+
+  private double seconds(ExtrapolationCode code, Source source, double[] times) {
+    ModelProblem problem = source.fresh().get();
+    long started = System.nanoTime();
+    code.solve(problem, times, problem.start(), ROUGH_TOLERANCE, deadline(source));
+    return (System.nanoTime() - started) * 1e-9;
+  }
+
+  private String looser(double rough, double tolerance) {
+    return String.format(
+        Locale.ROOT,
+        "Large mechanism: a solution at %.0e took %.3g s, so the codes have a tolerance of %.0e in"
+            + " place of %.0e to end within %.3g s.",
+        ROUGH_TOLERANCE,
+        rough,
+        tolerance,
+        extrapolationTolerance,
+        secondsForLarge);
+  }
+
+  private double limit(Attempt attempt) {
+    return isLarge(attempt.source()) ? secondsForLarge : secondsPerCode;
+  }
+
+  private long deadline(Source source) {
+    double seconds = isLarge(source) ? secondsForLarge : secondsPerCode;
+    return System.nanoTime() + (long) (seconds * TimeUnit.SECONDS.toNanos(1));
   }
 
   /** Keeps the times that all solutions reach and at which a state that jumps can be compared. */
