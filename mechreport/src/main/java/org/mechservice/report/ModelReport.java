@@ -188,13 +188,20 @@ public final class ModelReport {
       grid = extent.grid();
       made =
           maker
-              .make(sources, Judge.times(published, grid))
+              .make(sources, times(published, sources.get(0), grid))
               .map(reference -> reference.saying(extent.why()));
       if (made.isPresent()) {
         file.write(made.get(), grid);
       }
     }
     return Judge.of(published, made, distance, grid);
+  }
+
+  /** Times of the product's own reference, if it has one. */
+  private static double[] times(
+      Optional<PublishedReference> published, ReferenceMaker.Source source, RunGrid grid) {
+    double[] all = Judge.times(published, grid);
+    return published.isPresent() ? all : ReferenceMaker.times(source, all);
   }
 
   /** One model per formulation and closure: the first two differ in their equations. */

@@ -129,6 +129,51 @@ class ReportTest {
   }
 
   @Test
+  void reportWithoutTimeNamesWhatItLeavesOut() throws IOException {
+    Judge judge = goodJudge();
+    SceneFindings measured = findings(judge, "ode113", new RuntimeSolver(), 0);
+    SimulationMethod method = new SimulationMethod("DTR", MethodNames.NONE, "DE");
+    Candidate candidate = new Candidate(method, () -> new PlanarPendulum(0), new RuntimeSolver());
+    Path file = folder.resolve("late.csv");
+    List<Point> points = new ArrayList<>(measured.points());
+    try (MeasurementFile journal = MeasurementFile.open(file, "test");
+        MethodRunner runner =
+            new MethodRunner(judge.reference().orElseThrow(), DISTANCE, judge.grid())) {
+      points.addAll(
+          Point.of(
+              new Campaign(runner, journal, SHORT, new ReportBudget(0), ReportProgress.SILENT)
+                  .run(List.of(candidate))));
+      assertThat(journal.runs()).as("a report with more time measures them").isEmpty();
+    }
+    String page =
+        ScenePage.of(
+            new SceneFindings(
+                measured.model(),
+                measured.file(),
+                measured.states(),
+                measured.freedoms(),
+                measured.endOfFile(),
+                List.of(measured.methods().get(0), method),
+                List.of(),
+                judge,
+                points,
+                measured.spectrum(),
+                Map.of(),
+                Map.of(),
+                SHORT.withBudget(600),
+                measured.csv(),
+                measured.versions(),
+                List.of("Rounds to warm up were left out.")));
+
+    assertThat(points).hasSize(8);
+    assertThat(page)
+        .contains("Not measured, to keep the time for the report", "it is not known how long a run")
+        .contains("The time for the report, 10.0 minutes", "Rounds to warm up were left out.")
+        .doesNotContain("<h2>Failures");
+    assertThat(ScenePage.of(measured)).doesNotContain("time for the report");
+  }
+
+  @Test
   void referenceThatNoMethodConvergesToIsExposedInOneSentence() throws IOException {
     SceneFindings one = findings(goodJudge(), "ode113", new RuntimeSolver(), 1e-3);
     SceneFindings other = findings(goodJudge(), "DE", new RuntimeSolver(), 1e-3);

@@ -50,6 +50,8 @@ public final class Campaign {
   private final ReportBudget budget;
   private final ReportProgress progress;
   private final Map<Candidate, Course> courses = new LinkedHashMap<>();
+  private double wallSeconds;
+  private double processorSeconds;
 
   /**
    * @param budget time of the whole report; runs take part of what is left of it when they begin
@@ -86,16 +88,16 @@ public final class Campaign {
   /** First runs of a method, from the loosest tolerance on. */
   private static final class Course {
     private final List<MeasuredRun> firsts = new ArrayList<>();
-    private double wallSeconds;
 
-    /** Wall-clock time of its last run that reached the end, s; infinite if none did. */
+    /** Time of its last run that reached the end, s; infinite if none did. */
     double last() {
-      return firsts.stream().anyMatch(MeasuredRun::completed)
-          ? wallSeconds
-          : Double.POSITIVE_INFINITY;
+      return firsts.stream()
+          .filter(MeasuredRun::completed)
+          .mapToDouble(MeasuredRun::seconds)
+          .reduce(Double.POSITIVE_INFINITY, (earlier, later) -> later);
     }
 
-    /** Wall-clock time of its next run as the last two let expect, s; infinite if unknown. */
+    /** Time of its next run as the last two let expect, s; infinite if unknown. */
     double forecast() {
       List<MeasuredRun> done = firsts.stream().filter(MeasuredRun::completed).toList();
       if (done.size() < 2) {
@@ -129,7 +131,9 @@ public final class Campaign {
             spent == 0 ? Double.NaN : spent / done * (points - done + wholeRounds(points));
         progress.at(
             "errors: " + candidate.method(), 0.3 * done / points, Math.min(left, budget.left()));
-        double time = budget.left() - after - reserved(candidate, found, tolerances.length - 1 - i);
+        double all = (budget.left() - after) / load();
+        double time =
+            all - Math.min(all / 2, reserved(candidate, found, tolerances.length - 1 - i));
         MeasuredRun first =
             first(candidate, tolerances[i], hopeless, fastest(found.values()), time);
         found.put(candidate, first);
@@ -154,7 +158,7 @@ public final class Campaign {
     double own = course(candidate).forecast();
     double reserved = 0;
     for (Map.Entry<Candidate, MeasuredRun> other : found.entrySet()) {
-      double seconds = Math.max(other.getValue().seconds(), course(other.getKey()).wallSeconds);
+      double seconds = other.getValue().seconds();
       if (other.getValue().completed() && seconds < own) {
         reserved += tolerances * seconds;
       }
@@ -173,7 +177,7 @@ public final class Campaign {
   /**
    * The first run of a point.
    *
-   * @param time for it, s of wall-clock time
+   * @param time for it, s
    */
   private MeasuredRun first(
       Candidate candidate,
@@ -184,7 +188,6 @@ public final class Campaign {
     Optional<MeasuredRun> kept = kept(candidate, tolerance);
     String method = candidate.method().name();
     if (kept.isPresent()) {
-      course(candidate).wallSeconds = kept.get().seconds();
       return kept.get();
     }
     if (hopeless.contains(candidate)) {
@@ -217,8 +220,17 @@ public final class Campaign {
   private MeasuredRun timed(Candidate candidate, double tolerance, double limit) {
     long started = System.nanoTime();
     MeasuredRun run = runner.run(candidate, tolerance, 0, limit);
-    course(candidate).wallSeconds = (System.nanoTime() - started) * 1e-9;
+    wallSeconds += (System.nanoTime() - started) * 1e-9;
+    processorSeconds += run.seconds();
     return run;
+  }
+
+  /**
+   * Wall-clock time of the first runs by their processor time: other work on the machine, and the
+   * columns of loops that are compared after a run.
+   */
+  private double load() {
+    return processorSeconds > 0 ? Math.max(1, wallSeconds / processorSeconds) : 1;
   }
 
   private String noTime(double forecast, double time) {
@@ -313,7 +325,7 @@ public final class Campaign {
   /** In the same order as later the timed runs, so that the compiler sees the same. */
   private void warmUp(List<Candidate> candidates) {
     List<Due> due = due(candidates).stream().filter(point -> point.repeats() > 0).toList();
-    double round = due.stream().mapToDouble(Due::seconds).sum();
+    double round = load() * due.stream().mapToDouble(Due::seconds).sum();
     if (2 * round > TIMED_RUNS / 2 * budget.left()) {
       budget.saves(
           "Rounds to warm up were left out: one takes about "
@@ -358,7 +370,7 @@ public final class Campaign {
         if (round > point.repeats() || isDone(point, round)) {
           continue;
         }
-        if (budget.left() - after < point.seconds()) {
+        if (budget.left() - after < load() * point.seconds()) {
           tellRepeats(due);
           return;
         }
@@ -383,10 +395,11 @@ public final class Campaign {
       budget.saves(
           String.format(
               Locale.ROOT,
-              "Points were timed %d to %d times, as far as the time for the report reached%s.",
-              fewest,
-              most,
-              fewest == 0 ? "; a point that was not timed has the time of its first run" : ""));
+              "Points were timed %s, as far as the time for the report reached%s.",
+              most == 0 ? "by their first run alone" : fewest + " to " + most + " times",
+              fewest == 0 && most > 0
+                  ? "; a point that was not timed has the time of its first run"
+                  : ""));
     }
   }
 
@@ -423,7 +436,7 @@ public final class Campaign {
   private List<Due> affordable(List<Due> points) {
     List<Due> cheapestFirst = new ArrayList<>(points);
     cheapestFirst.sort(Comparator.comparingDouble(Due::seconds));
-    double time = TIMED_RUNS * budget.left();
+    double time = TIMED_RUNS * budget.left() / load();
     double whole = points.stream().mapToDouble(Due::seconds).sum() * effort.fewestRepeats();
     int fewest = whole <= time ? effort.fewestRepeats() : 0;
     double left = Math.min(effort.timingSeconds(), time);

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
+import java.util.stream.IntStream;
 import org.mechservice.report.method.ModelPhases;
 import org.mechservice.report.method.ModelProblem;
 import org.mechservice.report.reference.ExtrapolationCode;
@@ -68,6 +69,8 @@ public final class ReferenceMaker {
   /** Tolerances of extrapolation on a large mechanism; the first that its time allows is taken. */
   private static final double[] LARGE_TOLERANCES = {1e-13, 1e-12, 1e-11, 1e-10, 1e-9};
 
+  private static final int EVERY = 5;
+
   private final StateDistance distance;
   private final double secondsPerCode;
   private final double secondsForLarge;
@@ -114,6 +117,20 @@ public final class ReferenceMaker {
     this.secondsForLarge = secondsForLarge;
     this.radauTolerance = radauTolerance;
     this.extrapolationTolerance = extrapolationTolerance;
+  }
+
+  /**
+   * Returns the times to judge a scene at. The codes end a step at each, so a mechanism that is
+   * large has every fifth alone.
+   */
+  public static double[] times(Source source, double[] all) {
+    if (!isLarge(source)) {
+      return all;
+    }
+    return IntStream.range(0, all.length)
+        .filter(i -> i % EVERY == 0 || i == all.length - 1)
+        .mapToDouble(i -> all[i])
+        .toArray();
   }
 
   /**
@@ -199,10 +216,12 @@ public final class ReferenceMaker {
     double[] y0 = problem.start();
     if (change > 0) {
       perturb(problem, times[0], y0, change);
+    } else if (problem.dimension() > DENSE_LIMIT) {
+      problem.takePart();
     }
     return attempt
         .code()
-        .solve(problem, times, y0, attempt.tolerance(), deadline(attempt.source()))
+        .solve(problem, times, y0, attempt.tolerance(), deadline(attempt.source(), change))
         .map(states -> new Solved(attempt.how(), attempt, states, problem.course()));
   }
 
@@ -255,7 +274,13 @@ public final class ReferenceMaker {
   }
 
   private long deadline(Source source) {
-    double seconds = isLarge(source) ? secondsForLarge : secondsPerCode;
+    return deadline(source, 0);
+  }
+
+  /** A changed start has as far to go as a solution got in its time, and more than that time. */
+  private long deadline(Source source, double change) {
+    double large = change > 0 ? 2 * secondsForLarge : secondsForLarge;
+    double seconds = isLarge(source) ? large : secondsPerCode;
     return System.nanoTime() + (long) (seconds * TimeUnit.SECONDS.toNanos(1));
   }
 
@@ -268,12 +293,25 @@ public final class ReferenceMaker {
     if (kept.length < 2) {
       return Optional.empty();
     }
+    boolean ended = solved.stream().anyMatch(ReferenceMaker::ended);
+    if (reached < times.length && !ended) {
+      said.add(
+          String.format(
+              Locale.ROOT,
+              "Large mechanism: in %.3g s the codes reached %.3g s; the time before is judged.",
+              secondsForLarge,
+              times[reached - 1]));
+    }
     double[] clear = Arrays.stream(kept).mapToDouble(i -> times[i]).toArray();
     List<String> all = new ArrayList<>(said);
     List<ModelPhases> courses = solved.stream().flatMap(one -> one.course().stream()).toList();
     all.addAll(JumpNotes.of(courses, clear[clear.length - 1], kept.length, times.length));
     courses.stream().map(ModelPhases::end).filter(end -> !end.isEmpty()).limit(1).forEach(all::add);
     return Optional.of(judged(solved.stream().map(one -> one.at(kept)).toList(), clear, all));
+  }
+
+  private static boolean ended(Solved one) {
+    return one.course().map(course -> !course.end().isEmpty()).orElse(false);
   }
 
   /** Changes every component that is free by the same part of 1 + |y|, signs drawn. */
