@@ -377,7 +377,13 @@ public final class ResidualEquations extends StepEquations {
   IterationRules rules(Mode mode) {
     asPublished = mode == Mode.FAITHFUL;
     linearisation.watchForJumps(!asPublished);
-    return asPublished ? IterationRules.PUBLISHED : IterationRules.TRUSTING_RESIDUALS;
+    if (asPublished) {
+      return IterationRules.PUBLISHED;
+    }
+    return (residual.manifold().anyAlgebraic() && !drift().matters())
+            || linearisation.allDifferential()
+        ? IterationRules.TRUSTING_RESIDUALS
+        : IterationRules.LEARNING;
   }
 
   @Override

@@ -262,6 +262,12 @@ public final class ResidualJacobians implements ResidualLinearisation {
     return algebraic[component];
   }
 
+  /** {@inheritDoc} Only a column that is zero tells, unless all is declared. */
+  @Override
+  public boolean allDifferential() {
+    return false;
+  }
+
   @Override
   public int singularComponent() {
     return matrix.singularColumn();

@@ -55,6 +55,9 @@ public interface ResidualLinearisation {
   /** Returns whether a component's derivative does not appear in F. */
   boolean algebraic(int component);
 
+  /** Returns whether it is known before anything is formed that F has the derivatives of all. */
+  boolean allDifferential();
+
   /** Returns the component at whose column the last factorisation failed. */
   int singularComponent();
 

@@ -92,6 +92,11 @@ public final class UserLinearisation implements ResidualLinearisation {
   }
 
   @Override
+  public boolean allDifferential() {
+    return !manifold.anyAlgebraic();
+  }
+
+  @Override
   public int singularComponent() {
     return system.singularComponent();
   }

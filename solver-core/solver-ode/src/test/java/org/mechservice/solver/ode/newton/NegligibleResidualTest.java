@@ -152,6 +152,11 @@ class NegligibleResidualTest {
     }
 
     @Override
+    public boolean allDifferential() {
+      return true;
+    }
+
+    @Override
     public int singularComponent() {
       return -1;
     }
