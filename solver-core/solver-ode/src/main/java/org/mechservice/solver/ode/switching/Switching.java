@@ -70,10 +70,7 @@ public final class Switching implements Integrator {
   private static final double LOSS_ALLOWED = 12;
 
   /** Steps at the edge of stability after which their motion is looked at first. */
-  private static final long STEPS_TO_PROBE = 1000;
-
-  /** Times a motion has to have decayed by e to be gone. */
-  private static final double TIME_CONSTANTS = 20;
+  private static final long STEPS_TO_PROBE = 2000;
 
   /** Part of what ode113 has spent at the edge of stability that a trial may cost. */
   private static final double SHARE_OF_TRIAL = 0.1;
@@ -296,15 +293,21 @@ public final class Switching implements Integrator {
    */
   private boolean keepsAlive() {
     long steps = adams.stepsAtEdge();
-    if (steps < stepsToProbe || adams.dampingAtEdge() < TIME_CONSTANTS) {
+    if (steps < stepsToProbe) {
       return false;
     }
     double h = Math.abs(progress.stepSize());
     double decay = probe.decay(progress.time(), adams.state(), adams.slope(), adams.discrepancy());
-    boolean gone = decay * h * steps >= TIME_CONSTANTS && paysStart(h);
-    patience = gone ? SHARE_OF_TRIAL * steps * costs.adamsStep() : 0;
-    stepsToProbe = (gone ? 4 : 2) * steps;
-    return gone;
+    double gone = 1 + StrictMath.log(Math.max(1, adams.sizeAtEdge()));
+    double decayed = decay * h * steps;
+    if (decayed >= gone && paysStart(h)) {
+      patience = SHARE_OF_TRIAL * steps * costs.adamsStep();
+      stepsToProbe = 4 * steps;
+      return true;
+    }
+    double toGo = decayed > 0 ? Math.max(1.1, Math.min(gone / decayed, 2)) : 2;
+    stepsToProbe = (long) (toGo * steps);
+    return false;
   }
 
   /**
