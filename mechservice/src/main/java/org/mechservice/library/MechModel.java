@@ -54,6 +54,7 @@ import org.mechservice.solver.api.run.RunControl;
 import org.mechservice.solver.api.run.RunReport;
 import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.catalogue.Accuracy;
 import org.mechservice.solver.catalogue.AnalysisKind;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.catalogue.MethodNames;
@@ -317,6 +318,25 @@ public final class MechModel {
   /** Returns the model with another formulation: {@code auto}, {@code DTR}, {@code RR} etc. */
   public MechModel formulation(String name) {
     return changed(old -> old.withFormulation(name));
+  }
+
+  /**
+   * Returns the model with another closure of loops: {@code auto}, {@code projection} or {@code
+   * penalty}, with numbers of its own {@code penalty:alpha=1e7,omega=10,mu=1}.
+   */
+  public MechModel closure(String name) {
+    return changed(old -> old.withClosure(name));
+  }
+
+  /**
+   * Returns the model with another relation of the final error to the tolerances: {@code standard},
+   * or {@code strict}, which makes errors smaller at the same tolerances.
+   *
+   * @throws IllegalArgumentException if there is none of that name
+   */
+  public MechModel accuracy(String name) {
+    Accuracy accuracy = Accuracy.of(name);
+    return run(run -> run.withAccuracy(accuracy));
   }
 
   /** Returns the model with runs that put out these columns besides time and the joints' states. */

@@ -207,6 +207,26 @@ class StudyTest {
   }
 
   @Test
+  void runsAreAsTheStudySaysAndEachColumnMayBeKept() throws Exception {
+    List<String> lines =
+        Files.readAllLines(
+            run(
+                plan(
+                    "<run t-end='0.5' rtol='1e-10' atol='1e-12' integrator='ode113'"
+                        + " columns='energy'/><factor name='k' values='20'/>"
+                        + "<output name='*' of='last(*)'/><output of='min(*)'/>"),
+                StudyPart.WHOLE,
+                1));
+
+    assertThat(lines.get(0))
+        .startsWith("point,k,outcome,code,message,x.q,x.v,energy.")
+        .contains(",min(x.q),min(x.v),");
+    double w = Math.sqrt(10); // 20 N/m, 2 kg
+    assertThat(Double.parseDouble(lines.get(1).split(",", -1)[5]))
+        .isCloseTo(0.1 * Math.cos(0.5 * w), within(1e-10));
+  }
+
+  @Test
   void tableOfPointsIsTakenAsItIs() throws Exception {
     Files.writeString(folder.resolve("points.csv"), "m,k\n1,20\n2,50\n");
     List<String> lines =
@@ -237,6 +257,13 @@ class StudyTest {
         "<output of='max(x.q)' unit='s'/>; one of a time",
         "<stop output='x' error='1'/>; no output \"x\"",
         "<table file='none.csv'/>; cannot be read",
+        "<run rtol='2'/>; rtol is 2.0; it must be below 1",
+        "<run atol='-1'/>; atol is -1; it must be above 0",
+        "<run t-end='-1'/>; before the start of the run",
+        "<run t-step='0'/>; t-step is 0; it must be above 0",
+        "<run integrator='ode16'/>; S-082 integrator \"ode16\"",
+        "<run columns='reaction'/>; did you mean \"reactions\"?",
+        "<run tend='1'/>; did you mean \"t-end\"?",
       })
   void badInputSaysWhereAndWhatToWrite(String element, String why) {
     String rest =
