@@ -537,9 +537,9 @@ public final class MechModel {
   }
 
   /**
-   * Returns a source of instances as {@link #instances()} does, with the classes of an earlier model
-   * that differs from this one in numbers only. The bits are the same; the virtual machine has
-   * compiled the code already.
+   * Returns a source of instances as {@link #instances()} does, with the classes of an earlier
+   * model that differs from this one in numbers only. The bits are the same; the virtual machine
+   * has compiled the code already.
    *
    * @param code of one thread, which uses no model of an earlier source any more
    */
