@@ -60,8 +60,12 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
   /** Relative residual that assembly leaves, in addition to rounding. */
   private static final double ROUNDING = 2e-13;
 
-  /** Relative change of the rates when positions change by their rounding errors. */
-  private static final double RATE_ROUNDING = 1e-11;
+  /**
+   * Relative change of the rates when positions change by their rounding errors. The projection at
+   * the end of the step removes what the iteration leaves of the rates, and later predictions
+   * enlarge such a change up to 32 times.
+   */
+  private static final double RATE_ROUNDING = 1e-14;
 
   private final StepDerivatives jacobian;
   private final Optional<ResidualDifferences> differences;
