@@ -275,6 +275,11 @@ public final class SimulationOptions {
     return Optional.ofNullable(texts.get(key));
   }
 
+  /** Returns the options by their keys in the service's contract, without those of parameters. */
+  public Map<String, String> texts() {
+    return new LinkedHashMap<>(texts);
+  }
+
   SimulationOptions standalone() {
     return with(OPT_STANDALONE.value, "true");
   }

@@ -3,16 +3,18 @@
  *
  * <p>A program needs few types. {@link org.mechservice.client.MechConnection} connects to one or
  * several servers; {@link org.mechservice.client.MechSession} holds one model at a server and
- * prepares its runs; {@link org.mechservice.client.SimulationOptions} holds the options that differ
- * from the model's file. Both kinds of runs are a {@link org.mechservice.client.run.PreparedRun}.
- * Every error is a {@link org.mechservice.client.failure.ServiceException}. {@link
- * org.mechservice.client.jar.JarCache} names the folder of fetched JARs. Results go to any {@code
- * ResultSink}, for files to {@code ResultFile} of package {@code solver.text}.
+ * prepares its runs; a {@link org.mechservice.client.HostedModel} runs one with many values of its
+ * parameters, in several sessions that move when their hosts are lost; {@link
+ * org.mechservice.client.SimulationOptions} holds the options that differ from the model's file.
+ * Both kinds of runs are a {@link org.mechservice.client.run.PreparedRun}. Every error is a {@link
+ * org.mechservice.client.failure.ServiceException}. {@link org.mechservice.client.jar.JarCache}
+ * names the folder of fetched JARs. Results go to any {@code ResultSink}, for files to {@code
+ * ResultFile} of package {@code solver.text}.
  *
  * <p>The packages below: {@code client.run} has the runs, {@code client.jar} the JARs and the class
- * loading of local runs, {@code client.failure} the calls and their errors, {@code client.sweep}
- * grids of parameter values. Types there that are not named in their package's story as its
- * interface are public only because Java has no wider package; programs do not use them.
+ * loading of local runs, {@code client.failure} the calls and their errors. Types there that are
+ * not named in their package's story as its interface are public only because Java has no wider
+ * package; programs do not use them.
  *
  * <p>The library depends on the CORBA contract ({@code idl}), on {@code solver-api} and on {@code
  * mechreport}, whose page a {@link org.mechservice.client.RemoteModel} writes of the methods that a

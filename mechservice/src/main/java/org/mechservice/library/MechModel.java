@@ -1,7 +1,6 @@
 package org.mechservice.library;
 
 import java.io.IOException;
-import java.lang.ref.SoftReference;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -18,7 +17,6 @@ import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -28,11 +26,8 @@ import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.SimulationTask;
 import org.mechservice.mechml.diagnosis.Diagnostic;
 import org.mechservice.mechml.diagnosis.MechmlException;
-import org.mechservice.mechml.document.DocumentWriter;
 import org.mechservice.mechml.document.Element;
-import org.mechservice.mechml.resolve.ValidatedFile;
 import org.mechservice.mechml.robot.RobotExport;
-import org.mechservice.mechml.robot.RobotImport;
 import org.mechservice.report.ModelReport;
 import org.mechservice.report.measure.Effort;
 import org.mechservice.report.measure.ReportProgress;
@@ -40,15 +35,9 @@ import org.mechservice.report.method.MethodBuilds;
 import org.mechservice.report.method.SimulationMethod;
 import org.mechservice.sim.check.CheckReport;
 import org.mechservice.sim.compile.ReusedCode;
-import org.mechservice.sim.emit.plan.CodeForm;
-import org.mechservice.sim.model.BuildOptions;
-import org.mechservice.sim.model.CompiledModel;
-import org.mechservice.sim.model.GeneratedModel;
 import org.mechservice.sim.model.ModelColumns;
-import org.mechservice.sim.model.ModelFactory;
 import org.mechservice.sim.packaging.JarImage;
 import org.mechservice.sim.packaging.ModelJars;
-import org.mechservice.sim.scene.IntegratorSelection;
 import org.mechservice.sim.user.UserClasses;
 import org.mechservice.solver.api.ModelParameter;
 import org.mechservice.solver.api.ModelSource;
@@ -65,6 +54,7 @@ import org.mechservice.solver.api.run.RunControl;
 import org.mechservice.solver.api.run.RunReport;
 import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.catalogue.Accuracy;
 import org.mechservice.solver.catalogue.AnalysisKind;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.catalogue.MethodNames;
@@ -72,7 +62,6 @@ import org.mechservice.solver.mechanism.FurtherState;
 import org.mechservice.solver.simulation.RuntimeSolver;
 import org.mechservice.solver.system.LinearSystem;
 import org.mechservice.solver.system.SystemTable;
-import org.mechservice.solver.text.ModelFiles;
 import org.mechservice.solver.text.ResultFile;
 import org.mechservice.solver.text.Sha256;
 
@@ -97,59 +86,44 @@ import org.mechservice.solver.text.Sha256;
  * May be used by several threads.
  */
 public final class MechModel {
-  /**
-   * What was read.
-   *
-   * @param fileName name for messages
-   * @param content the file's bytes
-   * @param userCode the folders in which classes of forces are sought
-   * @param validated what was read of the content, for other values, as long as memory suffices
-   */
-  @SuppressWarnings("ArrayRecordComponent") // never compared
-  private record Source(
-      String fileName,
-      byte[] content,
-      List<Path> userCode,
-      AtomicReference<SoftReference<ValidatedFile>> validated) {
-    Source(String fileName, byte[] content, List<Path> userCode) {
-      this(fileName, content, userCode, new AtomicReference<>());
-    }
-
-    ValidatedFile file() throws MechmlException {
-      SoftReference<ValidatedFile> latest = validated.get();
-      ValidatedFile known = latest == null ? null : latest.get();
-      if (known == null) {
-        known = ValidatedFile.of(fileName, content);
-        validated.set(new SoftReference<>(known));
-      }
-      return known;
-    }
-  }
-
-  private final Source source;
-  private final ReadOptions reading;
-  private final UnaryOperator<SimulationSettings> changes;
-  private final boolean strict;
-  private final OptionalDouble maxDrift;
-  private final MechmlModel model;
-  private final UserClasses userClasses;
-  private Optional<CompiledModel> compiled = Optional.empty();
-
-  private MechModel(
-      Source source,
+  /** What the program asked for beyond the file. */
+  private record Choices(
       ReadOptions reading,
       UnaryOperator<SimulationSettings> changes,
       boolean strict,
-      OptionalDouble maxDrift,
-      MechmlModel model,
-      UserClasses userClasses) {
-    this.source = source;
-    this.reading = reading;
-    this.changes = changes;
-    this.strict = strict;
-    this.maxDrift = maxDrift;
+      OptionalDouble maxDrift) {
+    static final Choices NONE =
+        new Choices(ReadOptions.NONE, settings -> settings, false, OptionalDouble.empty());
+
+    Choices reading(ReadOptions other) {
+      return new Choices(other, changes, strict, maxDrift);
+    }
+
+    Choices and(UnaryOperator<SimulationSettings> change) {
+      return new Choices(reading, old -> change.apply(changes.apply(old)), strict, maxDrift);
+    }
+
+    Choices endingAtWarnings() {
+      return new Choices(reading, changes, true, maxDrift);
+    }
+
+    Choices endingAtDrift(double part) {
+      return new Choices(reading, changes, strict, OptionalDouble.of(part));
+    }
+  }
+
+  private final MechmlFile file;
+  private final Choices choices;
+  private final MechmlModel model;
+  private final UserClasses userClasses;
+  private final ModelCode code;
+
+  private MechModel(MechmlFile file, Choices choices, MechmlModel model, UserClasses userClasses) {
+    this.file = file;
+    this.choices = choices;
     this.model = model;
     this.userClasses = userClasses;
+    this.code = new ModelCode(model, userClasses, choices.changes);
   }
 
   /**
@@ -176,12 +150,7 @@ public final class MechModel {
    */
   public static MechModel read(String name, Path file, Path... userCode)
       throws IOException, MechmlException {
-    List<Path> folders = new ArrayList<>();
-    folders.add(file.toRealPath().resolveSibling("."));
-    folders.addAll(List.of(userCode));
-    return read(
-        new Source(name, ModelFiles.inlined(Files.readAllBytes(file), file), List.copyOf(folders)),
-        ReadOptions.NONE);
+    return read(MechmlFile.of(name, file, List.of(userCode)));
   }
 
   /**
@@ -193,19 +162,27 @@ public final class MechModel {
    */
   public static MechModel of(String name, String mechml) throws MechmlException {
     try {
-      return read(
-          new Source(name, mechml.getBytes(StandardCharsets.UTF_8), List.of()), ReadOptions.NONE);
+      return read(MechmlFile.of(name, mechml));
     } catch (IOException e) {
       throw new IllegalStateException("no file is read", e);
     }
   }
 
-  private static MechModel read(Source source, ReadOptions reading)
-      throws IOException, MechmlException {
-    MechmlModel model = source.file().model(reading);
-    UserClasses classes = ForceFiles.sought(model.mechanism(), source.userCode);
-    return new MechModel(
-        source, reading, settings -> settings, false, OptionalDouble.empty(), model, classes);
+  /**
+   * Reads a robot.
+   *
+   * @param robot file in URDF, SDF or MJCF
+   * @return its model, as {@code mech import} translates it
+   * @throws IOException if the file cannot be read
+   * @throws MechmlException if it is no robot, or no mechanism
+   */
+  public static MechModel importRobot(Path robot) throws IOException, MechmlException {
+    return read(MechmlFile.ofRobot(robot));
+  }
+
+  private static MechModel read(MechmlFile file) throws IOException, MechmlException {
+    MechmlModel model = file.model(ReadOptions.NONE);
+    return new MechModel(file, Choices.NONE, model, file.userClasses(model.mechanism()));
   }
 
   /** Returns the model's name. */
@@ -221,7 +198,7 @@ public final class MechModel {
   /** Returns the outermost element of what was read, with the files that it includes. */
   public Element file() {
     try {
-      return source.file().root();
+      return file.root();
     } catch (MechmlException e) {
       throw new IllegalStateException("what was read before is read again", e);
     }
@@ -229,7 +206,7 @@ public final class MechModel {
 
   /** Returns the folder of the file; empty if the model is no file. */
   public Optional<Path> folder() {
-    return source.userCode.stream().findFirst();
+    return file.folder();
   }
 
   /** Returns the parameters of the file, as it gives them, in its order. */
@@ -259,9 +236,9 @@ public final class MechModel {
    * @throws MechmlException if there is no such parameter, or the model cannot be used so
    */
   public MechModel set(String parameter, String value) throws MechmlException {
-    Map<String, String> values = new LinkedHashMap<>(reading.values());
+    Map<String, String> values = new LinkedHashMap<>(choices.reading.values());
     values.put(parameter, value);
-    return reread(reading.with(values));
+    return reread(choices.reading.with(values));
   }
 
   /**
@@ -271,9 +248,9 @@ public final class MechModel {
    * @throws MechmlException if there is no such parameter, or the model cannot be used so
    */
   public MechModel set(Map<String, Double> given) throws MechmlException {
-    Map<String, String> values = new LinkedHashMap<>(reading.values());
+    Map<String, String> values = new LinkedHashMap<>(choices.reading.values());
     given.forEach((name, value) -> values.put(name, Double.toString(value)));
-    return reread(reading.with(values));
+    return reread(choices.reading.with(values));
   }
 
   /**
@@ -284,9 +261,9 @@ public final class MechModel {
    *     the file is read (M-017)
    */
   public MechModel tunable(Set<String> parameters) throws MechmlException {
-    Set<String> all = new LinkedHashSet<>(reading.tunable());
+    Set<String> all = new LinkedHashSet<>(choices.reading.tunable());
     all.addAll(parameters);
-    return reread(reading.withTunable(all));
+    return reread(choices.reading.withTunable(all));
   }
 
   /**
@@ -296,12 +273,11 @@ public final class MechModel {
    * @throws MechmlException if there is none of that name
    */
   public MechModel simulation(String nameOrNumber) throws MechmlException {
-    return reread(reading.withSimulation(nameOrNumber));
+    return reread(choices.reading.withSimulation(nameOrNumber));
   }
 
   private MechModel reread(ReadOptions other) throws MechmlException {
-    return new MechModel(
-        source, other, changes, strict, maxDrift, source.file().model(other), userClasses);
+    return new MechModel(file, choices.reading(other), file.model(other), userClasses);
   }
 
   /** Returns the model with runs that end at another time, s. */
@@ -344,6 +320,25 @@ public final class MechModel {
     return changed(old -> old.withFormulation(name));
   }
 
+  /**
+   * Returns the model with another closure of loops: {@code auto}, {@code projection} or {@code
+   * penalty}, with numbers of its own {@code penalty:alpha=1e7,omega=10,mu=1}.
+   */
+  public MechModel closure(String name) {
+    return changed(old -> old.withClosure(name));
+  }
+
+  /**
+   * Returns the model with another relation of the final error to the tolerances: {@code standard},
+   * or {@code strict}, which makes errors smaller at the same tolerances.
+   *
+   * @throws IllegalArgumentException if there is none of that name
+   */
+  public MechModel accuracy(String name) {
+    Accuracy accuracy = Accuracy.of(name);
+    return run(run -> run.withAccuracy(accuracy));
+  }
+
   /** Returns the model with runs that put out these columns besides time and the joints' states. */
   public MechModel columns(ColumnGroup... groups) {
     List<String> labels = Stream.of(groups).map(ColumnGroup::label).toList();
@@ -352,19 +347,16 @@ public final class MechModel {
   }
 
   private MechModel changed(UnaryOperator<SimulationSettings> change) {
-    return new MechModel(
-        source,
-        reading,
-        old -> change.apply(changes.apply(old)),
-        strict,
-        maxDrift,
-        model,
-        userClasses);
+    return chosen(choices.and(change));
+  }
+
+  private MechModel chosen(Choices other) {
+    return new MechModel(file, other, model, userClasses);
   }
 
   /** Returns the model with runs that end at their first warning. */
   public MechModel strict() {
-    return new MechModel(source, reading, changes, true, maxDrift, model, userClasses);
+    return chosen(choices.endingAtWarnings());
   }
 
   /**
@@ -372,8 +364,7 @@ public final class MechModel {
    * the energy scale.
    */
   public MechModel maxDrift(double part) {
-    return new MechModel(
-        source, reading, changes, strict, OptionalDouble.of(part), model, userClasses);
+    return chosen(choices.endingAtDrift(part));
   }
 
   /**
@@ -383,16 +374,16 @@ public final class MechModel {
    * @throws MechmlException if there is no such warning
    */
   public MechModel silence(String... warnings) throws MechmlException {
-    Set<String> all = new LinkedHashSet<>(reading.silenced());
+    Set<String> all = new LinkedHashSet<>(choices.reading.silenced());
     all.addAll(List.of(warnings));
-    return reread(reading.silencing(all));
+    return reread(choices.reading.silencing(all));
   }
 
   /**
    * Returns the class files of the classes that forces need, by binary name; not to be modified.
    */
   public SortedMap<String, byte[]> userClasses() {
-    return userClasses.classFiles();
+    return code.userClassFiles();
   }
 
   /** Returns what is known about the model before it runs, as {@code mech check} tells it. */
@@ -476,10 +467,10 @@ public final class MechModel {
    * @throws RunFailedException if the run cannot begin
    */
   public SteppedModel stepped(double step) throws MechmlException {
-    MechModel open = reread(reading.withInputsFromOutside()).every(step);
+    MechModel open = reread(choices.reading.withInputsFromOutside()).every(step);
     return SteppedModel.begin(
         new RuntimeSolver(),
-        open.compiled().newInstance(),
+        open.code.compiled().newInstance(),
         open.request(),
         open.sha256(),
         open.inputs());
@@ -495,10 +486,10 @@ public final class MechModel {
    * @throws IllegalArgumentException S-071 if the bytes do not belong to such a run of this model
    */
   public SteppedModel stepped(double step, byte[] saved) throws MechmlException {
-    MechModel open = reread(reading.withInputsFromOutside()).every(step);
+    MechModel open = reread(choices.reading.withInputsFromOutside()).every(step);
     return SteppedModel.restored(
         new RuntimeSolver(),
-        open.compiled().newInstance(),
+        open.code.compiled().newInstance(),
         open.request(),
         open.sha256(),
         open.inputs(),
@@ -521,17 +512,17 @@ public final class MechModel {
 
   private RunReport run(ResultSink sink, RunControl control, Checkpoints checkpoints)
       throws IOException {
-    return new RuntimeSolver().run(compiled().newInstance(), request(), sink, control, checkpoints);
+    return new RuntimeSolver()
+        .run(code.compiled().newInstance(), request(), sink, control, checkpoints);
   }
 
   /** Returns what {@link #simulate} asks of the solver. */
   public RunRequest request() {
-    SimulationSettings asked = changes.apply(model.settings());
     return new RunRequest(
-        asked.run().withIntegrator(selection(asked).integrator()),
-        ModelColumns.shown(asked),
-        strict,
-        maxDrift,
+        code.run(),
+        ModelColumns.shown(code.settings()),
+        choices.strict,
+        choices.maxDrift,
         model.silenced());
   }
 
@@ -542,70 +533,23 @@ public final class MechModel {
    * @throws IllegalArgumentException if the model cannot be built so; says why
    */
   public ModelSource instances() {
-    return compiled().instances();
+    return code.compiled().instances();
   }
 
   /**
-   * Returns the same for one of many models that differ in their numbers, by classes that earlier
-   * ones of them have loaded: the bits are those of {@link #instances()}, and the virtual machine
+   * Returns a source of instances as {@link #instances()} does, with the classes of an earlier
+   * model that differs from this one in numbers only. The bits are the same; the virtual machine
    * has compiled the code already.
    *
    * @param code of one thread, which uses no model of an earlier source any more
    */
   public ModelSource instances(ReusedCode code) {
-    synchronized (this) {
-      if (compiled.isPresent() || !userClasses.isEmpty()) {
-        return instances();
-      }
-    }
-    GeneratedModel generated = ModelFactory.generate(model, options(model.settings().run()));
-    return code.source(generated.className(), generated.classFiles());
-  }
-
-  private IntegratorSelection selection(SimulationSettings asked) {
-    String given = asked.run().integrator();
-    if (!(asked.task() instanceof SimulationTask.Dynamic)) {
-      return new IntegratorSelection(MethodNames.NONE, Optional.empty());
-    }
-    return given.equals(MethodNames.AUTO)
-        ? IntegratorSelection.of(asked.formulation(), model.mechanism(), asked.run())
-        : new IntegratorSelection(given, Optional.empty());
-  }
-
-  /** As the service builds it: runs that differ in settings only share one class. */
-  private synchronized CompiledModel compiled() {
-    if (compiled.isEmpty()) {
-      compiled = Optional.of(built(model.settings().run()));
-    }
-    return compiled.get();
-  }
-
-  /** With the settings of this model's runs, by which a model that goes elsewhere runs. */
-  private CompiledModel built() {
-    return built(changes.apply(model.settings()).run());
-  }
-
-  private CompiledModel built(RunSettings run) {
-    BuildOptions options = options(run);
-    return ModelFactory.compile(model, options, ModelFactory.generate(model, options), userClasses);
-  }
-
-  private BuildOptions options(RunSettings run) {
-    SimulationSettings asked = changes.apply(model.settings());
-    IntegratorSelection chosen = selection(asked);
-    return new BuildOptions(
-        asked.formulation(),
-        asked.closure(),
-        false,
-        CodeForm.AUTO,
-        ModelColumns.shown(asked),
-        run.withIntegrator(chosen.integrator()),
-        chosen.reason());
+    return this.code.instances(code);
   }
 
   /** Returns the SHA-256 of the model's class files, which identifies it to the bit. */
   public String sha256() {
-    return compiled().sha256();
+    return code.compiled().sha256();
   }
 
   /**
@@ -648,7 +592,7 @@ public final class MechModel {
    * @throws RunFailedException if a force has no derivative there
    */
   public LinearSystem linearSystem() throws MechmlException {
-    MechModel open = reread(reading.withInputsFromOutside());
+    MechModel open = reread(choices.reading.withInputsFromOutside());
     Trajectory table = open.as(AnalysisKind.LINEAR_SYSTEM).simulate();
     List<Variable> outputs = new ArrayList<>();
     open.model.outputs().forEach(o -> outputs.add(new Variable(o.name(), o.unit())));
@@ -666,8 +610,7 @@ public final class MechModel {
   }
 
   private MechModel as(AnalysisKind kind) {
-    return new MechModel(
-        source, reading, changes, strict, maxDrift, model.analysed(kind), userClasses);
+    return new MechModel(file, choices, model.analysed(kind), userClasses);
   }
 
   /**
@@ -704,7 +647,7 @@ public final class MechModel {
    */
   public Path report(Path folder, Effort effort, ReportProgress progress)
       throws IOException, InterruptedException {
-    return new ModelReport(builds(), folder, effort, progress).write(Path.of(source.fileName));
+    return new ModelReport(builds(), folder, effort, progress).write(Path.of(file.name()));
   }
 
   private MethodBuilds builds() {
@@ -718,16 +661,16 @@ public final class MechModel {
     String asked =
         String.join(
             "; ",
-            reading.simulation().toString(),
-            new TreeMap<>(reading.values()).toString(),
-            new TreeSet<>(reading.tunable()).toString(),
-            changes.apply(model.settings()).toString());
-    String file = Sha256.of(source.content);
+            choices.reading.simulation().toString(),
+            new TreeMap<>(choices.reading.values()).toString(),
+            new TreeSet<>(choices.reading.tunable()).toString(),
+            code.settings().toString());
+    String content = file.sha256();
     return new ModelBuilds(
-        file + " " + Sha256.of(asked.getBytes(StandardCharsets.UTF_8)),
-        file,
-        method -> with(method).built(),
-        method -> with(method).columns(ColumnGroup.CONSTRAINTS).built());
+        content + " " + Sha256.of(asked.getBytes(StandardCharsets.UTF_8)),
+        content,
+        method -> with(method).code.built(),
+        method -> with(method).columns(ColumnGroup.CONSTRAINTS).code.built());
   }
 
   private MechModel with(SimulationMethod method) {
@@ -743,7 +686,7 @@ public final class MechModel {
    * @throws IOException if it cannot be written
    */
   public void writeJar(Path jar) throws IOException {
-    JarImage image = ModelJars.standalone(built(), Sha256.of(source.content));
+    JarImage image = ModelJars.standalone(code.built(), file.sha256());
     Files.write(jar, image.bytes());
   }
 
@@ -768,32 +711,16 @@ public final class MechModel {
    * @throws MechmlException M-086 if the mechanism would be another one
    */
   public RobotExport urdf() throws MechmlException {
-    return RobotExport.of(source.fileName, model, file());
-  }
-
-  /**
-   * Reads a robot.
-   *
-   * @param robot file in URDF, SDF or MJCF
-   * @return its model, as {@code mech import} translates it
-   * @throws IOException if the file cannot be read
-   * @throws MechmlException if it is no robot, or no mechanism
-   */
-  public static MechModel importRobot(Path robot) throws IOException, MechmlException {
-    String name = robot.toString();
-    RobotImport translated = RobotImport.of(name, Files.readAllBytes(robot));
-    byte[] mechml = DocumentWriter.write(translated.document()).getBytes(StandardCharsets.UTF_8);
-    List<Path> folders = List.of(robot.toRealPath().resolveSibling("."));
-    return read(new Source(name, mechml, folders), ReadOptions.NONE);
+    return RobotExport.of(file.name(), model, file());
   }
 
   /** Returns the groups of columns that runs put out. */
   public Set<ColumnGroup> columns() {
-    return EnumSet.copyOf(ModelColumns.shown(changes.apply(model.settings())));
+    return EnumSet.copyOf(ModelColumns.shown(code.settings()));
   }
 
   @Override
   public String toString() {
-    return "model \"" + name() + "\" of " + source.fileName;
+    return "model \"" + name() + "\" of " + file.name();
   }
 }

@@ -8,8 +8,9 @@
  *
  * <p>Everything else starts at {@link org.mechservice.library.MechModel}: it is read from a file or
  * a text, takes values of its parameters, and gives a run, its rows, an analysis, the report on its
- * methods or the compiled JAR. No CORBA class is on the path. A program that is to run on a server
- * instead uses the same verbs of {@code mechclient}.
+ * methods or the compiled JAR. {@code MechmlFile} keeps what it was read from, with the classes of
+ * {@code ForceFiles}; {@code ModelCode} generates and compiles its code. No CORBA class is on the
+ * path. A program that is to run on a server instead uses the same verbs of {@code mechclient}.
  */
 @NullMarked
 package org.mechservice.library;

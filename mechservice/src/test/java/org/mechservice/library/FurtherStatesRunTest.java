@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -14,9 +13,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.solver.api.program.Trajectory;
 import org.mechservice.solver.api.result.ColumnGroup;
-import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
-import org.mechservice.solver.api.run.Checkpoints;
 import org.mechservice.solver.api.run.RunControl;
 
 /** Runs of models with states of their own, against closed solutions. */
@@ -196,52 +193,15 @@ class FurtherStatesRunTest {
           {"RR-JF", "penalty", "ode15sR"}
         }) {
       MechModel model = of(fourBar(way[0], way[1], states, "3*a - 2*b*j1.v")).integrator(way[2]);
-      List<byte[]> kept = new ArrayList<>();
-      List<double[]> rows = new ArrayList<>();
-      model.simulate(sink(rows), new RunControl(), checkpoints(Optional.empty(), kept));
-      List<double[]> again = new ArrayList<>();
-      byte[] half = kept.get(kept.size() / 2);
-      model.simulate(
-          sink(again), new RunControl(), checkpoints(Optional.of(half), new ArrayList<>()));
-      assertThat(again).isNotEmpty();
-      assertThat(again.get(again.size() - 1)).isEqualTo(rows.get(rows.size() - 1));
+      KeptRun whole = new KeptRun(Optional.empty());
+      model.simulate(whole, new RunControl(), whole);
+      int half = whole.checkpoints.size() / 2;
+      KeptRun rest = new KeptRun(Optional.of(whole.checkpoints.get(half)));
+      model.simulate(rest, new RunControl(), rest);
+      assertThat(rest.rows).isNotEmpty();
+      assertThat(rest.rows)
+          .isEqualTo(whole.rows.subList(whole.rowsAt.get(half), whole.rows.size()));
     }
-  }
-
-  private static ResultSink sink(List<double[]> rows) {
-    return new ResultSink() {
-      @Override
-      public void begin(List<Variable> columns) {}
-
-      @Override
-      public void row(double[] row) {
-        rows.add(row.clone());
-      }
-    };
-  }
-
-  private static Checkpoints checkpoints(Optional<byte[]> from, List<byte[]> kept) {
-    return new Checkpoints() {
-      @Override
-      public String modelHash() {
-        return "m";
-      }
-
-      @Override
-      public double secondsBetween() {
-        return 0;
-      }
-
-      @Override
-      public Optional<byte[]> saved() {
-        return from;
-      }
-
-      @Override
-      public void keep(byte[] checkpoint) {
-        kept.add(checkpoint);
-      }
-    };
   }
 
   @Test

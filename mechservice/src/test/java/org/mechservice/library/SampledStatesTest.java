@@ -4,8 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
@@ -14,9 +12,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.solver.api.program.SteppedModel;
 import org.mechservice.solver.api.program.Trajectory;
-import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
-import org.mechservice.solver.api.run.Checkpoints;
 import org.mechservice.solver.api.run.RunControl;
 
 /**
@@ -193,54 +189,13 @@ class SampledStatesTest {
             + " period='0.07'/><state name='lag' derivative='(u-lag)/0.1'/>";
     MechModel model =
         of(cart("", states, "lag", "")).formulation(formulation).integrator(integrator);
-    Kept whole = new Kept(Optional.empty());
+    KeptRun whole = new KeptRun(Optional.empty());
     model.simulate(whole, new RunControl(), whole);
     byte[] saved = whole.checkpoints.get(whole.checkpoints.size() / 2);
     int rowsBefore = whole.rowsAt.get(whole.checkpoints.size() / 2);
-    Kept rest = new Kept(Optional.of(saved));
+    KeptRun rest = new KeptRun(Optional.of(saved));
     model.simulate(rest, new RunControl(), rest);
     assertThat(rest.rows).isEqualTo(whole.rows.subList(rowsBefore, whole.rows.size()));
-  }
-
-  /** Keeps all rows, and a checkpoint after each step. */
-  private static final class Kept implements ResultSink, Checkpoints {
-    private final List<List<Double>> rows = new ArrayList<>();
-    private final List<byte[]> checkpoints = new ArrayList<>();
-    private final List<Integer> rowsAt = new ArrayList<>();
-    private final Optional<byte[]> from;
-
-    Kept(Optional<byte[]> from) {
-      this.from = from;
-    }
-
-    @Override
-    public void begin(List<Variable> columns) {}
-
-    @Override
-    public void row(double[] values) {
-      rows.add(Arrays.stream(values).boxed().toList());
-    }
-
-    @Override
-    public String modelHash() {
-      return "";
-    }
-
-    @Override
-    public double secondsBetween() {
-      return 0;
-    }
-
-    @Override
-    public Optional<byte[]> saved() {
-      return from;
-    }
-
-    @Override
-    public void keep(byte[] checkpoint) {
-      checkpoints.add(checkpoint);
-      rowsAt.add(rows.size());
-    }
   }
 
   @Test

@@ -8,6 +8,7 @@ import org.apache.spark.SparkConf;
 import org.apache.spark.api.java.JavaSparkContext;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.study.run.StudyForecast;
 import org.mechservice.study.run.StudyPlan;
 import org.mechservice.study.run.StudyReader;
 import org.mechservice.study.run.StudyRows;
@@ -18,7 +19,6 @@ import org.mechservice.study.run.StudyRows;
  */
 public final class SparkStudy {
   private static final String USAGE = "write STUDY.xml, or STUDY.xml -o TABLE.csv";
-  private static final double WORDS_EVERY_SECONDS = 60;
 
   private SparkStudy() {}
 
@@ -93,7 +93,8 @@ public final class SparkStudy {
     }
     try (JavaSparkContext spark = new JavaSparkContext(settings)) {
       StudyRows rows =
-          new SparkEngine(spark, asked.study, plan, asked.table).run(new Words(asked.quiet));
+          new SparkEngine(spark, asked.study, plan, asked.table)
+              .run(new Words(asked.quiet, plan.points()));
       if (!asked.quiet) {
         int failed = rows.statistics().failed();
         System.out.println(
@@ -108,27 +109,24 @@ public final class SparkStudy {
     }
   }
 
-  /** Says now and again how far the study is. */
+  /** Says now and again how far the study is; what the first wave has found took no time. */
   private static final class Words implements SparkEngine.Progress {
     private final boolean quiet;
-    private final long begun = System.nanoTime();
-    private double next = WORDS_EVERY_SECONDS;
+    private final StudyForecast forecast;
     private int before = -1;
 
-    Words(boolean quiet) {
+    Words(boolean quiet, int all) {
       this.quiet = quiet;
+      forecast = new StudyForecast(() -> System.nanoTime() * 1e-9, all);
     }
 
     @Override
     @SuppressWarnings("SystemOut") // a program of the command line
     public void at(int done, int all) {
-      double seconds = (System.nanoTime() - begun) * 1e-9;
       before = before < 0 ? done : before;
-      if (!quiet && seconds >= next && done < all && done > before) {
-        next = seconds + WORDS_EVERY_SECONDS;
-        double left = seconds / (done - before) * (all - done);
-        System.err.println(
-            done + " of " + all + " points; about " + Math.round(left / 60 + 0.5) + " min left");
+      forecast.at(done, before, all);
+      if (!quiet) {
+        forecast.word().ifPresent(System.err::println);
       }
     }
   }

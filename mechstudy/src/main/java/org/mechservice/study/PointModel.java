@@ -60,6 +60,7 @@ public final class PointModel implements PointEvaluation {
   private final List<String> units;
   private final List<Reduction> single;
   private final List<Reduction> origins;
+  private final List<String> reduced;
   private final ThreadLocal<Workplace> workplaces;
 
   /** Models with settled values, those used latest. */
@@ -97,6 +98,7 @@ public final class PointModel implements PointEvaluation {
     origins = new ArrayList<>();
     names = new ArrayList<>();
     units = new ArrayList<>();
+    reduced = new ArrayList<>();
     for (Reduction reduction : reductions) {
       expand(reduction, run, columns);
     }
@@ -112,7 +114,17 @@ public final class PointModel implements PointEvaluation {
   }
 
   private void expand(Reduction reduction, RunSettings run, List<Variable> columns) {
-    Variable column = columnOf(reduction, columns);
+    if (!reduction.isOfAll()) {
+      expand(reduction, reduction, run, columnOf(reduction, columns));
+      return;
+    }
+    for (Variable column : columns.subList(1, columns.size())) { // the first is the time
+      Reduction one = new Reduction(column.name(), reduction.kind(), reduction.argument());
+      expand(reduction, one, run, column);
+    }
+  }
+
+  private void expand(Reduction origin, Reduction reduction, RunSettings run, Variable column) {
     if (!reduction.fits(run.tStart(), run.tEnd())) {
       throw new IllegalArgumentException(
           reduction
@@ -123,7 +135,7 @@ public final class PointModel implements PointEvaluation {
               + " s");
     }
     if (reduction.kind() != Reduction.Kind.SERIES) {
-      add(reduction, reduction, reduction.toString(), column.unit());
+      add(origin, reduction, reduction.toString(), column.unit());
       return;
     }
     double distance = Double.isNaN(reduction.argument()) ? run.tStep() : reduction.argument();
@@ -131,13 +143,14 @@ public final class PointModel implements PointEvaluation {
     for (int i = 0; i <= Math.min(count, MOST_VALUES); i++) {
       double time = Math.min(run.tEnd(), run.tStart() + i * distance);
       Reduction one = new Reduction(reduction.column(), Reduction.Kind.AT, time);
-      add(reduction, one, reduction.column() + "@" + ShortestDecimal.format(time), column.unit());
+      add(origin, one, reduction.column() + "@" + ShortestDecimal.format(time), column.unit());
     }
   }
 
   private void add(Reduction origin, Reduction one, String name, String unit) {
     origins.add(origin);
     single.add(one);
+    reduced.add(one.column());
     names.add(name);
     units.add(
         switch (one.kind()) {
@@ -215,7 +228,7 @@ public final class PointModel implements PointEvaluation {
 
   private static MechModel withColumns(MechModel model, List<Reduction> reductions) {
     List<String> shown = columnsOf(model).stream().map(Variable::name).toList();
-    if (reductions.stream().allMatch(r -> shown.contains(r.column()))) {
+    if (reductions.stream().allMatch(r -> r.isOfAll() || shown.contains(r.column()))) {
       return model;
     }
     Set<ColumnGroup> groups = new LinkedHashSet<>(model.columns());
@@ -224,7 +237,7 @@ public final class PointModel implements PointEvaluation {
       groups.add(group);
       more = model.columns(groups.toArray(ColumnGroup[]::new));
       List<String> now = columnsOf(more).stream().map(Variable::name).toList();
-      if (reductions.stream().allMatch(r -> now.contains(r.column()))) {
+      if (reductions.stream().allMatch(r -> r.isOfAll() || now.contains(r.column()))) {
         return more;
       }
     }
@@ -243,6 +256,11 @@ public final class PointModel implements PointEvaluation {
   /** Returns the reductions that the values of an outcome belong to: a series has several. */
   public List<Reduction> origins() {
     return List.copyOf(origins);
+  }
+
+  /** Returns the columns that the values of an outcome are taken from. */
+  public List<String> columns() {
+    return List.copyOf(reduced);
   }
 
   /** Returns the SI units of the values of an outcome, {@code 1} for a pure number. */

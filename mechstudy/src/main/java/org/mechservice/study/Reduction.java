@@ -16,7 +16,7 @@ import org.mechservice.solver.text.ShortestDecimal;
  *
  * <p>Between two rows a column is taken as a straight line; extremes are those of the rows.
  *
- * @param column name of the column
+ * @param column name of the column; {@code *} for each one but the time
  * @param kind what is kept
  * @param argument time of {@code at}, s; level of {@code crossing}, in the column's unit; distance
  *     of {@code series}, s; NaN for the others, and for a series with every row
@@ -127,6 +127,11 @@ public record Reduction(String column, Kind kind, double argument) {
       throw new IllegalArgumentException("\"" + text + "\" is no number", e);
     }
     throw new IllegalArgumentException("\"" + text + "\" is not finite");
+  }
+
+  /** Returns whether it means each column of a run but the time. */
+  public boolean isOfAll() {
+    return column.equals("*");
   }
 
   /** Returns whether it has a time of its own that lies in the interval of a run. */

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.concurrent.Callable;
+import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.admin.AdminConsole;
 import org.mechservice.admin.AdminJson;
@@ -146,21 +147,18 @@ public final class AdminCommand implements Callable<Integer> {
     return readings.stream().anyMatch(ServerReading.Answering.class::isInstance);
   }
 
-  /** A table of all servers, as text and as JSON. */
-  private interface Shown {
-    JsonElement json(List<ServerReading> readings);
-
-    Object text(List<ServerReading> readings);
-  }
-
-  private int show(Shown shown) throws Exception {
+  /** Prints a table of all servers, as text or as JSON. */
+  private int show(
+      Function<List<ServerReading>, JsonElement> asJson,
+      Function<List<ServerReading>, Object> asText)
+      throws Exception {
     return console(
         (console, out) -> {
           List<ServerReading> readings = console.read();
           if (json) {
-            print(shown.json(readings));
+            print(asJson.apply(readings));
           } else if (anyAnswers(readings)) {
-            out.print(shown.text(readings));
+            out.print(asText.apply(readings));
           }
           return tellSilent(readings);
         });
@@ -181,18 +179,7 @@ public final class AdminCommand implements Callable<Integer> {
       description = "Lists servers, hosts and running simulations.",
       footer = {"mech admin status", "mech admin --json status"})
   int status() throws Exception {
-    return show(
-        new Shown() {
-          @Override
-          public JsonElement json(List<ServerReading> readings) {
-            return AdminJson.status(readings);
-          }
-
-          @Override
-          public Object text(List<ServerReading> readings) {
-            return AdminCommand.text().all(readings);
-          }
-        });
+    return show(AdminJson::status, readings -> text().all(readings));
   }
 
   /** Prints the servers. */
@@ -201,18 +188,7 @@ public final class AdminCommand implements Callable<Integer> {
       description = "Lists servers.",
       footer = "mech admin --server a.example.org,b.example.org servers")
   int listServers() throws Exception {
-    return show(
-        new Shown() {
-          @Override
-          public JsonElement json(List<ServerReading> readings) {
-            return AdminJson.servers(readings);
-          }
-
-          @Override
-          public Object text(List<ServerReading> readings) {
-            return AdminCommand.text().servers(readings);
-          }
-        });
+    return show(AdminJson::servers, readings -> text().servers(readings));
   }
 
   /** Prints the hosts. */
@@ -221,18 +197,7 @@ public final class AdminCommand implements Callable<Integer> {
       description = "Lists hosts with their load, also those lately lost.",
       footer = "mech admin hosts")
   int listHosts() throws Exception {
-    return show(
-        new Shown() {
-          @Override
-          public JsonElement json(List<ServerReading> readings) {
-            return AdminJson.hosts(readings);
-          }
-
-          @Override
-          public Object text(List<ServerReading> readings) {
-            return AdminCommand.text().hosts(readings);
-          }
-        });
+    return show(AdminJson::hosts, readings -> text().hosts(readings));
   }
 
   /** Prints simulations. */
@@ -257,26 +222,17 @@ public final class AdminCommand implements Callable<Integer> {
               + ", not "
               + state);
     }
-    return show(
-        new Shown() {
-          private List<KnownSimulation> chosen(List<ServerReading> readings) {
-            return KnownSimulation.all(readings).stream()
+    Function<List<ServerReading>, List<KnownSimulation>> chosen =
+        readings ->
+            KnownSimulation.all(readings).stream()
                 .filter(
                     known -> state == null ? all || known.goesOn() : known.state().equals(state))
                 .toList();
-          }
-
-          @Override
-          public JsonElement json(List<ServerReading> readings) {
-            return AdminJson.named(
-                "simulations", AdminJson.list(chosen(readings), AdminJson::simulation));
-          }
-
-          @Override
-          public Object text(List<ServerReading> readings) {
-            return AdminCommand.text().simulations(chosen(readings));
-          }
-        });
+    return show(
+        readings ->
+            AdminJson.named(
+                "simulations", AdminJson.list(chosen.apply(readings), AdminJson::simulation)),
+        readings -> text().simulations(chosen.apply(readings)));
   }
 
   /** Prints one simulation in full. */

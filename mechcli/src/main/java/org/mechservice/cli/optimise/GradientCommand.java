@@ -21,6 +21,8 @@ import org.mechservice.cli.shell.OutputFile;
 import org.mechservice.cli.shell.UsageException;
 import org.mechservice.library.MechModel;
 import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.solver.api.ModelParameter;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.solve.IntegrationException;
 import org.mechservice.solver.text.ShortestDecimal;
@@ -42,7 +44,10 @@ import picocli.CommandLine.Spec;
       "Computes derivatives of outputs by parameters and start values, in one or a few runs.",
       "Integrals and extremes are those of the motion, between its rows too."
     },
-    footer = "mech gradient model.xml --of 'rms(acceleration)' 'max(travel)' --by k c",
+    footer = {
+      "mech gradient model.xml --of 'rms(acceleration)' 'max(travel)' --by k c",
+      "mech gradient model.xml --of 'series(x,0.05)' --by k=1e3:2e4 c --report gradient.html"
+    },
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class GradientCommand implements Callable<Integer> {
@@ -71,7 +76,10 @@ public final class GradientCommand implements Callable<Integer> {
       required = true,
       arity = "1..*",
       paramLabel = "PARAM",
-      description = "Parameters of the model, and start values by their columns, such as crank.v.")
+      description =
+          "Parameters of the model, and start values by their columns, such as crank.v; with a range"
+              + " k=1e3:2e4 by which the page of --report scales its pictures (default: 10 %% of the"
+              + " value).")
   private List<String> by = List.of();
 
   @Option(
@@ -104,6 +112,14 @@ public final class GradientCommand implements Callable<Integer> {
       description = "Write a row for each output: its value and its derivatives.")
   private @Nullable Path out;
 
+  @Option(
+      names = "--report",
+      paramLabel = "FILE.html",
+      description =
+          "Write a page with pictures: effects of the parameters, over time for a series, cost and"
+              + " errors.")
+  private @Nullable Path report;
+
   @Option(names = "--json", description = "Print one JSON object.")
   private boolean json;
 
@@ -113,12 +129,32 @@ public final class GradientCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException {
-    if (out != null) {
-      OutputFile.requireUsable(out);
+    for (Path target : new Path[] {out, report}) {
+      if (target != null) {
+        OutputFile.requireUsable(target);
+      }
     }
+    List<DifferentiatedBy> parameters = by.stream().map(DifferentiatedBy::parse).toList();
+    List<Reduction> outputs = outputs();
     Gradient found;
+    Optional<String> page = Optional.empty();
     try {
-      found = gradients().memory((long) memory << 20).compute(chosen());
+      MechModel model = model();
+      Gradients gradients = gradients(model, parameters, outputs);
+      found = gradients.compute(chosen());
+      if (report != null) {
+        RunSettings run = model.request().settings();
+        Gradients finer = gradients(finer(model, run), parameters, outputs);
+        page =
+            Optional.of(
+                GradientPage.of(
+                    String.valueOf(file.getFileName()),
+                    found,
+                    finer.compute(found.method()),
+                    outputs,
+                    gradients.outputs(),
+                    changes(parameters, model, found)));
+      }
     } catch (IllegalArgumentException | MechmlException e) {
       throw VariableOptions.refused(MessageCode.GRADIENT_UNUSABLE, e);
     } catch (IntegrationException e) {
@@ -127,6 +163,9 @@ public final class GradientCommand implements Callable<Integer> {
     }
     if (out != null) {
       OutputFile.write(out, csv(found).getBytes(StandardCharsets.UTF_8));
+    }
+    if (report != null && page.isPresent()) {
+      OutputFile.write(report, page.get().getBytes(StandardCharsets.UTF_8));
     }
     PrintWriter shown = spec.commandLine().getOut();
     shown.println(json ? JSON.toJson(json(found)) : text(found));
@@ -142,7 +181,7 @@ public final class GradientCommand implements Callable<Integer> {
                     "there is no method \"" + method + "\"; there are auto, forward, adjoint"));
   }
 
-  private Gradients gradients() throws IOException, MechmlException {
+  private MechModel model() throws IOException, MechmlException {
     MechModel model = MechModel.read(file);
     if (simulation.isPresent()) {
       model = model.simulation(simulation.get());
@@ -150,6 +189,10 @@ public final class GradientCommand implements Callable<Integer> {
     for (Map.Entry<String, String> value : settings.values().entrySet()) {
       model = model.set(value.getKey(), value.getValue());
     }
+    return model;
+  }
+
+  private List<Reduction> outputs() {
     List<Reduction> outputs = new ArrayList<>();
     for (String text : of) {
       try {
@@ -159,7 +202,47 @@ public final class GradientCommand implements Callable<Integer> {
             MessageCode.GRADIENT_UNUSABLE + " --of " + text + ": " + e.getMessage());
       }
     }
-    return Gradients.of(model, by, outputs);
+    return outputs;
+  }
+
+  private Gradients gradients(
+      MechModel model, List<DifferentiatedBy> parameters, List<Reduction> outputs)
+      throws MechmlException {
+    List<String> names = parameters.stream().map(DifferentiatedBy::name).toList();
+    return Gradients.of(model, names, outputs).memory((long) memory << 20);
+  }
+
+  /** Returns a model at a tenth of its tolerances. */
+  private static MechModel finer(MechModel model, RunSettings run) {
+    return model.tolerances(
+        run.relativeTolerance() / 10,
+        run.absoluteTolerance() / 10,
+        run.angleTolerance() / 10,
+        run.velocityTolerance() / 10,
+        run.angularVelocityTolerance() / 10);
+  }
+
+  private static List<GradientPage.Change> changes(
+      List<DifferentiatedBy> parameters, MechModel model, Gradient found) {
+    List<GradientPage.Change> changes = new ArrayList<>();
+    for (int k = 0; k < parameters.size(); k++) {
+      DifferentiatedBy one = parameters.get(k);
+      String unit = found.parameterUnits().get(k);
+      changes.add(
+          one.range()
+              .map(range -> GradientPage.Change.range(range.get(0), range.get(1), unit))
+              .orElseGet(() -> GradientPage.Change.part(value(model, one.name()), unit)));
+    }
+    return changes;
+  }
+
+  /** Returns the value of a parameter; 0 for a start value. */
+  private static double value(MechModel model, String name) {
+    return model.parameters().stream()
+        .filter(parameter -> parameter.name().equals(name))
+        .mapToDouble(ModelParameter::value)
+        .findFirst()
+        .orElse(0);
   }
 
   private static String text(Gradient found) {

@@ -134,8 +134,9 @@ final class OptimumPage {
     return new Plot(title, x, "", List.of(""), panels, List.of());
   }
 
+  /** A picture keeps its size: on a phone it is moved sideways, not the page. */
   static String picture(Plot plot) {
-    return Svg.of(PlotPicture.draw(plot), Theme.AUTOMATIC);
+    return "<div class=\"wide\">" + Svg.of(PlotPicture.draw(plot), Theme.AUTOMATIC) + "</div>\n";
   }
 
   static String table(List<String> head, List<List<String>> rows) {

@@ -1,15 +1,16 @@
 package org.mechservice.cli.sweep;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import org.mechservice.client.HostedModel;
 import org.mechservice.client.MechConnection;
 import org.mechservice.client.SimulationOptions;
 import org.mechservice.client.failure.InvalidModelException;
 import org.mechservice.client.failure.InvalidOptionException;
 import org.mechservice.client.run.RunResult;
-import org.mechservice.client.sweep.HostedModel;
 import org.mechservice.solver.api.run.Failure;
 import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.study.PointEvaluation;
@@ -27,16 +28,23 @@ final class HostsEvaluation implements PointEvaluation, AutoCloseable {
   private final HostedModel hosts;
   private final ThreadLocal<Reducer> reducers;
 
-  HostsEvaluation(StudyPlan plan, MechConnection connection) {
+  /**
+   * @param userCode folder of classes that are not beside the model
+   */
+  HostsEvaluation(StudyPlan plan, MechConnection connection, Optional<Path> userCode) {
     model = plan.model();
-    SimulationOptions options = SimulationOptions.asInFile().columns(model.model().columns());
+    SimulationOptions options = SimulationOptions.asInFile();
+    for (Map.Entry<String, String> option : plan.runOptions().entrySet()) {
+      options = options.with(option.getKey(), option.getValue());
+    }
+    options = options.columns(model.model().columns());
     if (plan.simulation().isPresent()) {
       options = options.simulation(plan.simulation().get());
     }
     for (String name : model.tunable()) {
       options = options.tunable(name);
     }
-    hosts = new HostedModel(connection, plan.modelFile(), Optional.empty(), options);
+    hosts = new HostedModel(connection, plan.modelFile(), userCode, options);
     reducers = ThreadLocal.withInitial(model::reducer);
   }
 

@@ -1,7 +1,7 @@
 package org.mechservice.cli.sweep;
 
 import java.io.IOException;
-import java.io.PrintWriter;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -9,17 +9,13 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
-import org.mechservice.cli.shell.ExitStatus;
+import org.mechservice.cli.model.UserCodeOption;
 import org.mechservice.cli.shell.MechVersion;
 import org.mechservice.cli.shell.OutputFile;
 import org.mechservice.cli.shell.ServerOption;
-import org.mechservice.cli.shell.ServiceConnection;
 import org.mechservice.cli.shell.UsageException;
-import org.mechservice.cli.simulate.CancelOnInterrupt;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.study.PointEvaluation;
-import org.mechservice.study.run.Study;
 import org.mechservice.study.run.StudyPart;
 import org.mechservice.study.run.StudyPlan;
 import org.mechservice.study.run.StudyReader;
@@ -53,9 +49,6 @@ public final class StudyCommand implements Callable<Integer> {
     spark
   }
 
-  private static final double FIRST_WORD_SECONDS = 60;
-  private static final double NEXT_WORD_SECONDS = 300;
-
   @Parameters(
       arity = "0..1",
       paramLabel = "STUDY.xml",
@@ -70,12 +63,7 @@ public final class StudyCommand implements Callable<Integer> {
               + " a file with the ending .study.json says where it comes from.")
   private @Nullable String out;
 
-  @Option(
-      names = "--threads",
-      paramLabel = "N",
-      description =
-          "Runs at once (default: as many as there are processors, or places on the hosts).")
-  private @Nullable Integer threads;
+  @Mixin private ThreadsOption threads = new ThreadsOption();
 
   @Option(
       names = "--engine",
@@ -86,6 +74,8 @@ public final class StudyCommand implements Callable<Integer> {
   private Engine engine = Engine.threads;
 
   @Mixin private ServerOption server = new ServerOption();
+
+  @Mixin private UserCodeOption userCode = new UserCodeOption();
 
   @Option(
       names = "--master",
@@ -121,10 +111,6 @@ public final class StudyCommand implements Callable<Integer> {
               + " no study is named; write mech study STUDY.xml, or mech study join PART.csv... -o"
               + " ALL.csv");
     }
-    if (threads != null && threads < 1) {
-      throw new UsageException(
-          MessageCode.OPTION_UNUSABLE + " --threads is " + threads + "; it must be 1 or more");
-    }
     requireOptionsOfEngine();
     StudyPart asked = part();
     if (engine == Engine.spark) {
@@ -145,30 +131,20 @@ public final class StudyCommand implements Callable<Integer> {
     OutputFile.requireUsable(table);
     StudyPlan plan;
     try {
-      plan = StudyReader.read(file);
+      plan = StudyReader.read(file, Files.readAllBytes(file), userCode.folder());
     } catch (MechmlException e) {
       throw new UsageException(String.valueOf(e.getMessage()));
     }
-    int processors = Runtime.getRuntime().availableProcessors();
-    if (engine == Engine.threads) {
-      return run(plan, asked, plan.model(), table, processors);
-    }
-    try (ServiceConnection service = ServiceConnection.open(server, processors);
-        HostsEvaluation hosts = new HostsEvaluation(plan, service.connection())) {
-      return run(plan, asked, hosts, table, service.connection().places());
-    }
-  }
-
-  private int run(
-      StudyPlan plan, StudyPart asked, PointEvaluation evaluation, Path table, int places)
-      throws IOException, InterruptedException {
-    Study study = new Study(plan, asked, evaluation);
-    Study.Result result;
-    try (CancelOnInterrupt interrupt = new CancelOnInterrupt()) {
-      interrupt.cancels(study::stop);
-      result = study.run(table, threads == null ? places : threads, new Forecast());
-    }
-    return tell(result, table);
+    StudyRun run =
+        new StudyRun(
+            plan,
+            asked,
+            threads,
+            spec.commandLine().getOut(),
+            spec.commandLine().getErr(),
+            quiet,
+            false);
+    return engine == Engine.hosts ? run.onHosts(table, server, userCode.folder()) : run.here(table);
   }
 
   /** Refuses options that another engine would take. */
@@ -181,7 +157,7 @@ public final class StudyCommand implements Callable<Integer> {
         switch (engine) {
           case threads -> List.of("--server", "--master", "--conf");
           case hosts -> List.of("--master", "--conf");
-          case spark -> List.of("--server", "--threads", "--part");
+          case spark -> List.of("--server", "--threads", "--part", "--user-code");
         };
     for (String option : others) {
       if (given.contains(option)) {
@@ -225,66 +201,5 @@ public final class StudyCommand implements Callable<Integer> {
               + table
               + ": the table of a study is written to a .csv or a .parquet file");
     }
-  }
-
-  /** Says after a minute, and then now and again, how long it will take. */
-  private final class Forecast implements Study.Progress {
-    private final long begun = System.nanoTime();
-    private double next = FIRST_WORD_SECONDS;
-
-    @Override
-    public void at(int done, int before, int all) {
-      double seconds = (System.nanoTime() - begun) * 1e-9;
-      if (!quiet && seconds >= next && done < all) {
-        next = seconds + NEXT_WORD_SECONDS;
-        double left = seconds / (done - before) * (all - done);
-        err().println(done + " of " + all + " points; about " + duration(left) + " left");
-        err().flush();
-      }
-    }
-  }
-
-  private static String duration(double seconds) {
-    if (seconds < 120) {
-      return Math.round(seconds) + " s";
-    }
-    double minutes = seconds / 60;
-    return minutes < 120
-        ? Math.round(minutes) + " min"
-        : String.format(Locale.ROOT, "%.1f h", minutes / 60);
-  }
-
-  private int tell(Study.Result result, Path table) {
-    int done = result.statistics().rows();
-    if (!result.complete()) {
-      err()
-          .println(
-              MessageCode.RUN_STOPPED
-                  + " stopped on request: "
-                  + done
-                  + " of "
-                  + result.points()
-                  + " points are finished; the same command goes on");
-      return ExitStatus.INTERRUPTED;
-    }
-    if (!quiet) {
-      PrintWriter terminal = spec.commandLine().getOut();
-      int failed = result.statistics().failed();
-      terminal.println(
-          table
-              + ": "
-              + done
-              + " points"
-              + (result.before() > 0 ? ", " + result.before() + " of them finished before" : "")
-              + (result.endedByRule() ? "; the stop rule ended the study" : "")
-              + (failed > 0 ? "; " + failed + " failed: their rows say why" : ""));
-      result.statistics().lines().forEach(line -> terminal.println("  " + line));
-      terminal.flush();
-    }
-    return ExitStatus.DONE;
-  }
-
-  private PrintWriter err() {
-    return spec.commandLine().getErr();
   }
 }

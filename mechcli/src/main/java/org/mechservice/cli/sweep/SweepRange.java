@@ -1,12 +1,15 @@
 package org.mechservice.cli.sweep;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.mechservice.cli.shell.UsageException;
-import org.mechservice.client.sweep.SweptParameter;
+import org.mechservice.mechml.diagnosis.SourcePosition;
+import org.mechservice.mechml.document.Attribute;
+import org.mechservice.mechml.document.Element;
 import org.mechservice.solver.catalogue.MessageCode;
 
-/** Reads the values of a parameter of a sweep: {@code P=A:B:N} or {@code P=1,2,5}. */
+/** Reads a parameter with its values, {@code P=A:B:N} or {@code P=1,2,5}, as a factor. */
 final class SweepRange {
   private static final String FORMS =
       "write NAME=FROM:TO:COUNT, such as --set length=0.5:1.5:11, or NAME=VALUE,VALUE,...";
@@ -14,58 +17,64 @@ final class SweepRange {
   private SweepRange() {}
 
   /**
-   * Reads a parameter with its values.
+   * Returns the element {@code factor} of a study.
    *
-   * @throws UsageException if it cannot be understood
+   * @throws UsageException S-041 if the text cannot be understood
    */
-  static SweptParameter parse(String text) {
+  static Element factor(String text) {
     int equals = text.indexOf('=');
     if (equals < 1 || text.substring(0, equals).isBlank()) {
       throw refused(text, "it names no parameter");
     }
-    String name = text.substring(0, equals).strip();
+    List<Attribute> attributes = new ArrayList<>();
+    attributes.add(new Attribute("name", text.substring(0, equals).strip()));
     String values = text.substring(equals + 1).strip();
-    return values.contains(":") ? range(text, name, values) : list(text, name, values);
+    attributes.addAll(values.contains(":") ? range(text, values) : list(text, values));
+    return new Element("factor", attributes, List.of(), SourcePosition.FILE, "");
   }
 
-  private static SweptParameter list(String text, String name, String values) {
+  private static List<Attribute> list(String text, String values) {
     List<String> all = Arrays.stream(values.split(",", -1)).map(String::strip).toList();
     if (all.contains("")) {
       throw refused(
           text, values.isEmpty() ? "it has no value" : "a value between commas is missing");
     }
-    return new SweptParameter(name, all);
+    all.forEach(value -> requireNumber(text, value));
+    return List.of(new Attribute("values", String.join(" ", all)));
   }
 
-  private static SweptParameter range(String text, String name, String values) {
-    String[] parts = values.split(":", -1);
-    if (parts.length != 3) {
-      throw refused(text, "a range has three parts, not " + parts.length);
+  private static List<Attribute> range(String text, String values) {
+    List<String> parts = Arrays.stream(values.split(":", -1)).map(String::strip).toList();
+    if (parts.size() != 3) {
+      throw refused(text, "a range has three parts, not " + parts.size());
     }
-    double from = number(text, parts[0]);
-    double to = number(text, parts[1]);
+    requireNumber(text, parts.get(0));
+    requireNumber(text, parts.get(1));
     int count;
     try {
-      count = Integer.parseInt(parts[2].strip());
+      count = Integer.parseInt(parts.get(2));
     } catch (NumberFormatException e) {
-      throw refused(text, "\"" + parts[2] + "\" is no whole number of values");
+      throw refused(text, "\"" + parts.get(2) + "\" is no whole number of values");
     }
     if (count < 2) {
       throw refused(text, "a range has 2 values or more, not " + count);
     }
-    return SweptParameter.range(name, from, to, count);
+    return List.of(
+        new Attribute("from", parts.get(0)),
+        new Attribute("to", parts.get(1)),
+        new Attribute("count", parts.get(2)));
   }
 
-  private static double number(String text, String part) {
+  private static void requireNumber(String text, String part) {
+    double value;
     try {
-      double value = Double.parseDouble(part.strip());
-      if (Double.isFinite(value)) {
-        return value;
-      }
+      value = Double.parseDouble(part);
     } catch (NumberFormatException e) {
       throw refused(text, "\"" + part + "\" is no number");
     }
-    throw refused(text, "\"" + part + "\" is not finite");
+    if (!Double.isFinite(value)) {
+      throw refused(text, "\"" + part + "\" is not finite");
+    }
   }
 
   private static UsageException refused(String text, String why) {

@@ -4,18 +4,12 @@
  * <p>{@link org.mechservice.cli.sweep.StudyCommand} runs what a study file describes: in this
  * process, on the hosts of a server ({@link org.mechservice.cli.sweep.HostsEvaluation}), or on a
  * cluster by Spark's own program ({@link org.mechservice.cli.sweep.SparkSubmit}). {@link
- * org.mechservice.cli.sweep.StudyJoinCommand} puts parts of it together. {@code mech sweep} runs
- * every combination of parameter values over the hosts of a server.
+ * org.mechservice.cli.sweep.StudyJoinCommand} puts parts of it together.
  *
- * <p>{@link org.mechservice.cli.sweep.SweepCommand} reads the values ({@link
- * org.mechservice.cli.sweep.SweepRange}), lets {@link org.mechservice.client.sweep.Sweep} run the
- * points over all hosts of a server, and writes one row per point ({@link
- * org.mechservice.cli.sweep.SweepTable}): the values, the outcome, the last row of the run, figures
- * of its report.
- *
- * <p>{@link org.mechservice.cli.sweep.SweepJournal} keeps the points that are done in {@code
- * FILE.csv.part}. The same command, given again after an interruption, reads that file and runs the
- * remaining points only; the finished table does not depend on the order in which points ended.
+ * <p>{@link org.mechservice.cli.sweep.SweepCommand} is the short form: it writes a study of a grid
+ * from its options ({@link org.mechservice.cli.sweep.SweepRange}), and {@link
+ * org.mechservice.cli.sweep.StudyRun} runs it as it runs a study from a file: on the threads of
+ * this process or on hosts, with the same journal, table and provenance.
  */
 @NullMarked
 package org.mechservice.cli.sweep;

@@ -366,4 +366,57 @@ class OptimiseCommandTest {
         .isEqualTo(ExitStatus.BAD_INPUT);
     assertThat(err.toString()).startsWith("S-042 there is no file");
   }
+
+  /** Without a mass there is no run: the identification ends there, and says why. */
+  @Test
+  void identificationThatMeetsAFailingPointSaysWhy() throws IOException {
+    Path data = Files.writeString(folder.resolve("d.csv"), "t,slide.q\n0,1\n1,0.5\n2,0\n");
+    assertThat(mech("identify", model, "--data", data.toString(), "--by", "m=-2:-1"))
+        .isEqualTo(ExitStatus.SIMULATION_FAILED);
+    assertThat(err.toString()).startsWith("S-211 M-030 body \"block\": mass is negative");
+    assertThat(out.toString()).isEmpty();
+  }
+
+  @Test
+  void gradientHasAPageWithBarsAndCurves() throws IOException {
+    Path page = folder.resolve("gradient.html");
+    assertThat(
+            mech(
+                "gradient",
+                model,
+                "--of",
+                "integral(slide.q)",
+                "series(slide.q,5)",
+                "--by",
+                "c=0.2:0.5",
+                "k1",
+                "slide.v",
+                "--report",
+                page.toString()))
+        .as(err.toString())
+        .isEqualTo(ExitStatus.DONE);
+    assertThat(Files.readString(page))
+        .contains("Gradient of m.xml", "<h2>integral(slide.q)</h2>", "<h2>series(slide.q,5)</h2>")
+        .contains("0.2 to 0.5", "by 10 %, 0.05", "by 1 m/s", "Effects of the parameters on")
+        .contains("slide.q, and its change by each parameter along its range");
+  }
+
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "--of max(x) --by c | S-216 gradients know no column \"x\"; they know",
+        "--of max(slide.q) --by d | S-216 ",
+        "--of top(slide.q) --by c | S-216 --of top(slide.q): there is no reduction \"top\"",
+        "--of max(slide.q) --by c=2:1 | S-216 --by c=2:1: write a name, or a name with a range",
+        "--of max(slide.q) --by c=2 | S-216 --by c=2: write a name, or a name with a range",
+        "--of max(slide.q) --by c --method up | S-216 there is no method \"up\"",
+      })
+  @ParameterizedTest
+  void whatHasNoGradientIsRefusedInOneMessage(String line, String message) {
+    List<String> words = new ArrayList<>(List.of("gradient", model));
+    words.addAll(List.of(line.strip().split(" ")));
+    assertThat(mech(words.toArray(String[]::new))).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(err.toString()).startsWith(message).hasLineCount(1);
+    assertThat(out.toString()).isEmpty();
+  }
 }

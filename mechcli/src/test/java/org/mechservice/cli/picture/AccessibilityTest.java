@@ -1,7 +1,6 @@
 package org.mechservice.cli.picture;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.PrintWriter;
 import java.io.StringWriter;
@@ -9,9 +8,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -28,24 +26,7 @@ class AccessibilityTest {
 
   @TempDir private static Path folder = Path.of("");
 
-  private static Optional<Chromium> started = Optional.empty();
-
-  @BeforeAll
-  static void startBrowser() throws Exception {
-    started = Chromium.start(folder.resolve("profile"));
-  }
-
-  @AfterAll
-  static void endBrowser() throws Exception {
-    if (started.isPresent()) {
-      started.get().close();
-    }
-  }
-
-  private static Chromium browser() {
-    assumeTrue(started.isPresent(), "Chromium is not installed: axe-core cannot look at pages");
-    return started.orElseThrow();
-  }
+  @RegisterExtension static final InstalledBrowser BROWSER = new InstalledBrowser();
 
   private static Path made(String file, String... words) {
     Path page = folder.resolve(file);
@@ -60,7 +41,7 @@ class AccessibilityTest {
   }
 
   private static void requireNoFindings(String address, String ready) throws Exception {
-    Chromium browser = browser();
+    Chromium browser = BROWSER.get();
     for (boolean dark : new boolean[] {false, true}) {
       browser.look(1280, 900, dark);
       browser.open(address, ready);
@@ -70,7 +51,7 @@ class AccessibilityTest {
 
   @Test
   void playerHasNoSeriousFinding() throws Exception {
-    browser();
+    BROWSER.get();
     requireNoFindings(
         made("player.html", "view", PENDULUM.toString()).toUri().toString(),
         "Boolean(globalThis.mechPlayer)");
@@ -78,7 +59,7 @@ class AccessibilityTest {
 
   @Test
   void plotHasNoSeriousFinding() throws Exception {
-    browser();
+    BROWSER.get();
     Path result = made("r.csv", "simulate", PENDULUM.toString());
     requireNoFindings(
         made("plot.html", "plot", result.toString()).toUri().toString(),
@@ -94,7 +75,7 @@ class AccessibilityTest {
 
   @Test
   void pageOfOperatorsHasNoSeriousFinding() throws Exception {
-    browser();
+    BROWSER.get();
     AccessTokens tokens = AccessTokens.random();
     List<String> nobody = List.of("corbaloc::127.0.0.1:1/MechServer");
     try (AdminConsole console = new AdminConsole(nobody, AdminConsole.PATIENCE);

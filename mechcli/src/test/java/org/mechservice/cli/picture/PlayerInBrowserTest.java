@@ -9,10 +9,8 @@ import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.Optional;
-import org.junit.jupiter.api.AfterAll;
-import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.RegisterExtension;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -24,24 +22,7 @@ import org.mechservice.cli.shell.ExitStatus;
 class PlayerInBrowserTest {
   @TempDir private static Path folder = Path.of("");
 
-  private static Optional<Chromium> started = Optional.empty();
-
-  @BeforeAll
-  static void startBrowser() throws Exception {
-    started = Chromium.start(folder.resolve("profile"));
-  }
-
-  @AfterAll
-  static void endBrowser() throws Exception {
-    if (started.isPresent()) {
-      started.get().close();
-    }
-  }
-
-  private static Chromium browser() {
-    assumeTrue(started.isPresent(), "Chromium is not installed: the player is not tried in it");
-    return started.orElseThrow();
-  }
+  @RegisterExtension static final InstalledBrowser BROWSER = new InstalledBrowser();
 
   private static Path view(Path model) {
     return view(model, folder);
@@ -76,7 +57,7 @@ class PlayerInBrowserTest {
   })
   @ParameterizedTest
   void sliderMovesTheBodiesOfEveryExample(String model, String body, String end) throws Exception {
-    Chromium browser = browser();
+    Chromium browser = BROWSER.get();
     Path page = view(Path.of("..", "examples").resolve(model));
     browser.open(page);
     browser.evaluate(
@@ -111,7 +92,7 @@ class PlayerInBrowserTest {
 
   @Test
   void keysPlayStepAndChangeSpeed() throws Exception {
-    Chromium browser = browser();
+    Chromium browser = BROWSER.get();
     Path page = view(Path.of("..", "examples", "pendulum", "pendulum.xml"));
     browser.open(page);
     String playing = "document.getElementById('play').ariaLabel === 'Pause'";
@@ -138,7 +119,7 @@ class PlayerInBrowserTest {
 
   @Test
   void pageWithTheModelInItRunsItAgainWhenASliderMoves() throws Exception {
-    Chromium browser = browser();
+    Chromium browser = BROWSER.get();
     Path page = live(Path.of("..", "examples", "pendulum", "pendulum.xml"));
     browser.open(page);
     double[] fromFile = browser.numbers("[mechPlayer.last('t'), mechPlayer.last('j1.q')]");
@@ -158,7 +139,7 @@ class PlayerInBrowserTest {
 
   @Test
   void pageWithTheModelInItShowsEventsAndEnergyOfEachRun() throws Exception {
-    Chromium browser = browser();
+    Chromium browser = BROWSER.get();
     Path page = live(Path.of("..", "examples", "benchmarks", "bouncing_ball.xml"));
     browser.open(page);
     String marks = "document.querySelectorAll('#marks b').length";
@@ -204,7 +185,7 @@ class PlayerInBrowserTest {
 
   @Test
   void everyControlHasAName() throws Exception {
-    Chromium browser = browser();
+    Chromium browser = BROWSER.get();
     browser.open(view(Path.of("..", "examples", "pendulum", "pendulum.xml")));
 
     assertThat(
@@ -221,7 +202,7 @@ class PlayerInBrowserTest {
 
   @Test
   void hostileNamesStayText() throws Exception {
-    Chromium browser = browser();
+    Chromium browser = BROWSER.get();
     String name = "&lt;/script>&lt;img src=x onerror=document.title=1>";
     Path model = folder.resolve("hostile.xml");
     Files.writeString(

@@ -3,9 +3,6 @@ package org.mechservice.cli.sweep;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import com.google.gson.JsonArray;
-import com.google.gson.JsonObject;
-import com.google.gson.JsonParser;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
@@ -18,6 +15,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.FutureTask;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -38,7 +36,6 @@ import org.mechservice.sim.host.SimHostProcess;
  */
 class SweepCommandTest {
   private static final Path SEAT = Path.of("../examples/sweep/seat.xml");
-  private static final int LAST_COLUMNS = 4; // t, height.q, height.v, energy left
 
   private static MechServerProcess server;
   private static final List<SimHostProcess> HOSTS = new ArrayList<>();
@@ -94,117 +91,92 @@ class SweepCommandTest {
 
   @Test
   void everyRowReadsAsThatOfTheSameRunMadeAlone() throws Exception {
-    assertThat(sweep(SEAT, "--set", "damping=500:4500:5", "--set", "stiffness=20000,3.1e4"))
+    assertThat(sweep(SEAT, "--set", "damping=500:4500:3", "--set", "stiffness=20000,3.1e4"))
         .as(err.toString())
         .isZero();
     List<List<String>> rows = cells(out.toString());
     assertThat(rows.get(0))
         .containsExactly(
+            "point",
             "damping",
             "stiffness",
             "outcome",
             "code",
             "message",
-            "t",
             "height.q",
             "height.v",
-            "energy left",
-            "steps",
-            "evaluations");
-    assertThat(rows).hasSize(11);
-    for (List<String> row : rows.subList(1, 11)) {
-      assertThat(row.get(2)).isEqualTo("completed");
+            "energy left");
+    assertThat(rows).hasSize(7);
+    assertThat(rows.stream().skip(1).map(row -> row.get(1) + " " + row.get(2)))
+        .startsWith("500 20000", "500 31000", "2500 20000");
+    for (List<String> row : rows.subList(1, 7)) {
+      assertThat(row.get(3)).isEqualTo("completed");
       List<String> alone =
-          lastRowOfOneRun("--set", "damping=" + row.get(0), "--set", "stiffness=" + row.get(1));
-      assertThat(row.subList(5, 5 + LAST_COLUMNS)).isEqualTo(alone);
+          lastRowOfOneRun("--set", "damping=" + row.get(1), "--set", "stiffness=" + row.get(2));
+      assertThat(row.subList(6, 9)).isEqualTo(alone.subList(1, 4));
     }
+    assertThat(err.toString()).isEmpty();
   }
 
+  /** On threads, on hosts, and by a study file: rows with a method of their own, and one fails. */
   @Test
-  void rowsAreInTheOrderOfTheGridHoweverManyRunAtOnce() {
-    String[] grid = {"--set", "damping=1000:4000:7", "--set", "stiffness=1e4,2e4"};
-    assertThat(sweep(SEAT, grid)).isZero();
-    String many = out.toString();
-    assertThat(sweep(SEAT, "--set", grid[1], "--set", grid[3], "--at-once", "1")).isZero();
-    assertThat(out.toString()).isEqualTo(many);
-    assertThat(cells(many).stream().skip(1).map(row -> row.get(0) + " " + row.get(1)))
-        .startsWith("1000.0 1e4", "1000.0 2e4", "1500.0 1e4");
-  }
+  void sweepIsTheStudyOfItsGridOnEveryEngine() throws Exception {
+    String[] grid = {
+      "sweep",
+      SEAT.toString(),
+      "--set",
+      "damping=500,-1e300,900",
+      "--set",
+      "stiffness=18000:22000:3",
+      "--take",
+      "energy left,series(height.q, 0.5),max(height.a)",
+      "--integrator",
+      "DE",
+      "--rtol",
+      "1e-5",
+      "--t-end",
+      "1.5",
+    };
+    Path here = folder.resolve("here.csv");
+    Path there = folder.resolve("there.csv");
+    Path study = folder.resolve("study.xml");
+    Path ofStudy = folder.resolve("of-study.csv");
 
-  @Test
-  void everyHostRunsSome() {
-    MechServerProcess other =
-        MechServerProcess.start(new ServerSettings("other", "127.0.0.1", 0, 0));
-    try (SimHostProcess one =
-            SimHostProcess.start(new HostSettings(other.url(), "one", "127.0.0.1", 0, 1));
-        SimHostProcess two =
-            SimHostProcess.start(new HostSettings(other.url(), "two", "127.0.0.1", 0, 2))) {
-      String[] words = {"--set", "damping=100:5000:40", "--figures", "where", "--take", "t"};
-      List<String> line = new ArrayList<>(List.of("sweep", SEAT.toString(), "--quiet"));
-      line.addAll(List.of("--server", other.url()));
-      line.addAll(List.of(words));
-      assertThat(mech(line.toArray(String[]::new))).as(err.toString()).isZero();
-      assertThat(out.toString()).contains("\"remote, host one\"", "\"remote, host two\"");
-      assertThat(one.address()).isNotEqualTo(two.address());
-    } finally {
-      other.close();
-    }
-  }
-
-  @Test
-  void failuresAreRowsWithCodeAndMessageAndTheOthersGoOn() throws Exception {
-    Path file = folder.resolve("r.csv");
-    assertThat(sweep(SEAT, "--set", "damping=500,1/0,2*x,1000,-1e300", "--out", file.toString()))
-        .isEqualTo(ExitStatus.SIMULATION_FAILED);
-    List<List<String>> rows = cells(Files.readString(file));
-    assertThat(rows.stream().skip(1).map(row -> row.get(1)))
-        .containsExactly("completed", "failed", "failed", "completed", "failed");
-    assertThat(rows.get(2).get(2)).startsWith("M-");
-    assertThat(rows.get(3).get(2)).startsWith("M-022");
-    assertThat(Files.readString(file)).contains("is not a known name here");
-    assertThat(rows.get(5).get(2)).startsWith("N-");
-    assertThat(err.toString()).contains("3 of 5 points failed, the first at {damping=1/0}");
-  }
-
-  @Test
-  void figuresAndColumnsAskedForArePutOut() {
-    assertThat(
-            sweep(
-                SEAT,
-                "--set",
-                "damping=500,600",
-                "--take",
-                "energy left",
-                "--figures",
-                "outcome,rows"))
+    assertThat(mech(with(grid, "-o", here.toString()))).as(err.toString()).isZero();
+    assertThat(out.toString()).contains("here.csv: 9 points; 3 failed: their rows say why");
+    assertThat(mech(with(grid, "-o", there.toString(), "--server", server.url())))
         .as(err.toString())
         .isZero();
-    assertThat(out.toString())
-        .startsWith("damping,outcome,code,message,energy left,outcome,rows\n500,completed,,,")
-        .contains(",completed,21\n");
+    assertThat(mech(with(grid, "--study", study.toString()))).as(err.toString()).isZero();
+    assertThat(mech("study", study.toString(), "-o", ofStudy.toString()))
+        .as(err.toString())
+        .isZero();
+
+    assertThat(Files.readString(here))
+        .startsWith(
+            "point,damping,stiffness,outcome,code,message,energy left,height.q@0,height.q@0.5,"
+                + "height.q@1,height.q@1.5,max(height.a)\n1,500,18000,completed,,,")
+        .contains("4,-1e300,18000,failed,N-");
+    assertThat(there).hasSameBinaryContentAs(here);
+    assertThat(folder.resolve("there.study.json"))
+        .hasSameBinaryContentAs(folder.resolve("here.study.json"));
+    assertThat(ofStudy).hasSameBinaryContentAs(here);
+    assertThat(mech(grid)).isZero();
+    assertThat(out.toString()).isEqualTo(Files.readString(here));
+    assertThat(err.toString()).isEqualTo("9 points; 3 failed: their rows say why\n");
+  }
+
+  private static String[] with(String[] words, String... more) {
+    return Stream.concat(Arrays.stream(words), Arrays.stream(more)).toArray(String[]::new);
   }
 
   @Test
-  void jsonHasTheSameRows() {
-    assertThat(sweep(SEAT, "--set", "damping=500,2*x", "--json"))
-        .isEqualTo(ExitStatus.SIMULATION_FAILED);
-    JsonObject all = JsonParser.parseString(out.toString()).getAsJsonObject();
-    assertThat(all.get("points").getAsInt()).isEqualTo(2);
-    assertThat(all.get("failed").getAsInt()).isEqualTo(1);
-    JsonArray rows = all.getAsJsonArray("rows");
-    JsonObject first = rows.get(0).getAsJsonObject();
-    assertThat(first.getAsJsonObject("parameters").get("damping").getAsString()).isEqualTo("500");
-    assertThat(first.getAsJsonObject("values").get("t").getAsDouble()).isEqualTo(1);
-    assertThat(first.getAsJsonObject("report").get("steps").getAsLong()).isPositive();
-    assertThat(rows.get(1).getAsJsonObject().get("code").getAsString()).isEqualTo("M-022");
-  }
-
-  /** A count, a measure and a text. */
-  private static final String FIGURES = "steps,simulatedTime,integrator";
-
-  /** Has a process sweep and kills it after some points; returns how many were finished. */
-  private int killed(Path model, String set, Path file) throws Exception {
-    Path part = folder.resolve(file.getFileName() + ".part");
+  void killedSweepGoesOnWhereItWasAndEndsWithTheSameBytes() throws Exception {
+    String set = "damping=100:5000:100";
+    Path whole = folder.resolve("whole.csv");
+    assertThat(sweep(SEAT, "--set", set, "-o", whole.toString())).isZero();
+    Path parts = folder.resolve("parts.csv");
+    Path journal = folder.resolve("parts.csv.unfinished");
     Process process =
         new ProcessBuilder(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
@@ -212,129 +184,52 @@ class SweepCommandTest {
                 System.getProperty("java.class.path"),
                 Mech.class.getName(),
                 "sweep",
-                model.toString(),
+                SEAT.toString(),
                 "--server",
                 server.url(),
+                "--threads",
+                "1",
                 "--set",
                 set,
-                "--figures",
-                FIGURES,
-                "--out",
-                file.toString())
+                "-o",
+                parts.toString())
             .redirectErrorStream(true)
             .redirectOutput(ProcessBuilder.Redirect.DISCARD)
             .start();
     try {
-      Eventually.holds(() -> Files.exists(part) && Files.readAllLines(part).size() > 3);
+      Eventually.holds(() -> Files.exists(journal) && Files.readAllLines(journal).size() > 3);
     } finally {
       process.destroyForcibly().waitFor();
     }
-    return Files.readAllLines(part).size() - 1;
-  }
-
-  @Test
-  void killedSweepGoesOnWhereItWasAndEndsWithTheSameBytes() throws Exception {
-    Path whole = folder.resolve("whole.csv");
-    Path parts = folder.resolve("parts.csv");
-    Path part = folder.resolve("parts.csv.part");
-    String set = "damping=100:5000:100";
-    int finished = killed(SEAT, set, parts);
-    assertThat(finished).isLessThan(100);
+    assertThat(parts).doesNotExist();
     // It was killed while it wrote the next line.
-    Files.writeString(part, "{\"point\":5,\"outco", StandardOpenOption.APPEND);
-    assertThat(
-            mech(
-                "sweep",
-                SEAT.toString(),
-                "--server",
-                server.url(),
-                "--set",
-                set,
-                "--figures",
-                FIGURES,
-                "--out",
-                parts.toString()))
-        .as(err.toString())
-        .isZero();
-    assertThat(err.toString()).startsWith(finished + " of 100 points were finished before");
-    assertThat(part).doesNotExist();
-    assertThat(sweep(SEAT, "--set", set, "--figures", FIGURES, "--out", whole.toString())).isZero();
+    Files.writeString(journal, "99,4", StandardOpenOption.APPEND);
+
+    assertThat(mech("sweep", SEAT.toString(), "--set", set, "-o", parts.toString())).isZero();
+    assertThat(out.toString()).containsPattern("100 points, [0-9]+ of them finished before");
+    assertThat(journal).doesNotExist();
     assertThat(parts).hasSameBinaryContentAs(whole);
   }
 
   @Test
   void pointsOfAnotherSweepAreNotTakenOver() throws Exception {
     Path file = folder.resolve("parts.csv");
-    Path part = folder.resolve("parts.csv.part");
-    String left = "{\"model\":\"other.xml\"}\n{\"point\":1}\n";
-    Files.writeString(part, left);
-    assertThat(sweep(SEAT, "--set", "damping=500:4500:5", "--out", file.toString()))
-        .isEqualTo(ExitStatus.BAD_INPUT);
-    assertThat(err.toString()).startsWith("S-165 ").contains("parts.csv.part");
+    Path journal = folder.resolve("parts.csv.unfinished");
+    String left = "{\"study\":\"other.xml\"}\n1,500\n";
+    Files.writeString(journal, left);
+    assertThat(sweep(SEAT, "--set", "damping=500:4500:5", "-o", file.toString())).isNotZero();
+    assertThat(err.toString()).startsWith("S-181 ").contains("parts.csv.unfinished");
     assertThat(file).doesNotExist();
-    assertThat(part).hasContent(left);
+    assertThat(journal).hasContent(left);
   }
 
   @Test
   void sweepThatIsRefusedAtOnceStandsInNoOnesWay() throws Exception {
     Path file = folder.resolve("parts.csv");
-    assertThat(sweep(SEAT, "--set", "colour=1:2:2", "--out", file.toString()))
+    assertThat(sweep(SEAT, "--set", "colour=1:2:2", "-o", file.toString()))
         .isEqualTo(ExitStatus.BAD_INPUT);
-    assertThat(folder.resolve("parts.csv.part")).doesNotExist();
-    assertThat(sweep(SEAT, "--set", "damping=500,4500", "--out", file.toString())).isZero();
-  }
-
-  @Test
-  void hostThatDiesMeanwhileCostsNoPoint() throws Exception {
-    MechServerProcess other =
-        MechServerProcess.start(new ServerSettings("frail", "127.0.0.1", 0, 0));
-    SimHostProcess dies =
-        SimHostProcess.start(new HostSettings(other.url(), "dies", "127.0.0.1", 0, 2));
-    try (SimHostProcess stays =
-        SimHostProcess.start(new HostSettings(other.url(), "stays", "127.0.0.1", 0, 1))) {
-      Thread killer = whenPointsAreFinished(folder.resolve("r.csv.part"), dies::close);
-      assertThat(
-              mech(
-                  "sweep",
-                  SEAT.toString(),
-                  "--quiet",
-                  "--server",
-                  other.url(),
-                  "--set",
-                  "damping=100:5000:60",
-                  "--out",
-                  folder.resolve("r.csv").toString()))
-          .as(err.toString())
-          .isZero();
-      killer.join();
-      assertThat(
-              cells(Files.readString(folder.resolve("r.csv"))).stream()
-                  .skip(1)
-                  .map(row -> row.get(1)))
-          .hasSize(60)
-          .containsOnly("completed");
-      assertThat(stays.address()).isNotEmpty();
-    } finally {
-      other.close();
-    }
-  }
-
-  /** Lets something happen in the midst of a sweep. */
-  private static Thread whenPointsAreFinished(Path part, Runnable event) {
-    Thread thread =
-        new Thread(
-            () -> {
-              try {
-                while (!Files.exists(part) || Files.readAllLines(part).size() < 4) {
-                  Thread.sleep(20);
-                }
-              } catch (IOException | InterruptedException e) {
-                Thread.currentThread().interrupt();
-              }
-              event.run();
-            });
-    thread.start();
-    return thread;
+    assertThat(folder.resolve("parts.csv.unfinished")).doesNotExist();
+    assertThat(sweep(SEAT, "--set", "damping=500,4500", "-o", file.toString())).isZero();
   }
 
   @CsvSource(
@@ -348,8 +243,7 @@ class SweepCommandTest {
         "damping | S-041 --set damping: it names no parameter",
         "damping= | S-041 --set damping=: it has no value",
         "damping=1,,2 | S-041 --set damping=1,,2: a value between commas is missing",
-        "damping=1:2:2000000 | S-041 the grid has more than 1000000 points",
-        "nosuch=1,2 | S-016 seat.xml: M-014 set names parameter \"nosuch\"",
+        "nosuch=1,2 | S-180 factor \"nosuch\": the model has no parameter \"nosuch\"",
       })
   @ParameterizedTest
   void whatCannotBeSweptIsSaidInOneLine(String set, String message) {
@@ -358,27 +252,41 @@ class SweepCommandTest {
     assertThat(out.toString()).isEmpty();
   }
 
-  @Test
-  void columnsAndFiguresThatThereAreNotAreNamed() {
-    assertThat(sweep(SEAT, "--set", "damping=1,2", "--take", "x")).isEqualTo(ExitStatus.BAD_INPUT);
-    assertThat(err.toString())
-        .startsWith("S-041 --take: the runs put out no column \"x\"; there are t, height.q");
-    assertThat(sweep(SEAT, "--set", "damping=1,2", "--figures", "y"))
-        .isEqualTo(ExitStatus.BAD_INPUT);
-    assertThat(err.toString())
-        .startsWith("S-041 --figures: the run report has no \"y\"; there are scene, outcome");
-    assertThat(sweep(SEAT, "--set", "damping=1", "--set", "damping=2"))
-        .isEqualTo(ExitStatus.BAD_INPUT);
-    assertThat(err.toString()).startsWith("S-041 a parameter is swept twice");
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "--take | x | S-180 the model has no column \"x\"",
+        "--take | largest(height.q) | S-180 of=\"largest(height.q)\": there is no reduction",
+        "--set | damping=1 | S-041 --set names parameter \"damping\" twice",
+        "--rtol | 3 | S-180 run: rtol is 3.0; it must be below 1",
+        "--atol | 1e-6;1 | S-180 run: atol is \"1e-6;1\"; it takes one number, or four",
+        "--t-step | -1 | S-180 run: t-step is -1.0; it must be above 0",
+        "--t-end | -1 | S-180 run: t-end is -1.0 s, before the start of the run at 0.0 s",
+        "--integrator | ode16 | S-180 run: S-082 integrator \"ode16\"",
+        "--accuracy | high | S-180 run: ",
+        "--threads | 0 | S-041 --threads is 0; it must be 1 or more",
+        "-o | t.txt | S-044 -o t.txt: the table of a study is written to a .csv or a .parquet file",
+      })
+  @ParameterizedTest
+  void optionsThatDoNotFitAreNamed(String option, String value, String message) {
+    assertThat(sweep(SEAT, "--set", "damping=1,2", option, value)).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(err.toString()).startsWith(message).hasLineCount(1);
   }
 
   @Test
   void lostServerLeavesWhatIsFinished() throws Exception {
     MechServerProcess doomed =
         MechServerProcess.start(new ServerSettings("doomed", "127.0.0.1", 0, 1));
-    Path file = folder.resolve("r.csv");
-    Path part = folder.resolve("r.csv.part");
-    Thread killer = whenPointsAreFinished(part, doomed::close);
+    Path journal = folder.resolve("r.csv.unfinished");
+    FutureTask<Boolean> loss =
+        new FutureTask<>(
+            () -> {
+              Eventually.holds(
+                  () -> Files.exists(journal) && Files.readAllLines(journal).size() > 3);
+              doomed.close();
+              return true;
+            });
+    new Thread(loss).start();
     int status =
         mech(
             "sweep",
@@ -387,15 +295,14 @@ class SweepCommandTest {
             "--server",
             doomed.url(),
             "--set",
-            "damping=100:5000:4000",
-            "--out",
-            file.toString());
-    killer.join();
+            "damping=100:5000:40000",
+            "-o",
+            folder.resolve("r.csv").toString());
+    assertThat(loss.get()).isTrue();
     assertThat(status).isEqualTo(ExitStatus.SERVER);
-    assertThat(err.toString()).contains(" of 4000 points are finished; they are in ");
-    int finished = Files.readAllLines(file).size() - 1;
-    assertThat(finished).isBetween(3, 3999);
-    assertThat(Files.readAllLines(part)).hasSize(finished + 1);
+    assertThat(err.toString()).contains("; finished rows are kept, and the same command goes on");
+    assertThat(folder.resolve("r.csv")).doesNotExist();
+    assertThat(Files.readAllLines(journal)).hasSizeGreaterThan(3);
   }
 
   /** A settled mass, an input of the code, and points that cannot be read or cannot go on. */

@@ -12,6 +12,7 @@ import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
+import org.mechservice.mechml.robot.MjcfJointReader.Held;
 import org.mechservice.mechml.robot.Robot.Coordinate;
 import org.mechservice.mechml.robot.Robot.Frame;
 import org.mechservice.mechml.robot.Robot.Freedom;
@@ -20,7 +21,6 @@ import org.mechservice.mechml.robot.Robot.Joint;
 import org.mechservice.mechml.robot.Robot.Link;
 import org.mechservice.mechml.robot.Robot.Mimic;
 import org.mechservice.mechml.robot.Robot.Place;
-import org.mechservice.mechml.robot.Robot.Range;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.spatial.Vector3;
 
@@ -224,10 +224,12 @@ final class MjcfReader {
   private final class Bodies {
     private final MjcfDefaults defaults;
     private final MjcfCompiler compiler;
+    private final MjcfJointReader jointReader;
 
     Bodies(Element mujoco) {
       defaults = new MjcfDefaults(mujoco);
       compiler = new MjcfCompiler(mujoco, numbers);
+      jointReader = new MjcfJointReader(compiler, numbers, diagnostics, losses);
     }
 
     void readWorld(Element world) {
@@ -297,14 +299,6 @@ final class MjcfReader {
       readInside(body, name, Frame.SAME, childClass);
     }
 
-    /**
-     * A joint of a body.
-     *
-     * @param frame the frame in the body that its pose is in
-     */
-    private record Held(
-        Element element, Frame frame, Function<String, Optional<String>> attribute) {}
-
     /** Collects the joints and shapes of a body, also those in frames. */
     private void collect(
         Element around,
@@ -354,130 +348,17 @@ final class MjcfReader {
         if (!last) {
           links.add(new Link(body, below, Optional.empty(), Optional.empty()));
         }
-        joints.add(joint(held.get(i), i, name, above, below, step));
+        joints.add(
+            jointReader.read(held.get(i), jointName(held.get(i), name, i), above, below, step));
         above = below;
         step = Frame.SAME;
       }
     }
 
-    private Joint joint(
-        Held held, int number, String body, String parent, String child, Frame frame) {
+    private String jointName(Held held, String body, int number) {
       Element element = held.element();
-      Function<String, Optional<String>> attribute = held.attribute();
-      String type =
-          element.name().equals("freejoint") ? "free" : attribute.apply("type").orElse("hinge");
-      String name =
-          free(
-              element.attribute("name").orElse(body + "_joint" + (number == 0 ? "" : number)),
-              jointNames,
-              element);
-      Freedom freedom =
-          switch (type) {
-            case "free" -> Freedom.FLOATING;
-            case "ball" -> Freedom.SPHERICAL;
-            case "slide" -> Freedom.PRISMATIC;
-            default -> Freedom.REVOLUTE;
-          };
-      if (!Set.of("free", "ball", "slide", "hinge").contains(type)) {
-        diagnostics.error(
-            MessageCode.VALUE_NOT_IN_LIST,
-            element.position(),
-            Phrase.of(
-                "%s: type is %s; a joint of MJCF is free, ball, slide, hinge",
-                element.label(), Quoted.of(type)));
-      }
-      loseMotor(element, attribute, freedom);
-      Vector3 point =
-          freedom == Freedom.FLOATING
-              ? Vector3.ZERO
-              : held.frame().times(compiler.frame(element, position(attribute))).at();
-      Vector3 axis = held.frame().turn().apply(axis(element, attribute));
-      return new Joint(
-          element,
-          name,
-          freedom,
-          parent,
-          child,
-          Place.along(frame, point, axis),
-          freedom.isSingle() ? coordinate(element, attribute, freedom) : Coordinate.FREE);
-    }
-
-    private static Function<String, Optional<String>> position(
-        Function<String, Optional<String>> attribute) {
-      return name -> name.equals("pos") ? attribute.apply(name) : Optional.empty();
-    }
-
-    private Vector3 axis(Element element, Function<String, Optional<String>> attribute) {
-      List<Double> xyz =
-          attribute
-              .apply("axis")
-              .map(text -> numbers.read(element, "axis", text, 3, 3))
-              .orElse(List.of(0.0, 0.0, 1.0));
-      Vector3 axis = new Vector3(xyz.get(0), xyz.get(1), xyz.get(2));
-      if (!(axis.norm() > 0)) {
-        diagnostics.error(
-            MessageCode.ZERO_VECTOR,
-            element.position(),
-            Phrase.of("%s: its axis is zero and has no direction", element.label()));
-        return AXIS;
-      }
-      return axis.normalized();
-    }
-
-    private void loseMotor(
-        Element element, Function<String, Optional<String>> attribute, Freedom freedom) {
-      if (number(element, attribute, "armature", 0) != 0) {
-        losses.add(element, "armature, the inertia of its motor, is left out");
-      }
-      if (!freedom.isSingle()) {
-        for (String name : List.of("stiffness", "damping", "frictionloss")) {
-          if (number(element, attribute, name, 0) != 0) {
-            losses.add(element, name + " applies only to joints with one coordinate here");
-          }
-        }
-      }
-    }
-
-    private double number(
-        Element element,
-        Function<String, Optional<String>> attribute,
-        String name,
-        double otherwise) {
-      Optional<List<Double>> read =
-          attribute.apply(name).map(text -> numbers.read(element, name, text, 1, 3));
-      if (read.isPresent() && read.get().stream().skip(1).anyMatch(x -> x != 0)) {
-        losses.add(element, "the higher powers of " + name + " are left out");
-      }
-      return read.map(list -> list.get(0)).orElse(otherwise);
-    }
-
-    private Coordinate coordinate(
-        Element element, Function<String, Optional<String>> attribute, Freedom freedom) {
-      double unit = freedom == Freedom.PRISMATIC ? 1 : compiler.angle();
-      double reference = number(element, attribute, "ref", 0) * unit;
-      if (reference != 0) {
-        losses.add(element, "ref is left out: the position counts from the pose of the file");
-      }
-      Optional<Range> limits = Optional.empty();
-      Optional<String> range = attribute.apply("range");
-      String limited = attribute.apply("limited").orElse("auto");
-      if (limited.equals("true")
-          || (limited.equals("auto") && compiler.autolimits() && range.isPresent())) {
-        List<Double> ends =
-            range.map(text -> numbers.read(element, "range", text, 2, 2)).orElse(List.of(0.0, 0.0));
-        if (ends.get(0) > ends.get(1)) {
-          numbers.contradiction(element, "its range is reversed; write the lower end first");
-        }
-        limits =
-            Optional.of(new Range(ends.get(0) * unit - reference, ends.get(1) * unit - reference));
-      }
-      return new Coordinate(
-          limits,
-          number(element, attribute, "stiffness", 0),
-          number(element, attribute, "springref", 0) * unit - reference,
-          number(element, attribute, "damping", 0),
-          number(element, attribute, "frictionloss", 0),
-          Optional.empty());
+      String unnamed = body + "_joint" + (number == 0 ? "" : number);
+      return free(element.attribute("name").orElse(unnamed), jointNames, element);
     }
 
     private Optional<Inertial> inertial(Element inertial) {

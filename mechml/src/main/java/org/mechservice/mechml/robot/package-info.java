@@ -7,7 +7,8 @@
  * org.mechservice.mechml.robot.UrdfReader} with {@link
  * org.mechservice.mechml.robot.UrdfJointReader}; {@link org.mechservice.mechml.robot.SdfReader}
  * with the frames of {@link org.mechservice.mechml.robot.SdfFrames}; {@link
- * org.mechservice.mechml.robot.MjcfReader} with the default classes of {@link
+ * org.mechservice.mechml.robot.MjcfReader} with {@link
+ * org.mechservice.mechml.robot.MjcfJointReader}, the default classes of {@link
  * org.mechservice.mechml.robot.MjcfDefaults} and the inertia of {@link
  * org.mechservice.mechml.robot.MjcfShapes}. {@link org.mechservice.mechml.robot.RobotTree} finds
  * the root, the joints that close loops and the positions at the start. {@link

@@ -43,6 +43,11 @@ public final class Study {
     chunks = new OrderedChunks<>(point -> StudyRows.computed(plan, point, evaluation));
   }
 
+  /** Returns the file beside a table that has its rows until it is complete. */
+  public static Path journal(Path table) {
+    return table.resolveSibling(table.getFileName() + ".unfinished");
+  }
+
   /** Lets {@link #run} return soon, the finished rows in its journal. */
   public void stop() {
     chunks.stop();
@@ -60,8 +65,7 @@ public final class Study {
       throws IOException, InterruptedException {
     StudyRows rows = new StudyRows(plan, part);
     int all = rows.to() - rows.from();
-    Path journalFile = file.resolveSibling(file.getFileName() + ".unfinished");
-    try (StudyJournal journal = StudyJournal.open(journalFile, rows.identity(), rows::take)) {
+    try (StudyJournal journal = StudyJournal.open(journal(file), rows.identity(), rows::take)) {
       int before = rows.taken();
       if (!rows.isComplete()) {
         chunks.run(

@@ -46,6 +46,11 @@ public record StudyPart(int number, int count) {
     return (int) ((long) points * number / count);
   }
 
+  /** Returns how many points the part has. */
+  public int size(int points) {
+    return to(points) - from(points);
+  }
+
   boolean isWhole() {
     return count == 1;
   }

@@ -54,6 +54,15 @@ public record StudyPlan(
     return Optional.ofNullable(identity.get("simulation")).map(JsonElement::getAsString);
   }
 
+  /** Returns the settings of its runs that are not those of the file, as options of the service. */
+  public Map<String, String> runOptions() {
+    Map<String, String> options = new LinkedHashMap<>();
+    for (JsonElement run : identity.getAsJsonArray("run")) {
+      run.getAsJsonObject().asMap().forEach((key, text) -> options.put(key, text.getAsString()));
+    }
+    return options;
+  }
+
   /**
    * Returns the values of a point for the model.
    *

@@ -5,6 +5,9 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import com.google.gson.JsonArray;
+import com.google.gson.JsonObject;
+import com.google.gson.JsonParser;
 import java.io.IOException;
 import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
@@ -186,6 +189,44 @@ class StudyTest {
     assertThat(statistics.count(1)).isEqualTo(1);
   }
 
+  /** Robust design by Monte Carlo: masses below 0 cannot run, and are neither lost nor silent. */
+  @Test
+  void failingPointsOfMonteCarloAreCountedAndWeighedAsTheUserSays() throws Exception {
+    Path out =
+        run(
+            plan(
+                "<factor name='m' distribution='normal' mean='1' deviation='1'/>"
+                    + "<design kind='monte-carlo' points='200' seed='3'/>"
+                    + "<output name='weighed' of='last(x.q)' failing='7'/>"
+                    + "<output name='left out' of='last(x.v)'/>"),
+            StudyPart.WHOLE,
+            2);
+    double weighed = 0;
+    double leftOut = 0;
+    int failed = 0;
+    for (String line : Files.readAllLines(out).subList(1, 201)) {
+      List<String> cells = CsvLine.cells(line);
+      boolean below = Double.parseDouble(cells.get(1)) < 0;
+      assertThat(cells.get(2)).isEqualTo(below ? "failed" : "completed");
+      assertThat(cells.get(3)).isEqualTo(below ? "M-030" : "");
+      failed += below ? 1 : 0;
+      weighed += below ? 7 : Double.parseDouble(cells.get(5));
+      leftOut += below ? 0 : Double.parseDouble(cells.get(6));
+    }
+    JsonObject told =
+        JsonParser.parseString(Files.readString(StudyTable.beside(out))).getAsJsonObject();
+    JsonArray statistics = told.getAsJsonArray("statistics");
+
+    assertThat(failed).isBetween(10, 60); // 32 are expected
+    assertThat(told.get("failed").getAsInt()).isEqualTo(failed);
+    assertThat(mean(statistics, 0)).isCloseTo(weighed / 200, within(1e-12));
+    assertThat(mean(statistics, 1)).isCloseTo(leftOut / (200 - failed), within(1e-12));
+  }
+
+  private static double mean(JsonArray statistics, int output) {
+    return statistics.get(output).getAsJsonObject().get("mean").getAsDouble();
+  }
+
   @Test
   void unitsOfFactorsAreConverted() throws Exception {
     Path inNewtonPerMillimetre =
@@ -204,6 +245,26 @@ class StudyTest {
         .skip(1)
         .map(line -> line.substring(line.lastIndexOf(',')))
         .toList();
+  }
+
+  @Test
+  void runsAreAsTheStudySaysAndEachColumnMayBeKept() throws Exception {
+    List<String> lines =
+        Files.readAllLines(
+            run(
+                plan(
+                    "<run t-end='0.5' rtol='1e-10' atol='1e-12' integrator='ode113'"
+                        + " columns='energy'/><factor name='k' values='20'/>"
+                        + "<output name='*' of='last(*)'/><output of='min(*)'/>"),
+                StudyPart.WHOLE,
+                1));
+
+    assertThat(lines.get(0))
+        .startsWith("point,k,outcome,code,message,x.q,x.v,energy.")
+        .contains(",min(x.q),min(x.v),");
+    double w = Math.sqrt(10); // 20 N/m, 2 kg
+    assertThat(Double.parseDouble(lines.get(1).split(",", -1)[5]))
+        .isCloseTo(0.1 * Math.cos(0.5 * w), within(1e-10));
   }
 
   @Test
@@ -237,6 +298,15 @@ class StudyTest {
         "<output of='max(x.q)' unit='s'/>; one of a time",
         "<stop output='x' error='1'/>; no output \"x\"",
         "<table file='none.csv'/>; cannot be read",
+        "<factor name='k' unit='N/mx' values='1'/>; unit",
+        "<output of='max(x.q)' unit='parsec'/>; unit",
+        "<run rtol='2'/>; rtol is 2.0; it must be below 1",
+        "<run atol='-1'/>; atol is -1; it must be above 0",
+        "<run t-end='-1'/>; before the start of the run",
+        "<run t-step='0'/>; t-step is 0; it must be above 0",
+        "<run integrator='ode16'/>; S-082 integrator \"ode16\"",
+        "<run columns='reaction'/>; did you mean \"reactions\"?",
+        "<run tend='1'/>; did you mean \"t-end\"?",
       })
   void badInputSaysWhereAndWhatToWrite(String element, String why) {
     String rest =

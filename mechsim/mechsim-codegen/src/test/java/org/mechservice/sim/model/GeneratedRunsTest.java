@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -13,8 +12,6 @@ import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.capability.ModelParts;
-import org.mechservice.solver.api.result.ResultSink;
-import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.api.run.RunControl;
 import org.mechservice.solver.api.run.RunReport;
@@ -49,25 +46,15 @@ class GeneratedRunsTest {
     RunSettings settings = new RunSettings(0, 0.5, 0.05, integrator, 1e-9, 1e-10);
     BuildOptions options = new BuildOptions(formulation, "auto", compact, Set.of(), settings);
     GeneratedModel generated = ModelFactory.generate(model, options);
-    List<double[]> rows = new ArrayList<>();
-    ResultSink sink =
-        new ResultSink() {
-          @Override
-          public void begin(List<Variable> columns) {}
-
-          @Override
-          public void row(double[] values) {
-            rows.add(values.clone());
-          }
-        };
+    KeptRows kept = new KeptRows();
     RunReport report =
         new RuntimeSolver()
             .run(
                 ModelFactory.compile(model, options, generated).newInstance(),
                 new RunRequest(settings, Set.of()),
-                sink,
+                kept,
                 new RunControl());
-    return new Ran(report, rows, generated.formulationReason());
+    return new Ran(report, kept.rows(), generated.formulationReason());
   }
 
   @CsvSource({"DTR, ode113", "DSR, DE", "DTR, ode15s", "RR, ode15sR", "RR-JF, ode15sR"})

@@ -63,13 +63,7 @@ class GeneratedUserForcesTest {
   }
 
   private static Named<Mechanism> scene(int seed) {
-    int bodies = 2 + seed % 7;
-    Mechanism tree =
-        seed % 3 == 0
-            ? RandomMechmlTrees.driven(seed, bodies)
-            : seed % 3 == 1
-                ? RandomMechmlTrees.ofAllJoints(seed, bodies)
-                : RandomMechmlTrees.tree(seed, bodies);
+    Mechanism tree = RandomMechmlTrees.anyKind(seed);
     return Named.of(
         "seed " + seed, pulled(seed % 2 == 0 ? tree : RandomMechmlForces.on(tree, seed)));
   }

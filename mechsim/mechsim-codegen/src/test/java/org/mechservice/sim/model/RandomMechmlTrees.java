@@ -28,6 +28,16 @@ public final class RandomMechmlTrees {
     this.allJoints = allJoints;
   }
 
+  /** Returns a tree of 2 to 8 bodies, by turns with driven joints, all joints, or R and P alone. */
+  public static Mechanism anyKind(int seed) {
+    int bodies = 2 + seed % 7;
+    return switch (seed % 3) {
+      case 0 -> driven(seed, bodies);
+      case 1 -> ofAllJoints(seed, bodies);
+      default -> tree(seed, bodies);
+    };
+  }
+
   /** Returns the tree of a seed. */
   public static Mechanism tree(long seed, int bodies) {
     return new RandomMechmlTrees(seed, false).tree("tree" + seed, bodies);

@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
@@ -22,8 +21,6 @@ import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.TunableParameter;
 import org.mechservice.solver.api.result.ColumnGroup;
-import org.mechservice.solver.api.result.ResultSink;
-import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.api.run.RunControl;
 import org.mechservice.solver.api.run.RunReport;
@@ -66,26 +63,16 @@ class TunableParametersTest {
   }
 
   private static List<double[]> run(Model model) throws IOException {
-    List<double[]> rows = new ArrayList<>();
-    ResultSink sink =
-        new ResultSink() {
-          @Override
-          public void begin(List<Variable> columns) {}
-
-          @Override
-          public void row(double[] values) {
-            rows.add(values.clone());
-          }
-        };
+    KeptRows kept = new KeptRows();
     RunReport report =
         new RuntimeSolver()
             .run(
                 model,
                 new RunRequest(model.description().defaults(), EnumSet.of(ColumnGroup.JOINTS)),
-                sink,
+                kept,
                 new RunControl());
     assertThat(report.outcome()).isInstanceOf(Outcome.Completed.class);
-    return rows;
+    return kept.rows();
   }
 
   @CsvSource({

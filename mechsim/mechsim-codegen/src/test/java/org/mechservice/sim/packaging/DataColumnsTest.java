@@ -22,6 +22,7 @@ import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.compile.SolverClasses;
 import org.mechservice.sim.model.BuildOptions;
 import org.mechservice.sim.model.CompiledModel;
+import org.mechservice.sim.model.KeptRows;
 import org.mechservice.sim.model.ModelFactory;
 import org.mechservice.sim.model.RandomMechmlEvents;
 import org.mechservice.sim.model.RandomMechmlForces;
@@ -30,7 +31,6 @@ import org.mechservice.sim.model.Scenes;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.result.ColumnGroup;
-import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.api.run.RunControl;
@@ -54,24 +54,13 @@ class DataColumnsTest {
 
   private static List<double[]> rows(CompiledModel model, List<Variable> names, ColumnGroup... of)
       throws IOException {
-    List<double[]> rows = new ArrayList<>();
-    ResultSink sink =
-        new ResultSink() {
-          @Override
-          public void begin(List<Variable> columns) {
-            names.addAll(columns);
-          }
-
-          @Override
-          public void row(double[] values) {
-            rows.add(values.clone());
-          }
-        };
+    KeptRows kept = new KeptRows();
     RunRequest request = new RunRequest(SETTINGS, Set.of(of));
     RunReport report =
-        new RuntimeSolver().run(model.newInstance(), request, sink, new RunControl());
+        new RuntimeSolver().run(model.newInstance(), request, kept, new RunControl());
     assertThat(report.outcome()).isInstanceOf(Outcome.Completed.class);
-    return rows;
+    names.addAll(kept.columns());
+    return kept.rows();
   }
 
   @ParameterizedTest

@@ -18,7 +18,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -29,20 +28,11 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.mechml.diagnosis.MechmlException;
-import org.mechservice.sim.model.CompiledModel;
 import org.mechservice.sim.service.library.LoadedModel;
-import org.mechservice.sim.service.library.ModelLibrary;
-import org.mechservice.sim.service.library.SetUpTimes;
-import org.mechservice.sim.service.library.SimulationRequest;
 import org.mechservice.sim.user.PushedCart;
 import org.mechservice.sim.user.UserFile;
 import org.mechservice.sim.worker.EscapeCorpus.Way;
 import org.mechservice.solver.api.UserForce;
-import org.mechservice.solver.api.result.ResultSink;
-import org.mechservice.solver.api.result.Variable;
-import org.mechservice.solver.api.run.Checkpoints;
-import org.mechservice.solver.api.run.RunControl;
-import org.mechservice.solver.api.run.RunRequest;
 import org.objectweb.asm.ClassWriter;
 import org.objectweb.asm.ConstantDynamic;
 import org.objectweb.asm.Handle;
@@ -76,7 +66,7 @@ class EscapeCorpusTest {
     Confinement none = Confinement.none("for comparison");
     Map<Way, Map<String, byte[]>> corpus = compiled();
     assertThat(corpus).hasSizeGreaterThanOrEqualTo(60);
-    WorkerOrder base = order();
+    WorkerOrder base = HarmlessRun.order();
     List<String> passed = new ArrayList<>();
     List<String> escaped = new ArrayList<>();
     int working = 0;
@@ -390,44 +380,10 @@ class EscapeCorpusTest {
         base.className(), base.classFiles(), new TreeMap<>(classes), base.values(), base.request());
   }
 
-  /** Returns the order of a run with a harmless class. */
-  private static WorkerOrder order() throws Exception {
-    LoadedModel read =
-        LoadedModel.read(
-            "pushed.xml",
-            PushedCart.file(),
-            List.of(PushedCart.asSource(PushedCart.harmlessSource())),
-            true);
-    SimulationRequest asked = SimulationRequest.asInFile(read.model());
-    try (ModelLibrary library = new ModelLibrary()) {
-      CompiledModel compiled =
-          library.compiled(read, asked.forRun(read.model().settings()), new SetUpTimes());
-      SortedMap<String, byte[]> own = new TreeMap<>(compiled.classFiles());
-      own.keySet().removeAll(compiled.userClassFiles().keySet());
-      return new WorkerOrder(
-          compiled.generated().className(),
-          own,
-          compiled.userClassFiles(),
-          Map.of(),
-          new RunRequest(asked.settings(), asked.columns(), asked.strict(), asked.maxDrift()));
-    }
-  }
-
   /** Returns the outcome, in words. */
   private static String run(WorkerOrder order, Confinement confinement) throws IOException {
-    ResultSink forgetting =
-        new ResultSink() {
-          @Override
-          public void begin(List<Variable> columns) {}
-
-          @Override
-          public void row(double[] values) {}
-        };
     try {
-      return new WorkerProcess(confinement, BOUNDS)
-          .run(order, forgetting, new RunControl(), Checkpoints.NONE)
-          .outcome()
-          .toString();
+      return HarmlessRun.report(order, new WorkerProcess(confinement, BOUNDS)).outcome().toString();
     } catch (WorkerLostException | IllegalArgumentException e) {
       return String.valueOf(e.getMessage());
     }

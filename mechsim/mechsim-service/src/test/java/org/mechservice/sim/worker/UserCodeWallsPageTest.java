@@ -13,20 +13,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.TreeMap;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.mechservice.sim.model.CompiledModel;
-import org.mechservice.sim.service.library.LoadedModel;
-import org.mechservice.sim.service.library.ModelLibrary;
-import org.mechservice.sim.service.library.SetUpTimes;
-import org.mechservice.sim.service.library.SimulationRequest;
-import org.mechservice.sim.user.PushedCart;
-import org.mechservice.solver.api.result.ResultSink;
-import org.mechservice.solver.api.result.Variable;
-import org.mechservice.solver.api.run.Checkpoints;
-import org.mechservice.solver.api.run.RunControl;
-import org.mechservice.solver.api.run.RunRequest;
 
 /** Writes down what the wall of this machine keeps in, and what it costs. */
 @Tag("soak")
@@ -74,7 +62,7 @@ class UserCodeWallsPageTest {
     line("| | ordinary process | behind the wall |");
     line("|---|---|---|");
     addCost("a Java program that tries nothing, from start to end, ms", this::runNothing);
-    WorkerOrder order = order();
+    WorkerOrder order = HarmlessRun.order();
     addCost(
         "a run of one body with a user force, in a worker of its own, ms",
         confinement -> compute(order, confinement));
@@ -133,38 +121,7 @@ class UserCodeWallsPageTest {
     started.waitFor();
   }
 
-  private static WorkerOrder order() throws Exception {
-    LoadedModel read =
-        LoadedModel.read(
-            "pushed.xml",
-            PushedCart.file(),
-            List.of(PushedCart.asSource(PushedCart.harmlessSource())),
-            true);
-    SimulationRequest asked = SimulationRequest.asInFile(read.model());
-    try (ModelLibrary library = new ModelLibrary()) {
-      CompiledModel compiled =
-          library.compiled(read, asked.forRun(read.model().settings()), new SetUpTimes());
-      var own = new TreeMap<>(compiled.classFiles());
-      own.keySet().removeAll(compiled.userClassFiles().keySet());
-      return new WorkerOrder(
-          compiled.generated().className(),
-          own,
-          compiled.userClassFiles(),
-          Map.of(),
-          new RunRequest(asked.settings(), asked.columns(), asked.strict(), asked.maxDrift()));
-    }
-  }
-
   private static void compute(WorkerOrder order, Confinement confinement) throws IOException {
-    ResultSink forgetting =
-        new ResultSink() {
-          @Override
-          public void begin(List<Variable> columns) {}
-
-          @Override
-          public void row(double[] values) {}
-        };
-    new WorkerProcess(confinement, BOUNDS)
-        .run(order, forgetting, new RunControl(), Checkpoints.NONE);
+    HarmlessRun.report(order, new WorkerProcess(confinement, BOUNDS));
   }
 }

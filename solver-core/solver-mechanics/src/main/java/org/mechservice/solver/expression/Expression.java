@@ -18,6 +18,26 @@ public sealed interface Expression {
     return new Constant(value);
   }
 
+  /** Returns the expressions that an expression combines, in their order; none for a leaf. */
+  static List<Expression> operands(Expression expression) {
+    if (expression instanceof Sum sum) {
+      return List.of(sum.left(), sum.right());
+    } else if (expression instanceof Product product) {
+      return List.of(product.left(), product.right());
+    } else if (expression instanceof Quotient quotient) {
+      return List.of(quotient.dividend(), quotient.divisor());
+    } else if (expression instanceof Power power) {
+      return List.of(power.base(), power.exponent());
+    } else if (expression instanceof Negation negation) {
+      return List.of(negation.operand());
+    } else if (expression instanceof Call call) {
+      return call.arguments();
+    } else if (expression instanceof TableValue value) {
+      return value.arguments();
+    }
+    return List.of();
+  }
+
   /**
    * A number.
    *

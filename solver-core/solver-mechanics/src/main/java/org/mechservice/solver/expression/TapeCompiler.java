@@ -9,7 +9,6 @@ import java.util.List;
 import java.util.Map;
 import org.mechservice.solver.expression.Expression.Call;
 import org.mechservice.solver.expression.Expression.Constant;
-import org.mechservice.solver.expression.Expression.Negation;
 import org.mechservice.solver.expression.Expression.Power;
 import org.mechservice.solver.expression.Expression.Product;
 import org.mechservice.solver.expression.Expression.Quotient;
@@ -46,7 +45,7 @@ final class TapeCompiler {
     while (!open.isEmpty()) {
       Expression next = open.element();
       boolean ready = true;
-      for (Expression operand : operands(next)) {
+      for (Expression operand : Expression.operands(next)) {
         if (!done.containsKey(operand)) {
           open.push(operand);
           ready = false;
@@ -60,30 +59,11 @@ final class TapeCompiler {
     return done.getOrDefault(root, -1);
   }
 
-  private static List<Expression> operands(Expression expression) {
-    if (expression instanceof Sum sum) {
-      return List.of(sum.left(), sum.right());
-    } else if (expression instanceof Product product) {
-      return List.of(product.left(), product.right());
-    } else if (expression instanceof Quotient quotient) {
-      return List.of(quotient.dividend(), quotient.divisor());
-    } else if (expression instanceof Power power) {
-      return List.of(power.base(), power.exponent());
-    } else if (expression instanceof Negation negation) {
-      return List.of(negation.operand());
-    } else if (expression instanceof Call call) {
-      return call.arguments();
-    } else if (expression instanceof TableValue value) {
-      return value.arguments();
-    }
-    return List.of();
-  }
-
   private int slot(Expression expression) {
     if (expression instanceof Constant constant) {
       return constantSlot(constant.value());
     }
-    List<Expression> operands = operands(expression);
+    List<Expression> operands = Expression.operands(expression);
     if (operands.isEmpty()) {
       return slotOfLeaf.computeIfAbsent(expression, this::newLeaf);
     }

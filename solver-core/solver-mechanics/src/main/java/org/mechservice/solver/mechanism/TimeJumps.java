@@ -12,7 +12,6 @@ import org.mechservice.solver.expression.Expression.Call;
 import org.mechservice.solver.expression.Expression.Constant;
 import org.mechservice.solver.expression.Expression.Negation;
 import org.mechservice.solver.expression.Expression.ParameterValue;
-import org.mechservice.solver.expression.Expression.Power;
 import org.mechservice.solver.expression.Expression.Product;
 import org.mechservice.solver.expression.Expression.Quotient;
 import org.mechservice.solver.expression.Expression.Sum;
@@ -73,28 +72,11 @@ final class TimeJumps {
       call.arguments().forEach(argument -> search(argument, twiceDifferentiated));
       call(call, twiceDifferentiated);
     } else {
-      operands(expression).forEach(operand -> search(operand, twiceDifferentiated));
+      Expression.operands(expression).forEach(operand -> search(operand, twiceDifferentiated));
       if (expression instanceof TableValue value) {
         corners(value);
       }
     }
-  }
-
-  private static List<Expression> operands(Expression expression) {
-    if (expression instanceof Sum sum) {
-      return List.of(sum.left(), sum.right());
-    } else if (expression instanceof Product product) {
-      return List.of(product.left(), product.right());
-    } else if (expression instanceof Quotient quotient) {
-      return List.of(quotient.dividend(), quotient.divisor());
-    } else if (expression instanceof Power power) {
-      return List.of(power.base(), power.exponent());
-    } else if (expression instanceof Negation negation) {
-      return List.of(negation.operand());
-    } else if (expression instanceof TableValue value) {
-      return value.arguments();
-    }
-    return List.of();
   }
 
   private void call(Call call, boolean twiceDifferentiated) {
@@ -197,7 +179,7 @@ final class TimeJumps {
       return line(negation.operand()).map(a -> new Line(-a.atZero(), -a.slope()));
     }
     List<Line> operands = new ArrayList<>();
-    operands(expression).forEach(operand -> line(operand).ifPresent(operands::add));
+    Expression.operands(expression).forEach(operand -> line(operand).ifPresent(operands::add));
     return operands.size() == 2
         ? combination(expression, operands.get(0), operands.get(1))
         : Optional.empty();

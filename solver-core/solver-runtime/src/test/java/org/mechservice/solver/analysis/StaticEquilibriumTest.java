@@ -10,8 +10,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.mechservice.solver.api.result.ResultSink;
-import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.api.run.RunControl;
 import org.mechservice.solver.api.run.RunNotes.Note;
@@ -38,6 +36,7 @@ import org.mechservice.solver.mechanism.joint.Attachment;
 import org.mechservice.solver.mechanism.joint.Joint;
 import org.mechservice.solver.mechanism.joint.Prismatic;
 import org.mechservice.solver.mechanism.joint.Revolute;
+import org.mechservice.solver.simulation.RecordedRows;
 import org.mechservice.solver.simulation.RuntimeSolver;
 import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Rotation;
@@ -306,25 +305,15 @@ class StaticEquilibriumTest {
   private static double[] endOfMotion(Mechanism mechanism, double end) throws Exception {
     RunSettings settings = new RunSettings(0, end, end, "ode15sR", 1e-7, 1e-9);
     CompactModel data = new CompactModel(mechanism, "RR-JF", "projection", settings);
-    List<double[]> rows = new ArrayList<>();
-    ResultSink sink =
-        new ResultSink() {
-          @Override
-          public void begin(List<Variable> columns) {}
-
-          @Override
-          public void row(double[] values) {
-            rows.add(values.clone());
-          }
-        };
+    RecordedRows recorded = new RecordedRows();
     RunReport report =
         new RuntimeSolver()
             .run(
                 DataDriven.model(data, UserForceSource.NONE),
                 new RunRequest(settings, Set.of()),
-                sink,
+                recorded,
                 new RunControl());
     assertThat(report.outcome()).isInstanceOf(Outcome.Completed.class);
-    return rows.get(rows.size() - 1);
+    return recorded.rows.get(recorded.rows.size() - 1);
   }
 }

@@ -4,8 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -14,7 +12,6 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.result.ResultSink;
-import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.api.run.RunControl;
 import org.mechservice.solver.api.run.RunReport;
@@ -28,6 +25,7 @@ import org.mechservice.solver.dynamics.RecursiveResidualModel;
 import org.mechservice.solver.dynamics.SemiRecursiveModel;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.simulation.RecordedRows;
 import org.mechservice.solver.simulation.RuntimeSolver;
 import org.mechservice.solver.spatial.Blocks;
 import org.mechservice.solver.spatial.EulerParameters;
@@ -124,8 +122,8 @@ class OpenTreeScenesTest {
       throws IOException {
     SharedScene scene = SharedScene.named(name);
     RunSettings settings = new RunSettings(0, end, end, integrator, rtol, atol);
-    List<double[]> rows = new ArrayList<>();
-    RunReport report = run(model(formulation, scene.mechanism(), settings), settings, rows);
+    RecordedRows recorded = new RecordedRows();
+    RunReport report = run(model(formulation, scene.mechanism(), settings), settings, recorded);
     assertThat(report.outcome()).isEqualTo(new Outcome.Completed());
     SharedScene.ReferenceState reference =
         scene.reference().stream()
@@ -133,7 +131,7 @@ class OpenTreeScenesTest {
             .findFirst()
             .orElseThrow();
     double[] expected = join(reference.q(), reference.v());
-    double[] row = rows.get(rows.size() - 1);
+    double[] row = recorded.rows.get(recorded.rows.size() - 1);
     double worst = 0;
     for (int i = 0; i < expected.length; i++) {
       worst = Math.max(worst, Math.abs(row[1 + i] - expected[i]) / (1 + Math.abs(expected[i])));
@@ -151,11 +149,11 @@ class OpenTreeScenesTest {
       String formulation, String integrator, double bound) throws IOException {
     SharedScene scene = SharedScene.named("dzhanibekov");
     RunSettings settings = new RunSettings(0, 5, 0.25, integrator, 1e-10, 1e-12);
-    List<double[]> rows = new ArrayList<>();
-    RunReport report = run(model(formulation, scene.mechanism(), settings), settings, rows);
+    RecordedRows recorded = new RecordedRows();
+    RunReport report = run(model(formulation, scene.mechanism(), settings), settings, recorded);
     assertThat(report.notes()).anyMatch(note -> note.code() == MessageCode.EULER_PARAMETER_NORM);
-    double[] first = invariants(rows.get(0));
-    for (double[] row : rows) {
+    double[] first = invariants(recorded.rows.get(0));
+    for (double[] row : recorded.rows) {
       double[] now = invariants(row);
       assertThat(now[0]).isCloseTo(first[0], within(bound * first[0]));
       assertThat(now[1]).isCloseTo(first[1], within(bound * first[1]));
@@ -196,8 +194,8 @@ class OpenTreeScenesTest {
       throws IOException {
     SharedScene scene = SharedScene.named(name);
     RunSettings settings = new RunSettings(0, scene.end(), scene.end(), integrator, 1e-6, 1e-8);
-    List<double[]> rows = new ArrayList<>();
-    RunReport report = run(model(formulation, scene.mechanism(), settings), settings, rows);
+    RecordedRows recorded = new RecordedRows();
+    RunReport report = run(model(formulation, scene.mechanism(), settings), settings, recorded);
     assertThat(report.outcome()).isInstanceOf(Outcome.Failed.class);
     assertThat(((Outcome.Failed) report.outcome()).failure().message())
         .startsWith("N-002 t=0.0 s")
@@ -205,18 +203,8 @@ class OpenTreeScenesTest {
     assertThat(report.steps()).isZero();
   }
 
-  private static RunReport run(ExplicitModel model, RunSettings settings, List<double[]> rows)
+  private static RunReport run(ExplicitModel model, RunSettings settings, ResultSink sink)
       throws IOException {
-    ResultSink sink =
-        new ResultSink() {
-          @Override
-          public void begin(List<Variable> columns) {}
-
-          @Override
-          public void row(double[] values) {
-            rows.add(values.clone());
-          }
-        };
     return new RuntimeSolver()
         .run(model, new RunRequest(settings, Set.of()), sink, new RunControl());
   }

@@ -6,9 +6,9 @@ import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
 
 /** Keeps the rows of a run. */
-final class RecordedRows implements ResultSink {
-  final List<Variable> columns = new ArrayList<>();
-  final List<double[]> rows = new ArrayList<>();
+public final class RecordedRows implements ResultSink {
+  public final List<Variable> columns = new ArrayList<>();
+  public final List<double[]> rows = new ArrayList<>();
 
   @Override
   public void begin(List<Variable> columns) {

@@ -3,27 +3,16 @@ package org.mechservice.sim.emit.c;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
-import org.mechservice.sim.emit.method.ConstantTable;
-import org.mechservice.sim.emit.method.MethodSignature;
 import org.mechservice.sim.emit.method.NumberText;
-import org.mechservice.sim.emit.plan.CodeForm;
-import org.mechservice.sim.emit.plan.CodeLayout;
-import org.mechservice.sim.emit.plan.ProgramPlan;
-import org.mechservice.sim.emit.source.ProgramPrinter;
 import org.mechservice.sim.emit.source.SourceLines;
-import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.capability.BodyPoses;
 import org.mechservice.solver.api.capability.DirectedForces;
 import org.mechservice.solver.api.capability.ExplicitModel;
-import org.mechservice.solver.closure.PenaltySettings;
-import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.mechanism.force.ForceElement;
 
-/** Writes the code of a model in C. */
+/** Writes the code of a model in C: what a program calls, around the {@link CPrograms}. */
 final class CSource {
-  private record Part(MethodSignature head, ProgramPlan plan) {}
-
   /**
    * Failure of a model whose loops cannot be closed, and the first of velocities without inertia.
    */
@@ -31,18 +20,12 @@ final class CSource {
 
   private static final int WITHOUT_INERTIA = 1_000_000;
 
-  /** Functions of derivatives along a direction. */
-  private static final String TANGENT = "along";
-
-  private static final String FURTHER_TANGENT = "further_along";
-
   /** Number of rates that give a direction: of states, time and what the programs read. */
   private final int seeds;
 
   private final CModel model;
   private final String name;
-  private final ConstantTable constants = new ConstantTable();
-  private final List<Part> parts = new ArrayList<>();
+  private final CPrograms programs;
   private final NumberText numbers = new NumberText();
   private final SourceLines source = new SourceLines();
   private final CArrays arrays = new CArrays(source, numbers);
@@ -50,76 +33,13 @@ final class CSource {
   CSource(CModel model) {
     this.model = model;
     this.name = model.name();
-    int states = model.states().size();
-    seeds = states + 1 + model.parameterSlots();
-    CTangents tangents = new CTangents(states, model.parameterSlots());
-    if (model.motion() instanceof CMotion.Tree tree) {
-      add("derivative", "dx", true, tree.derivative());
-      add(TANGENT, "dx", true, tangents.of(tree.derivative(), states), argument("seed", states));
-    } else if (model.motion() instanceof CLoops loops) {
-      add("loop_terms", "terms", false, loops.loops());
-      add("all_terms", "terms", true, loops.equations());
-      add("mass_matrix", "terms", false, loops.mass());
-      loops.further().ifPresent(program -> add("further_rates", "rates", false, program));
-      int given = states + loops.angleStarts().size();
-      int velocities = model.description().velocityCount();
-      int seed = given + velocities + loops.rows();
-      add(
-          TANGENT,
-          "rates",
-          false,
-          tangents.ofLoops(loops, velocities, given, seed),
-          argument("given", given),
-          argument("seed", seed));
-      loops
-          .further()
-          .ifPresent(
-              program ->
-                  add(
-                      FURTHER_TANGENT,
-                      "rates",
-                      false,
-                      tangents.of(program, seed),
-                      argument("given", given),
-                      argument("seed", seed)));
-      loops.angles().ifPresent(program -> add("cut_angles", "angles", false, program));
-    }
-    CEvents events = model.events();
-    if (!events.kinds().isEmpty()) {
-      add("triggers", "values", false, events.triggers());
-    }
-    if (!events.assignments().isEmpty()) {
-      add("assigned", "values", false, events.assigned());
-    }
-    add(COutputs.ENERGIES, "energy", false, model.energy());
-    for (COutputs group : model.groups()) {
-      if (!group.name().equals(COutputs.ENERGIES)) {
-        add(group.name(), "values", false, group.program());
-      }
-    }
-  }
-
-  private static MethodSignature.Argument argument(String array, int first) {
-    return new MethodSignature.Argument(array, true, first);
-  }
-
-  private void add(
-      String function,
-      String output,
-      boolean returnsResult,
-      Program program,
-      MethodSignature.Argument... further) {
-    List<MethodSignature.Argument> state = new ArrayList<>();
-    state.add(new MethodSignature.Argument("t", false, Program.TIME));
-    state.add(argument("x", 0));
-    state.addAll(List.of(further));
-    MethodSignature head = new MethodSignature(function, state, output, returnsResult, false);
-    parts.add(new Part(head, CodeLayout.plan(program, head, CodeForm.AUTO, constants)));
+    seeds = model.states().size() + 1 + model.parameterSlots();
+    programs = new CPrograms(model);
   }
 
   /** Returns the length of the workspace that the instances need. */
   int slots() {
-    return parts.stream().mapToInt(part -> part.plan().slots()).max().orElse(0);
+    return programs.slots();
   }
 
   String text() {
@@ -133,16 +53,11 @@ final class CSource {
     table("parameters", model.parameters());
     table("inputs", model.inputs().variables());
     table("output_variables", model.outputs());
-    if (!constants.isEmpty()) {
-      source.line("static const double " + ConstantTable.FIELD + "[] = {");
-      for (String text : constants.texts()) {
-        source.line("    " + text.strip().replace(" ", ", ") + ",");
-      }
-      source.line("};").blank();
-    }
-    programs();
+    programs.write(source);
     inputs();
-    loops();
+    if (model.motion() instanceof CLoops loops) {
+      new CLoopLayout(model, loops, source, arrays, numbers).write();
+    }
     CJumps jumps = new CJumps(model, source, arrays);
     jumps.times();
     start();
@@ -153,19 +68,6 @@ final class CSource {
     jumps.changes();
     failure();
     return source.toString();
-  }
-
-  private void programs() {
-    SourceLines functions = new SourceLines();
-    List<String> prototypes = new ArrayList<>();
-    for (Part part : parts) {
-      ProgramPrinter printer =
-          new ProgramPrinter(functions, part.head(), part.plan(), new CSyntax(name + "_t"));
-      printer.method(List.of(), List.of());
-      prototypes.addAll(printer.prototypes());
-    }
-    prototypes.forEach(prototype -> source.line(prototype + ";"));
-    source.append(functions);
   }
 
   private void table(String array, List<CVariable> variables) {
@@ -191,81 +93,6 @@ final class CSource {
 
   private String instance() {
     return name + "_t *m";
-  }
-
-  /** Writes the layout of closed loops, which the functions of {@code mech_loops.c} solve. */
-  private void loops() {
-    if (!(model.motion() instanceof CLoops loops)) {
-      return;
-    }
-    callback("void", "loop_terms", "terms");
-    callback("int", "all_terms", "terms");
-    callback("void", "mass_matrix", "terms");
-    tangentCallback(TANGENT);
-    loops.further().ifPresent(program -> tangentCallback(FURTHER_TANGENT));
-    loops.further().ifPresent(program -> callback("void", "further_rates", "rates"));
-    loops.angles().ifPresent(program -> callback("void", "cut_angles", "angles"));
-    StateCoordinates coordinates = new StateCoordinates(model.mechanism());
-    int nq = coordinates.positionCount();
-    int nv = coordinates.velocityCount();
-    int balls = coordinates.ballCount();
-    arrays.integers("LOOP_START", loops.rowStart());
-    arrays.integers("LOOP_COLUMN", loops.column());
-    arrays.integers(
-        "VELOCITY_OF", IntStream.range(0, nq).map(coordinates::velocityOf).boxed().toList());
-    arrays.integers(
-        "POSITION_OF", IntStream.range(0, nv).map(coordinates::positionOf).boxed().toList());
-    arrays.integers(
-        "BALL_Q", IntStream.range(0, balls).map(coordinates::ballPosition).boxed().toList());
-    arrays.integers(
-        "BALL_V", IntStream.range(0, balls).map(coordinates::ballVelocity).boxed().toList());
-    arrays.doubles("UNIT", loops.unit());
-    arrays.doubles("SIZE", loops.size());
-    arrays.doubles("PLACE_ROUNDING", loops.placeRounding());
-    if (loops.angles().isPresent()) {
-      arrays.doubles("ANGLE_STARTS", loops.angleStarts());
-    }
-    source.line("static const mech_loops LOOPS = {");
-    int further = model.states().size() - nq - nv;
-    source.line(
-        "    %d, %d, %d, %d, %d, %d, LOOP_START, LOOP_COLUMN, VELOCITY_OF, POSITION_OF,"
-            .formatted(
-                nq, nv, further, loops.angleStarts().size(), loops.rows(), loops.column().size()));
-    PenaltySettings penalty = loops.penalty();
-    source.line(
-        "    %d, BALL_Q, BALL_V, UNIT, SIZE, PLACE_ROUNDING, %s, %s, %s, REGULAR,"
-            .formatted(
-                balls,
-                numbers.of(penalty.stiffness()),
-                numbers.of(penalty.frequency()),
-                numbers.of(penalty.damping())));
-    source.line(
-        "    loop_terms_of, all_terms_of, mass_matrix_of, %s, %s, %s_of, %s"
-            .formatted(
-                loops.further().isPresent() ? "further_rates_of" : "NULL",
-                loops.angles().isPresent() ? "cut_angles_of" : "NULL",
-                TANGENT,
-                loops.further().isPresent() ? FURTHER_TANGENT + "_of" : "NULL"));
-    source.line("};").blank();
-  }
-
-  private void tangentCallback(String function) {
-    source.open(
-        "static void "
-            + function
-            + "_of(void *model, double t, const double *y, const double *given,"
-            + " const double *seed, double *rates)");
-    source.line(function + "((" + name + "_t *)model, t, y, given, seed, rates);");
-    source.close().blank();
-  }
-
-  private void callback(String result, String function, String output) {
-    source.open(
-        "static %s %s_of(void *model, double t, const double *y, double *%s)"
-            .formatted(result, function, output));
-    String call = "%s((%s_t *)model, t, y, %s);".formatted(function, name, output);
-    source.line(result.equals("void") ? call : "return " + call);
-    source.close().blank();
   }
 
   /** Writes where the programs read the inputs. */
@@ -351,7 +178,7 @@ final class CSource {
       source.line(
           "return mech_loops_along(&LOOPS, m, m->loop, t, x, seed, again, dx, &m->failure);");
     } else {
-      source.line("m->failure = " + TANGENT + "(m, t, x, seed, dx);");
+      source.line("m->failure = " + CPrograms.TANGENT + "(m, t, x, seed, dx);");
       source.line("return m->failure == REGULAR ? 0 : -1;");
     }
     source.close();

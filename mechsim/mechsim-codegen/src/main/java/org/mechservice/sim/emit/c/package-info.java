@@ -4,14 +4,15 @@
  * <p>{@link org.mechservice.sim.emit.c.CModel} takes the programs of a mechanism and returns the
  * files: a header that documents every array, the code, the elementary functions with the bits of
  * Java's StrictMath ({@code mech_math.c}), and an example that steps the model. {@code CSource}
- * plans the programs as for Java and prints them by {@code emit.source.ProgramPrinter} in the
- * syntax of {@code CSyntax}; operations and their order are the same, so with {@code
- * -ffp-contract=off} the results are the same bits.
+ * writes the functions that a program calls. {@code CPrograms} plans the programs as for Java and
+ * prints them by {@code emit.source.ProgramPrinter} in the syntax of {@code CSyntax}; operations
+ * and their order are the same, so with {@code -ffp-contract=off} the results are the same bits.
  *
  * <p>Of closed loops ({@link org.mechservice.sim.emit.c.CLoops}) the programs give the terms, as on
  * the Java machine; {@code mech_loops.c} solves them as {@code solver.closure} does by penalty, in
- * the same order of operations. {@link org.mechservice.sim.emit.c.CEvents} has events and times of
- * jumps, {@link org.mechservice.sim.emit.c.CInputs} loads that stand for forces written as classes.
+ * the same order of operations, by the layout that {@code CLoopLayout} writes. {@link
+ * org.mechservice.sim.emit.c.CEvents} has events and times of jumps, {@link
+ * org.mechservice.sim.emit.c.CInputs} loads that stand for forces written as classes.
  *
  * <p>{@code CTangents} differentiates the equations along directions, for Jacobians and the
  * directional derivatives of FMUs.

@@ -16,12 +16,6 @@ import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.dynamics.DataDrivenModel;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.expression.Expression.Call;
-import org.mechservice.solver.expression.Expression.Negation;
-import org.mechservice.solver.expression.Expression.Power;
-import org.mechservice.solver.expression.Expression.Product;
-import org.mechservice.solver.expression.Expression.Quotient;
-import org.mechservice.solver.expression.Expression.Sum;
 import org.mechservice.solver.expression.Expression.Time;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.ForceElement;
@@ -126,29 +120,10 @@ public final class ShortPulseCheck {
     while (!open.isEmpty()) {
       Expression next = open.pop();
       if (parts.add(next)) {
-        open.addAll(operands(next));
+        open.addAll(Expression.operands(next));
       }
     }
     return parts;
-  }
-
-  /** Returns the operands of an expression. */
-  static List<Expression> operands(Expression formula) {
-    if (formula instanceof Sum sum) {
-      return List.of(sum.left(), sum.right());
-    } else if (formula instanceof Product product) {
-      return List.of(product.left(), product.right());
-    } else if (formula instanceof Quotient quotient) {
-      return List.of(quotient.dividend(), quotient.divisor());
-    } else if (formula instanceof Power power) {
-      return List.of(power.base(), power.exponent());
-    } else if (formula instanceof Negation negation) {
-      return List.of(negation.operand());
-    }
-    if (formula instanceof Expression.TableValue value) {
-      return value.arguments();
-    }
-    return formula instanceof Call call ? call.arguments() : List.of();
   }
 
   private Optional<Finding> found() {

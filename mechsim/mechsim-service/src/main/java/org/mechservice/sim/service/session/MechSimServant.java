@@ -5,7 +5,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.UUID;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.idl.Channel;
@@ -15,7 +14,6 @@ import org.mechservice.idl.IMechSimRemote;
 import org.mechservice.idl.InvalidModel;
 import org.mechservice.idl.InvalidOption;
 import org.mechservice.idl.InvalidState;
-import org.mechservice.idl.JarInfo;
 import org.mechservice.idl.JarInfoHolder;
 import org.mechservice.idl.LimitExceeded;
 import org.mechservice.idl.MAX_WAIT_MILLIS;
@@ -39,12 +37,7 @@ import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.sim.check.CheckReport;
 import org.mechservice.sim.model.BuildOptions;
-import org.mechservice.sim.model.CompiledModel;
-import org.mechservice.sim.model.GeneratedFacts;
 import org.mechservice.sim.model.ModelFactory;
-import org.mechservice.sim.packaging.JarImage;
-import org.mechservice.sim.packaging.ModelJars;
-import org.mechservice.sim.packaging.RuntimeJar;
 import org.mechservice.sim.service.contract.ContractErrors;
 import org.mechservice.sim.service.contract.ContractTypes;
 import org.mechservice.sim.service.library.LoadedModel;
@@ -55,20 +48,9 @@ import org.mechservice.sim.service.library.SetUpTimes;
 import org.mechservice.sim.service.library.SimulationRequest;
 import org.mechservice.sim.service.limits.AdmissionControl;
 import org.mechservice.sim.service.limits.HostLimit;
-import org.mechservice.sim.service.results.RunColumns;
-import org.mechservice.sim.service.results.RunIdentity;
 import org.mechservice.sim.service.run.RunFactory;
-import org.mechservice.sim.service.run.RunPlan;
-import org.mechservice.sim.service.run.RunTask;
-import org.mechservice.sim.service.run.SimulationRun;
 import org.mechservice.sim.user.UserFile;
-import org.mechservice.sim.worker.Confinement;
-import org.mechservice.sim.worker.UserCodePolicy;
-import org.mechservice.sim.worker.WorkerBounds;
-import org.mechservice.solver.api.run.RunRequest;
-import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.catalogue.SourceLanguage;
-import org.mechservice.solver.simulation.SolverVersion;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -76,15 +58,13 @@ import org.slf4j.LoggerFactory;
 final class MechSimServant implements MechSimOperations {
   private static final Logger LOG = LoggerFactory.getLogger(MechSimServant.class);
 
-  /** Whether the allow-list of bytecode is asked; tests of the confinement alone switch it off. */
-  static volatile boolean verifiesUserCode = true;
-
   private final Session session;
   private final ModelLibrary library;
-  private final RunFactory runs;
   private final AdmissionControl admission;
   private final Runnable destroyed;
   private final SetUpTimes times = new SetUpTimes();
+  private final RunCreation creation;
+  private final SignedJars jars;
   private volatile Optional<LoadedModel> loaded = Optional.empty();
 
   /**
@@ -100,8 +80,9 @@ final class MechSimServant implements MechSimOperations {
     this.admission = admission;
     this.session = session;
     this.library = library;
-    this.runs = runs;
     this.destroyed = destroyed;
+    creation = new RunCreation(session, library, runs, times);
+    jars = new SignedJars(session, library, times);
   }
 
   @Override
@@ -188,6 +169,17 @@ final class MechSimServant implements MechSimOperations {
     }
   }
 
+  /** Returns a parsed request; refuses a strict one if the reader of the file has warnings. */
+  private Parsed parsedToBuild(NameValue[] options)
+      throws InvalidState, InvalidOption, InvalidModel {
+    Parsed parsed = parsed(options);
+    MechmlModel model = parsed.model().model();
+    if (parsed.request().strict() && !model.warnings().isEmpty()) {
+      throw ContractErrors.strict(model.warnings());
+    }
+    return parsed;
+  }
+
   @Override
   public ModelInfo getModelInfo() throws InvalidState {
     return requireModel().info();
@@ -272,7 +264,7 @@ final class MechSimServant implements MechSimOperations {
   @Override
   public RunSetUp prepareSimulation(NameValue[] options, @Nullable IMechClient client)
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, LimitExceeded, ServerFailure {
-    Created created = created(options, client);
+    RunCreation.Created created = created(options, client);
     try {
       return new RunSetUp(
           created.reference(),
@@ -297,198 +289,39 @@ final class MechSimServant implements MechSimOperations {
     return ContractTypes.nameValues(facts);
   }
 
-  /** A simulation that was created. */
-  private record Created(
-      SimulationRun run,
-      IMechSimRemote reference,
-      String formulationReason,
-      Map<String, String> warnings) {}
-
-  private Created created(NameValue[] options, @Nullable IMechClient client)
+  private RunCreation.Created created(NameValue[] options, @Nullable IMechClient client)
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, LimitExceeded, ServerFailure {
     admission.requirePlace(session.owner(), session.simulationCount());
-    Parsed parsed = parsed(options);
-    LoadedModel source = parsed.model();
-    SimulationSettings ofFile = source.model().settings();
-    SimulationRequest asked = parsed.request();
-    requireNoWarnings(source, asked);
-    CompiledModel compiled =
-        ContractErrors.build(() -> library.compiled(source, asked.forRun(ofFile), times));
-    requireUserCodeAllowed(compiled, source);
-    RunRequest request =
-        new RunRequest(
-            asked.settings(),
-            asked.columns(),
-            asked.strict(),
-            asked.maxDrift(),
-            source.model().silenced());
-    WorkerBounds bounds = session.limits().ofWorker();
-    RunTask task = ContractErrors.build(() -> runs.task(compiled, request, bounds));
-    RunColumns columns = ContractErrors.build(() -> runs.columns(task, request));
-    RunPlan plan =
-        new RunPlan(
-            identity(task, source, asked), task, columns, setUp(source, compiled.generated()));
-    SimulationRun run = runs.create(plan, session);
-    IMechSimRemote reference = session.add(run, client);
-    session.said(run, messages(source, compiled.generated(), asked));
-    return new Created(
-        run,
-        reference,
-        compiled.generated().formulationReason(),
-        ModelWarnings.ofSetUp(source, asked.formulation(), asked.settings()));
-  }
-
-  private RunIdentity identity(RunTask task, LoadedModel source, SimulationRequest asked) {
-    return new RunIdentity(
-        UUID.randomUUID().toString(),
-        session.id(),
-        hostName(),
-        session.owner(),
-        task.description().name(),
-        source.fileName(),
-        source.text(),
-        System.currentTimeMillis(),
-        asked.earlierIds());
-  }
-
-  /** Returns the entries of the run report about the set-up. */
-  private Map<String, Object> setUp(LoadedModel source, GeneratedFacts generated) {
-    Map<String, Object> entries = new LinkedHashMap<>();
-    entries.put("modelSha256", source.sha256());
-    entries.put("formulationReason", generated.formulationReason());
-    entries.putAll(times.asMap());
-    entries.remove("t2s"); // a run makes no JAR
-    return entries;
-  }
-
-  /** Refuses a strict request if the reader of the file has warnings. */
-  private static void requireNoWarnings(LoadedModel source, SimulationRequest asked)
-      throws InvalidModel {
-    if (asked.strict() && !source.model().warnings().isEmpty()) {
-      throw ContractErrors.strict(source.model().warnings());
-    }
-  }
-
-  private void requireUserCodeAllowed(CompiledModel compiled, LoadedModel source)
-      throws NotAvailable, InvalidModel {
-    if (!compiled.hasUserClasses()) {
-      return;
-    }
-    UserCodePolicy policy = session.host().userCode();
-    if (policy == UserCodePolicy.REFUSED) {
-      throw new NotAvailable(
-          MessageCode.USER_CODE_NOT_ALLOWED.code(),
-          "host "
-              + hostName()
-              + " runs no classes of users, and forces of this model are such classes; run it with"
-              + " --mode local or without --server, or ask the operator to start the server with"
-              + " --allow-user-code");
-    } else if (!policy.runsBehind(Confinement.ofThisMachine())) {
-      throw new NotAvailable(
-          MessageCode.NO_CONFINEMENT.code(),
-          "host "
-              + hostName()
-              + " cannot confine classes of users, so it does not run them: "
-              + Confinement.ofThisMachine().text()
-              + "; run the model with --mode local or without --server, or ask the operator to make"
-              + " bubblewrap work on the host");
-    }
-    if (!Confinement.ofThisMachine().stands()) {
-      LOG.warn("classes of users run unconfined: {}", Confinement.ofThisMachine().text());
-    }
-    try {
-      if (verifiesUserCode) {
-        source.userClasses().requireHarmless();
-      }
-    } catch (MechmlException e) {
-      throw ContractErrors.model(e.diagnostics());
-    }
-  }
-
-  private static Diagnostic[] messages(
-      LoadedModel source, GeneratedFacts generated, SimulationRequest asked) {
-    Diagnostic[] warnings = ContractTypes.diagnostics(source.model().warnings());
-    Diagnostic[] all = new Diagnostic[warnings.length + 1];
-    System.arraycopy(warnings, 0, all, 0, warnings.length);
-    all[warnings.length] =
-        ContractTypes.information(
-            MessageCode.SERVER_CHOICE,
-            "formulation "
-                + generated.formulation()
-                + " ("
-                + generated.formulationReason()
-                + "), integrator "
-                + asked.settings().integrator());
-    return all;
+    Parsed parsed = parsedToBuild(options);
+    return creation.create(parsed.model(), parsed.request(), client);
   }
 
   @Override
   public byte[] compileToJar(NameValue[] options, JarInfoHolder info)
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
-    Parsed parsed = parsed(options);
-    return packed(parsed.model(), parsed.request(), info);
-  }
-
-  private byte[] packed(LoadedModel source, SimulationRequest asked, JarInfoHolder info)
-      throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
-    requireNoWarnings(source, asked);
-    BuildOptions build = asked.forJar();
-    CompiledModel compiled = ContractErrors.build(() -> library.compiled(source, build, times));
-    long start = System.nanoTime();
-    JarImage jar =
-        asked.standalone()
-            ? ModelJars.standalone(compiled, source.sha256())
-            : ModelJars.model(compiled, source.sha256());
-    String runtime = asked.standalone() ? "" : RuntimeJar.sha256();
-    times.addPacking(System.nanoTime() - start);
-    info.value =
-        new JarInfo(
-            jar.fileName(),
-            jar.mainClass(),
-            jar.sha256(),
-            jar.bytes().length,
-            jar.modelBytes(),
-            signature(jar),
-            runtime,
-            ContractTypes.nameValues(jar.manifest()));
-    return jar.bytes();
+    Parsed parsed = parsedToBuild(options);
+    return jars.ofModel(parsed.model(), parsed.request(), info);
   }
 
   @Override
   public byte[] prepareJar(NameValue[] options, JarInfoHolder info, NameValueSeqHolder facts)
       throws InvalidModel, InvalidOption, InvalidState, NotAvailable, ServerFailure {
-    Parsed parsed = parsed(options);
+    Parsed parsed = parsedToBuild(options);
     LoadedModel source = parsed.model();
     SimulationRequest asked = parsed.request();
-    byte[] jar = packed(source, asked, info);
+    byte[] jar = jars.ofModel(source, asked, info);
     facts.value = facts("", ModelWarnings.ofSetUp(source, asked.formulation(), asked.settings()));
     return jar;
   }
 
-  /** Returns the detached signature of a JAR; empty without TLS, where the server has no key. */
-  private byte[] signature(JarImage jar) {
-    return session
-        .host()
-        .orb()
-        .identity()
-        .map(own -> own.sign(jar.bytes()))
-        .orElseGet(() -> new byte[0]);
-  }
-
   @Override
   public RuntimeInfo getRuntimeInfo() {
-    JarImage jar = RuntimeJar.current();
-    return new RuntimeInfo(jar.sha256(), jar.bytes().length, signature(jar), SolverVersion.CURRENT);
+    return jars.runtime();
   }
 
   @Override
   public byte[] fetchRuntime(String sha256) throws NotFound {
-    JarImage jar = RuntimeJar.current();
-    if (!jar.sha256().equals(sha256)) {
-      throw ContractErrors.notFound(
-          "this server's runtime JAR is " + jar.sha256() + ", not " + sha256);
-    }
-    return jar.bytes();
+    return SignedJars.runtime(sha256);
   }
 
   @Override

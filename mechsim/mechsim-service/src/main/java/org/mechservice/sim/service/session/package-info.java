@@ -3,9 +3,10 @@
  *
  * <p>{@link org.mechservice.sim.service.session.SessionTable} is the entry: it opens sessions, ends
  * those whose lease is over, and runs the host's clock. A {@code Session} owns its simulations and
- * their cursors. {@code MechSimServant} reads models, creates simulations and makes JARs; {@code
- * SimulationServant} steers one run; {@code EndedRunServant} reopens a run that has ended. {@code
- * HostServices} lists what the sessions of a host share.
+ * their cursors. {@code MechSimServant} reads models; {@code RunCreation} creates its simulations,
+ * which may contain classes of users if {@code UserCodeAdmission} lets them, and {@code SignedJars}
+ * makes its JARs. {@code SimulationServant} steers one run; {@code EndedRunServant} reopens a run
+ * that has ended. {@code HostServices} lists what the sessions of a host share.
  *
  * <p>{@link org.mechservice.sim.service.session.WarmUp} loads the classes of a host before its
  * first client needs them.

@@ -49,14 +49,14 @@ class ConfinedUserCodeTest {
     assumeTrue(
         Confinement.ofThisMachine().stands(),
         () -> "no confinement on this machine: " + Confinement.ofThisMachine().text());
-    MechSimServant.verifiesUserCode = false;
+    UserCodeAdmission.verifies = false;
     kept = Optional.of(Files.writeString(Files.createTempFile("host", ".txt"), "secret"));
     listening = Optional.of(new ServerSocket(0, 50, InetAddress.getLoopbackAddress()));
   }
 
   @AfterAll
   static void switchFirstWallOn() throws Exception {
-    MechSimServant.verifiesUserCode = true;
+    UserCodeAdmission.verifies = true;
     if (kept.isPresent()) {
       Files.deleteIfExists(kept.get());
     }

@@ -119,26 +119,28 @@ public final class PoleProbe {
       return -1;
     }
     for (int l = 0; l < y.length; l++) {
+      double here = derivative[l];
+      double there = derivativeAtEnd[l];
+      if (!(here * before[l] > 0 && Math.abs(here) > Math.abs(before[l]))) {
+        continue; // not growing
+      }
       double size = Math.max(Math.abs(y[l]), Math.abs(yEnd[l]));
-      double move = Math.abs((end - t) * derivative[l]);
+      double move = Math.abs((end - t) * here);
       boolean anyOrder = known == 2 && move > VERY_MUCH * size && norm.of(yEnd) < MOST_TOLERANCES;
-      if (foreseen[l] * derivative[l] > 0
-          && Math.abs((end - t) * derivativeAtEnd[l]) * norm.weight(l) > 1
-          && suspect(l, t, derivative[l], derivativeAtEnd[l], end - t, y[l], yEnd[l], anyOrder)
-          && narrowed(equations, l, t, end, y, yEnd, derivative[l], derivativeAtEnd[l])) {
-        return l;
-      }
-      if (!(move > MUCH * size && growsUpTo(l, t, derivative[l], end - t))) {
-        continue;
-      }
-      for (int i = 0; i < (anyOrder ? ORDERS.length : USUAL); i++) {
-        double order = ORDERS[i];
-        double place =
-            placeOfPeak(
-                l, order, t, derivative[l], derivativeAtEnd[l], end - t, y[l], yEnd[l], anyOrder);
-        if (place > 0
-            && peaks(equations, l, t, end, y, yEnd, place, derivative[l], derivativeAtEnd[l])) {
+      if (here * there < 0) {
+        if (foreseen[l] * here > 0
+            && Math.abs((end - t) * there) * norm.weight(l) > 1
+            && suspect(l, t, here, there, end - t, y[l], yEnd[l], anyOrder)
+            && narrowed(equations, l, t, end, y, yEnd, here, there)) {
           return l;
+        }
+      } else if (here * there > 0 && move > MUCH * size && growsUpTo(l, t, here, end - t)) {
+        for (int i = 0; i < (anyOrder ? ORDERS.length : USUAL); i++) {
+          double place =
+              placeOfPeak(l, ORDERS[i], t, here, there, end - t, y[l], yEnd[l], anyOrder);
+          if (place > 0 && peaks(equations, l, t, end, y, yEnd, place, here, there)) {
+            return l;
+          }
         }
       }
     }
@@ -146,8 +148,8 @@ public final class PoleProbe {
   }
 
   /**
-   * Returns whether the derivatives known look like A/(t − c), or another odd growth, with c inside
-   * the step.
+   * Returns whether the derivatives known, which grow and then change sign, look like A/(t − c), or
+   * like another odd growth, with c inside the step.
    *
    * @param here derivative at its beginning
    * @param there derivative at its end
@@ -166,9 +168,6 @@ public final class PoleProbe {
       double yEnd,
       boolean anyOrder) {
     double last = before[l];
-    if (!(here * there < 0 && here * last > 0 && Math.abs(here) > Math.abs(last))) {
-      return false;
-    }
     double ahead = (t - timeBefore) * last / (here - last); // from the beginning to the pole
     double behind = -ahead * here / there; // from the pole to the end, by the values
     double earlier = here * ahead / (t - timeTwoBefore + ahead);
@@ -206,9 +205,9 @@ public final class PoleProbe {
   }
 
   /**
-   * Returns the share of the step at which the derivatives known foretell a pole of constant sign;
-   * 0 if they do not. The value behind it is the one foretold if f depends on t alone, or if it is
-   * y times A/|t − c|.
+   * Returns the share of the step at which the derivatives known, which grow and keep their sign,
+   * foretell a pole of constant sign; 0 if they do not. The value behind it is the one foretold if
+   * f depends on t alone, or if it is y times A/|t − c|.
    *
    * @param order p for A/|t − c|^p
    * @param anyOrder whether y times A/|t − c| is looked for
@@ -223,10 +222,6 @@ public final class PoleProbe {
       double y,
       double yEnd,
       boolean anyOrder) {
-    double last = before[l];
-    if (!(here * there > 0 && here * last > 0 && Math.abs(here) > Math.abs(last))) {
-      return 0;
-    }
     double place = placeOfGrowth(l, order, t, here, step);
     double distances = (1 - place) / place;
     return place > 0

@@ -1,4 +1,4 @@
-package org.mechservice.client.sweep;
+package org.mechservice.client;
 
 import java.io.IOException;
 import java.io.InterruptedIOException;
@@ -8,9 +8,6 @@ import java.util.Deque;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
-import org.mechservice.client.MechConnection;
-import org.mechservice.client.MechSession;
-import org.mechservice.client.SimulationOptions;
 import org.mechservice.client.failure.InvalidModelException;
 import org.mechservice.client.failure.InvalidOptionException;
 import org.mechservice.client.failure.LimitExceededException;

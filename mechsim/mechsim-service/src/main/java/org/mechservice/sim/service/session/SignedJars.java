@@ -1,0 +1,101 @@
+package org.mechservice.sim.service.session;
+
+import org.mechservice.idl.InvalidModel;
+import org.mechservice.idl.InvalidOption;
+import org.mechservice.idl.JarInfo;
+import org.mechservice.idl.JarInfoHolder;
+import org.mechservice.idl.NotAvailable;
+import org.mechservice.idl.NotFound;
+import org.mechservice.idl.RuntimeInfo;
+import org.mechservice.idl.ServerFailure;
+import org.mechservice.sim.model.BuildOptions;
+import org.mechservice.sim.model.CompiledModel;
+import org.mechservice.sim.packaging.JarImage;
+import org.mechservice.sim.packaging.ModelJars;
+import org.mechservice.sim.packaging.RuntimeJar;
+import org.mechservice.sim.service.contract.ContractErrors;
+import org.mechservice.sim.service.contract.ContractTypes;
+import org.mechservice.sim.service.library.LoadedModel;
+import org.mechservice.sim.service.library.ModelLibrary;
+import org.mechservice.sim.service.library.SetUpTimes;
+import org.mechservice.sim.service.library.SimulationRequest;
+import org.mechservice.solver.simulation.SolverVersion;
+
+/**
+ * Makes the JARs that leave a session: a model, with or without the solver, and the solver itself.
+ * Each comes with its SHA-256 and, over TLS, with a signature by the server's key.
+ */
+final class SignedJars {
+  private final Session session;
+  private final ModelLibrary library;
+  private final SetUpTimes times;
+
+  /**
+   * @param times of the session; compiling and packing add to them
+   */
+  SignedJars(Session session, ModelLibrary library, SetUpTimes times) {
+    this.session = session;
+    this.library = library;
+    this.times = times;
+  }
+
+  /**
+   * Returns the JAR of a model.
+   *
+   * @param source the model as the request reads it
+   * @param info receives what the JAR is
+   */
+  byte[] ofModel(LoadedModel source, SimulationRequest asked, JarInfoHolder info)
+      throws InvalidModel, InvalidOption, NotAvailable, ServerFailure {
+    BuildOptions build = asked.forJar();
+    CompiledModel compiled = ContractErrors.build(() -> library.compiled(source, build, times));
+    long start = System.nanoTime();
+    JarImage jar =
+        asked.standalone()
+            ? ModelJars.standalone(compiled, source.sha256())
+            : ModelJars.model(compiled, source.sha256());
+    String runtime = asked.standalone() ? "" : RuntimeJar.sha256();
+    times.addPacking(System.nanoTime() - start);
+    info.value =
+        new JarInfo(
+            jar.fileName(),
+            jar.mainClass(),
+            jar.sha256(),
+            jar.bytes().length,
+            jar.modelBytes(),
+            signature(jar),
+            runtime,
+            ContractTypes.nameValues(jar.manifest()));
+    return jar.bytes();
+  }
+
+  /** Returns what the JAR of the solver is, which runs the JARs of models. */
+  RuntimeInfo runtime() {
+    JarImage jar = RuntimeJar.current();
+    return new RuntimeInfo(jar.sha256(), jar.bytes().length, signature(jar), SolverVersion.CURRENT);
+  }
+
+  /**
+   * Returns the JAR of the solver.
+   *
+   * @throws NotFound if this server's is another one
+   */
+  static byte[] runtime(String sha256) throws NotFound {
+    JarImage jar = RuntimeJar.current();
+    if (!jar.sha256().equals(sha256)) {
+      throw ContractErrors.notFound(
+          "this server's runtime JAR is " + jar.sha256() + ", not " + sha256);
+    }
+    return jar.bytes();
+  }
+
+  /** Returns the detached signature of a JAR; empty without TLS, where the server has no key. */
+  private byte[] signature(JarImage jar) {
+    return session
+        .host()
+        .orb()
+        .identity()
+        .map(own -> own.sign(jar.bytes()))
+        .orElseGet(() -> new byte[0]);
+  }
+}

@@ -1,0 +1,29 @@
+package org.mechservice.study.run;
+
+import java.util.Optional;
+import org.mechservice.mechml.document.Element;
+
+/** What is wrong with an element of a study; the message says what to write. */
+final class StudyRefusal extends Exception {
+  private static final long serialVersionUID = 1L;
+
+  private final transient Optional<Element> at;
+
+  StudyRefusal(String message) {
+    super(message);
+    at = Optional.empty();
+  }
+
+  /**
+   * @param at an element other than the one that is read
+   */
+  StudyRefusal(Element at, String message) {
+    super(message);
+    this.at = Optional.of(at);
+  }
+
+  /** Returns the element that is wrong. */
+  Element at(Element read) {
+    return at.orElse(read);
+  }
+}
