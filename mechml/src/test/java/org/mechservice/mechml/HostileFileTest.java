@@ -129,7 +129,8 @@ class HostileFileTest {
     for (int i = 0; i <= Limits.BODIES; i++) {
       bodies.append("<body name='more%d'><mass value='1'/></body>".formatted(i));
     }
-    assertThat(codes(pendulum().replace("</Bodies>", bodies + "</Bodies>"))).containsExactly("M-004");
+    assertThat(codes(pendulum().replace("</Bodies>", bodies + "</Bodies>")))
+        .containsExactly("M-004");
   }
 
   @Test
