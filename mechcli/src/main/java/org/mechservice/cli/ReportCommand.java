@@ -5,6 +5,7 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import org.mechservice.cli.shell.ExitStatus;
 import org.mechservice.cli.shell.MechVersion;
@@ -45,8 +46,18 @@ final class ReportCommand implements Callable<Integer> {
 
   @Option(
       names = "--quick",
-      description = "Fewer tolerances and shorter limits: under a minute per model.")
+      description =
+          "Fewer tolerances and shorter limits: about a minute per model, three at most for a large"
+              + " mechanism.")
   private boolean quick;
+
+  @Option(
+      names = "--budget",
+      paramLabel = "SECONDS",
+      description =
+          "Time for the report of a model; what it does not allow is left out and named on the"
+              + " page. Default: 900, with --quick 180.")
+  private OptionalDouble budget = OptionalDouble.empty();
 
   @Option(
       names = "--compare",
@@ -63,6 +74,13 @@ final class ReportCommand implements Callable<Integer> {
   public Integer call() throws IOException, InterruptedException {
     if (!compared.isEmpty()) {
       return compare();
+    }
+    if (budget.isPresent() && !(budget.getAsDouble() > 0)) {
+      throw new UsageException(
+          MessageCode.OPTION_UNUSABLE
+              + " --budget "
+              + budget.getAsDouble()
+              + ": the time for a report is a positive number of seconds");
     }
     if (models.isEmpty()) {
       throw new UsageException(
@@ -102,7 +120,8 @@ final class ReportCommand implements Callable<Integer> {
   private void report(ServiceConnection service, Path model, Path folder)
       throws IOException, InterruptedException {
     PrintWriter err = spec.commandLine().getErr();
-    Effort effort = quick ? Effort.QUICK : Effort.FULL;
+    Effort usual = quick ? Effort.QUICK : Effort.FULL;
+    Effort effort = budget.isPresent() ? usual.withBudget(budget.getAsDouble()) : usual;
     try (MechSession session = service.connection().openSession();
         ProgressLine line = new ProgressLine(err)) {
       session.loadModel(model).forEach(err::println);

@@ -143,7 +143,7 @@ class RemoteModelTest {
   /** The methods are built in different places and run in this process alike: their first runs. */
   @Test
   void reportIsOfTheSameMethods() throws Exception {
-    Effort least = new Effort("least", new double[] {1e-3}, 1, 1, 0, 1, 0, 0);
+    Effort least = new Effort("least", new double[] {1e-3}, 1, 1, 0, 1, 0, 0, 60);
     Path file = element("Parameters");
     List<String> told = new ArrayList<>();
     ReportProgress enough =

@@ -61,7 +61,7 @@ class ClientContractTest {
   void modelThatFitsIntoNoMessageIsRefusedByItsSizeAndTheSessionGoesOn() {
     assertThatThrownBy(() -> session.loadModel("large.xml", new byte[50_000_000]))
         .isInstanceOf(LimitExceededException.class)
-        .hasMessageContaining("the model has 50000000 bytes; servers take at most 16777216");
+        .hasMessageContaining("the model has 50000000 bytes; servers take at most 25165824");
     session.loadModel("square.xml", MODEL);
   }
 

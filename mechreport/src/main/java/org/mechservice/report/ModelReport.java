@@ -4,19 +4,25 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.mechservice.report.measure.Campaign;
 import org.mechservice.report.measure.ColdRunTimes;
 import org.mechservice.report.measure.ColdRunTiming;
 import org.mechservice.report.measure.Effort;
 import org.mechservice.report.measure.LoopForces;
+import org.mechservice.report.measure.MeasuredRun;
 import org.mechservice.report.measure.MeasurementFile;
 import org.mechservice.report.measure.MethodRunner;
 import org.mechservice.report.measure.Point;
+import org.mechservice.report.measure.ReportBudget;
 import org.mechservice.report.measure.ReportProgress;
 import org.mechservice.report.measure.SceneFindings;
 import org.mechservice.report.measure.Spectrum;
@@ -42,6 +48,14 @@ import org.mechservice.solver.catalogue.MethodNames;
 public final class ModelReport {
   private static final int OUTPUT_INTERVALS = 50;
   private static final int SPECTRUM_SAMPLES = 11;
+
+  /** Parts of the time for the report: one solution of the reference, of a large mechanism too. */
+  private static final double OF_REFERENCE = 0.15;
+
+  private static final double OF_LARGE_REFERENCE = 0.07;
+
+  /** What eigenvalues may take of the time that is left for the report. */
+  private static final double OF_SPECTRUM = 0.15;
 
   private final MethodBuilds builds;
   private final Path folder;
@@ -83,6 +97,7 @@ public final class ModelReport {
   }
 
   private SceneFindings measure(String file) throws IOException, InterruptedException {
+    ReportBudget budget = new ReportBudget(effort.budgetSeconds());
     progress.at("building the model in every formulation", 0, Double.NaN);
     MethodList methods = MethodList.of(builds);
     List<Candidate> candidates = methods.candidates();
@@ -94,7 +109,7 @@ public final class ModelReport {
         new ReferenceFile(
             folder.resolve(baseName(file) + "-reference.csv"), purpose(file), model.description());
     Judge judge = judge(candidates, model, settings, distance, kept);
-    Optional<Spectrum> spectrum = spectrum(judge, model);
+    Optional<Spectrum> spectrum = spectrum(judge, model, budget);
     String csv = baseName(file) + ".csv";
     Map<String, TimeShares> shares = new LinkedHashMap<>();
     List<Point> points = List.of();
@@ -105,12 +120,13 @@ public final class ModelReport {
                   folder.resolve(csv), purpose(file) + "; " + code(candidates.get(0)));
           MethodRunner runner =
               new MethodRunner(reference, distance, judge.grid(), loops(candidates))) {
-        new Campaign(runner, journal, effort, progress).run(candidates);
-        points = Point.of(journal.runs());
-        shares.putAll(shares(candidates, points, runner));
+        List<MeasuredRun> leftOut =
+            new Campaign(runner, journal, effort, budget, progress).run(candidates);
+        points = Point.of(Stream.concat(journal.runs().stream(), leftOut.stream()).toList());
+        shares.putAll(shares(candidates, points, runner, budget));
       }
     }
-    Map<String, ColdRunTimes> fresh = freshStarts(candidates, points, judge);
+    Map<String, ColdRunTimes> fresh = freshStarts(candidates, points, judge, budget);
     ModelProblem problem = new ModelProblem(model);
     return new SceneFindings(
         model.description().name(),
@@ -127,7 +143,8 @@ public final class ModelReport {
         fresh,
         effort,
         csv,
-        Machine.facts());
+        Machine.facts(),
+        budget.savings());
   }
 
   /** Residuals and multipliers of the scene's loops; empty for an open chain. */
@@ -154,7 +171,12 @@ public final class ModelReport {
       throws IOException {
     RunGrid uniform = RunGrid.uniform(settings.tStart(), settings.tEnd(), OUTPUT_INTERVALS);
     List<ReferenceMaker.Source> sources = sources(candidates);
-    ReferenceMaker maker = new ReferenceMaker(distance, effort.referenceSeconds());
+    double seconds = effort.referenceSeconds();
+    ReferenceMaker maker =
+        new ReferenceMaker(
+            distance,
+            Math.min(seconds, OF_REFERENCE * effort.budgetSeconds()),
+            Math.min(Math.max(seconds, 60), OF_LARGE_REFERENCE * effort.budgetSeconds()));
     Optional<PublishedReference> published =
         PublishedReference.of(
             model.description().name(), candidates.get(0).problem(), settings.tEnd(), distance);
@@ -166,13 +188,20 @@ public final class ModelReport {
       grid = extent.grid();
       made =
           maker
-              .make(sources, Judge.times(published, grid))
+              .make(sources, times(published, sources.get(0), grid))
               .map(reference -> reference.saying(extent.why()));
       if (made.isPresent()) {
         file.write(made.get(), grid);
       }
     }
     return Judge.of(published, made, distance, grid);
+  }
+
+  /** Times of the product's own reference, if it has one. */
+  private static double[] times(
+      Optional<PublishedReference> published, ReferenceMaker.Source source, RunGrid grid) {
+    double[] all = Judge.times(published, grid);
+    return published.isPresent() ? all : ReferenceMaker.times(source, all);
   }
 
   /** One model per formulation and closure: the first two differ in their equations. */
@@ -186,10 +215,26 @@ public final class ModelReport {
     return List.copyOf(sources.values());
   }
 
-  private static Optional<Spectrum> spectrum(Judge judge, ExplicitModel model) {
-    return judge
-        .reference()
-        .map(reference -> Spectrum.along(reference, new ModelProblem(model), SPECTRUM_SAMPLES))
+  private static Optional<Spectrum> spectrum(
+      Judge judge, ExplicitModel model, ReportBudget budget) {
+    if (judge.reference().isEmpty()) {
+      return Optional.empty();
+    }
+    Reference reference = judge.reference().get();
+    ModelProblem problem = new ModelProblem(model);
+    double one = Spectrum.forecast(reference, problem);
+    int samples = (int) Math.min(SPECTRUM_SAMPLES, OF_SPECTRUM * budget.left() / one);
+    if (samples < SPECTRUM_SAMPLES) {
+      budget.saves(
+          String.format(
+              Locale.ROOT,
+              "Eigenvalues were computed at %s times in place of %d, since they take about %s at"
+                  + " one time.",
+              samples == 0 ? "no" : Integer.toString(samples),
+              SPECTRUM_SAMPLES,
+              ReportBudget.inWords(one)));
+    }
+    return Optional.of(Spectrum.along(reference, problem, samples))
         .filter(found -> !found.samples().isEmpty());
   }
 
@@ -208,41 +253,75 @@ public final class ModelReport {
   }
 
   private Map<String, TimeShares> shares(
-      List<Candidate> candidates, List<Point> points, MethodRunner runner) {
+      List<Candidate> candidates, List<Point> points, MethodRunner runner, ReportBudget budget) {
     Map<String, TimeShares> shares = new LinkedHashMap<>();
-    for (Candidate candidate : candidates) {
-      String name = candidate.method().name();
-      double tolerance = effort.typicalTolerance();
-      if (completes(points, name, tolerance)) {
-        progress.at("shares of time: " + name, 0.96, Double.NaN);
-        shares.put(name, TimeShares.of(runner, candidate, tolerance, 5 * effort.limitSeconds()));
+    double tolerance = effort.typicalTolerance();
+    double after = budget.left() / 2;
+    List<Candidate> done = fastestFirst(candidates, points, tolerance);
+    List<String> leftOut = new ArrayList<>();
+    for (int i = 0; i < done.size(); i++) {
+      String name = done.get(i).method().name();
+      double left = (budget.left() - after) / (done.size() - i);
+      if (seconds(points, name, tolerance) > left) {
+        leftOut.add(name);
+        continue;
       }
+      progress.at("shares of time: " + name, 0.96, Double.NaN);
+      double limit = Math.min(5 * effort.limitSeconds(), left);
+      shares.put(name, TimeShares.of(runner, done.get(i), tolerance, limit));
+    }
+    if (!leftOut.isEmpty()) {
+      budget.saves("Where the time goes was not measured of " + String.join(", ", leftOut) + ".");
     }
     return shares;
   }
 
-  private static boolean completes(List<Point> points, String method, double tolerance) {
+  /** The methods that reach the end at a tolerance, the fastest first. */
+  private static List<Candidate> fastestFirst(
+      List<Candidate> candidates, List<Point> points, double tolerance) {
+    return candidates.stream()
+        .filter(method -> Double.isFinite(seconds(points, method.method().name(), tolerance)))
+        .sorted(
+            Comparator.comparingDouble(
+                method -> seconds(points, method.method().name(), tolerance)))
+        .toList();
+  }
+
+  /** Time of a method's run at a tolerance, s; infinite if it does not reach the end. */
+  private static double seconds(List<Point> points, String method, double tolerance) {
     return points.stream()
         .filter(point -> point.first().method().equals(method))
-        .anyMatch(point -> point.tolerance() == tolerance && point.completed());
+        .filter(point -> point.tolerance() == tolerance && point.completed())
+        .mapToDouble(Point::seconds)
+        .findFirst()
+        .orElse(Double.POSITIVE_INFINITY);
   }
 
   private Map<String, ColdRunTimes> freshStarts(
-      List<Candidate> candidates, List<Point> points, Judge judge)
+      List<Candidate> candidates, List<Point> points, Judge judge, ReportBudget budget)
       throws IOException, InterruptedException {
     double end = judge.grid().start() + judge.grid().step() * (judge.grid().rows() - 1);
     try (ColdRunTiming fresh = new ColdRunTiming()) {
-      for (Candidate candidate : candidates) {
+      double after = budget.left() / 2;
+      List<String> leftOut = new ArrayList<>();
+      for (Candidate candidate : fastestFirst(candidates, points, effort.typicalTolerance())) {
         String name = candidate.method().name();
-        if (completes(points, name, effort.typicalTolerance())) {
+        if (budget.left() > after) {
           fresh.add(name, builds.standalone(candidate.method()));
+        } else {
+          leftOut.add(name);
         }
+      }
+      if (!leftOut.isEmpty()) {
+        budget.saves(
+            "First runs in a fresh JVM were left out of " + String.join(", ", leftOut) + ".");
       }
       return fresh.run(
           effort.typicalTolerance(),
           end,
           effort.freshStarts(),
           10 * effort.limitSeconds(),
+          budget,
           progress);
     }
   }

@@ -18,6 +18,7 @@ import org.mechservice.report.measure.MeasuredRun;
 import org.mechservice.report.measure.MeasurementFile;
 import org.mechservice.report.measure.MethodRunner;
 import org.mechservice.report.measure.Point;
+import org.mechservice.report.measure.ReportBudget;
 import org.mechservice.report.measure.ReportProgress;
 import org.mechservice.report.measure.SceneFindings;
 import org.mechservice.report.method.Candidate;
@@ -38,7 +39,7 @@ import org.mechservice.solver.simulation.RuntimeSolver;
 /** Reports on scenes whose state jumps on the way, judged by what their closed forms say. */
 class EventReportTest {
   private static final Effort SHORT =
-      new Effort("test", new double[] {1e-3, 1e-5, 1e-7, 1e-9}, 20, 3, 0.1, 20, 0, 0);
+      new Effort("test", new double[] {1e-3, 1e-5, 1e-7, 1e-9}, 20, 3, 0.1, 20, 0, 0, 60);
   private static final Mechanism BALL = EventScenes.ball(EventScenes.bounce());
   private static final double BALL_END = 12;
   private static final int INTERVALS = 50;
@@ -244,7 +245,8 @@ class EventReportTest {
     try (MeasurementFile journal = MeasurementFile.open(runs, "test");
         MethodRunner runner =
             new MethodRunner(judge.reference().orElseThrow(), distance(BALL), judge.grid())) {
-      new Campaign(runner, journal, SHORT, ReportProgress.SILENT).run(List.of(candidate));
+      new Campaign(runner, journal, SHORT, new ReportBudget(60), ReportProgress.SILENT)
+          .run(List.of(candidate));
       points = Point.of(journal.runs());
     }
     return new SceneFindings(
@@ -262,7 +264,8 @@ class EventReportTest {
         Map.of(),
         SHORT,
         "ball.csv",
-        List.of("2000-01-01"));
+        List.of("2000-01-01"),
+        List.of());
   }
 
   private SceneFindings findings(Mechanism mechanism, Solver solver, String name)

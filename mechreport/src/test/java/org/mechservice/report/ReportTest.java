@@ -19,6 +19,7 @@ import org.mechservice.report.measure.Effort;
 import org.mechservice.report.measure.MeasurementFile;
 import org.mechservice.report.measure.MethodRunner;
 import org.mechservice.report.measure.Point;
+import org.mechservice.report.measure.ReportBudget;
 import org.mechservice.report.measure.ReportProgress;
 import org.mechservice.report.measure.SceneFindings;
 import org.mechservice.report.measure.Spectrum;
@@ -39,7 +40,7 @@ import org.mechservice.solver.simulation.RuntimeSolver;
 
 class ReportTest {
   private static final Effort SHORT =
-      new Effort("test", new double[] {1e-3, 1e-5, 1e-7, 1e-9}, 20, 3, 0.1, 20, 0, 0);
+      new Effort("test", new double[] {1e-3, 1e-5, 1e-7, 1e-9}, 20, 3, 0.1, 20, 0, 0, 60);
   private static final RunGrid GRID = RunGrid.uniform(0, 2, 20);
   private static final StateDistance DISTANCE =
       new StateDistance(new PlanarPendulum(0).description());
@@ -67,7 +68,8 @@ class ReportTest {
     try (MeasurementFile journal =
             MeasurementFile.open(folder.resolve(integrator + ".csv"), "test");
         MethodRunner runner = new MethodRunner(reference, DISTANCE, judge.grid())) {
-      new Campaign(runner, journal, SHORT, ReportProgress.SILENT).run(List.of(candidate));
+      new Campaign(runner, journal, SHORT, new ReportBudget(60), ReportProgress.SILENT)
+          .run(List.of(candidate));
       points = Point.of(journal.runs());
     }
     ModelProblem problem = new ModelProblem(new PlanarPendulum(damping));
@@ -86,7 +88,8 @@ class ReportTest {
         Map.of(),
         SHORT,
         "planar.csv",
-        List.of("2000-01-01"));
+        List.of("2000-01-01"),
+        List.of());
   }
 
   @Test
@@ -126,6 +129,51 @@ class ReportTest {
   }
 
   @Test
+  void reportWithoutTimeNamesWhatItLeavesOut() throws IOException {
+    Judge judge = goodJudge();
+    SceneFindings measured = findings(judge, "ode113", new RuntimeSolver(), 0);
+    SimulationMethod method = new SimulationMethod("DTR", MethodNames.NONE, "DE");
+    Candidate candidate = new Candidate(method, () -> new PlanarPendulum(0), new RuntimeSolver());
+    Path file = folder.resolve("late.csv");
+    List<Point> points = new ArrayList<>(measured.points());
+    try (MeasurementFile journal = MeasurementFile.open(file, "test");
+        MethodRunner runner =
+            new MethodRunner(judge.reference().orElseThrow(), DISTANCE, judge.grid())) {
+      points.addAll(
+          Point.of(
+              new Campaign(runner, journal, SHORT, new ReportBudget(0), ReportProgress.SILENT)
+                  .run(List.of(candidate))));
+      assertThat(journal.runs()).as("a report with more time measures them").isEmpty();
+    }
+    String page =
+        ScenePage.of(
+            new SceneFindings(
+                measured.model(),
+                measured.file(),
+                measured.states(),
+                measured.freedoms(),
+                measured.endOfFile(),
+                List.of(measured.methods().get(0), method),
+                List.of(),
+                judge,
+                points,
+                measured.spectrum(),
+                Map.of(),
+                Map.of(),
+                SHORT.withBudget(600),
+                measured.csv(),
+                measured.versions(),
+                List.of("Rounds to warm up were left out.")));
+
+    assertThat(points).hasSize(8);
+    assertThat(page)
+        .contains("Not measured, to keep the time for the report", "it is not known how long a run")
+        .contains("The time for the report, 10.0 minutes", "Rounds to warm up were left out.")
+        .doesNotContain("<h2>Failures");
+    assertThat(ScenePage.of(measured)).doesNotContain("time for the report");
+  }
+
+  @Test
   void referenceThatNoMethodConvergesToIsExposedInOneSentence() throws IOException {
     SceneFindings one = findings(goodJudge(), "ode113", new RuntimeSolver(), 1e-3);
     SceneFindings other = findings(goodJudge(), "DE", new RuntimeSolver(), 1e-3);
@@ -148,7 +196,8 @@ class ReportTest {
             one.freshStarts(),
             one.effort(),
             one.csv(),
-            one.versions());
+            one.versions(),
+            List.of());
 
     assertThat(ReliabilityWarnings.of(both))
         .singleElement()

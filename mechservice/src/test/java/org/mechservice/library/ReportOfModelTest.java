@@ -19,7 +19,8 @@ class ReportOfModelTest {
   private static final Path EXAMPLES = Path.of("../examples");
 
   /** One tolerance, each point timed once, no warm-up and no other Java machine. */
-  private static final Effort LEAST = new Effort("least", new double[] {1e-3}, 1, 1, 0, 1, 0, 0);
+  private static final Effort LEAST =
+      new Effort("least", new double[] {1e-3}, 1, 1, 0, 1, 0, 0, 60);
 
   @TempDir private Path folder = Path.of("");
 
@@ -61,6 +62,55 @@ class ReportOfModelTest {
     assertThat(Files.readString(runs).lines().findFirst())
         .as("another value of a parameter is another model")
         .isNotEqualTo(measured.lines().findFirst());
+  }
+
+  /**
+   * Bricard's trihedral linkage: six links along the edges of a cube, each hinge across its two
+   * edges. Five of its six equations are independent, and the loop is closed by a constraint.
+   */
+  private static String bricard() {
+    String[] corners = {"0;0;0", "1;0;0", "1;1;0", "1;1;1", "0;1;1", "0;0;1"};
+    String[] centres = {"0.5 0 0", "1 0.5 0", "1 1 0.5", "0.5 1 1", "0 0.5 1", "0 0 0.5"};
+    String[] axes = {"0;1;0", "0;0;1", "1;0;0", "0;1;0", "0;0;1", "1;0;0"};
+    StringBuilder bodies = new StringBuilder();
+    StringBuilder joints = new StringBuilder();
+    String end = "<point name='end' x='0' y='0' z='0'/><vector name='axis' vx='0' vy='1' vz='0'/>";
+    for (int i = 0; i < 6; i++) {
+      String[] at = centres[i].split(" ", -1);
+      bodies.append(
+          ("<body name='l%d'>%s<cog x='%s' y='%s' z='%s'/><mass value='1'/>"
+                  + "<inertiaTensor Ixx='0.1' Iyy='0.1' Izz='0.1'/></body>")
+              .formatted(i, i == 0 || i == 5 ? end : "", at[0], at[1], at[2]));
+      joints.append(
+          i == 0
+              ? ""
+              : "<joint name='h%d' type='R' body1='l%d' body2='l%d' at='%s' axis='%s'/>"
+                  .formatted(i, i - 1, i, corners[i], axes[i]));
+    }
+    return """
+    <MechML>
+      <MBSsimulation><dynamic>
+        <timeSet tini='0' tend='0.05' tstep='0.01'/>
+        <integrator name='auto' relTol='1e-6' absTol='1e-8'/>
+      </dynamic></MBSsimulation>
+      <MBSmodel name='Bricard' massUnits='kg' lengthUnits='m'>
+        <Bodies>%s</Bodies><Joints>%s</Joints>
+        <Constraints><JointConstraint name='closing' type='R'>
+          <body1 name='l5' point='end' vector='axis'/>
+          <body2 name='l0' point='end' vector='axis'/></JointConstraint></Constraints>
+        <Forces><gravity gx='0' gy='0' gz='-9.81'/></Forces>
+        <topology><root name='l0'/></topology>
+      </MBSmodel>
+    </MechML>
+    """
+        .formatted(bodies, joints);
+  }
+
+  @Test
+  void loopClosedByAConstraintIsNoOpenChain() throws Exception {
+    Path file = Files.writeString(folder.resolve("bricard.xml"), bricard());
+    Path page = MechModel.read(file).report(folder, LEAST, ReportProgress.SILENT);
+    assertThat(Files.readString(page)).contains("1 degree of freedom · closed loops ·");
   }
 
   /** What the progress throws ends the report; measurements before are kept. */

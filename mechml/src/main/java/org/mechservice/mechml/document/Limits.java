@@ -2,14 +2,14 @@ package org.mechservice.mechml.document;
 
 /**
  * Bounds on the size of a model file. They lie far above every practical model and keep the memory
- * of one reading below about 200 MB.
+ * of one reading below about 500 MB.
  */
 public final class Limits {
   /** Bytes of a file; the service has the same limit. */
-  public static final int BYTES = 16 * 1024 * 1024;
+  public static final int BYTES = 24 * 1024 * 1024;
 
   /** Elements in a file. */
-  public static final int ELEMENTS = 200_000;
+  public static final int ELEMENTS = 600_000;
 
   /** Depth of nesting; the language needs 6. */
   public static final int DEPTH = 32;
@@ -27,7 +27,7 @@ public final class Limits {
   static final int INVALIDITIES = 10_000;
 
   /** Moving bodies of a mechanism. */
-  public static final int BODIES = 10_000;
+  public static final int BODIES = 50_000;
 
   private Limits() {}
 }

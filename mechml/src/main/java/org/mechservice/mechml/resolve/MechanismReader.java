@@ -126,7 +126,9 @@ final class MechanismReader {
     }
     BodyReader reader = new BodyReader(values, diagnostics);
     List<BodyDefinition> bodies = new ArrayList<>();
-    for (Element element : elements) {
+    // of too many, one more than allowed is read: so much, and no more, is the error
+    int read = Math.min(elements.size(), Limits.BODIES + 1);
+    for (Element element : elements.subList(0, read)) {
       BodyDefinition parts = reader.read(element);
       names.add(element, Optional.of(parts));
       bodies.add(parts);

@@ -2,11 +2,14 @@ package org.mechservice.report.measure;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.mechservice.report.method.Candidate;
@@ -17,61 +20,150 @@ import org.mechservice.report.method.Candidate;
  *
  * <p>A run is stopped after the effort's limit, and earlier where it takes {@link Effort#SENSELESS}
  * times what the fastest method takes at the same tolerance. Such a point is a failure that says
- * so.
+ * so. Where even the fastest method takes long, because the mechanism is large, the limit follows
+ * it.
+ *
+ * <p>All keep the report's {@link ReportBudget}: methods that were fast at a tolerance come first
+ * at the next one, and a run whose time, forecast from looser tolerances, would be missing to them
+ * is left out. It says so, and is not written to the file of measurements: a report with more time
+ * takes it up.
  */
 public final class Campaign {
   private static final String NOT_RUN = "not run: it did not finish at a looser tolerance";
   private static final String BUDGET = "stopped by the budget: ";
 
+  /** Beginning of the cause of a run that the report's time did not allow. */
+  public static final String LEFT_OUT = "left out: ";
+
+  /** Part of the report's remaining time for the first run of every point. */
+  private static final double FIRST_RUNS = 0.5;
+
+  /** Part of the report's remaining time for timed runs, and at most half of it to warm up. */
+  private static final double TIMED_RUNS = 0.7;
+
+  /** What a run may take in times of the fastest method, however large the mechanism is. */
+  private static final double BESIDE_FASTEST = 10;
+
   private final MethodRunner runner;
   private final MeasurementFile journal;
   private final Effort effort;
+  private final ReportBudget budget;
   private final ReportProgress progress;
+  private final Map<Candidate, Course> courses = new LinkedHashMap<>();
+  private double wallSeconds;
+  private double processorSeconds;
 
+  /**
+   * @param budget time of the whole report; runs take part of what is left of it when they begin
+   */
   public Campaign(
-      MethodRunner runner, MeasurementFile journal, Effort effort, ReportProgress progress) {
+      MethodRunner runner,
+      MeasurementFile journal,
+      Effort effort,
+      ReportBudget budget,
+      ReportProgress progress) {
     this.runner = runner;
     this.journal = journal;
     this.effort = effort;
+    this.budget = budget;
     this.progress = progress;
   }
 
-  /** Runs the points that the file of measurements does not have yet. */
-  public void run(List<Candidate> candidates) throws IOException {
+  /**
+   * Runs the points that the file of measurements does not have yet.
+   *
+   * @return points that the report's time did not allow; they are not in the file
+   */
+  public List<MeasuredRun> run(List<Candidate> candidates) throws IOException {
+    candidates.forEach(candidate -> courses.put(candidate, new Course()));
     findErrors(candidates);
     warmUp(candidates);
     time(candidates);
+    return courses.values().stream()
+        .flatMap(course -> course.firsts.stream())
+        .filter(Campaign::isLeftOut)
+        .toList();
+  }
+
+  /** First runs of a method, from the loosest tolerance on. */
+  private static final class Course {
+    private final List<MeasuredRun> firsts = new ArrayList<>();
+
+    /** Time of its last run that reached the end, s; infinite if none did. */
+    double last() {
+      return firsts.stream()
+          .filter(MeasuredRun::completed)
+          .mapToDouble(MeasuredRun::seconds)
+          .reduce(Double.POSITIVE_INFINITY, (earlier, later) -> later);
+    }
+
+    /** Time of its next run as the last two let expect, s; infinite if unknown. */
+    double forecast() {
+      List<MeasuredRun> done = firsts.stream().filter(MeasuredRun::completed).toList();
+      if (done.size() < 2) {
+        return last();
+      }
+      double before = done.get(done.size() - 2).seconds();
+      return last() * Math.max(1, done.get(done.size() - 1).seconds() / before);
+    }
+  }
+
+  private Course course(Candidate candidate) {
+    return courses.computeIfAbsent(candidate, k -> new Course());
+  }
+
+  private static boolean isLeftOut(MeasuredRun run) {
+    return run.cause().startsWith(LEFT_OUT);
   }
 
   /** Runs tolerance by tolerance, so that the time of the fastest method is known at each. */
   private void findErrors(List<Candidate> candidates) throws IOException {
-    int points = candidates.size() * effort.tolerances().length;
+    double after = (1 - FIRST_RUNS) * budget.left();
+    double[] tolerances = effort.tolerances();
+    int points = candidates.size() * tolerances.length;
     int done = 0;
     double spent = 0;
     Set<Candidate> hopeless = new HashSet<>();
-    for (double tolerance : effort.tolerances()) {
-      List<MeasuredRun> firsts = new ArrayList<>();
-      for (Candidate candidate : candidates) {
+    for (int i = 0; i < tolerances.length; i++) {
+      Map<Candidate, MeasuredRun> found = new LinkedHashMap<>();
+      for (Candidate candidate : fastestFirst(candidates)) {
         double left =
             spent == 0 ? Double.NaN : spent / done * (points - done + wholeRounds(points));
-        progress.at("errors: " + candidate.method(), 0.3 * done / points, left);
-        MeasuredRun first = first(candidate, tolerance, hopeless, fastest(firsts));
-        firsts.add(first);
+        progress.at(
+            "errors: " + candidate.method(), 0.3 * done / points, Math.min(left, budget.left()));
+        double all = (budget.left() - after) / load();
+        double time =
+            all - Math.min(all / 2, reserved(candidate, found, tolerances.length - 1 - i));
+        MeasuredRun first =
+            first(candidate, tolerances[i], hopeless, fastest(found.values()), time);
+        found.put(candidate, first);
         spent += first.seconds();
         done++;
       }
-      Optional<MeasuredRun> fastest = fastest(firsts);
-      for (int i = 0; i < firsts.size(); i++) {
-        MeasuredRun first = sensible(firsts.get(i), fastest);
-        if (kept(candidates.get(i), tolerance).isEmpty()) {
-          journal.add(first);
-        }
-        if (first.cause().startsWith(MethodRunner.NOT_FINISHED) || first.cause().equals(NOT_RUN)) {
-          // A method that did not end in time will not do so at a tighter tolerance either.
-          hopeless.add(candidates.get(i));
-        }
+      if (i == 0 && fastest(found.values()).isEmpty()) {
+        tryLonger(found, budget.left() - after);
+      }
+      conclude(candidates, found, hopeless);
+    }
+  }
+
+  private List<Candidate> fastestFirst(List<Candidate> candidates) {
+    List<Candidate> ordered = new ArrayList<>(candidates);
+    ordered.sort(Comparator.comparingDouble(candidate -> course(candidate).last()));
+    return ordered;
+  }
+
+  /** Time that faster methods need at the tolerances to come, s. */
+  private double reserved(Candidate candidate, Map<Candidate, MeasuredRun> found, int tolerances) {
+    double own = course(candidate).forecast();
+    double reserved = 0;
+    for (Map.Entry<Candidate, MeasuredRun> other : found.entrySet()) {
+      double seconds = other.getValue().seconds();
+      if (other.getValue().completed() && seconds < own) {
+        reserved += tolerances * seconds;
       }
     }
+    return reserved;
   }
 
   private double wholeRounds(int points) {
@@ -82,23 +174,131 @@ public final class Campaign {
     return journal.runs(candidate.method().name(), tolerance).stream().findFirst();
   }
 
+  /**
+   * The first run of a point.
+   *
+   * @param time for it, s
+   */
   private MeasuredRun first(
-      Candidate candidate, double tolerance, Set<Candidate> hopeless, Optional<MeasuredRun> best) {
+      Candidate candidate,
+      double tolerance,
+      Set<Candidate> hopeless,
+      Optional<MeasuredRun> best,
+      double time) {
     Optional<MeasuredRun> kept = kept(candidate, tolerance);
+    String method = candidate.method().name();
     if (kept.isPresent()) {
       return kept.get();
     }
     if (hopeless.contains(candidate)) {
-      return MeasuredRun.notRun(candidate.method().name(), tolerance, NOT_RUN);
+      boolean leftOut = course(candidate).firsts.stream().anyMatch(Campaign::isLeftOut);
+      String cause = leftOut ? LEFT_OUT + "it was left out at a looser tolerance" : NOT_RUN;
+      return MeasuredRun.notRun(method, tolerance, cause);
+    }
+    double forecast = course(candidate).forecast();
+    if (time <= 0 || (Double.isFinite(forecast) && forecast > time)) {
+      return MeasuredRun.notRun(method, tolerance, LEFT_OUT + noTime(forecast, time));
     }
     double sense = best.map(Campaign::mostSeconds).orElse(Double.POSITIVE_INFINITY);
-    MeasuredRun run = runner.run(candidate, tolerance, 0, Math.min(effort.limitSeconds(), sense));
-    boolean beyondSense =
-        sense < effort.limitSeconds() && run.cause().startsWith(MethodRunner.NOT_FINISHED);
-    return beyondSense ? run.failed(BUDGET + run.cause() + compared(best.orElseThrow())) : run;
+    double fastest =
+        best.map(MeasuredRun::seconds)
+            .orElseGet(
+                () -> courses.values().stream().mapToDouble(Course::last).min().orElseThrow());
+    double follows = Double.isFinite(fastest) ? BESIDE_FASTEST * fastest : 0;
+    double usual = Math.max(effort.limitSeconds(), follows);
+    double limit = Math.min(usual, Math.min(sense, time));
+    MeasuredRun run = timed(candidate, tolerance, limit);
+    if (!run.cause().startsWith(MethodRunner.NOT_FINISHED)) {
+      return run;
+    }
+    if (limit == time) {
+      return run.failed(LEFT_OUT + run.cause() + ", and " + allows());
+    }
+    return limit == sense ? run.failed(BUDGET + run.cause() + compared(best.orElseThrow())) : run;
   }
 
-  private static Optional<MeasuredRun> fastest(List<MeasuredRun> runs) {
+  private MeasuredRun timed(Candidate candidate, double tolerance, double limit) {
+    long started = System.nanoTime();
+    MeasuredRun run = runner.run(candidate, tolerance, 0, limit);
+    wallSeconds += (System.nanoTime() - started) * 1e-9;
+    processorSeconds += run.seconds();
+    return run;
+  }
+
+  /**
+   * Wall-clock time of the first runs by their processor time: other work on the machine, and the
+   * columns of loops that are compared after a run.
+   */
+  private double load() {
+    return processorSeconds > 0 ? Math.max(1, wallSeconds / processorSeconds) : 1;
+  }
+
+  private String noTime(double forecast, double time) {
+    String takes =
+        Double.isFinite(forecast)
+            ? "a run would take about " + ReportBudget.inWords(forecast)
+            : "it is not known how long a run takes";
+    String left = time > 0 ? ReportBudget.inWords(time) : "nothing";
+    return String.format(
+        Locale.ROOT,
+        "%s, and of the %s for the report %s is left beside faster methods",
+        takes,
+        ReportBudget.inWords(budget.seconds()),
+        left);
+  }
+
+  private String allows() {
+    return String.format(
+        Locale.ROOT,
+        "the %s for the report allow no more beside faster methods",
+        ReportBudget.inWords(budget.seconds()));
+  }
+
+  /** Gives methods more time at the loosest tolerance if none of them came to the end. */
+  private void tryLonger(Map<Candidate, MeasuredRun> found, double time) {
+    double limit = Math.min(BESIDE_FASTEST * effort.limitSeconds(), time / 2);
+    double end = budget.left() - time;
+    for (Map.Entry<Candidate, MeasuredRun> one : found.entrySet()) {
+      boolean late = one.getValue().cause().startsWith(MethodRunner.NOT_FINISHED);
+      double left = budget.left() - end;
+      boolean kept = kept(one.getKey(), one.getValue().tolerance()).isPresent();
+      if (late && !kept && left > 0 && limit > effort.limitSeconds()) {
+        progress.at("errors, with more time: " + one.getKey().method(), 0.1, left);
+        double most = Math.min(limit, left);
+        MeasuredRun again = timed(one.getKey(), one.getValue().tolerance(), most);
+        one.setValue(again);
+        if (again.completed()) {
+          limit = Math.min(limit, BESIDE_FASTEST * again.seconds());
+        }
+      }
+    }
+  }
+
+  /** Keeps the first runs of a tolerance, in the order of the methods. */
+  private void conclude(
+      List<Candidate> candidates, Map<Candidate, MeasuredRun> found, Set<Candidate> hopeless)
+      throws IOException {
+    Optional<MeasuredRun> fastest = fastest(found.values());
+    for (Candidate candidate : candidates) {
+      MeasuredRun run = found.get(candidate);
+      if (run == null) {
+        continue;
+      }
+      MeasuredRun first = sensible(run, fastest);
+      course(candidate).firsts.add(first);
+      if (!isLeftOut(first) && kept(candidate, first.tolerance()).isEmpty()) {
+        journal.add(first);
+      }
+      // A method that did not end in time will not do so at a tighter tolerance either.
+      if (first.cause().startsWith(MethodRunner.NOT_FINISHED)
+          || first.cause().equals(NOT_RUN)
+          || isLeftOut(first)) {
+        hopeless.add(candidate);
+      }
+    }
+  }
+
+  private static Optional<MeasuredRun> fastest(Collection<MeasuredRun> runs) {
     return runs.stream()
         .filter(MeasuredRun::completed)
         .min(Comparator.comparingDouble(MeasuredRun::seconds));
@@ -124,7 +324,15 @@ public final class Campaign {
 
   /** In the same order as later the timed runs, so that the compiler sees the same. */
   private void warmUp(List<Candidate> candidates) {
-    List<Due> due = due(candidates);
+    List<Due> due = due(candidates).stream().filter(point -> point.repeats() > 0).toList();
+    double round = load() * due.stream().mapToDouble(Due::seconds).sum();
+    if (2 * round > TIMED_RUNS / 2 * budget.left()) {
+      budget.saves(
+          "Rounds to warm up were left out: one takes about "
+              + ReportBudget.inWords(round)
+              + ", most of it in runs long enough to be warm.");
+      return;
+    }
     if (!due.isEmpty() && effort.warmSeconds() > 0 && toDo(due) > 0) {
       double limit = 5 * effort.limitSeconds();
       WarmUpRounds.until(
@@ -156,22 +364,47 @@ public final class Campaign {
     double left = toDo(due);
     double total = left;
     long started = System.nanoTime();
+    double after = (1 - TIMED_RUNS) * budget.left();
     for (int round = 1; round <= Effort.REPEATS; round++) {
       for (Due point : turned(due, round)) {
         if (round > point.repeats() || isDone(point, round)) {
           continue;
+        }
+        if (budget.left() - after < load() * point.seconds()) {
+          tellRepeats(due);
+          return;
         }
         double elapsed = (System.nanoTime() - started) * 1e-9;
         double rate = left < 0.95 * total ? elapsed / (total - left) : 1;
         progress.at(
             "timing, round " + round + " of " + Effort.REPEATS + ": " + point.candidate().method(),
             0.3 + 0.65 * (1 - left / total),
-            rate * left);
+            Math.min(rate * left, budget.left()));
         double limit = 5 * effort.limitSeconds();
         journal.add(runner.run(point.candidate(), point.tolerance(), round, limit));
         left -= point.seconds();
       }
     }
+    tellRepeats(due);
+  }
+
+  private void tellRepeats(List<Due> due) {
+    int fewest = due.stream().mapToInt(this::roundsOf).min().orElse(effort.fewestRepeats());
+    int most = due.stream().mapToInt(this::roundsOf).max().orElse(0);
+    if (fewest < effort.fewestRepeats()) {
+      budget.saves(
+          String.format(
+              Locale.ROOT,
+              "Points were timed %s, as far as the time for the report reached%s.",
+              most == 0 ? "by their first run alone" : fewest + " to " + most + " times",
+              fewest == 0 && most > 0
+                  ? "; a point that was not timed has the time of its first run"
+                  : ""));
+    }
+  }
+
+  private int roundsOf(Due point) {
+    return journal.runs(point.candidate().method().name(), point.tolerance()).size() - 1;
   }
 
   /** Every round begins at another point, so that none always follows the same one's garbage. */
@@ -191,10 +424,10 @@ public final class Campaign {
     List<Due> points = new ArrayList<>();
     for (Candidate candidate : candidates) {
       for (double tolerance : effort.tolerances()) {
-        MeasuredRun first = kept(candidate, tolerance).orElseThrow();
-        if (first.completed()) {
-          points.add(new Due(candidate, tolerance, first.seconds(), Effort.REPEATS));
-        }
+        kept(candidate, tolerance)
+            .filter(MeasuredRun::completed)
+            .map(first -> new Due(candidate, tolerance, first.seconds(), Effort.REPEATS))
+            .ifPresent(points::add);
       }
     }
     return affordable(points);
@@ -203,13 +436,16 @@ public final class Campaign {
   private List<Due> affordable(List<Due> points) {
     List<Due> cheapestFirst = new ArrayList<>(points);
     cheapestFirst.sort(Comparator.comparingDouble(Due::seconds));
-    double left = effort.timingSeconds();
+    double time = TIMED_RUNS * budget.left() / load();
+    double whole = points.stream().mapToDouble(Due::seconds).sum() * effort.fewestRepeats();
+    int fewest = whole <= time ? effort.fewestRepeats() : 0;
+    double left = Math.min(effort.timingSeconds(), time);
     List<Due> due = new ArrayList<>();
     for (int i = 0; i < cheapestFirst.size(); i++) {
       Due point = cheapestFirst.get(i);
       double share = left / (cheapestFirst.size() - i);
       int repeats = (int) Math.min(Effort.REPEATS, share / point.seconds());
-      repeats = Math.max(effort.fewestRepeats(), repeats);
+      repeats = Math.max(fewest, repeats);
       left -= repeats * point.seconds();
       due.add(new Due(point.candidate(), point.tolerance(), point.seconds(), repeats));
     }

@@ -3,7 +3,9 @@ package org.mechservice.report.measure;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
+import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.concurrent.TimeUnit;
@@ -37,19 +39,30 @@ public final class ColdRunTiming implements AutoCloseable {
    * @param endTime of the runs, s
    * @param times number of runs of each
    * @param limitSeconds for one run, s
+   * @param budget ends the runs when the time for the report is over; a JAR has then fewer of them
    * @param progress is called for every run
-   * @return by name; none for a JAR of which a run fails or takes too long
+   * @return by name; none for a JAR of which a run fails or takes too long, or is not begun
    */
   public Map<String, ColdRunTimes> run(
-      double tolerance, double endTime, int times, double limitSeconds, ReportProgress progress)
+      double tolerance,
+      double endTime,
+      int times,
+      double limitSeconds,
+      ReportBudget budget,
+      ReportProgress progress)
       throws IOException, InterruptedException {
     Map<String, double[]> taken = new LinkedHashMap<>();
-    jars.keySet().forEach(name -> taken.put(name, new double[times]));
+    jars.keySet().forEach(name -> taken.put(name, new double[0]));
     long started = System.nanoTime();
     int done = 0;
+    boolean cut = false;
     for (int i = 0; i < times; i++) {
       for (Map.Entry<String, Path> jar : jars.entrySet()) {
         double elapsed = (System.nanoTime() - started) * 1e-9;
+        if (budget.left() < (done == 0 ? 0 : elapsed / done)) {
+          cut = true;
+          continue;
+        }
         double left = done == 0 ? Double.NaN : elapsed / done * (times * jars.size() - done);
         progress.at("first runs: " + jar.getKey(), 0.97, left);
         done++;
@@ -61,12 +74,23 @@ public final class ColdRunTiming implements AutoCloseable {
         if (one.isEmpty()) {
           taken.remove(jar.getKey());
         } else if (seconds != null) {
-          seconds[i] = one.getAsDouble();
+          double[] more = Arrays.copyOf(seconds, seconds.length + 1);
+          more[seconds.length] = one.getAsDouble();
+          taken.put(jar.getKey(), more);
         }
       }
     }
     Map<String, ColdRunTimes> runs = new LinkedHashMap<>();
+    taken.values().removeIf(seconds -> seconds.length == 0);
     taken.forEach((name, seconds) -> runs.put(name, ColdRunTimes.of(seconds)));
+    if (cut) {
+      budget.saves(
+          String.format(
+              Locale.ROOT,
+              "%d first runs in a fresh JVM were made in place of %d.",
+              done,
+              times * jars.size()));
+    }
     return runs;
   }
 

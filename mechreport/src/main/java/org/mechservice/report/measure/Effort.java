@@ -5,7 +5,9 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 
 /**
- * The amount of measurement for a report.
+ * The amount of measurement for a report: how much is measured where time is no matter, and what
+ * the whole may take. A scene of usual size does not come near that budget; of a large mechanism
+ * the report measures what fits into it and says what it left out.
  *
  * @param name for the page
  * @param tolerances relative tolerances, loosest first
@@ -16,6 +18,7 @@ import java.util.stream.IntStream;
  * @param warmSeconds of rounds over all points that are compared with those before them, to see
  *     whether all is warm, s; 0 for no warm-up
  * @param freshStarts first runs in a Java machine of their own, per method
+ * @param budgetSeconds wall-clock time for the whole report, s; infinite for no bound
  */
 @SuppressWarnings("ArrayRecordComponent") // constants, not changed
 public record Effort(
@@ -26,7 +29,8 @@ public record Effort(
     double timingSeconds,
     double referenceSeconds,
     double warmSeconds,
-    int freshStarts) {
+    int freshStarts,
+    double budgetSeconds) {
   /** Timed runs per point at most. */
   public static final int REPEATS = 11;
 
@@ -41,13 +45,33 @@ public record Effort(
 
   private static final double TYPICAL = 1e-5;
 
-  /** Under a minute. */
+  /** About a minute; three minutes at most for large mechanisms. */
   public static final Effort QUICK =
-      new Effort("quick", new double[] {1e-3, 1e-5, 1e-7, 1e-9}, 1, 3, 12, 4, 1, 1);
+      new Effort("quick", new double[] {1e-3, 1e-5, 1e-7, 1e-9}, 1, 3, 12, 4, 1, 1, 180);
 
-  /** Tolerances from 1e-3 to 1e-12, every point timed eleven times whatever that takes. */
+  /**
+   * Tolerances from 1e-3 to 1e-12, every point timed eleven times; a quarter of an hour at most.
+   */
   public static final Effort FULL =
-      new Effort("full", powers(3, 12), 20, REPEATS, Double.POSITIVE_INFINITY, 120, 3, 5);
+      new Effort("full", powers(3, 12), 20, REPEATS, Double.POSITIVE_INFINITY, 120, 3, 5, 900);
+
+  /**
+   * Returns the same effort with another time for the whole report.
+   *
+   * @param seconds of wall-clock time, positive; infinite for no bound
+   */
+  public Effort withBudget(double seconds) {
+    return new Effort(
+        name,
+        tolerances,
+        limitSeconds,
+        fewestRepeats,
+        timingSeconds,
+        referenceSeconds,
+        warmSeconds,
+        freshStarts,
+        seconds);
+  }
 
   /**
    * Returns the tolerance that first runs and shares of time are measured at: 1e-5, or the next.

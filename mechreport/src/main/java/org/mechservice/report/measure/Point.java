@@ -9,7 +9,7 @@ import java.util.List;
  * A method at a tolerance: the summary of all its runs.
  *
  * @param first the run that errors and counts are taken from; they are the same in all
- * @param seconds median of the timed runs, s; NaN if there is none
+ * @param seconds median of the timed runs, s; the time of the first run if none was timed
  * @param lowSeconds lower quartile, s
  * @param highSeconds upper quartile, s
  * @param repeats number of timed runs
@@ -36,8 +36,13 @@ public record Point(
     return points;
   }
 
-  /** In the order of the rounds. */
+  /** In the order of the rounds; the first run, if it reached the end and none was timed. */
   private static double[] timesOf(MeasuredRun first, List<MeasuredRun> runs) {
+    double[] timed = timedOf(first, runs);
+    return timed.length == 0 && first.completed() ? new double[] {first.seconds()} : timed;
+  }
+
+  private static double[] timedOf(MeasuredRun first, List<MeasuredRun> runs) {
     return runs.stream()
         .filter(run -> run.round() > 0 && run.method().equals(first.method()))
         .filter(run -> run.tolerance() == first.tolerance())

@@ -27,6 +27,7 @@ import org.mechservice.report.solution.Reference;
  * @param effort how much was measured
  * @param csv name of the file with every run
  * @param versions versions of the product and of Java, and the machine
+ * @param savings what was left out to keep the time for the report, one sentence each
  */
 public record SceneFindings(
     String model,
@@ -43,7 +44,8 @@ public record SceneFindings(
     Map<String, ColdRunTimes> freshStarts,
     Effort effort,
     String csv,
-    List<String> versions) {
+    List<String> versions,
+    List<String> savings) {
   public SceneFindings {
     methods = List.copyOf(methods);
     leftOut = List.copyOf(leftOut);
@@ -51,6 +53,7 @@ public record SceneFindings(
     shares = Map.copyOf(shares);
     freshStarts = Map.copyOf(freshStarts);
     versions = List.copyOf(versions);
+    savings = List.copyOf(savings);
   }
 
   /** Returns the points of a method, loosest tolerance first. */

@@ -23,6 +23,12 @@ public record Spectrum(List<Sample> samples, double interval) {
   /** Relative size of a difference: balances rounding against curvature. */
   private static final double STEP = 1e-6;
 
+  /** Operations of eigenvalues with vectors, by n³ (Golub and Van Loan, sect. 7.5.6). */
+  private static final double EIGEN_OPERATIONS = 25;
+
+  /** A low estimate for loops over arrays of arrays. */
+  private static final double OPERATIONS_PER_SECOND = 5e8;
+
   public Spectrum {
     samples = List.copyOf(samples);
   }
@@ -77,6 +83,24 @@ public record Spectrum(List<Sample> samples, double interval) {
       }
     }
     return new Spectrum(samples, reference.end() - reference.times()[0]);
+  }
+
+  /**
+   * Returns what one sample will take, s: two evaluations for each independent state, the time of
+   * which is measured, and the eigenvalues of a dense matrix.
+   *
+   * @param problem the scene's equations; its state is used
+   */
+  public static double forecast(Reference reference, ModelProblem problem) {
+    double t = reference.times()[0];
+    double[] y = reference.states()[0].clone();
+    double n = problem.stepEnded(t, y) ? free(problem).length : 0;
+    double[] yDot = new double[y.length];
+    problem.derivative(t, y, yDot);
+    long started = System.nanoTime();
+    problem.derivative(t, y, yDot);
+    double evaluation = (System.nanoTime() - started) * 1e-9;
+    return 2 * n * evaluation + EIGEN_OPERATIONS * n * n * n / OPERATIONS_PER_SECOND;
   }
 
   /**

@@ -14,10 +14,14 @@ import org.mechservice.solver.api.capability.ProjectedStates;
  * computed from the loops at every evaluation.
  */
 public final class ModelProblem implements Problem {
+  /** The start and two times behind it show whether an error grows. */
+  private static final int FEWEST_TIMES = 3;
+
   private final ExplicitModel model;
   private final int dimension;
   private final double[] closed;
   private final Optional<ModelPhases> phases;
+  private int fewestTimes = Integer.MAX_VALUE;
 
   /** Creates a problem without events. */
   public ModelProblem(ExplicitModel model) {
@@ -70,6 +74,16 @@ public final class ModelProblem implements Problem {
   /** Returns whether a component is free to be chosen, the loops determining the others. */
   public boolean independent(int component) {
     return !(model instanceof DependentStates loops) || loops.independent(component);
+  }
+
+  /** Takes a part of the interval from codes whose time ends, for a mechanism that is large. */
+  public void takePart() {
+    fewestTimes = FEWEST_TIMES;
+  }
+
+  @Override
+  public int fewestTimes() {
+    return fewestTimes;
   }
 
   @Override

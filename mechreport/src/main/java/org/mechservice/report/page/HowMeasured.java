@@ -5,6 +5,7 @@ import java.util.Locale;
 import org.mechservice.report.measure.Effort;
 import org.mechservice.report.measure.Point;
 import org.mechservice.report.measure.Quantiles;
+import org.mechservice.report.measure.ReportBudget;
 import org.mechservice.report.measure.SceneFindings;
 import org.mechservice.report.solution.Judge;
 import org.mechservice.report.solution.Reference;
@@ -40,6 +41,9 @@ final class HowMeasured {
     html.append("\n<li>").append(timing());
     warmth().forEach(sentence -> html.append("\n<li>").append(sentence));
     html.append("\n<li>").append(budget());
+    if (!found.savings().isEmpty()) {
+      html.append("\n<li>").append(time());
+    }
     html.append("\n<li>");
     html.append(String.join(" · ", found.versions().stream().map(Html::escape).toList()));
     html.append("\n<li>Every single run: ").append(link(found.csv()));
@@ -119,6 +123,15 @@ final class HowMeasured {
             Locale.ROOT,
             "Half of a point's times lie within %.1f %% of each other (median of the points)",
             100 * Quantiles.median(spreads));
+  }
+
+  /** The time for the report and what it cost, where it was short. */
+  private String time() {
+    return "The time for the report, "
+        + ReportBudget.inWords(found.effort().budgetSeconds())
+        + ", was kept by leaving out what is named here (<code>mech report --budget SECONDS</code>"
+        + " sets it): "
+        + String.join(" ", found.savings().stream().map(Html::escape).toList());
   }
 
   private String budget() {

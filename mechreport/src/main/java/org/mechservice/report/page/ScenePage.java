@@ -6,8 +6,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Predicate;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
+import org.mechservice.report.measure.Campaign;
 import org.mechservice.report.measure.Effort;
 import org.mechservice.report.measure.Point;
 import org.mechservice.report.measure.SceneFindings;
@@ -49,6 +51,7 @@ public final class ScenePage {
       add(tables.equalError());
       add(tables.methods());
       failures();
+      notMeasured();
     }
     spectrum();
     add(new LimitsTable(found).html());
@@ -82,7 +85,7 @@ public final class ScenePage {
             interval(end),
             jumps(),
             found.methods().size(),
-            found.effort().equals(Effort.QUICK) ? " · quick report" : "",
+            found.effort().name().equals(Effort.QUICK.name()) ? " · quick report" : "",
             Html.escape(found.versions().get(0))));
   }
 
@@ -156,7 +159,7 @@ public final class ScenePage {
           .append(Html.escape(method.name()))
           .append("</span>");
     }
-    boolean failed = found.points().stream().anyMatch(point -> !point.completed());
+    boolean failed = found.points().stream().anyMatch(ScenePage::failed);
     if (failed) {
       legend.append(
           "<span><svg class=\"swatch\" viewBox=\"0 0 26 12\"><path class=\"fail\" d=\"M9 2l8 8m0"
@@ -178,9 +181,11 @@ public final class ScenePage {
     List<LogLogChart.Mark> marks = new ArrayList<>();
     List<LogLogChart.Mark> failures = new ArrayList<>();
     for (Point point : found.pointsOf(method.name())) {
-      if (!point.completed()) {
+      if (failed(point)) {
         failures.add(new LogLogChart.Mark(0, point.tolerance(), "", hover(method, point), false));
-      } else if (x.applyAsDouble(point) > 0 && Double.isFinite(point.error())) {
+      } else if (point.completed()
+          && x.applyAsDouble(point) > 0
+          && Double.isFinite(point.error())) {
         marks.add(
             new LogLogChart.Mark(
                 x.applyAsDouble(point),
@@ -255,7 +260,25 @@ public final class ScenePage {
   }
 
   private void failures() {
-    List<Point> failed = found.points().stream().filter(point -> !point.completed()).toList();
+    table("Failures", "cause (of the first)", ScenePage::failed);
+  }
+
+  private static boolean failed(Point point) {
+    return !point.completed() && !leftOut(point);
+  }
+
+  /** Returns whether the time for the report did not allow the point. */
+  private static boolean leftOut(Point point) {
+    return point.first().cause().startsWith(Campaign.LEFT_OUT);
+  }
+
+  private void notMeasured() {
+    table(
+        "Not measured, to keep the time for the report", "why (of the first)", ScenePage::leftOut);
+  }
+
+  private void table(String title, String why, Predicate<Point> which) {
+    List<Point> failed = found.points().stream().filter(which).toList();
     if (failed.isEmpty()) {
       return;
     }
@@ -266,7 +289,7 @@ public final class ScenePage {
               point.first().method() + "\n" + kind(point.first().cause()), k -> new ArrayList<>())
           .add(point);
     }
-    add("<section><h2>Failures</h2><table><tr><th>method<th>tolerances<th>cause (of the first)");
+    add("<section><h2>" + title + "</h2><table><tr><th>method<th>tolerances<th>" + why);
     for (List<Point> same : byCause.values()) {
       Point first = same.get(0);
       add(
@@ -275,7 +298,7 @@ public final class ScenePage {
               + "<td>"
               + String.join(", ", same.stream().map(p -> Html.tolerance(p.tolerance())).toList())
               + "<td class=\"text\">"
-              + Html.escape(first.first().cause()));
+              + Html.escape(first.first().cause().replaceFirst("^" + Campaign.LEFT_OUT, "")));
     }
     add("</table></section>");
   }

@@ -76,7 +76,8 @@ final class PhaseIntegration {
    * Returns the states at times, the first of which is now.
    *
    * @param firstStep to try
-   * @return fewer states if the solution ends before; empty if it cannot be found
+   * @return fewer states if the solution ends before, or the deadline passes and the problem takes
+   *     a part of its interval; empty if it cannot be found
    */
   Optional<double[][]> through(double[] times, double firstStep) {
     h = Math.min(firstStep, longestStep);
@@ -92,7 +93,8 @@ final class PhaseIntegration {
         double to = Math.min(times[k], phases.nextBreak(t));
         Reached reached = steps.begin(t) ? advance(t, to) : Reached.NOWHERE;
         if (Double.isNaN(reached.t())) {
-          return Optional.empty();
+          boolean late = System.nanoTime() > deadline && states.size() >= problem.fewestTimes();
+          return late ? Optional.of(states.toArray(double[][]::new)) : Optional.empty();
         }
         if (reached.ended()) {
           return Optional.of(states.toArray(double[][]::new));

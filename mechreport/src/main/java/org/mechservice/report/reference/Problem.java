@@ -2,6 +2,14 @@ package org.mechservice.report.reference;
 
 /** An initial value problem for the reference codes. */
 public interface Problem {
+  /**
+   * Returns the number of times, the start among them, that a solution must reach to be of use if
+   * its deadline passes; all of them, unless said otherwise.
+   */
+  default int fewestTimes() {
+    return Integer.MAX_VALUE;
+  }
+
   /** Returns the number of unknowns. */
   int dimension();
 

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
+import java.util.stream.IntStream;
 import org.mechservice.report.method.ModelPhases;
 import org.mechservice.report.method.ModelProblem;
 import org.mechservice.report.reference.ExtrapolationCode;
@@ -65,8 +66,14 @@ public final class ReferenceMaker {
     }
   }
 
+  /** Tolerances of extrapolation on a large mechanism; the first that its time allows is taken. */
+  private static final double[] LARGE_TOLERANCES = {1e-13, 1e-12, 1e-11, 1e-10, 1e-9};
+
+  private static final int EVERY = 5;
+
   private final StateDistance distance;
   private final double secondsPerCode;
+  private final double secondsForLarge;
   private final double radauTolerance;
   private final double extrapolationTolerance;
 
@@ -79,6 +86,15 @@ public final class ReferenceMaker {
 
   /**
    * @param secondsPerCode time limit of one solution, s
+   * @param secondsForLarge the same of a mechanism too large for dense matrices, whose tolerance is
+   *     chosen so that a solution is likely to end in that time, s
+   */
+  public ReferenceMaker(StateDistance distance, double secondsPerCode, double secondsForLarge) {
+    this(distance, secondsPerCode, secondsForLarge, RADAU_TOLERANCE, EXTRAPOLATION_TOLERANCE);
+  }
+
+  /**
+   * @param secondsPerCode time limit of one solution, s
    * @param radauTolerance of the collocation codes' estimate
    * @param extrapolationTolerance of the other
    */
@@ -87,10 +103,34 @@ public final class ReferenceMaker {
       double secondsPerCode,
       double radauTolerance,
       double extrapolationTolerance) {
+    this(distance, secondsPerCode, secondsPerCode, radauTolerance, extrapolationTolerance);
+  }
+
+  private ReferenceMaker(
+      StateDistance distance,
+      double secondsPerCode,
+      double secondsForLarge,
+      double radauTolerance,
+      double extrapolationTolerance) {
     this.distance = distance;
     this.secondsPerCode = secondsPerCode;
+    this.secondsForLarge = secondsForLarge;
     this.radauTolerance = radauTolerance;
     this.extrapolationTolerance = extrapolationTolerance;
+  }
+
+  /**
+   * Returns the times to judge a scene at. The codes end a step at each, so a mechanism that is
+   * large has every fifth alone.
+   */
+  public static double[] times(Source source, double[] all) {
+    if (!isLarge(source)) {
+      return all;
+    }
+    return IntStream.range(0, all.length)
+        .filter(i -> i % EVERY == 0 || i == all.length - 1)
+        .mapToDouble(i -> all[i])
+        .toArray();
   }
 
   /**
@@ -103,7 +143,7 @@ public final class ReferenceMaker {
   public Optional<Reference> make(List<Source> sources, double[] times) {
     List<String> said = new ArrayList<>();
     List<Solved> solved = new ArrayList<>();
-    for (Attempt attempt : attempts(sources)) {
+    for (Attempt attempt : attempts(sources, times, said)) {
       Optional<Solved> found = solve(attempt, times, 0);
       if (found.isPresent()) {
         solved.add(found.get());
@@ -111,7 +151,7 @@ public final class ReferenceMaker {
           break;
         }
       } else {
-        said.add(attempt.how() + ": not solved, for " + (long) secondsPerCode + " s at most");
+        said.add(attempt.how() + ": not solved, for " + (long) limit(attempt) + " s at most");
       }
     }
     return solved.isEmpty() ? Optional.empty() : comparable(solved, times, said);
@@ -135,10 +175,9 @@ public final class ReferenceMaker {
     if (!problem.course().map(ModelPhases::mayEnd).orElse(false)) {
       return new Extent(whole, "");
     }
-    ReferenceCode code =
-        problem.dimension() > DENSE_LIMIT ? new ExtrapolationCode(6) : new RadauCode(5);
+    ReferenceCode code = isLarge(source) ? new ExtrapolationCode(6) : new RadauCode(5);
     Optional<double[][]> states =
-        code.solve(problem, times, problem.start(), ROUGH_TOLERANCE, deadline());
+        code.solve(problem, times, problem.start(), ROUGH_TOLERANCE, deadline(source));
     ModelPhases course = problem.course().orElseThrow();
     if (states.isEmpty() || states.get().length == times.length) {
       return new Extent(whole, "");
@@ -148,14 +187,22 @@ public final class ReferenceMaker {
     return new Extent(judged, course.end());
   }
 
-  private List<Attempt> attempts(List<Source> sources) {
+  private static boolean isLarge(Source source) {
+    return source.fresh().get().dimension() > DENSE_LIMIT;
+  }
+
+  private List<Attempt> attempts(List<Source> sources, double[] times, List<String> said) {
     Source first = sources.get(0);
     Source second = sources.get(Math.min(1, sources.size() - 1));
-    Attempt extrapolation = new Attempt(second, new ExtrapolationCode(8), extrapolationTolerance);
-    if (first.fresh().get().dimension() > DENSE_LIMIT) {
+    if (isLarge(first)) {
+      double tolerance = largeTolerance(first, times, said);
+      // The first has independent coordinates, if the scene closes loops: it evaluates faster.
       return List.of(
-          extrapolation, new Attempt(first, new ExtrapolationCode(6), extrapolationTolerance));
+          new Attempt(first, new ExtrapolationCode(8), tolerance),
+          new Attempt(second, new ExtrapolationCode(6), tolerance),
+          new Attempt(first, new ExtrapolationCode(6), tolerance));
     }
+    Attempt extrapolation = new Attempt(second, new ExtrapolationCode(8), extrapolationTolerance);
     return List.of(
         new Attempt(first, new RadauCode(7), radauTolerance),
         extrapolation,
@@ -169,15 +216,72 @@ public final class ReferenceMaker {
     double[] y0 = problem.start();
     if (change > 0) {
       perturb(problem, times[0], y0, change);
+    } else if (problem.dimension() > DENSE_LIMIT) {
+      problem.takePart();
     }
     return attempt
         .code()
-        .solve(problem, times, y0, attempt.tolerance(), deadline())
+        .solve(problem, times, y0, attempt.tolerance(), deadline(attempt.source(), change))
         .map(states -> new Solved(attempt.how(), attempt, states, problem.course()));
   }
 
-  private long deadline() {
-    return System.nanoTime() + (long) (secondsPerCode * TimeUnit.SECONDS.toNanos(1));
+  /**
+   * The tightest tolerance that a solution is likely to reach in its time: the steps of a code of
+   * order p grow with the p-th root of the tolerance, from those of a rough solution.
+   */
+  private double largeTolerance(Source source, double[] times, List<String> said) {
+    ExtrapolationCode code = new ExtrapolationCode(8);
+    double rough = seconds(code, source, times);
+    if (rough < secondsForLarge / 3) {
+      // The first is slow because the program is not compiled yet.
+      rough = seconds(code, source, times);
+    }
+    for (double tolerance : LARGE_TOLERANCES) {
+      boolean fits = rough * Math.pow(ROUGH_TOLERANCE / tolerance, 1.0 / 15) <= secondsForLarge;
+      if (tolerance >= extrapolationTolerance && fits) {
+        if (tolerance > extrapolationTolerance) {
+          said.add(looser(rough, tolerance));
+        }
+        return tolerance;
+      }
+    }
+    double loosest = LARGE_TOLERANCES[LARGE_TOLERANCES.length - 1];
+    said.add(looser(rough, loosest));
+    return loosest;
+  }
+
+  private double seconds(ExtrapolationCode code, Source source, double[] times) {
+    ModelProblem problem = source.fresh().get();
+    long started = System.nanoTime();
+    code.solve(problem, times, problem.start(), ROUGH_TOLERANCE, deadline(source));
+    return (System.nanoTime() - started) * 1e-9;
+  }
+
+  private String looser(double rough, double tolerance) {
+    return String.format(
+        Locale.ROOT,
+        "Large mechanism: a solution at %.0e took %.3g s, so the codes have a tolerance of %.0e in"
+            + " place of %.0e to end within %.3g s.",
+        ROUGH_TOLERANCE,
+        rough,
+        tolerance,
+        extrapolationTolerance,
+        secondsForLarge);
+  }
+
+  private double limit(Attempt attempt) {
+    return isLarge(attempt.source()) ? secondsForLarge : secondsPerCode;
+  }
+
+  private long deadline(Source source) {
+    return deadline(source, 0);
+  }
+
+  /** A changed start has as far to go as a solution got in its time, and more than that time. */
+  private long deadline(Source source, double change) {
+    double large = change > 0 ? 2 * secondsForLarge : secondsForLarge;
+    double seconds = isLarge(source) ? large : secondsPerCode;
+    return System.nanoTime() + (long) (seconds * TimeUnit.SECONDS.toNanos(1));
   }
 
   /** Keeps the times that all solutions reach and at which a state that jumps can be compared. */
@@ -189,12 +293,25 @@ public final class ReferenceMaker {
     if (kept.length < 2) {
       return Optional.empty();
     }
+    boolean ended = solved.stream().anyMatch(ReferenceMaker::ended);
+    if (reached < times.length && !ended) {
+      said.add(
+          String.format(
+              Locale.ROOT,
+              "Large mechanism: in %.3g s the codes reached %.3g s; the time before is judged.",
+              secondsForLarge,
+              times[reached - 1]));
+    }
     double[] clear = Arrays.stream(kept).mapToDouble(i -> times[i]).toArray();
     List<String> all = new ArrayList<>(said);
     List<ModelPhases> courses = solved.stream().flatMap(one -> one.course().stream()).toList();
     all.addAll(JumpNotes.of(courses, clear[clear.length - 1], kept.length, times.length));
     courses.stream().map(ModelPhases::end).filter(end -> !end.isEmpty()).limit(1).forEach(all::add);
     return Optional.of(judged(solved.stream().map(one -> one.at(kept)).toList(), clear, all));
+  }
+
+  private static boolean ended(Solved one) {
+    return one.course().map(course -> !course.end().isEmpty()).orElse(false);
   }
 
   /** Changes every component that is free by the same part of 1 + |y|, signs drawn. */

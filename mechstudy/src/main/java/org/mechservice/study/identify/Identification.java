@@ -7,15 +7,14 @@ import java.util.Locale;
 import java.util.Optional;
 import org.apache.commons.math3.distribution.TDistribution;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
-import org.apache.commons.math3.linear.QRDecomposition;
 import org.apache.commons.math3.linear.RealMatrix;
 import org.apache.commons.math3.linear.SingularValueDecomposition;
-import org.mechservice.study.optimise.CentralDifferences;
 import org.mechservice.study.optimise.Derivatives;
 import org.mechservice.study.optimise.DesignVariable;
 import org.mechservice.study.optimise.LeastSquares;
 import org.mechservice.study.optimise.PointFailedException;
 import org.mechservice.study.optimise.Response;
+import org.mechservice.study.optimise.TallFactors;
 
 /**
  * Parameters identified from weighted residuals, with what the data say about them.
@@ -86,16 +85,7 @@ public record Identification(
   public static Identification of(
       List<DesignVariable> variables, Response response, double step, Optional<Derivatives> slopes)
       throws PointFailedException {
-    int[] runs = new int[1];
-    Response onCube =
-        parts -> {
-          double[] point = new double[parts.length];
-          for (int j = 0; j < point.length; j++) {
-            point[j] = variables.get(j).value(parts[j]);
-          }
-          runs[0]++;
-          return response.at(point);
-        };
+    CubeResiduals onCube = new CubeResiduals(parts -> point(variables, parts), response);
     double[] start = variables.stream().mapToDouble(each -> each.part(each.start())).toArray();
     int m = onCube.at(start).length;
     if (m <= variables.size()) {
@@ -106,23 +96,23 @@ public record Identification(
               + variables.size()
               + " parameters; more values than parameters are needed");
     }
-    Derivatives jacobian =
-        slopes.isPresent()
-            ? parts -> onCube(variables, slopes.get(), parts)
-            : new CentralDifferences(onCube, step);
-    double[] parts = new LeastSquares(onCube, jacobian).minimise(start);
-    double[] residuals = onCube.at(parts);
-    return judged(variables, parts, residuals, jacobian.at(parts), runs[0]);
+    LeastSquares.Fit fit =
+        onCube.fitted(start, slopes.map(by -> parts -> onCube(variables, by, parts)), step);
+    return judged(variables, fit, onCube.runs());
+  }
+
+  private static double[] point(List<DesignVariable> variables, double[] parts) {
+    double[] point = new double[parts.length];
+    for (int j = 0; j < point.length; j++) {
+      point[j] = variables.get(j).value(parts[j]);
+    }
+    return point;
   }
 
   private static double[][] onCube(
       List<DesignVariable> variables, Derivatives slopes, double[] parts)
       throws PointFailedException {
-    double[] point = new double[parts.length];
-    for (int j = 0; j < point.length; j++) {
-      point[j] = variables.get(j).value(parts[j]);
-    }
-    double[][] scaled = slopes.at(point);
+    double[][] scaled = slopes.at(point(variables, parts));
     for (double[] row : scaled) {
       for (int j = 0; j < row.length; j++) {
         row[j] *= variables.get(j).upper() - variables.get(j).lower();
@@ -132,19 +122,15 @@ public record Identification(
   }
 
   private static Identification judged(
-      List<DesignVariable> variables,
-      double[] parts,
-      double[] residuals,
-      double[][] jacobian,
-      int runs) {
+      List<DesignVariable> variables, LeastSquares.Fit fit, int runs) {
+    double[] parts = fit.point();
+    double[] residuals = fit.residuals();
     int n = parts.length;
     double sum = Arrays.stream(residuals).map(r -> r * r).sum();
     double noise = Math.sqrt(sum / (residuals.length - n));
     // the triangle R of J = Q R has the singular values and the right vectors of J
     RealMatrix triangle =
-        new QRDecomposition(new Array2DRowRealMatrix(jacobian))
-            .getR()
-            .getSubMatrix(0, n - 1, 0, n - 1);
+        new Array2DRowRealMatrix(TallFactors.of(fit.jacobian(), residuals).triangle(), false);
     SingularValueDecomposition svd = new SingularValueDecomposition(triangle);
     double[] sigma = svd.getSingularValues();
     double least = Math.max(WEAKEST * sigma[0], noise);

@@ -29,8 +29,11 @@ import org.mechservice.study.optimise.Response;
 public final class Measurements {
   private static final String DEVIATION = ".sigma";
 
-  /** Relative tolerance of the steps of derivatives. */
-  private static final double ENOUGH = 1e-6;
+  /**
+   * Relative tolerance of the steps of derivatives. Those of the arm of 24 parameters are known to
+   * 6e-6 of the largest with it, those of differences of its runs to some 1e-4.
+   */
+  private static final double ENOUGH = 1e-4;
 
   /**
    * One measured value.

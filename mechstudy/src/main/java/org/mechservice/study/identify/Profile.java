@@ -6,10 +6,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.distribution.TDistribution;
-import org.mechservice.study.optimise.CentralDifferences;
 import org.mechservice.study.optimise.Derivatives;
 import org.mechservice.study.optimise.DesignVariable;
-import org.mechservice.study.optimise.LeastSquares;
 import org.mechservice.study.optimise.PointFailedException;
 import org.mechservice.study.optimise.Response;
 
@@ -136,12 +134,13 @@ public record Profile(
       if (others.length == 0) {
         return from;
       }
-      Response onCube = parts -> at(value, parts);
-      Derivatives jacobian =
-          slopes.isPresent()
-              ? parts -> columns(slopes.get().at(point(value, parts)))
-              : new CentralDifferences(onCube, step);
-      return new LeastSquares(onCube, jacobian).minimise(from);
+      CubeResiduals onCube = new CubeResiduals(parts -> point(value, parts), response);
+      double[] parts =
+          onCube
+              .fitted(from, slopes.map(by -> at -> columns(by.at(point(value, at)))), step)
+              .point();
+      runs += onCube.runs();
+      return parts;
     }
 
     private double[] at(double value, double[] parts) throws PointFailedException {

@@ -17,12 +17,17 @@ public final class CentralDifferences implements Derivatives {
    * @param step part of the range, more than 0 and at most 0.1
    */
   public CentralDifferences(Response function, double step) {
+    this.function = function;
+    this.step = checked(step);
+  }
+
+  /** Returns a step that is a part of a range. */
+  static double checked(double step) {
     if (!(step > 0 && step <= 0.1)) {
       throw new IllegalArgumentException(
           "the step of differences is " + step + "; it must be more than 0 and at most 0.1");
     }
-    this.function = function;
-    this.step = step;
+    return step;
   }
 
   @Override
@@ -39,17 +44,17 @@ public final class CentralDifferences implements Derivatives {
   }
 
   private double[] column(double[] point, int j, double[] middle) {
-    double[] up = moved(point, j, step);
-    double[] down = moved(point, j, -step);
+    double[] up = moved(function, point, j, step);
+    double[] down = moved(function, point, j, -step);
     if (up.length > 0 && down.length > 0) {
       return combined(up, 0.5 / step, down, -0.5 / step, middle, 0);
     } else if (up.length > 0) {
-      double[] further = moved(point, j, 2 * step);
+      double[] further = moved(function, point, j, 2 * step);
       return further.length > 0
           ? combined(up, 2 / step, further, -0.5 / step, middle, -1.5 / step)
           : combined(up, 1 / step, middle, -1 / step, middle, 0);
     } else if (down.length > 0) {
-      double[] further = moved(point, j, -2 * step);
+      double[] further = moved(function, point, j, -2 * step);
       return further.length > 0
           ? combined(down, -2 / step, further, 0.5 / step, middle, 1.5 / step)
           : combined(down, -1 / step, middle, 1 / step, middle, 0);
@@ -58,7 +63,7 @@ public final class CentralDifferences implements Derivatives {
   }
 
   /** Returns the values at a neighbour, or none if it is outside the bounds or fails. */
-  private double[] moved(double[] point, int j, double by) {
+  static double[] moved(Response function, double[] point, int j, double by) {
     double[] other = point.clone();
     other[j] += by;
     if (other[j] < 0 || other[j] > 1) {

@@ -6,7 +6,7 @@ import { MechanismStage } from './stage.js';
 const SERIES = ['#3b82d0', '#d97b1f', '#2f9e77', '#c2504d', '#8464c4', '#1c97a3', '#9c7a3c'];
 const FORMATS = [['csv', 'CSV'], ['mat', 'MAT'], ['glb', 'GLB'], ['html', 'Player'], ['jar', 'JAR'],
   ['fmu', 'FMU']];
-const LARGEST = 16 * 1024 * 1024;
+const LARGEST = 24 * 1024 * 1024;
 
 const element = id => document.getElementById(id);
 const make = (tag, text = '', properties = {}) =>

@@ -35,6 +35,12 @@ final class JacobianCode {
   /** For each entry its row. */
   private final int[] row;
 
+  /** Entries of F_y row after row: where in {@code value}, and by which element of y. */
+  private final int[] rowAt;
+
+  private final int[] entry;
+  private final int[] element;
+
   /** For each direction the column of its z; −1 without one. */
   private final int[] through;
 
@@ -107,6 +113,10 @@ final class JacobianCode {
     }
     columnAt[columns] = rows.size();
     row = rows.stream().mapToInt(Integer::intValue).toArray();
+    rowAt = new int[count + 1];
+    entry = new int[columnAt[inputs]];
+    element = new int[columnAt[inputs]];
+    orderByRows();
     slopeAt = new int[parameter.length];
     for (int k = 0; k < parameter.length; k++) {
       slopeAt[k] = count + row.length + k;
@@ -116,6 +126,22 @@ final class JacobianCode {
     rates = new double[inputs * parameter.length];
     sums = new double[count * parameter.length];
     code = ProgramCode.of(more, inputs, parameters);
+  }
+
+  private void orderByRows() {
+    int next = 0;
+    for (int i = 0; i < count; i++) {
+      rowAt[i] = next;
+      for (int j = 0; j < inputs; j++) {
+        for (int e = columnAt[j]; e < columnAt[j + 1]; e++) {
+          if (row[e] == i) {
+            entry[next] = count + e;
+            element[next++] = j;
+          }
+        }
+      }
+    }
+    rowAt[count] = next;
   }
 
   /**
@@ -180,10 +206,8 @@ final class JacobianCode {
       }
     }
     Arrays.fill(sums, 0);
-    for (int j = 0; j < inputs; j++) {
-      for (int e = columnAt[j]; e < columnAt[j + 1]; e++) {
-        addRow(value[count + e], j * directions, row[e] * directions);
-      }
+    for (int i = 0; i < count; i++) {
+      addRow(rowAt[i], rowAt[i + 1], i * directions);
     }
     for (int k = 0; k < directions; k++) {
       if (through[k] >= 0) {
@@ -196,16 +220,32 @@ final class JacobianCode {
     return result;
   }
 
-  /** Adds an entry times the rates of its input, for all directions. */
-  private void addRow(double entry, int from, int to) {
+  /** Adds the entries of a row times the rates of their elements of y, for all directions. */
+  private void addRow(int first, int end, int to) {
     int directions = through.length;
-    if (Math.abs(entry) <= Double.MAX_VALUE) {
-      for (int k = 0; k < directions; k++) {
-        sums[to + k] += entry * rates[from + k];
+    int e = first;
+    // four at once: the sums are read and written a quarter as often
+    for (; e + 3 < end; e += 4) {
+      double a = value[entry[e]];
+      double b = value[entry[e + 1]];
+      double c = value[entry[e + 2]];
+      double d = value[entry[e + 3]];
+      if (!(Math.abs(a) + Math.abs(b) + Math.abs(c) + Math.abs(d) <= Double.MAX_VALUE)) {
+        break;
       }
-    } else {
+      int ofA = element[e] * directions;
+      int ofB = element[e + 1] * directions;
+      int ofC = element[e + 2] * directions;
+      int ofD = element[e + 3] * directions;
       for (int k = 0; k < directions; k++) {
-        addProduct(entry, rates[from + k], to + k);
+        sums[to + k] +=
+            a * rates[ofA + k] + b * rates[ofB + k] + (c * rates[ofC + k] + d * rates[ofD + k]);
+      }
+    }
+    for (; e < end; e++) {
+      int from = element[e] * directions;
+      for (int k = 0; k < directions; k++) {
+        addProduct(value[entry[e]], rates[from + k], to + k);
       }
     }
   }

@@ -1,11 +1,7 @@
 package org.mechservice.sim.gradient;
 
-import java.util.Map;
-import java.util.TreeMap;
-import org.mechservice.sim.compile.ModelClassLoader;
 import org.mechservice.sim.emit.FunctionPlan;
 import org.mechservice.sim.emit.GeneratedClass;
-import org.mechservice.sim.emit.ModelClass;
 import org.mechservice.sim.symbolic.Program;
 
 /** A program as code. Workspace of one thread. */
@@ -25,7 +21,7 @@ public interface ProgramCode {
   int run(double t, double[] y, double[] x, double[] out);
 
   /**
-   * Writes a program as a class and loads it.
+   * Writes a program as a class and loads it, unless an equal one is loaded.
    *
    * @param further first input that is read from the further inputs
    * @param parameters values of the model's parameters, SI; read at each run, so they may change
@@ -34,19 +30,16 @@ public interface ProgramCode {
    */
   static ProgramCode of(Program program, int further, double[] parameters) {
     GeneratedClass plan = FunctionPlan.of("GradientFunction", ProgramCode.class, program, further);
-    String name = ModelClass.PACKAGE + "." + plan.simpleName();
-    ClassLoader loader =
-        new ModelClassLoader(
-            new TreeMap<>(Map.of(name, plan.classFile())), ProgramCode.class.getClassLoader());
     try {
-      Class<?> type = loader.loadClass(name);
+      Class<?> type = LoadedCode.type(plan);
       Object made =
           plan.takesNumbers()
               ? type.getConstructor(double[].class).newInstance((Object) parameters)
               : type.getConstructor().newInstance();
       return (ProgramCode) made;
     } catch (ReflectiveOperationException e) {
-      throw new IllegalStateException("the generated class " + name + " cannot be loaded", e);
+      throw new IllegalStateException(
+          "the generated class " + plan.simpleName() + " cannot be loaded", e);
     }
   }
 }

@@ -100,19 +100,26 @@ public final class PoleProbe {
       return -1;
     }
     for (int l = 0; l < y.length; l++) {
-      if (foreseen[l] * derivative[l] > 0
-          && Math.abs((end - t) * derivativeAtEnd[l]) * norm.weight(l) > 1
-          && suspect(l, t, derivative[l], derivativeAtEnd[l], end - t)
-          && narrowed(equations, l, t, end, y, yEnd, derivative[l], derivativeAtEnd[l])) {
-        return l;
+      double here = derivative[l];
+      double there = derivativeAtEnd[l];
+      if (!(here * before[l] > 0 && Math.abs(here) > Math.abs(before[l]))) {
+        continue; // not growing
       }
-      double size = Math.max(Math.abs(y[l]), Math.abs(yEnd[l]));
-      boolean fast = Math.abs((end - t) * derivative[l]) > MUCH * size;
-      for (int order = 1; fast && order <= 2; order++) {
-        double place = placeOfPeak(l, order, t, derivative[l], derivativeAtEnd[l], end - t);
-        if (place > 0
-            && peaks(equations, l, t, end, y, yEnd, place, derivative[l], derivativeAtEnd[l])) {
+      if (here * there < 0) {
+        if (foreseen[l] * here > 0
+            && Math.abs((end - t) * there) * norm.weight(l) > 1
+            && suspect(l, t, here, there, end - t)
+            && narrowed(equations, l, t, end, y, yEnd, here, there)) {
           return l;
+        }
+      } else if (here * there > 0) {
+        double size = Math.max(Math.abs(y[l]), Math.abs(yEnd[l]));
+        boolean fast = Math.abs((end - t) * here) > MUCH * size;
+        for (int order = 1; fast && order <= 2; order++) {
+          double place = placeOfPeak(l, order, t, here, there, end - t);
+          if (place > 0 && peaks(equations, l, t, end, y, yEnd, place, here, there)) {
+            return l;
+          }
         }
       }
     }
@@ -120,7 +127,8 @@ public final class PoleProbe {
   }
 
   /**
-   * Returns whether the derivatives known look like A/(t − c), with c inside the step.
+   * Returns whether the derivatives known, which grow and then change sign, look like A/(t − c),
+   * with c inside the step.
    *
    * @param here derivative at its beginning
    * @param there derivative at its end
@@ -128,9 +136,6 @@ public final class PoleProbe {
    */
   private boolean suspect(int l, double t, double here, double there, double step) {
     double last = before[l];
-    if (!(here * there < 0 && here * last > 0 && Math.abs(here) > Math.abs(last))) {
-      return false;
-    }
     double ahead = (t - timeBefore) * last / (here - last); // from the beginning to the pole
     double behind = -ahead * here / there; // from the pole to the end, by the values
     double earlier = here * ahead / (t - timeTwoBefore + ahead);
@@ -138,16 +143,13 @@ public final class PoleProbe {
   }
 
   /**
-   * Returns the share of the step at which the derivatives known foretell a pole of constant sign;
-   * 0 if they do not.
+   * Returns the share of the step at which the derivatives known, which grow and keep their sign,
+   * foretell a pole of constant sign; 0 if they do not.
    *
    * @param order 1 for A/|t − c|, 2 for A/(t − c)²
    */
   private double placeOfPeak(int l, int order, double t, double here, double there, double step) {
     double last = before[l];
-    if (!(here * there > 0 && here * last > 0 && Math.abs(here) > Math.abs(last))) {
-      return 0;
-    }
     double ahead = (t - timeBefore) / (root(order, here / last) - 1);
     double behind = step - ahead;
     if (!(behind / step > 0)) {
