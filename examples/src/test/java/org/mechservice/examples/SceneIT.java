@@ -69,6 +69,7 @@ class SceneIT {
           "gearbox/gearbox.xml",
           "crane/crane.xml",
           "half-car/half-car.xml",
+          "half-car/seat.xml",
           "walker/walker.xml",
           "sweep/seat.xml");
 

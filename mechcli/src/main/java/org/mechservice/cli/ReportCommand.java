@@ -5,7 +5,6 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.concurrent.Callable;
 import org.mechservice.cli.shell.ExitStatus;
 import org.mechservice.cli.shell.MechVersion;
@@ -57,7 +56,7 @@ final class ReportCommand implements Callable<Integer> {
       description =
           "Time for the report of a model; what it does not allow is left out and named on the"
               + " page. Default: 900, with --quick 180.")
-  private OptionalDouble budget = OptionalDouble.empty();
+  private Optional<Double> budget = Optional.empty();
 
   @Option(
       names = "--compare",
@@ -75,11 +74,11 @@ final class ReportCommand implements Callable<Integer> {
     if (!compared.isEmpty()) {
       return compare();
     }
-    if (budget.isPresent() && !(budget.getAsDouble() > 0)) {
+    if (budget.isPresent() && !(budget.get() > 0)) {
       throw new UsageException(
           MessageCode.OPTION_UNUSABLE
               + " --budget "
-              + budget.getAsDouble()
+              + budget.get()
               + ": the time for a report is a positive number of seconds");
     }
     if (models.isEmpty()) {
@@ -121,7 +120,7 @@ final class ReportCommand implements Callable<Integer> {
       throws IOException, InterruptedException {
     PrintWriter err = spec.commandLine().getErr();
     Effort usual = quick ? Effort.QUICK : Effort.FULL;
-    Effort effort = budget.isPresent() ? usual.withBudget(budget.getAsDouble()) : usual;
+    Effort effort = budget.map(usual::withBudget).orElse(usual);
     try (MechSession session = service.connection().openSession();
         ProgressLine line = new ProgressLine(err)) {
       session.loadModel(model).forEach(err::println);

@@ -207,6 +207,22 @@ public final class RemoteModel {
     return with(options.formulation(name));
   }
 
+  /**
+   * Returns the model with another closure of loops: {@code auto}, {@code projection} or {@code
+   * penalty}, with numbers of its own {@code penalty:alpha=1e7,omega=10,mu=1}.
+   */
+  public RemoteModel closure(String name) {
+    return with(options.closure(name));
+  }
+
+  /**
+   * Returns the model with another relation of the final error to the tolerances: {@code standard},
+   * or {@code strict}, which makes errors smaller at the same tolerances.
+   */
+  public RemoteModel accuracy(String name) {
+    return with(options.accuracy(name));
+  }
+
   /** Returns the model with runs that put out these columns besides time and the joints' states. */
   public RemoteModel columns(ColumnGroup... groups) {
     EnumSet<ColumnGroup> all = EnumSet.of(ColumnGroup.JOINTS);

@@ -55,6 +55,9 @@ final class Frame {
         Stream.of(step(target, -1, "← "), step(target, 1, "→ "))
             .flatMap(Optional::stream)
             .collect(Collectors.joining());
+    if (way.isEmpty()) {
+      way = navigation.above(target).map(entry -> way(target, entry, "↑ ")).orElse("");
+    }
     String tables = page.html().replace("<table>", "<div class=\"wide\" tabindex=\"0\"><table>");
     return PAGE.formatted(
         escaped(page.title()),
@@ -66,12 +69,11 @@ final class Frame {
   }
 
   private Optional<String> step(Path from, int steps, String arrow) {
-    return navigation
-        .beside(from, steps)
-        .map(
-            entry ->
-                "<a href=\"%s\">%s%s</a>"
-                    .formatted(link(from, entry.page()), arrow, escaped(entry.label())));
+    return navigation.beside(from, steps).map(entry -> way(from, entry, arrow));
+  }
+
+  private static String way(Path from, Navigation.Entry to, String arrow) {
+    return "<a href=\"%s\">%s%s</a>".formatted(link(from, to.page()), arrow, escaped(to.label()));
   }
 
   private static String contents(GuidePage page) {

@@ -46,10 +46,17 @@ record GuidePage(Path source, String title, String html, List<Section> sections,
   record Section(String anchor, String heading, int level, String text) {}
 
   private static final String MARKDOWN = ".md";
-  private static final String INDEX = "index.html";
+
+  /** File of the page of a folder. */
+  static final String INDEX = "index.html";
 
   /** The repository's own page; at its place the site begins with that of the guide. */
   private static final Path FRONT = Path.of("README.md");
+
+  /** Characters of code, and of a cell of a table, that are not broken into lines. */
+  private static final int SHORT_CODE = 20;
+
+  private static final int SHORT_CELL = 10;
 
   private static final List<Extension> EXTENSIONS =
       List.of(TablesExtension.create(), HeadingAnchorExtension.create());
@@ -197,7 +204,10 @@ record GuidePage(Path source, String title, String html, List<Section> sections,
     }
   }
 
-  /** Wide tables and code scroll by themselves: the keyboard must reach them. */
+  /**
+   * Wide tables and code scroll by themselves: the keyboard must reach them. Short words of code
+   * and short cells, such as a number with its unit, stay in one line.
+   */
   private static final class Attributes implements AttributeProvider {
     @Override
     public void setAttributes(Node node, String tag, Map<String, String> attributes) {
@@ -205,6 +215,9 @@ record GuidePage(Path source, String title, String html, List<Section> sections,
         attributes.put("tabindex", "0");
       } else if (tag.equals("img")) {
         attributes.put("loading", "lazy");
+      } else if ((tag.equals("code") && words(node).length() <= SHORT_CODE)
+          || (tag.equals("td") && words(node).length() <= SHORT_CELL)) {
+        attributes.put("class", "short");
       }
     }
   }

@@ -66,16 +66,35 @@ record Navigation(List<Chapter> chapters) {
             .toList());
   }
 
-  /** Returns the list as HTML, as seen from a page, with the chapter of that page open. */
+  /**
+   * Returns the page of the list that leads to a page which is not in it: that of its folder, or of
+   * one above it.
+   */
+  Optional<Entry> above(Path page) {
+    List<Entry> all = entries();
+    for (Path folder = page.getParent(); folder != null; folder = folder.getParent()) {
+      Path index = folder.resolve(GuidePage.INDEX);
+      Optional<Entry> found = all.stream().filter(e -> e.page().equals(index)).findFirst();
+      if (found.isPresent()) {
+        return found.filter(entry -> !entry.page().equals(page));
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** Returns the list as HTML, as seen from a page, with its chapter open and its entry marked. */
   String html(Path page) {
+    boolean listed = entries().stream().anyMatch(entry -> entry.page().equals(page));
+    Path place = listed ? page : above(page).map(Entry::page).orElse(page);
     StringBuilder html = new StringBuilder();
     for (Chapter chapter : chapters) {
-      boolean open = chapter.entries().stream().anyMatch(entry -> entry.page().equals(page));
+      boolean open = chapter.entries().stream().anyMatch(entry -> entry.page().equals(place));
       html.append("<details").append(open || chapter.equals(chapters.get(0)) ? " open" : "");
       html.append("><summary>").append(Frame.escaped(chapter.title())).append("</summary><ul>\n");
       for (Entry entry : chapter.entries()) {
         html.append("<li><a href=\"").append(Frame.link(page, entry.page())).append('"');
-        html.append(entry.page().equals(page) ? " aria-current=\"page\">" : ">");
+        html.append(entry.page().equals(page) ? " aria-current=\"page\"" : "");
+        html.append(!listed && entry.page().equals(place) ? " aria-current=\"true\">" : ">");
         html.append(Frame.escaped(entry.label())).append("</a></li>\n");
       }
       html.append("</ul></details>\n");

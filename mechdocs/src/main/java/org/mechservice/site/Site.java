@@ -34,6 +34,17 @@ public final class Site {
       <body><a href="docs/index.html">The user guide of MechService</a></body></html>
       """;
 
+  /** A list of the files of a folder that has no page. */
+  private static final String FOLDER =
+      """
+      <!doctype html>
+      <html lang="en"><head><meta charset="utf-8"><title>%1$s</title>
+      <meta name="viewport" content="width=device-width, initial-scale=1">
+      <link rel="stylesheet" href="%2$sassets/site.css"></head>
+      <body><main><h1>%1$s</h1><ul>
+      %3$s</ul></main></body></html>
+      """;
+
   private static final Path JAVA = Path.of("java");
   private static final Path PYTHON = Path.of("python-api", "mechservice.html");
 
@@ -140,14 +151,13 @@ public final class Site {
       try (Stream<Path> all = Files.list(from)) {
         inside = all.filter(Files::isRegularFile).map(Path::getFileName).sorted().toList();
       }
-      StringBuilder list =
-          new StringBuilder("<!doctype html>\n<html lang=\"en\"><meta charset=\"utf-8\">");
-      list.append("<title>").append(file).append("</title>\n<ul>\n");
+      StringBuilder list = new StringBuilder();
       for (Path name : inside) {
         copy(file.resolve(name));
         list.append("<li><a href=\"%1$s\">%1$s</a></li>%n".formatted(name));
       }
-      write(file.resolve("index.html"), list + "</ul></html>\n");
+      String up = "../".repeat(file.getNameCount());
+      write(file.resolve("index.html"), FOLDER.formatted(file, up, list));
     } else if (Files.isRegularFile(from)) {
       Path to = target.resolve(file);
       Files.createDirectories(to.toAbsolutePath().getParent());

@@ -105,6 +105,14 @@ class SiteTest {
   }
 
   @Test
+  void pageBesideTheChaptersLeadsToTheOneOfItsFolder() throws IOException {
+    assertThat(site.resolve("docs/errors/M-006.html"))
+        .content()
+        .contains("<a href=\"index.html\" aria-current=\"true\">Messages</a>")
+        .contains("<a href=\"index.html\">↑ Messages</a>");
+  }
+
+  @Test
   void beginningIsThePageOfAllPages() throws IOException {
     assertThat(site.resolve("index.html")).content().contains("url=docs/index.html");
   }

@@ -15,9 +15,4 @@ public record AbsoluteTolerances(
   public static AbsoluteTolerances uniform(double tolerance) {
     return new AbsoluteTolerances(tolerance, tolerance, tolerance, tolerance);
   }
-
-  /** Returns whether all four are equal. */
-  public boolean isUniform() {
-    return position == angle && position == velocity && position == angularVelocity;
-  }
 }

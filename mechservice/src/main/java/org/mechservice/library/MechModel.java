@@ -168,6 +168,18 @@ public final class MechModel {
     }
   }
 
+  /**
+   * Reads a robot.
+   *
+   * @param robot file in URDF, SDF or MJCF
+   * @return its model, as {@code mech import} translates it
+   * @throws IOException if the file cannot be read
+   * @throws MechmlException if it is no robot, or no mechanism
+   */
+  public static MechModel importRobot(Path robot) throws IOException, MechmlException {
+    return read(MechmlFile.ofRobot(robot));
+  }
+
   private static MechModel read(MechmlFile file) throws IOException, MechmlException {
     MechmlModel model = file.model(ReadOptions.NONE);
     return new MechModel(file, Choices.NONE, model, file.userClasses(model.mechanism()));
@@ -525,8 +537,8 @@ public final class MechModel {
   }
 
   /**
-   * Returns the same for one of many models that differ in their numbers, by classes that earlier
-   * ones of them have loaded: the bits are those of {@link #instances()}, and the virtual machine
+   * Returns a source of instances as {@link #instances()} does, with the classes of an earlier
+   * model that differs from this one in numbers only. The bits are the same; the virtual machine
    * has compiled the code already.
    *
    * @param code of one thread, which uses no model of an earlier source any more
@@ -700,18 +712,6 @@ public final class MechModel {
    */
   public RobotExport urdf() throws MechmlException {
     return RobotExport.of(file.name(), model, file());
-  }
-
-  /**
-   * Reads a robot.
-   *
-   * @param robot file in URDF, SDF or MJCF
-   * @return its model, as {@code mech import} translates it
-   * @throws IOException if the file cannot be read
-   * @throws MechmlException if it is no robot, or no mechanism
-   */
-  public static MechModel importRobot(Path robot) throws IOException, MechmlException {
-    return read(MechmlFile.ofRobot(robot));
   }
 
   /** Returns the groups of columns that runs put out. */

@@ -2,7 +2,6 @@ package org.mechservice.mechml.robot;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import org.mechservice.mechml.diagnosis.SourcePosition;
 import org.mechservice.mechml.document.Attribute;
 import org.mechservice.mechml.document.Content;
@@ -63,10 +62,5 @@ final class TagBuilder {
 
   Element element() {
     return new Element(name, attributes, content, position, owner);
-  }
-
-  /** Returns the element; empty if it has no content. */
-  Optional<Element> unlessEmpty() {
-    return content.isEmpty() ? Optional.empty() : Optional.of(element());
   }
 }

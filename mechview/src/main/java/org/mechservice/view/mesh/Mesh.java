@@ -54,19 +54,6 @@ public final class Mesh {
     return new Mesh(moved, triangles, colour, opacity);
   }
 
-  /** Returns both surfaces as one, in this one's colour. */
-  public Mesh joined(Mesh other) {
-    float[] all = new float[corners.length + other.corners.length];
-    System.arraycopy(corners, 0, all, 0, corners.length);
-    System.arraycopy(other.corners, 0, all, corners.length, other.corners.length);
-    int[] faces = new int[triangles.length + other.triangles.length];
-    System.arraycopy(triangles, 0, faces, 0, triangles.length);
-    for (int i = 0; i < other.triangles.length; i++) {
-      faces[triangles.length + i] = other.triangles[i] + corners.length / 3;
-    }
-    return new Mesh(all, faces, colour, opacity);
-  }
-
   /** Returns the number of corners. */
   public int cornerCount() {
     return corners.length / 3;

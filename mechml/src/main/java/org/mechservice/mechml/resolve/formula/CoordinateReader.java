@@ -16,11 +16,6 @@ import org.mechservice.solver.catalogue.MessageCode;
 public final class CoordinateReader {
   private static final Pattern COMPONENT = Pattern.compile("[0-9]");
 
-  /** Euler parameters before the displacements of a free joint, and its angular velocities. */
-  private static final int EULER_PARAMETERS = 4;
-
-  private static final int ANGULAR_VELOCITIES = 3;
-
   private final MechanismNames names;
   private final Diagnostics diagnostics;
 
@@ -58,11 +53,6 @@ public final class CoordinateReader {
         .jointOf(element, "joint")
         .flatMap(joint -> place(element, joint, joint.type().velocityCount()))
         .map(p -> new ResolvedCoordinate(p.joint(), p.component(), p.joint().turns(p.component())));
-  }
-
-  /** Returns the component among velocities of a component among positions. */
-  static int velocityOf(JointType type, int position) {
-    return type == JointType.F ? position - EULER_PARAMETERS + ANGULAR_VELOCITIES : position;
   }
 
   private Optional<ResolvedCoordinate> place(Element element, ResolvedJoint joint, int count) {

@@ -72,14 +72,6 @@ public final class FormulaReader {
         .flatMap(unit -> read(AttributeText.of(element, attribute), unit, role));
   }
 
-  /** Returns an attribute's formula, zero if the attribute is missing. */
-  Optional<Expression> readOrZero(
-      Element element, String attribute, Quantity quantity, FormulaRole role) {
-    return element.attribute(attribute).isPresent()
-        ? read(element, attribute, quantity, role)
-        : Optional.of(Expression.ZERO);
-  }
-
   /** Returns the formulas of a list, one per unit. */
   public Optional<List<Expression>> list(
       Element element, String attribute, List<Unit> units, FormulaRole role) {

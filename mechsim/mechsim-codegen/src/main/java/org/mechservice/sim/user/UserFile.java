@@ -21,9 +21,4 @@ public record UserFile(String name, byte[] content) {
   boolean isSource() {
     return name.endsWith(".java");
   }
-
-  /** Returns the path without its extension as a Java name: {@code car.Road}. */
-  String statedClass() {
-    return name.substring(0, name.lastIndexOf('.')).replace('/', '.');
-  }
 }

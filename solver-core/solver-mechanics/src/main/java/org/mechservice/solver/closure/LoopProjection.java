@@ -2,6 +2,7 @@ package org.mechservice.solver.closure;
 
 import java.util.Arrays;
 import org.mechservice.solver.closure.equations.LoopRounding;
+import org.mechservice.solver.linear.SparseMatrix;
 
 /**
  * Projects positions and velocities onto the constraint manifold by the least change in the metric
@@ -183,6 +184,41 @@ public final class LoopProjection {
       y[work.nq + j] += change[j];
     }
     return true;
+  }
+
+  /**
+   * Removes from a change of the state the part of its velocities that changes the rates of the
+   * constraints.
+   *
+   * @param y state; not modified
+   * @param x change of the state; its velocities are overwritten
+   * @return false if the mass matrix is singular
+   */
+  public boolean projectChange(double t, double[] y, double[] x) {
+    work.place(t, y);
+    if (factor() >= 0) {
+      return false;
+    }
+    for (int row = 0; row < work.loops.count(); row++) {
+      offset[row] = rateOfChange(row, x) / work.loops.size(row);
+    }
+    equations.solve(none, offset, change, 0);
+    for (int j = 0; j < work.nv; j++) {
+      x[work.nq + j] += change[j];
+    }
+    return true;
+  }
+
+  /** Returns a row of J times the velocities of a change; driven joints are not among them. */
+  private double rateOfChange(int row, double[] x) {
+    SparseMatrix j = work.loops.jacobian;
+    double sum = 0;
+    for (int e = j.start[row]; e < j.start[row + 1]; e++) {
+      if (j.column[e] < work.nv) {
+        sum += j.value[e] * x[work.nq + j.column[e]];
+      }
+    }
+    return sum;
   }
 
   /** Computes the rates to be removed; returns the largest, 1/s. */

@@ -182,15 +182,6 @@ public final class StateCoordinates {
     }
   }
 
-  /** Returns the largest | |e| − 1 | over all sets of Euler parameters. */
-  public double largestNormError(double[] q, int qAt) {
-    double largest = 0;
-    for (int at : ballPosition) {
-      largest = Math.max(largest, Math.abs(EulerParameters.norm(q, qAt + at) - 1));
-    }
-    return largest;
-  }
-
   /** Scales all Euler parameters to norm 1. */
   public void normalize(double[] q, int qAt) {
     for (int at : ballPosition) {

@@ -66,9 +66,4 @@ public record Vector3(double x, double y, double z) {
     }
     return new Vector3(x / norm, y / norm, z / norm);
   }
-
-  /** Returns whether all components are finite. */
-  public boolean isFinite() {
-    return Double.isFinite(x) && Double.isFinite(y) && Double.isFinite(z);
-  }
 }

@@ -8,7 +8,8 @@ import java.util.List;
  * @param cause what kind of failure
  * @param time where it stands; if the step became too small, where steps were last longer than the
  *     relative tolerance times the time elapsed: the solution moves so fast beyond that place that
- *     the one computed is not where the exact one is
+ *     the one computed is not where the exact one is, and the failure lies between there and the
+ *     end of the step tried last
  * @param stepSize step tried last, signed; 0 at the start
  * @param order order tried last; 0 at the start
  * @param worstComponent index of the component that limited the step, was not finite, or left no

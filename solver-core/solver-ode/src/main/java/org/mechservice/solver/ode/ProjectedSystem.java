@@ -17,6 +17,21 @@ public interface ProjectedSystem {
   boolean project(double t, double[] y);
 
   /**
+   * Removes from the estimated error of a step what a projection removes, too: its part across the
+   * manifold. Rounding errors of the relations appear in that part alone. Steps, however short, do
+   * not reduce them, and no step would pass where the tolerances are finer. Stiff methods ask for
+   * it before they reject a step; so does CVODE (Hindmarsh et al. 2005, ACM TOMS 31, 363).
+   *
+   * @param t end of the step
+   * @param y state there; not modified
+   * @param error overwritten
+   * @return false if that part is not known; the error is then as it was
+   */
+  default boolean projectError(double t, double[] y, double[] error) {
+    return false;
+  }
+
+  /**
    * Takes note of an accepted step.
    *
    * @param t its end

@@ -48,11 +48,6 @@ final class CoordinateNames {
     return slides.get(velocity) ? "m" : "rad";
   }
 
-  /** Returns the unit of a force in the coordinate. */
-  String forceUnit(int velocity) {
-    return slides.get(velocity) ? "N" : "N·m";
-  }
-
   int count() {
     return names.size();
   }

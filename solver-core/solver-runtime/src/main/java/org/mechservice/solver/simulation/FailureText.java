@@ -85,10 +85,10 @@ final class FailureText {
                       + " near t = 0."
                   : motion
                       + (loops == ImplicitLoops.PENALTY
-                          ? "By penalty, velocities keep rounding errors of the loops of about"
-                              + " 1e-11 of the speed, which shorter steps do not reduce: if the"
-                              + " absolute tolerance is finer, loosen it, or use closure projection"
-                              + " or DSR. Otherwise check the forces on this joint."
+                          ? "By penalty, velocities keep rounding errors of the loops, which shorter"
+                              + " steps do not reduce: if the absolute tolerance is finer, loosen it,"
+                              + " or use closure projection or DSR. Otherwise check the forces on"
+                              + " this joint."
                           : "The motion is singular or very stiff there; use ode15s, loosen the"
                               + " tolerances, or check the forces on this joint."));
       case UNBOUNDED ->
@@ -112,14 +112,7 @@ final class FailureText {
               "The equations of an implicit step cannot be solved at any step size.",
               failure,
               state(model, failure.worstComponent()),
-              motion
-                  + (loops == ImplicitLoops.PROJECTION
-                      ? "By projection the iteration is over independent coordinates; where the"
-                          + " dependent ones move far more inertia, as in long chains, it diverges"
-                          + " at large forces: use closure penalty, or DSR. In short loops look for"
-                          + " a force that jumps or has a vertical slope there."
-                      : "Look for a force that jumps or has a vertical slope there; tighten the"
-                          + " tolerances if it does not."));
+              motion + unsolvable(loops));
       case SINGULAR_MATRIX ->
           failure(
               MessageCode.SINGULAR_ITERATION_MATRIX,
@@ -167,6 +160,24 @@ final class FailureText {
               motion
                   + "Lower the stiffness or frequency of the forces on this joint, add damping and"
                   + " use ode15s, allow longer steps, or end the run earlier.");
+    };
+  }
+
+  /** Returns the advice where an implicit step cannot be solved. */
+  private static String unsolvable(ImplicitLoops loops) {
+    return switch (loops) {
+      case NONE ->
+          "Look for a force that jumps or has a vertical slope there; tighten the tolerances if it"
+              + " does not.";
+      case PROJECTION ->
+          "By projection the iteration is over independent coordinates; where the dependent ones"
+              + " move far more inertia, as in long chains, it diverges at large forces: use"
+              + " closure penalty, or DSR. In short loops look for a force that jumps or has a"
+              + " vertical slope there.";
+      case PENALTY ->
+          "By penalty the iteration may fail on the way to a position in which the loops lose rank,"
+              + " and where alpha is below its default of 1e7: use that, closure projection, or"
+              + " DSR. Otherwise look for a force that jumps or has a vertical slope there.";
     };
   }
 

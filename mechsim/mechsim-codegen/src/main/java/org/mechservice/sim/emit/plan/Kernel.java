@@ -125,11 +125,6 @@ final class Kernel implements KernelBody.Addresses {
     return constants.get(constant);
   }
 
-  /** Returns the number of its integer parameters. */
-  int parameterCount() {
-    return parameters.size();
-  }
-
   /** Returns the method. */
   MethodPlan method() {
     int others = sections.size() - 1;

@@ -98,11 +98,6 @@ public record AxesChange(Rotation permuted, List<Turn> turns) {
     return turns;
   }
 
-  /** Returns whether child and parent axes are the same. */
-  boolean isIdentity() {
-    return turns.isEmpty() && permuted.isIdentity();
-  }
-
   /** Returns parent components of a vector given in child components. */
   public ScalarVector toParent(ScalarVector v) {
     ScalarVector turned = permutation(v.x().expressions()).times(v);

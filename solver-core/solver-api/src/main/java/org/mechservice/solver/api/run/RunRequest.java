@@ -36,9 +36,4 @@ public record RunRequest(
   public RunRequest(RunSettings settings, Set<ColumnGroup> columns) {
     this(settings, columns, false, OptionalDouble.empty());
   }
-
-  /** Returns the request of a run that does not give some warnings. */
-  public RunRequest silencing(Set<MessageCode> warnings) {
-    return new RunRequest(settings, columns, strict, maxDrift, warnings);
-  }
 }

@@ -98,16 +98,11 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
       differences = Optional.empty();
       step = new ArticulatedStepAlongLoops(velocities, work.loops, links);
     } else {
-      ResidualJacobian elements = new ResidualJacobian(work.motion, pattern);
-      TreeIteration tree = new TreeIteration(work.tree, pattern, elements);
-      jacobian = elements;
+      ElementDerivatives elements = ElementDerivatives.of(work, pattern, derivatives);
+      TreeIteration tree = elements.iteration();
+      jacobian = elements.jacobian();
       iteration = tree;
-      differences =
-          derivatives == Derivatives.DIFFERENCES
-              ? Optional.of(
-                  new ResidualDifferences(
-                      elements, work.coordinates, pattern, work.tree.velocityCount))
-              : Optional.empty();
+      differences = elements.differences();
       step =
           byMultipliers
               ? new SparseStepAlongLoops(

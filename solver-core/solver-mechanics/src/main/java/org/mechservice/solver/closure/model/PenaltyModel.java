@@ -96,6 +96,11 @@ public class PenaltyModel extends LoopModel implements ProjectedStates, ModelSta
   }
 
   @Override
+  public final boolean projectError(double t, double[] y, double[] error) {
+    return projection.projectChange(t, y, error);
+  }
+
+  @Override
   public final void accepted(double t, double[] y) {
     work.place(t, y);
     partition.choose(work.loops.jacobian);

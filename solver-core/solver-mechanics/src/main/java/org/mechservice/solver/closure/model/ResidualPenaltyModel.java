@@ -15,7 +15,6 @@ import org.mechservice.solver.dynamics.derivative.ArticulatedIteration;
 import org.mechservice.solver.dynamics.derivative.BorderedStep;
 import org.mechservice.solver.dynamics.derivative.FurtherDerivatives;
 import org.mechservice.solver.dynamics.derivative.ResidualDifferences;
-import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.dynamics.derivative.StepDerivatives;
 import org.mechservice.solver.dynamics.derivative.StepReduction;
 import org.mechservice.solver.dynamics.derivative.TreeIteration;
@@ -60,8 +59,12 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
   /** Relative residual that assembly leaves, in addition to rounding. */
   private static final double ROUNDING = 2e-13;
 
-  /** Relative change of the rates when positions change by their rounding errors. */
-  private static final double RATE_ROUNDING = 1e-11;
+  /**
+   * Relative change of the rates when positions change by their rounding errors. The projection at
+   * the end of the step removes what the iteration leaves of the rates, and later predictions
+   * enlarge such a change up to 32 times.
+   */
+  private static final double RATE_ROUNDING = 1e-14;
 
   private final StepDerivatives jacobian;
   private final Optional<ResidualDifferences> differences;
@@ -148,16 +151,11 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
       factors = step -> few.factor(step, settings.stiffness());
     } else {
       TreePattern pattern = new TreePattern(work.tree, work.coupledLinks());
-      ResidualJacobian elements = new ResidualJacobian(work.motion, pattern);
-      TreeIteration tree = new TreeIteration(work.tree, pattern, elements);
-      jacobian = elements;
+      ElementDerivatives elements = ElementDerivatives.of(work, pattern, derivatives);
+      TreeIteration tree = elements.iteration();
+      jacobian = elements.jacobian();
       iteration = tree;
-      differences =
-          derivatives == Derivatives.DIFFERENCES
-              ? Optional.of(
-                  new ResidualDifferences(
-                      elements, work.coordinates, pattern, work.tree.velocityCount))
-              : Optional.empty();
+      differences = elements.differences();
       if (work.loops.isLarge()) {
         SparseAugmentedEquations sparse =
             new SparseAugmentedEquations(linearisedRows, units, pattern);

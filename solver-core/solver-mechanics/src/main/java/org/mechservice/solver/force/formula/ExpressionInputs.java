@@ -62,11 +62,6 @@ public final class ExpressionInputs {
     return tape.value(result);
   }
 
-  /** Returns the first result that is not finite, or −1. */
-  int firstNotFinite() {
-    return tape.firstNotFinite();
-  }
-
   /** Evaluates the gradients of all results at the state of the last {@link #evaluate}. */
   public void differentiate() {
     tape.derivatives();

@@ -163,9 +163,9 @@ abstract class AdamsPece extends SteppingIntegrator {
     return stiffness.stepsAtEdge();
   }
 
-  /** Returns about how many time constants of damping have passed in these steps. */
-  public final double dampingAtEdge() {
-    return stiffness.dampingAtEdge();
+  /** Returns the size of that motion at the first of them over the error allowed, at most. */
+  public final double sizeAtEdge() {
+    return stiffness.sizeAtEdge();
   }
 
   /** Returns the state reached; not to be modified. */

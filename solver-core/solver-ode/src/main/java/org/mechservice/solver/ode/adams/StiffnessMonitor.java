@@ -67,10 +67,12 @@ public final class StiffnessMonitor {
   private boolean suspected;
   private boolean verdict;
 
-  /** Steps with h L at the edge along no damped direction, their damping, and those since. */
+  /** Steps with h L at the edge along no damped direction, and those since. */
   private long stepsAtEdge;
 
-  private double dampingAtEdge;
+  /** Size of the fastest motion where they began, in errors allowed; it may be less. */
+  private double sizeAtEdge;
+
   private int stepsOffEdge;
 
   /** Sum of h L over the steps that stability along a damped direction limited. */
@@ -124,7 +126,7 @@ public final class StiffnessMonitor {
     double cosine = product / Math.sqrt(reaction * correction);
     double hL = ratio / g;
     latestProduct = reaction > ROUNDING * ROUNDING * whole ? hL : 0;
-    lookAtEdge(hL, cosine);
+    lookAtEdge(hL, cosine, Math.abs(h) / unit * Math.sqrt(whole) / hL);
     lookAtLimit(hL, cosine);
     count(k, error);
   }
@@ -140,10 +142,10 @@ public final class StiffnessMonitor {
     }
   }
 
-  private void lookAtEdge(double hL, double cosine) {
+  private void lookAtEdge(double hL, double cosine, double size) {
     if (hL >= LIMIT_DAMPED && cosine > DAMPED) {
+      sizeAtEdge = stepsAtEdge == 0 ? size : sizeAtEdge;
       stepsAtEdge++;
-      dampingAtEdge -= hL * cosine;
       stepsOffEdge = 0;
     } else if (++stepsOffEdge >= OFF_THE_EDGE) {
       leaveEdge();
@@ -152,7 +154,7 @@ public final class StiffnessMonitor {
 
   private void leaveEdge() {
     stepsAtEdge = 0;
-    dampingAtEdge = 0;
+    sizeAtEdge = 0;
     stepsOffEdge = 0;
   }
 
@@ -197,9 +199,12 @@ public final class StiffnessMonitor {
     return stepsAtEdge;
   }
 
-  /** Returns the time constants of damping that passed in these steps, about. */
-  double dampingAtEdge() {
-    return dampingAtEdge;
+  /**
+   * Returns how large the motion followed in these steps was at the first of them at most, over the
+   * error allowed: ‖f‖ / L.
+   */
+  double sizeAtEdge() {
+    return sizeAtEdge;
   }
 
   /** Returns h L of the latest step; zero if rounding may have made it. */
@@ -233,6 +238,6 @@ public final class StiffnessMonitor {
     timeConstants = state.number(timeConstants);
     stepsAtEdge = state.integer(stepsAtEdge);
     stepsOffEdge = state.integer(stepsOffEdge);
-    dampingAtEdge = state.number(dampingAtEdge);
+    sizeAtEdge = state.number(sizeAtEdge);
   }
 }

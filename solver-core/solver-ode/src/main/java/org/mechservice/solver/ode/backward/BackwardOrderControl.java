@@ -152,9 +152,13 @@ public final class BackwardOrderControl {
     equalSteps = 0;
   }
 
-  /** Estimates the error from the correction. */
-  public void estimate(BackwardDifferences differences, ErrorNorm norm) {
-    error = formulas.errorConstant(order) * norm.of(differences.correction);
+  /**
+   * Estimates the error.
+   *
+   * @param correction of the step, or the part of it that is an error
+   */
+  public void estimate(double[] correction, ErrorNorm norm) {
+    error = formulas.errorConstant(order) * norm.of(correction);
   }
 
   /** Goes on with order 1: what lies further back is of no use. */

@@ -32,11 +32,30 @@ public final class PoleProbe {
   /** Part of its own size by which the solution moves in a step across a pole of constant sign. */
   private static final double MUCH = 0.02;
 
-  /** The same where the sign stays, which tells less. */
+  /** The same for growth of an order that is not 1 or 2. */
+  private static final double VERY_MUCH = 0.1;
+
+  /**
+   * Size of a state in tolerances up to which steps across such growth may pass: at tight
+   * tolerances none does.
+   */
+  private static final double MOST_TOLERANCES = 1e5;
+
+  /** How far values may be off where the sign stays, which tells less. */
   private static final double CLOSELY_ALIKE = 1.2;
+
+  private static final double VERY_CLOSELY_ALIKE = 1.15;
 
   /** How far the values at the two ends may be off those of the pole that the last two foretell. */
   private static final double ALIKE = 2;
+
+  /**
+   * Orders of growth that are looked for, the usual ones first. Those between are alike enough: the
+   * place foretold is a matter of the order, and the value behind a matter of the place.
+   */
+  private static final double[] ORDERS = {1, 2, 1.5, 1.25, 1.1, 1.75, 2.5, 3};
+
+  private static final int USUAL = 2;
 
   /** Derivatives at the beginning of the last step and of the one before it. */
   private final double[] before;
@@ -105,18 +124,20 @@ public final class PoleProbe {
       if (!(here * before[l] > 0 && Math.abs(here) > Math.abs(before[l]))) {
         continue; // not growing
       }
+      double size = Math.max(Math.abs(y[l]), Math.abs(yEnd[l]));
+      double move = Math.abs((end - t) * here);
+      boolean anyOrder = known == 2 && move > VERY_MUCH * size && norm.of(yEnd) < MOST_TOLERANCES;
       if (here * there < 0) {
         if (foreseen[l] * here > 0
             && Math.abs((end - t) * there) * norm.weight(l) > 1
-            && suspect(l, t, here, there, end - t)
+            && suspect(l, t, here, there, end - t, y[l], yEnd[l], anyOrder)
             && narrowed(equations, l, t, end, y, yEnd, here, there)) {
           return l;
         }
-      } else if (here * there > 0) {
-        double size = Math.max(Math.abs(y[l]), Math.abs(yEnd[l]));
-        boolean fast = Math.abs((end - t) * here) > MUCH * size;
-        for (int order = 1; fast && order <= 2; order++) {
-          double place = placeOfPeak(l, order, t, here, there, end - t);
+      } else if (here * there > 0 && move > MUCH * size && growsUpTo(l, t, here, end - t)) {
+        for (int i = 0; i < (anyOrder ? ORDERS.length : USUAL); i++) {
+          double place =
+              placeOfPeak(l, ORDERS[i], t, here, there, end - t, y[l], yEnd[l], anyOrder);
           if (place > 0 && peaks(equations, l, t, end, y, yEnd, place, here, there)) {
             return l;
           }
@@ -127,51 +148,104 @@ public final class PoleProbe {
   }
 
   /**
-   * Returns whether the derivatives known, which grow and then change sign, look like A/(t − c),
-   * with c inside the step.
+   * Returns whether the derivatives known, which grow and then change sign, look like A/(t − c), or
+   * like another odd growth, with c inside the step.
    *
    * @param here derivative at its beginning
    * @param there derivative at its end
    * @param step its size, signed
+   * @param y state at its beginning
+   * @param yEnd state at its end
+   * @param anyOrder whether orders other than 1 are looked for
    */
-  private boolean suspect(int l, double t, double here, double there, double step) {
+  private boolean suspect(
+      int l,
+      double t,
+      double here,
+      double there,
+      double step,
+      double y,
+      double yEnd,
+      boolean anyOrder) {
     double last = before[l];
     double ahead = (t - timeBefore) * last / (here - last); // from the beginning to the pole
     double behind = -ahead * here / there; // from the pole to the end, by the values
     double earlier = here * ahead / (t - timeTwoBefore + ahead);
-    return alike((ahead + behind) / step) && (known == 1 || alike(twoBefore[l] / earlier));
+    if (alike((ahead + behind) / step) && (known == 1 || alike(twoBefore[l] / earlier))) {
+      return true;
+    }
+    boolean grows = anyOrder && growsUpTo(l, t, here, step);
+    for (int i = 1; grows && i < ORDERS.length; i++) {
+      double place = placeOfGrowth(l, ORDERS[i], t, here, step);
+      double distances = (1 - place) / place;
+      if (place > 0
+          && (alike(-there / here * power(ORDERS[i], distances))
+              || alike(-there / here * distances * y / yEnd))) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Returns whether component l has grown so fast that its pole, if it has one, is in the step. */
+  private boolean growsUpTo(int l, double t, double here, double step) {
+    // A/|t − c|, whose pole is the nearest that the growth allows.
+    return here / before[l] - 1 > (t - timeBefore) / step;
+  }
+
+  /**
+   * Returns the share of the step at which the derivatives before it foretell that growth of an
+   * order p, A/|t − c|^p, comes to its pole; 0 if they do not, or not inside the step.
+   */
+  private double placeOfGrowth(int l, double order, double t, double here, double step) {
+    double ahead = (t - timeBefore) / (power(1 / order, here / before[l]) - 1);
+    double earlier = here / power(order, (t - timeTwoBefore + ahead) / ahead);
+    boolean foretold = known == 1 || alike(twoBefore[l] / earlier, closeness(order));
+    return foretold && (step - ahead) / step > 0 ? ahead / step : 0;
   }
 
   /**
    * Returns the share of the step at which the derivatives known, which grow and keep their sign,
-   * foretell a pole of constant sign; 0 if they do not.
+   * foretell a pole of constant sign; 0 if they do not. The value behind it is the one foretold if
+   * f depends on t alone, or if it is y times A/|t − c|.
    *
-   * @param order 1 for A/|t − c|, 2 for A/(t − c)²
+   * @param order p for A/|t − c|^p
+   * @param anyOrder whether y times A/|t − c| is looked for
    */
-  private double placeOfPeak(int l, int order, double t, double here, double there, double step) {
-    double last = before[l];
-    double ahead = (t - timeBefore) / (root(order, here / last) - 1);
-    double behind = step - ahead;
-    if (!(behind / step > 0)) {
-      return 0;
+  private double placeOfPeak(
+      int l,
+      double order,
+      double t,
+      double here,
+      double there,
+      double step,
+      double y,
+      double yEnd,
+      boolean anyOrder) {
+    double place = placeOfGrowth(l, order, t, here, step);
+    double distances = (1 - place) / place;
+    return place > 0
+            && (alike(there / here * power(order, distances), closeness(order))
+                || (anyOrder
+                    && order != 1
+                    && alike(there / here * distances * y / yEnd, CLOSELY_ALIKE)))
+        ? place
+        : 0;
+  }
+
+  private static double power(double exponent, double ratio) {
+    if (exponent == 1) {
+      return ratio;
     }
-    double earlier = here / power(order, (t - timeTwoBefore + ahead) / ahead);
-    boolean foretold =
-        closelyAlike(there / here * power(order, behind / ahead))
-            && (known == 1 || closelyAlike(twoBefore[l] / earlier));
-    return foretold ? ahead / step : 0;
+    if (exponent == 2) {
+      return ratio * ratio;
+    }
+    // Unlike StrictMath.pow without arrays of its own.
+    return exponent == 0.5 ? Math.sqrt(ratio) : StrictMath.exp(exponent * StrictMath.log(ratio));
   }
 
-  private static double root(int order, double ratio) {
-    return order == 1 ? ratio : Math.sqrt(ratio);
-  }
-
-  private static double power(int order, double ratio) {
-    return order == 1 ? ratio : ratio * ratio;
-  }
-
-  private static boolean closelyAlike(double ratio) {
-    return ratio < CLOSELY_ALIKE && ratio > 1 / CLOSELY_ALIKE;
+  private static double closeness(double order) {
+    return order == 1 || order == 2 ? CLOSELY_ALIKE : VERY_CLOSELY_ALIKE;
   }
 
   /** Narrows the largest value of component l down; returns whether a pole is there. */
@@ -218,7 +292,11 @@ public final class PoleProbe {
   }
 
   private static boolean alike(double ratio) {
-    return ratio < ALIKE && ratio > 1 / ALIKE;
+    return alike(ratio, ALIKE);
+  }
+
+  private static boolean alike(double ratio, double most) {
+    return ratio < most && ratio > 1 / most;
   }
 
   /** Narrows the change of sign of component l down; returns whether a pole is there. */

@@ -51,6 +51,9 @@ final class NewtonIteration {
   /** Share of the rate that is remembered from iteration to iteration. */
   private static final double MEMORY = 0.9;
 
+  /** Part of the first change that may remain after one that takes it back. */
+  private static final double TAKEN_BACK = 0.1;
+
   /** A change this small relative to y is round-off. */
   private static final double ROUNDOFF = 100 * Math.ulp(1.0);
 
@@ -158,7 +161,7 @@ final class NewtonIteration {
       if (converged(size, equations, hGamma, differences, norm)) {
         return end(TrialOutcome.PASSED);
       }
-      if (hopeless(size)) {
+      if (!takenBack(size, equations, differences, norm) && hopeless(size)) {
         return end(TrialOutcome.NOT_CONVERGING);
       }
       lastSize = size;
@@ -264,6 +267,19 @@ final class NewtonIteration {
     rateKnown = true;
     measuredSize = lastSize;
     stepsByOldRate = 0;
+  }
+
+  /**
+   * Returns whether the second change takes back the first. Multipliers that were predicted far off
+   * move the state at first, where the equations multiply them with it; they are right after that,
+   * so the two changes say nothing about convergence.
+   */
+  private boolean takenBack(
+      double size, StepEquations equations, BackwardDifferences differences, ErrorNorm norm) {
+    return iteration == 2
+        && rules.heedsRoundOff()
+        && equations.manifold().anyAlgebraic()
+        && norm.of(differences.correction) <= TAKEN_BACK * size;
   }
 
   private boolean hopeless(double size) {

@@ -157,7 +157,7 @@ public final class ResidualJacobians implements ResidualLinearisation {
       fy.replace();
       fyDot.replace();
       unstiffFactored = false;
-      takeNote(y, yDot);
+      takeNote(t, y, yDot);
     }
     return attempt;
   }
@@ -194,7 +194,7 @@ public final class ResidualJacobians implements ResidualLinearisation {
     return attempt;
   }
 
-  private void takeNote(double[] y, double[] yDot) {
+  private void takeNote(double t, double[] y, double[] yDot) {
     for (int l = 0; l < magnitude.length; l++) {
       magnitude[l] = 0;
     }
@@ -204,25 +204,27 @@ public final class ResidualJacobians implements ResidualLinearisation {
     inDerivative.knowMagnitude(magnitude);
     inStep.knowMagnitude(magnitude);
     Manifold manifold = residual.manifold();
-    for (int l = 0; l < algebraic.length && !formed; l++) {
+    for (int l = 0; l < algebraic.length; l++) {
       // The column of a passive component is zero, too, but only while it is passive.
       boolean absent = manifold.independent(l) && fyDot.isZero(l);
       if (manifold.algebraic(l) && manifold.independent(l) && !absent) {
-        throw new IllegalArgumentException(declaredWrongly(l));
+        throw new IllegalArgumentException(declaredWrongly(l, t));
       }
-      algebraic[l] = manifold.algebraic(l) || absent;
+      algebraic[l] = formed ? algebraic[l] : manifold.algebraic(l) || absent;
     }
     formed = true;
   }
 
-  private String declaredWrongly(int component) {
+  private String declaredWrongly(int component, double t) {
     return "component "
         + component
         + " is declared "
         + ResidualSystem.Component.ALGEBRAIC
         + ", which leaves it out of the error test, but its derivative appears in equation "
         + fyDot.rowOfLargest(component)
-        + " of the residual; declare it "
+        + " of the residual at t = "
+        + t
+        + "; declare it "
         + ResidualSystem.Component.DIFFERENTIAL;
   }
 

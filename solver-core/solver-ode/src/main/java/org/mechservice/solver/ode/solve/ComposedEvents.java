@@ -22,6 +22,9 @@ final class ComposedEvents implements EventFunctions, SavedSystem {
   private double time = Double.NaN;
   private boolean terminal;
 
+  /** Function that was not finite last; −1: none. */
+  private int notFinite = -1;
+
   ComposedEvents(List<OdeEvent> events) {
     this.events = events;
     counts = new long[events.size()];
@@ -55,7 +58,13 @@ final class ComposedEvents implements EventFunctions, SavedSystem {
   public void evaluate(double t, double[] y, double[] g) {
     for (int i = 0; i < counts.length; i++) {
       g[i] = events.get(i).function.value(t, y);
+      notFinite = Double.isFinite(g[i]) ? notFinite : i;
     }
+  }
+
+  /** Returns what to call the function that was not finite last. */
+  String notFinite() {
+    return notFinite < 0 ? "" : title(notFinite);
   }
 
   @Override

@@ -13,8 +13,12 @@ public final class IntegrationException extends RuntimeException {
   private final transient OdeSolution solution;
   private final transient IntegrationFailure failure;
 
-  IntegrationException(OdeSolution solution, IntegrationFailure failure, long maxSteps) {
-    super(message(solution, failure, maxSteps));
+  /**
+   * @param event what to call the event function that was not finite, if that is the failure
+   */
+  IntegrationException(
+      OdeSolution solution, IntegrationFailure failure, long maxSteps, String event) {
+    super(message(solution, failure, maxSteps, event));
     this.solution = solution;
     this.failure = failure;
   }
@@ -49,7 +53,8 @@ public final class IntegrationException extends RuntimeException {
     return advice(failure.cause());
   }
 
-  private static String message(OdeSolution solution, IntegrationFailure failure, long maxSteps) {
+  private static String message(
+      OdeSolution solution, IntegrationFailure failure, long maxSteps, String event) {
     StringBuilder text = new StringBuilder();
     text.append("the integration from t = ").append(solution.start());
     text.append(" to ").append(solution.requestedEnd());
@@ -58,7 +63,7 @@ public final class IntegrationException extends RuntimeException {
     text.append(
         failure.slidesAlongJump()
             ? "the solution slides along a jump of the equations, which both sides lead back to"
-            : cause(failure.cause(), maxSteps));
+            : cause(failure.cause(), maxSteps, event));
     if (failure.worstComponent() >= 0) {
       text.append("; y[").append(failure.worstComponent()).append("] limits it");
     }
@@ -74,17 +79,18 @@ public final class IntegrationException extends RuntimeException {
     return text.append(". ").append(advice).toString();
   }
 
-  private static String cause(Cause cause, long maxSteps) {
+  private static String cause(Cause cause, long maxSteps, String event) {
     return switch (cause) {
       case STEP_TOO_SMALL -> "the error test fails however small the step";
       case UNBOUNDED -> "the solution grows beyond every bound there";
       case TOLERANCE_TOO_TIGHT -> "the tolerance asks for more digits than the arithmetic has";
-      case NOT_FINITE -> "the equations are not finite there, also with shorter steps";
+      case NOT_FINITE ->
+          "the equations, or their Jacobian, are not finite there, also with shorter steps";
       case NO_CONVERGENCE -> "the equations of a step cannot be solved, however small it is";
       case SINGULAR_MATRIX -> "the matrix of the equations of a step is singular";
       case NOT_COMPLETED -> "components that follow from others cannot be found";
       case EVENTS_ACCUMULATE -> "events follow each other ever closer";
-      case EVENT_NOT_FINITE -> "an event function is not finite there";
+      case EVENT_NOT_FINITE -> "the function of event " + event + " is not finite in the last step";
       case INCONSISTENT_START -> "no values at the start were found that obey the equations";
       case TOO_MANY_STEPS -> "the " + maxSteps + " steps allowed are used up";
     };
@@ -113,8 +119,9 @@ public final class IntegrationException extends RuntimeException {
               + " of rest behind it by other equations.";
       case EVENT_NOT_FINITE -> "Define the event function for every state the solution can reach.";
       case INCONSISTENT_START ->
-          "Give initial values nearer to a solution of F(t0, y0, y'0) = 0, declare algebraic"
-              + " components by withAlgebraic, and check that the index is at most 1.";
+          "Give initial values nearer to a solution of the equations: only components that are"
+              + " declared by withAlgebraic, or whose column of the mass matrix is zero, are"
+              + " corrected. Check also that the index is at most 1.";
       case TOO_MANY_STEPS ->
           "Raise maxSteps, loosen the tolerances, or use AUTO or ODE15S if the problem is stiff.";
     };

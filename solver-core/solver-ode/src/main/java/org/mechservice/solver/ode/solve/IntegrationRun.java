@@ -3,6 +3,7 @@ package org.mechservice.solver.ode.solve;
 import java.util.Arrays;
 import java.util.Optional;
 import org.mechservice.solver.ode.IntegrationFailure;
+import org.mechservice.solver.ode.IntegrationFailure.Cause;
 import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.ode.StepResult;
@@ -12,6 +13,15 @@ import org.mechservice.solver.ode.events.EventIntegration;
 final class IntegrationRun {
   /** Part of the interval by which to look ahead of the start. */
   private static final double AHEAD = 0x1p-20;
+
+  /** Steps of up to so many units in the last place of time cannot be made shorter. */
+  private static final double SMALLEST = 64;
+
+  /** Part of its size by which a component moves in such a step if it has a pole there. */
+  private static final double MOVE = 0x1p-12;
+
+  /** More than that part is moved by what is about zero. */
+  private static final double MOST = 0x1p10;
 
   private final PosedProblem problem;
   private final OdeOptions options;
@@ -162,7 +172,8 @@ final class IntegrationRun {
     interrupted = result == StepResult.STOPPED;
     OdeSolution solution = solution();
     if (result == StepResult.FAILED && !options.returnsFailures()) {
-      throw new IntegrationException(solution, integrator.failure(), options.maxSteps());
+      throw new IntegrationException(
+          solution, solution.failure().orElseThrow(), options.maxSteps(), events.notFinite());
     }
     return solution;
   }
@@ -213,7 +224,7 @@ final class IntegrationRun {
     readEnd(standing);
     boolean failed = result == StepResult.FAILED;
     Optional<IntegrationFailure> failure =
-        failed ? Optional.of(integrator.failure()) : Optional.empty();
+        failed ? Optional.of(named(integrator.failure())) : Optional.empty();
     return new OdeSolution(
         new OdeSolution.Interval(start, startState, reached, standing.clone(), tEnd),
         reason(),
@@ -223,6 +234,40 @@ final class IntegrationRun {
         integrator.statistics(),
         integrator.methodChanges(),
         this::checkpoint);
+  }
+
+  /**
+   * Returns a failure, as that of a solution without bound if the state, which steps of no size
+   * carry on, still moves by a part of itself in the smallest of them.
+   */
+  private IntegrationFailure named(IntegrationFailure failure) {
+    boolean stuck =
+        failure.cause() == Cause.NO_CONVERGENCE
+            || (failure.cause() == Cause.STEP_TOO_SMALL && !failure.slidesAlongJump());
+    boolean smallest = Math.abs(failure.stepSize()) <= SMALLEST * Math.ulp(integrator.time());
+    int component = stuck && smallest && reached != start ? growing(failure.stepSize()) : -1;
+    return component < 0
+        ? failure
+        : new IntegrationFailure(
+            Cause.UNBOUNDED,
+            failure.time(),
+            failure.stepSize(),
+            failure.order(),
+            component,
+            failure.allowedError(),
+            failure.lastSteps());
+  }
+
+  /** Returns the component that moves by a part of itself in a step, −1 if there is none. */
+  private int growing(double stepSize) {
+    integrator.interpolate(integrator.time(), y, yDot);
+    for (int l = 0; l < y.length; l++) {
+      double move = Math.abs(stepSize * yDot[l]) / Math.abs(y[l]);
+      if (move > MOVE && move < MOST) {
+        return l;
+      }
+    }
+    return -1;
   }
 
   private EndReason reason() {

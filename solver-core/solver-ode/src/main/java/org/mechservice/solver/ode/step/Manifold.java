@@ -129,6 +129,11 @@ public final class Manifold {
     return projected.project(t, y);
   }
 
+  /** Removes the part of an error across the manifold; returns false if it is not known. */
+  public boolean projectError(double t, double[] y, double[] error) {
+    return projected.projectError(t, y, error);
+  }
+
   /** Takes note of an accepted step; returns whether other components are independent now. */
   public boolean accepted(double t, double[] y) {
     projected.projectionAccepted(t, y);

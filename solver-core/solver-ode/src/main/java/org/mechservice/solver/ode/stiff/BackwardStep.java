@@ -55,6 +55,11 @@ final class BackwardStep {
   private StepSolver solver;
   private BackwardDifferences differences = new BackwardDifferences(0);
 
+  /** The error that the last test judged: the correction, or its part along the manifold. */
+  private double[] judged = differences.correction;
+
+  private double[] alongManifold = new double[0];
+
   /** Relative tolerance of the norm. */
   private double relativeTolerance;
 
@@ -101,6 +106,8 @@ final class BackwardStep {
     this.tEnd = tEnd;
     solver = new StepSolver(equations, mode);
     differences = new BackwardDifferences(n);
+    alongManifold = new double[n];
+    judged = differences.correction;
     pulses = new PulseProbe(n);
     relativeTolerance = tested.relativeTolerance();
     norm.begin(relativeTolerance, tested.absoluteTolerances(n), equations.manifold());
@@ -225,7 +232,11 @@ final class BackwardStep {
   }
 
   private TrialOutcome test() {
-    control.estimate(differences, norm);
+    judged = differences.correction;
+    control.estimate(judged, norm);
+    if (control.error() > 1) {
+      leaveOutProjected();
+    }
     if (control.error() <= 1) {
       boolean jumpInside = search.active() && search.inside(step.size(), discrepancy());
       return jumpInside ? TrialOutcome.TOO_INACCURATE : TrialOutcome.PASSED;
@@ -233,6 +244,15 @@ final class BackwardStep {
     jumps.failed(step.size(), control.error());
     boolean jumped = equations.solutionMayJump() && jumps.solutionJumped(control.error());
     return jumped ? TrialOutcome.PASSED : TrialOutcome.TOO_INACCURATE;
+  }
+
+  /** Judges the error of the step by its part along the manifold of the system, if it has one. */
+  private void leaveOutProjected() {
+    System.arraycopy(differences.correction, 0, alongManifold, 0, alongManifold.length);
+    if (equations.manifold().projectError(triedTime, differences.corrected(), alongManifold)) {
+      judged = alongManifold;
+      control.estimate(judged, norm);
+    }
   }
 
   /** Returns the norm of what y' differs by from its prediction. */
@@ -348,7 +368,7 @@ final class BackwardStep {
   /** Returns the component that made a try fail, or would have. */
   int limitingComponent(TrialOutcome attempt) {
     return attempt == TrialOutcome.TOO_INACCURATE
-        ? norm.largest(differences.correction)
+        ? norm.largest(judged)
         : solver.limitingComponent(attempt, norm);
   }
 

@@ -13,15 +13,18 @@ import org.mechservice.solver.ode.SparseSystem;
  *
  * <p>Measured on mechanisms of 2 to 40 unknowns, runs of 0.1 to 10 ms, warm. Beside its evaluations
  * a step of ode113 takes 0.16, 0.27 and 0.50 µs with 4, 15 and 40 unknowns, one of ode15s 0.23, 0.7
- * and 1.8 µs, its solutions included; an evaluation by generated code takes some 12 ns an unknown.
- * So a step of ode15s, with 1.3 evaluations, costs 1.2 times one of ode113 with 4 unknowns, 1.5
- * times with 20 and 2 times with 40.
+ * and 1.8 µs, its solutions included; an evaluation by the cheapest generated code takes some 12 ns
+ * an unknown. Evaluations are counted as dearer than that, since most right-hand sides are: a
+ * change that they pay costs at most a fifth of the time where they are as cheap as that. So a step
+ * of ode15s, with 1.3 evaluations, costs 0.8 times one of ode113 with 4 unknowns, 1.1 times with 20
+ * and 1.2 times with 40.
  *
  * <p>The elimination of a {@link BandedSystem} takes 2 n l (l + u + 1) operations instead of about
  * n³/12, and its differences l + u + 1 evaluations instead of n.
  */
 final class StepCosts {
-  private static final double EVALUATION = 12;
+  private static final double EVALUATION = 200;
+  private static final double EVALUATION_PER_UNKNOWN = 30;
   private static final double ADAMS_STEP = 140;
   private static final double ADAMS_STEP_PER_UNKNOWN = 9;
   private static final double BACKWARD_STEP = 100;
@@ -53,7 +56,7 @@ final class StepCosts {
   private final double start;
 
   private StepCosts(double dimension, double operations, double columns) {
-    evaluation = EVALUATION * dimension;
+    evaluation = EVALUATION + EVALUATION_PER_UNKNOWN * dimension;
     adamsStep = ADAMS_EVALUATIONS * evaluation + ADAMS_STEP + ADAMS_STEP_PER_UNKNOWN * dimension;
     backwardTry = BACKWARD_STEP + BACKWARD_STEP_PER_UNKNOWN * dimension;
     factorisation = OPERATION * operations;

@@ -12,9 +12,6 @@ import org.mechservice.solver.ode.StepPolynomial;
 import org.mechservice.solver.ode.StepResult;
 import org.mechservice.solver.ode.adams.Ode113;
 import org.mechservice.solver.ode.adams.StiffnessMonitor;
-import org.mechservice.solver.ode.backward.BackwardFormulas;
-import org.mechservice.solver.ode.jumps.JumpProbe;
-import org.mechservice.solver.ode.jumps.JumpSearch;
 import org.mechservice.solver.ode.step.ExactEndBounds;
 import org.mechservice.solver.ode.step.IntegrationProgress;
 import org.mechservice.solver.ode.step.RightHandSide;
@@ -57,38 +54,8 @@ import org.mechservice.solver.ode.stiff.Ode15s;
  * our own.
  */
 public final class Switching implements Integrator {
-  /** A phase of ode113 with fewer steps was not worth its start. */
-  private static final int SHORT_PHASE = 50;
-
-  /** Times the length of steps that cost less by which they save next to all. */
-  private static final double MUCH_LONGER = 8;
-
-  /** Part of the way ahead over which stiffness is expected to last. */
-  private static final double SHARE_AHEAD = 0.8;
-
   /** Loss after which ode15s is left, in steps of its own. */
   private static final double LOSS_ALLOWED = 12;
-
-  /** Steps at the edge of stability after which their motion is looked at first. */
-  private static final long STEPS_TO_PROBE = 1000;
-
-  /** Times a motion has to have decayed by e to be gone. */
-  private static final double TIME_CONSTANTS = 20;
-
-  /** Part of what ode113 has spent at the edge of stability that a trial may cost. */
-  private static final double SHARE_OF_TRIAL = 0.1;
-
-  private static final int MORE_EVIDENCE = 4;
-  private static final int MOST_EVIDENCE = 256;
-
-  /** Steps after a start in which one that is too long for stability tells that it is stiff. */
-  private static final int FIRST_STEPS = 6;
-
-  /** Rate of the fastest motion times the step from which on no Adams method is stable. */
-  private static final double UNSTABLE = 2;
-
-  /** Jumps ahead that are worth the evaluations of a closer look at the next one. */
-  private static final double MANY_JUMPS = 1e4;
 
   private final IntegrationProgress progress = new IntegrationProgress();
   private final Ode113 adams;
@@ -96,8 +63,7 @@ public final class Switching implements Integrator {
   private final StiffPhaseCost stiffPhase = new StiffPhaseCost();
   private final MethodChanges changes = new MethodChanges();
 
-  private final StepForecast forecast = new StepForecast();
-  private FastestMotionProbe probe;
+  private final StiffnessEvidence stiffness;
   private final double rootOfTolerance;
 
   /** Of both methods. */
@@ -118,38 +84,11 @@ public final class Switching implements Integrator {
   private boolean backwardBegun;
   private boolean changeDue;
 
-  /** Whether the latest forecast speaks for ode15s. */
-  private boolean worthChange;
-
-  /** Since when stability has limited the steps, and how long the last phase of ode15s was. */
-  private double limitedSince;
-
-  private double lastedBefore;
-
-  /** Whether the right-hand side was found to jump where the solution slides. */
-  private boolean jumps;
-
-  /** Whether that was asked in the present phase because ode113 crosses jumps often. */
-  private boolean looked;
-
-  /** Steps of the present phase, and those at its end that speak for the other method. */
-  private long stepsOfPhase;
-
-  private int evidence;
-
   /** What was spent up to the start of the present phase. */
   private double spentBefore;
 
-  /** How many steps in a row must speak for ode15s, and times the loss allowed to that. */
-  private int neededForBackward;
-
+  /** Times the usual loss that is allowed to ode15s. */
   private int lossFactor;
-
-  /** Loss allowed to a phase of ode15s that is a trial. */
-  private double patience;
-
-  /** Steps at the edge of stability after which its motion is looked at. */
-  private long stepsToProbe;
 
   /** Whether the first step is still to be looked at. */
   private boolean startDue;
@@ -161,7 +100,7 @@ public final class Switching implements Integrator {
     rootOfTolerance = Math.sqrt(settings.relativeTolerance());
     adams = new Ode113(settings, progress);
     backward = new Ode15s(settings, progress);
-    probe = new FastestMotionProbe(system, adams.norm());
+    stiffness = new StiffnessEvidence(adams, progress);
   }
 
   private SteppingIntegrator atWork() {
@@ -174,12 +113,8 @@ public final class Switching implements Integrator {
     prepare(system, t0, tEnd);
     changes.clear();
     backwardBegun = false;
-    jumps = false;
-    neededForBackward = 1;
     lossFactor = 1;
-    lastedBefore = 0;
-    stepsToProbe = STEPS_TO_PROBE;
-    patience = 0;
+    stiffness.begin();
     beginPhase(false);
     startDue = result == StepResult.ADVANCED;
     return result;
@@ -190,59 +125,36 @@ public final class Switching implements Integrator {
     this.tEnd = tEnd;
     y = new double[system.dimension()];
     yDot = new double[system.dimension()];
-    forecast.prepare(system.dimension(), tEnd - t0);
-    probe = new FastestMotionProbe(system, adams.norm());
     costs = StepCosts.of(system);
+    stiffness.prepare(system, t0, tEnd, costs);
   }
 
   private void beginPhase(boolean stiff) {
     this.stiff = stiff;
-    looked = false;
-    stepsOfPhase = 0;
     spentBefore = spent();
-    stiffPhase.begin(progress.time(), forecast.meanStep());
-    beginWatch();
-  }
-
-  private void beginWatch() {
+    stiffPhase.begin(progress.time(), stiffness.meanStep());
     changeDue = false;
-    evidence = 0;
     startDue = false;
-    stiffPhase.watch();
-    forecast.begin();
-    worthChange = false;
-    limitedSince = progress.time();
+    stiffness.beginPhase();
   }
 
   @Override
   public StepResult restart(double t, double[] y, double longestFirstStep) {
     StepResult result = atWork().restart(t, y, longestFirstStep);
-    beginWatch();
-    return result;
-  }
-
-  /** Looks whether the problem is stiff from its first step on; returns false if told to stop. */
-  private boolean lookAtStart() {
-    if (!adams.foresee()) {
-      return false;
-    }
+    changeDue = false;
     startDue = false;
-    double t = progress.time();
-    double h = adams.foreseenStep();
-    changeDue =
-        adams.foreseen()
-            && probe.startsStiff(t, adams.state(), adams.slope(), adams.discrepancy(), h)
-            && paysStart(1 / probe.rate());
-    if (changeDue) {
-      adams.abandonStep();
-    }
-    return true;
+    stiffPhase.watch();
+    stiffness.watch();
+    return result;
   }
 
   @Override
   public StepResult step() {
-    if (startDue && !lookAtStart()) {
+    if (startDue && !adams.foresee()) {
       return StepResult.STOPPED;
+    }
+    if (startDue) {
+      lookAtStart();
     }
     if (changeDue) {
       StepResult result = change();
@@ -252,138 +164,25 @@ public final class Switching implements Integrator {
     }
     StepResult result = atWork().step();
     if (result == StepResult.ADVANCED) {
-      watch();
+      changeDue = stiff ? backwardCostsMore() : stiffness.speaksForChange();
     }
     return result;
   }
 
-  /** Looks at the step just taken: the other method takes the next one if there is evidence. */
-  private void watch() {
-    stepsOfPhase++;
-    boolean slides = !stiff && !jumps && (slidesAlongSteepness() || crossesSteepness());
-    if (stiff) {
-      changeDue = backwardCostsMore();
-    } else {
-      evidence = adamsCostsMore() ? evidence + 1 : 0;
-      changeDue = evidence >= neededForBackward || slides || startsStiff() || keepsAlive();
+  /** Looks whether the problem is stiff from its first step on, which is foreseen. */
+  private void lookAtStart() {
+    startDue = false;
+    changeDue = stiffness.startsStiffAtOnce();
+    if (changeDue) {
+      adams.abandonStep();
     }
   }
 
-  /**
-   * Returns whether one of the first steps was accurate and far too long for stability: the start
-   * lies on the slow solution of a stiff problem. Where the fast motion is an oscillation that is
-   * hardly damped, a few more such steps would stir it up to some tolerances, and then both methods
-   * would have to follow it.
-   */
-  private boolean startsStiff() {
-    double product = adams.rateTimesStep();
-    if (stiff || changes.count() > 0 || stepsOfPhase > FIRST_STEPS || !(product >= UNSTABLE)) {
-      return false;
-    }
-    double stable = Math.abs(progress.stepSize()) / product;
-    return paysStart(stable);
-  }
-
-  /** Returns whether steps far longer than a size pay the start of ode15s up to the end. */
-  private boolean paysStart(double stable) {
-    return costs.paysStart(SHARE_AHEAD * Math.abs(tEnd - progress.time()) / stable, MUCH_LONGER);
-  }
-
-  /**
-   * Returns whether an oscillation that ode113 follows would be long gone but for that: at the edge
-   * of stability it has gone on for many times the time in which it decays. To end it ode15s may
-   * take a part of what ode113 has spent on it.
-   */
-  private boolean keepsAlive() {
-    long steps = adams.stepsAtEdge();
-    if (steps < stepsToProbe || adams.dampingAtEdge() < TIME_CONSTANTS) {
-      return false;
-    }
-    double h = Math.abs(progress.stepSize());
-    double decay = probe.decay(progress.time(), adams.state(), adams.slope(), adams.discrepancy());
-    boolean gone = decay * h * steps >= TIME_CONSTANTS && paysStart(h);
-    patience = gone ? SHARE_OF_TRIAL * steps * costs.adamsStep() : 0;
-    stepsToProbe = (gone ? 4 : 2) * steps;
-    return gone;
-  }
-
-  /**
-   * Returns whether what looks like many jumps that follow each other is one place at which the
-   * right-hand side is steep. If they are jumps, too many for any run, ode113 is left to end it.
-   */
-  private boolean slidesAlongSteepness() {
-    double ahead = adams.jumpsAhead();
-    if (ahead <= MANY_JUMPS) {
-      return false;
-    }
-    boolean real = jumpsAhead();
-    jumps = real && ahead > JumpSearch.MOST;
-    return !real;
-  }
-
-  /** Likewise, asked once in a phase, as soon as a few of them have followed each other. */
-  private boolean crossesSteepness() {
-    if (looked || !adams.crossesOften()) {
-      return false;
-    }
-    looked = true;
-    return !jumpsAhead();
-  }
-
-  /** Returns whether there is a real jump: ode113 is left to cross it, or to end the run there. */
-  private boolean jumpsAhead() {
-    adams.interpolate(progress.time(), y, yDot);
-    return new JumpProbe(system, progress.time(), y).found(progress.stepSize());
-  }
-
-  /** Returns whether stability limits the steps and those of ode15s would cost less. */
-  private boolean adamsCostsMore() {
-    if (!adams.nearStabilityLimit()) {
-      forecast.begin();
-      worthChange = false;
-      limitedSince = progress.time();
-      return false;
-    }
-    if (forecast.record(progress.time(), adams.state())) {
-      worthChange = adams.atStabilityLimit() && backwardWouldCostLess();
-    }
-    return worthChange && adams.atStabilityLimit();
-  }
-
-  /** Returns whether steps of ode15s would cost less, over the way ahead with its start. */
-  private boolean backwardWouldCostLess() {
-    double step = costs.stepWorthAChange() * forecast.meanStep();
-    if (!passes(step)) {
-      return false;
-    }
-    double longer = 1;
-    while (longer < MUCH_LONGER && passes(2 * longer * step)) {
-      longer *= 2;
-    }
-    return costs.paysStart(stiffnessAhead() / forecast.meanStep(), longer);
-  }
-
-  /**
-   * Returns how long stiffness is expected to last. It may end before the run does; and if it has
-   * come and gone before, it is expected to last as long as then, or as long again as it has lasted
-   * already.
-   */
-  private double stiffnessAhead() {
-    double most = SHARE_AHEAD * Math.abs(tEnd - progress.time());
-    if (lastedBefore == 0) {
-      return most;
-    }
-    return Math.min(most, Math.max(lastedBefore, Math.abs(progress.time() - limitedSince)));
-  }
-
-  private boolean passes(double step) {
-    return forecast.passes(step, BackwardFormulas.NDF, adams.norm());
-  }
-
+  /** Returns whether ode15s has lost so much that ode113 is to take the next step. */
   private boolean backwardCostsMore() {
     double rate = backward.fastestRate();
     stiffPhase.record(progress.time(), spent() - spentBefore, rate, costs.adamsStep());
-    double allowed = patience + LOSS_ALLOWED * lossFactor * costs.backwardStep();
+    double allowed = stiffness.patience() + LOSS_ALLOWED * lossFactor * costs.backwardStep();
     return stiffPhase.loss() > allowed && roomToBegin();
   }
 
@@ -409,12 +208,10 @@ public final class Switching implements Integrator {
     double t = progress.time();
     atWork().interpolate(t, y, yDot);
     changes.record(t, progress.stepSize(), !stiff);
-    if (!paid()) {
-      demandMore();
-    }
     if (stiff) {
-      lastedBefore = stiffPhase.covered();
-      patience = 0;
+      stiffness.takenUp(stiffPhase.paid(), stiffPhase.covered());
+    } else if (!stiffness.left() && changes.count() > 1) {
+      lossFactor = StiffnessEvidence.more(lossFactor);
     }
     beginPhase(!stiff);
     if (!stiff) {
@@ -423,20 +220,6 @@ public final class Switching implements Integrator {
     boolean first = !backwardBegun;
     backwardBegun = true;
     return first ? backward.takeOver(system, t, y, tEnd) : backward.takeOver(t, y);
-  }
-
-  /** Returns whether the phase that ends was worth its start. */
-  private boolean paid() {
-    return stiff ? stiffPhase.paid() : stepsOfPhase >= SHORT_PHASE;
-  }
-
-  /** The phase that ends was begun too early. */
-  private void demandMore() {
-    if (stiff) {
-      neededForBackward = Math.min(MORE_EVIDENCE * neededForBackward, MOST_EVIDENCE);
-    } else if (changes.count() > 1) {
-      lossFactor = Math.min(MORE_EVIDENCE * lossFactor, MOST_EVIDENCE);
-    }
   }
 
   @Override
@@ -510,37 +293,26 @@ public final class Switching implements Integrator {
 
   private void transfer(SavedState state) {
     stiffPhase.transfer(state);
-    forecast.transfer(state);
+    stiffness.transfer(state);
     changes.transfer(state);
     stiff = state.flag(stiff);
     changeDue = state.flag(changeDue);
-    worthChange = state.flag(worthChange);
-    limitedSince = state.number(limitedSince);
-    lastedBefore = state.number(lastedBefore);
-    jumps = state.flag(jumps);
-    looked = state.flag(looked);
-    stepsOfPhase = state.integer(stepsOfPhase);
     spentBefore = state.number(spentBefore);
-    evidence = state.integer(evidence);
-    neededForBackward = state.integer(neededForBackward);
     lossFactor = state.integer(lossFactor);
-    patience = state.number(patience);
-    stepsToProbe = state.integer(stepsToProbe);
     startDue = state.flag(startDue);
-    probe.transfer(state);
   }
 
   @Override
   public IntegrationStatistics statistics() {
     IntegrationStatistics ofAdams = adams.statistics();
-    if (!backwardBegun && probe.evaluations() == 0) {
+    if (!backwardBegun && stiffness.evaluations() == 0) {
       return ofAdams;
     }
     IntegrationStatistics ofBackward = backward.statistics();
     return new IntegrationStatistics(
         ofAdams.steps(),
         ofAdams.rejectedSteps(),
-        ofAdams.evaluations() + ofBackward.evaluations() + probe.evaluations(),
+        ofAdams.evaluations() + ofBackward.evaluations() + stiffness.evaluations(),
         ofBackward.jacobians(),
         ofBackward.factorisations(),
         ofBackward.solutions(),

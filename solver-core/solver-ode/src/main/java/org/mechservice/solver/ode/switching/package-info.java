@@ -1,7 +1,8 @@
 /**
  * A method that changes between {@code ode113} and {@code ode15s} as stiffness comes and goes.
  *
- * <p>{@link Switching} runs one of the two and decides when the other takes over. {@link
+ * <p>{@link Switching} runs one of the two and hands over. {@link StiffnessEvidence} decides when
+ * an implicit method is to take over, {@link StiffPhaseCost} when it is to be left. {@link
  * StepForecast} estimates from the {@link SampledHistory} of an Adams method how long steps of a
  * backward formula would be; {@link StepCosts} is the model of what steps cost, the same on every
  * machine; {@link StiffPhaseCost} compares what an implicit phase has spent with what an Adams

@@ -79,7 +79,7 @@ class DeTest extends AdamsContract {
   }
 
   @Test
-  void stepsPastTheEndAndInterpolatesThere() {
+  void stepsPastTheEndAndInterpolatesThereWhileTimeDoesNotLiePastIt() {
     Run run = Run.of(create(new IntegratorSettings(1e-8, 1e-8)), new DetestA3());
     assertThat(run.integrator().time()).isEqualTo(20);
     assertThat(run.integrator().previousTime()).isLessThan(20);

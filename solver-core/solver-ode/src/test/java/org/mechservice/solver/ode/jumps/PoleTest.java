@@ -1,10 +1,13 @@
 package org.mechservice.solver.ode.jumps;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
+import java.util.List;
 import java.util.function.Function;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.solver.ode.IntegrationFailure.Cause;
 import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.IntegratorSettings;
@@ -12,6 +15,11 @@ import org.mechservice.solver.ode.OdeSystem;
 import org.mechservice.solver.ode.StepResult;
 import org.mechservice.solver.ode.adams.De;
 import org.mechservice.solver.ode.adams.Ode113;
+import org.mechservice.solver.ode.solve.Ode;
+import org.mechservice.solver.ode.solve.OdeFunction;
+import org.mechservice.solver.ode.solve.OdeMethod;
+import org.mechservice.solver.ode.solve.OdeOptions;
+import org.mechservice.solver.ode.solve.OdeSolution;
 import org.mechservice.solver.ode.stiff.Ode15s;
 import org.mechservice.solver.ode.switching.Switching;
 
@@ -76,9 +84,14 @@ class PoleTest {
   }
 
   private static int missed(Function<Double, Slope> slopes, Method method) {
+    return missed(slopes, method, 1);
+  }
+
+  /** Counts the poles that are missed at every so many of the places. */
+  private static int missed(Function<Double, Slope> slopes, Method method, int distance) {
     int missed = 0;
     for (double tolerance : TOLERANCES) {
-      for (int i = 0; i < PLACES; i++) {
+      for (int i = 0; i < PLACES; i += distance) {
         missed += endsAt(place(i), slopes.apply(place(i)), method, tolerance) ? 0 : 1;
       }
     }
@@ -116,6 +129,76 @@ class PoleTest {
   @EnumSource
   void noPoleOfATangentIsCrossed(Method method) {
     assertThat(missed(c -> (t, y) -> StrictMath.tan(0.5 * Math.PI * t / c), method)).isZero();
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void noPoleOfAnyOtherOrderIsCrossed(Method method) {
+    for (double order : new double[] {1.1, 1.5, 1.75, 2.5, 5}) {
+      assertThat(missed(c -> (t, y) -> StrictMath.pow(Math.abs(c - t), -order), method, 4))
+          .as("order %s", order)
+          .isZero();
+    }
+  }
+
+  /** Where f depends on y, the value behind the pole is another. */
+  @ParameterizedTest
+  @EnumSource
+  void noPoleOfALinearEquationIsCrossed(Method method) {
+    for (double factor : new double[] {1, 3}) {
+      assertThat(missed(c -> (t, y) -> factor * (1 + y) / Math.abs(c - t), method, 4))
+          .as("factor %s", factor)
+          .isZero();
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {1e6, 1e-6, 1e-150})
+  void unitsOfTimeDoNotMatter(double unit) {
+    for (Method method : Method.values()) {
+      for (double tolerance : TOLERANCES) {
+        for (int i = 0; i < PLACES; i += 7) {
+          double c = unit * place(i);
+          Integrator run = method.maker.apply(new IntegratorSettings(tolerance, tolerance));
+          StepResult result =
+              run.start(system((t, y) -> 1 / (c - t)), 0, new double[] {0}, 2 * unit);
+          while (result == StepResult.ADVANCED) {
+            result = run.step();
+          }
+          assertThat(result).as("%s, %s", method, c).isEqualTo(StepResult.FAILED);
+          assertThat(run.time() / unit).as("%s, %s", method, c).isCloseTo(place(i), within(0.1));
+        }
+      }
+    }
+  }
+
+  /** The library calls every one of them by its name, wherever it is noticed. */
+  @ParameterizedTest
+  @EnumSource(names = "ODE15SR", mode = EnumSource.Mode.EXCLUDE)
+  void solutionsThatGrowBeyondEveryBoundAreNamed(OdeMethod method) {
+    List<OdeFunction> problems =
+        List.of(
+            (t, y, yDot) -> yDot[0] = 0.5 * Math.PI * (1 + y[0] * y[0]),
+            (t, y, yDot) -> yDot[0] = (1 + y[0]) * (1 + y[0]),
+            (t, y, yDot) -> yDot[0] = StrictMath.exp(y[0]),
+            (t, y, yDot) -> yDot[0] = 0.5 * (1 + y[0]) * (1 + y[0]) * (1 + y[0]));
+    for (OdeFunction problem : problems) {
+      OdeFunction besideAnOscillator =
+          (t, y, yDot) -> {
+            problem.evaluate(t, y, yDot);
+            yDot[1] = y[2];
+            yDot[2] = -25 * y[1];
+          };
+      for (double tolerance : new double[] {1e-4, 1e-6, 1e-9}) {
+        OdeOptions options =
+            OdeOptions.standard().method(method).rtol(tolerance).atol(tolerance).returnFailures();
+        OdeSolution solution = Ode.solve(besideAnOscillator, 0, new double[] {0, 1, 0}, 2, options);
+        assertThat(solution.failure()).isPresent();
+        assertThat(solution.failure().get().cause()).isEqualTo(Cause.UNBOUNDED);
+        assertThat(solution.failure().get().worstComponent()).isZero();
+        assertThat(solution.end()).isCloseTo(1, within(0.05));
+      }
+    }
   }
 
   @ParameterizedTest

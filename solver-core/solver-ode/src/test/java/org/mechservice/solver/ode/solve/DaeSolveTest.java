@@ -4,10 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicLong;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.solver.ode.BandedSystem;
 import org.mechservice.solver.ode.ResidualSystem;
 
@@ -141,6 +143,48 @@ class DaeSolveTest {
     assertThatIllegalArgumentException()
         .isThrownBy(() -> solve(PROBLEM.withAlgebraic(0)))
         .withMessageContaining("component 0 is declared ALGEBRAIC");
+  }
+
+  /** Of three unknowns only the last is algebraic. */
+  @ParameterizedTest
+  @ValueSource(strings = {"0", "1", "0 2", "1 2", "0 1 2"})
+  void eachWrongDeclarationIsRefused(String declared) {
+    int[] components = Arrays.stream(declared.split(" ")).mapToInt(Integer::parseInt).toArray();
+    DaeProblem oscillator =
+        Dae.system(
+                3,
+                (t, y, yDot, r) -> {
+                  r[0] = yDot[0] + 1e-3 * yDot[1] - y[1];
+                  r[1] = yDot[1] + y[0];
+                  r[2] = y[2] - y[0] - y[1];
+                })
+            .withAlgebraic(components);
+    assertThatIllegalArgumentException()
+        .isThrownBy(
+            () ->
+                Dae.solve(
+                    oscillator, 0, new double[] {1, 0, 0}, new double[3], 1, OdeOptions.standard()))
+        .withMessageContaining("component " + components[0] + " is declared ALGEBRAIC")
+        .withMessageContaining("at t = 0.0");
+  }
+
+  @Test
+  void derivativeThatAppearsLaterIsNoticedThere() {
+    DaeProblem changing =
+        Dae.system(
+                2,
+                (t, y, yDot, r) -> {
+                  r[0] = yDot[0] + y[1];
+                  r[1] = y[1] - y[0] + (t > 0.5 ? yDot[1] : 0);
+                })
+            .withAlgebraic(1);
+    assertThatIllegalArgumentException()
+        .isThrownBy(
+            () ->
+                Dae.solve(
+                    changing, 0, new double[] {1, 1}, new double[2], 1, OdeOptions.standard()))
+        .withMessageContaining("component 1 is declared ALGEBRAIC")
+        .withMessageContaining("at t = 0.5");
   }
 
   @Test

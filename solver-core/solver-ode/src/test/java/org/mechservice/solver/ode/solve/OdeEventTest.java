@@ -219,10 +219,10 @@ class OdeEventTest {
 
   @Test
   void eventFunctionThatIsNotFiniteIsNamed() {
-    OdeEvent root = OdeEvent.when((t, y) -> Math.sqrt(y[0]));
+    OdeEvent root = OdeEvent.when((t, y) -> Math.sqrt(y[0])).named("depth");
     assertThatThrownBy(() -> Ode.solve(FALL, 0, new double[] {5, 0}, 5, with(root)))
         .isInstanceOf(IntegrationException.class)
-        .hasMessageContaining("event function is not finite");
+        .hasMessageContaining("the function of event 0 (depth) is not finite");
   }
 
   @Test

@@ -253,6 +253,33 @@ class OdeSolveTest {
         .hasMessageContaining(failure.advice());
   }
 
+  /** Behind a pole that the tolerances move, the solution computed is not the exact one. */
+  @Test
+  void failureTellsTheIntervalInWhichItLiesWithEveryMethod() {
+    for (OdeMethod method :
+        List.of(OdeMethod.ODE113, OdeMethod.DE, OdeMethod.ODE15S, OdeMethod.AUTO)) {
+      for (double tolerance : new double[] {1e-3, 1e-6, 1e-9}) {
+        OdeOptions options = OdeOptions.standard().rtol(tolerance).atol(tolerance).method(method);
+        IntegrationException failure =
+            catchThrowableOfType(
+                IntegrationException.class,
+                () ->
+                    Ode.solve(
+                        (t, y, yDot) -> yDot[0] = y[0] * y[0], 0, new double[] {1}, 2, options));
+        double pole = 1 + 100 * tolerance;
+        assertThat(failure.lostFrom()).as("%s %s", method, tolerance).isLessThanOrEqualTo(pole);
+        assertThat(failure.lostFrom()).isEqualTo(failure.failure().time());
+        assertThat(failure.lostTo()).isCloseTo(1, within(100 * tolerance));
+        assertThat(failure.lostFrom()).isLessThanOrEqualTo(failure.lostTo());
+        if (failure.lostFrom() != failure.solution().end()) {
+          assertThat(failure)
+              .hasMessageContaining("lost between t = " + failure.lostFrom())
+              .hasMessageContaining(" and t = " + failure.lostTo());
+        }
+      }
+    }
+  }
+
   @Test
   void stepsAllowedAreUsedUpWithAdvice() {
     OdeOptions options = OdeOptions.standard().method(OdeMethod.ODE113).maxSteps(10);

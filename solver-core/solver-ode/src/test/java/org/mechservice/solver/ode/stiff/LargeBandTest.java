@@ -3,13 +3,19 @@ package org.mechservice.solver.ode.stiff;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.mechservice.solver.ode.IntegratorSettings;
 import org.mechservice.solver.ode.IntegratorSettings.Mode;
 import org.mechservice.solver.ode.StepResult;
+import org.mechservice.solver.ode.solve.Ode;
+import org.mechservice.solver.ode.solve.OdeMethod;
+import org.mechservice.solver.ode.solve.OdeOptions;
+import org.mechservice.solver.ode.solve.OdeProblem;
 import org.mechservice.solver.ode.suite.HeatRod;
 import org.mechservice.solver.ode.suite.Run;
 import org.mechservice.solver.ode.switching.Switching;
@@ -35,6 +41,52 @@ class LargeBandTest {
     long few = evaluations(500, mode);
     assertThat(few).isLessThan(100);
     assertThat(evaluations(20_000, mode)).isLessThanOrEqualTo(few + 20);
+  }
+
+  /** Seven diagonals and a square, as a band, as a pattern, in residual form, wrapped twice. */
+  @ParameterizedTest
+  @EnumSource(names = {"ODE15S", "ODE15SR", "AUTO"})
+  void formInWhichTheStructureIsKnownDoesNotMatter(OdeMethod method) {
+    for (int form = 0; form < 3; form++) {
+      long few = evaluations(200, form, method);
+      assertThat(few).isLessThan(400);
+      // AUTO may take longer to find out that the problem is stiff.
+      long most = method == OdeMethod.AUTO ? 400 : few + 20;
+      assertThat(evaluations(3000, form, method)).isLessThanOrEqualTo(most);
+    }
+  }
+
+  private static long evaluations(int n, int form, OdeMethod method) {
+    OdeProblem plain = Ode.system(n, LargeBandTest::coupled);
+    OdeProblem problem =
+        switch (form) {
+          case 0 -> plain.withBand(3, 3);
+          case 1 -> plain.withPatternByColumns(j -> neighbours(j, n));
+          default ->
+              plain
+                  .withBand(3, 3)
+                  .withFunction(f -> (t, y, yDot) -> f.evaluate(t, y, yDot))
+                  .withFunction(f -> (t, y, yDot) -> f.evaluate(t, y, yDot));
+        };
+    OdeOptions options =
+        OdeOptions.standard().method(method).rtol(1e-4).atol(1e-6).keepSteps(false);
+    double[] start = new double[n];
+    Arrays.fill(start, 1);
+    return Ode.solve(problem, 0, start, 0.1, options).statistics().evaluations();
+  }
+
+  private static int[] neighbours(int j, int n) {
+    return IntStream.rangeClosed(Math.max(0, j - 3), Math.min(n - 1, j + 3)).toArray();
+  }
+
+  private static void coupled(double t, double[] y, double[] yDot) {
+    for (int i = 0; i < y.length; i++) {
+      double sum = 0;
+      for (int j = Math.max(0, i - 3); j <= Math.min(y.length - 1, i + 3); j++) {
+        sum += 3000 * y[j] / (1 + Math.abs(i - j));
+      }
+      yDot[i] = 1000 * StrictMath.cos(t) - sum - y[i] * y[i];
+    }
   }
 
   @Test

@@ -50,6 +50,11 @@ public final class ExplicitLoopForm implements EquationForm {
     }
 
     @Override
+    public boolean projectError(double t, double[] y, double[] error) {
+      return loops.projectError(evaluationTime(t), y, error);
+    }
+
+    @Override
     public void projectionAccepted(double t, double[] y) {
       loops.accepted(t, y);
     }

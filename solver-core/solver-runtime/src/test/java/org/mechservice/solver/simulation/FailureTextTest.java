@@ -1,0 +1,66 @@
+package org.mechservice.solver.simulation;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.run.Failure;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.ode.IntegrationFailure;
+import org.mechservice.solver.ode.IntegrationFailure.Cause;
+import org.mechservice.solver.simulation.FailureText.ImplicitLoops;
+
+class FailureTextTest {
+  private static Failure told(Cause cause, ImplicitLoops loops) {
+    IntegrationFailure failure = new IntegrationFailure(cause, 0.3, 1e-15, 1, 0, 0, List.of());
+    return FailureText.of(
+        failure,
+        new HarmonicOscillator().description(),
+        ExplicitModel.REGULAR,
+        "",
+        "By itself it swings. ",
+        loops);
+  }
+
+  @Test
+  void stepsThatAreTooShortByPenaltyAreBlamedOnRoundingOfTheLoopsAndNotOnForces() {
+    Failure failure = told(Cause.STEP_TOO_SMALL, ImplicitLoops.PENALTY);
+    assertThat(failure.code()).isEqualTo(MessageCode.STEP_TOO_SMALL);
+    assertThat(failure.advice())
+        .startsWith("By itself it swings. By penalty, velocities keep rounding errors of the loops")
+        .contains("if the absolute tolerance is finer, loosen it", "closure projection or DSR");
+  }
+
+  @Test
+  void stepsThatAreTooShortWithoutPenaltyAreBlamedOnTheMotion() {
+    for (ImplicitLoops loops : List.of(ImplicitLoops.NONE, ImplicitLoops.PROJECTION)) {
+      assertThat(told(Cause.STEP_TOO_SMALL, loops).advice())
+          .contains("singular or very stiff")
+          .doesNotContain("penalty");
+    }
+  }
+
+  @Test
+  void unsolvableStepsByPenaltyNameTheLoopsAndAlphaBeforeForces() {
+    Failure failure = told(Cause.NO_CONVERGENCE, ImplicitLoops.PENALTY);
+    assertThat(failure.code()).isEqualTo(MessageCode.NEWTON_DIVERGES);
+    assertThat(failure.advice())
+        .contains("a position in which the loops lose rank", "alpha is below its default of 1e7")
+        .contains("Otherwise look for a force that jumps");
+  }
+
+  @Test
+  void unsolvableStepsByProjectionNameLongChainsAndPenaltyBeforeForces() {
+    assertThat(told(Cause.NO_CONVERGENCE, ImplicitLoops.PROJECTION).advice())
+        .contains("as in long chains", "use closure penalty, or DSR")
+        .contains("In short loops look for a force that jumps");
+  }
+
+  @Test
+  void unsolvableStepsWithoutLoopsAreBlamedOnForces() {
+    assertThat(told(Cause.NO_CONVERGENCE, ImplicitLoops.NONE).advice())
+        .startsWith("By itself it swings. Look for a force that jumps")
+        .doesNotContain("loops");
+  }
+}
