@@ -8,6 +8,7 @@ import org.mechservice.solver.ode.TrialOutcome;
 import org.mechservice.solver.ode.backward.BackwardDifferences;
 import org.mechservice.solver.ode.step.Breakpoints;
 import org.mechservice.solver.ode.step.ErrorNorm;
+import org.mechservice.solver.ode.step.Manifold;
 import org.mechservice.solver.ode.step.RightHandSide;
 
 /**
@@ -60,6 +61,11 @@ public final class ResidualEquations extends StepEquations {
 
   /** Whether F at the start is known from a call that was stopped. */
   private boolean valueKnown;
+
+  /** Whether a step has been solved, and whether declarations were looked at again since. */
+  private boolean beyondStart;
+
+  private boolean declarationsSeen;
 
   /** hγ of the matrix for the start: 0 unless that is singular. */
   private double startHGamma;
@@ -207,7 +213,57 @@ public final class ResidualEquations extends StepEquations {
     for (int l = 0; l < r.length; l++) {
       r[l] = -value[l];
     }
+    if (beyondStart && !declarationsSeen) {
+      declarationsSeen = true;
+      requireAlgebraic(t, differences.corrected(), Math.abs(hGamma));
+    }
     return true;
+  }
+
+  /**
+   * Looks whether F depends on y' of components declared algebraic: its coefficient may have been
+   * zero at the start alone. All are moved at once, for one evaluation a run.
+   *
+   * @throws IllegalArgumentException if it does
+   */
+  private void requireAlgebraic(double t, double[] y, double hGamma) {
+    Manifold manifold = residual.manifold();
+    if (asPublished || !manifold.anyAlgebraic() || !linearisation.doubtsDeclarations()) {
+      return;
+    }
+    if (rowThatChanges(t, y, hGamma, -1) < 0) {
+      return;
+    }
+    for (int l = 0; l < y.length; l++) {
+      int row = doubtful(l) ? rowThatChanges(t, y, hGamma, l) : -1;
+      if (row >= 0) {
+        throw new IllegalArgumentException(ResidualJacobians.declaredWrongly(l, row, t));
+      }
+    }
+  }
+
+  private boolean doubtful(int component) {
+    Manifold manifold = residual.manifold();
+    return manifold.algebraic(component) && manifold.independent(component);
+  }
+
+  /**
+   * Returns the first row of F that changes if y' of an algebraic component, or for −1 of all, is
+   * moved by what moves y in a step by its size, by 1 if that is zero; −1 if none does.
+   */
+  private int rowThatChanges(double t, double[] y, double hGamma, int component) {
+    for (int l = 0; l < y.length; l++) {
+      double size = y[l] == 0 ? 1 : Math.abs(y[l] / hGamma);
+      boolean moves = doubtful(l) && (component < 0 || component == l);
+      ahead[l] = iterateSlope[l] + (moves ? Math.max(Math.abs(iterateSlope[l]), size) : 0);
+    }
+    residual.evaluateAlways(t, y, ahead, moved);
+    for (int l = 0; l < y.length; l++) {
+      if (moved[l] != value[l] && Double.isFinite(moved[l]) && Double.isFinite(value[l])) {
+        return l;
+      }
+    }
+    return -1;
   }
 
   @Override
@@ -404,6 +460,7 @@ public final class ResidualEquations extends StepEquations {
       slope[l] = (psi[l] + correction[l]) / hGamma;
     }
     linearisation.knowRate(smallMove / Math.abs(hGamma));
+    beyondStart = true;
   }
 
   @Override
@@ -413,5 +470,7 @@ public final class ResidualEquations extends StepEquations {
     linearisation.transfer(state);
     slight.transfer(state);
     start.transfer(state);
+    beyondStart = state.flag(beyondStart);
+    declarationsSeen = state.flag(declarationsSeen);
   }
 }

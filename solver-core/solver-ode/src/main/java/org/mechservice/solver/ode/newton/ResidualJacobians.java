@@ -208,20 +208,20 @@ public final class ResidualJacobians implements ResidualLinearisation {
       // The column of a passive component is zero, too, but only while it is passive.
       boolean absent = manifold.independent(l) && fyDot.isZero(l);
       if (manifold.algebraic(l) && manifold.independent(l) && !absent) {
-        throw new IllegalArgumentException(declaredWrongly(l, t));
+        throw new IllegalArgumentException(declaredWrongly(l, fyDot.rowOfLargest(l), t));
       }
       algebraic[l] = formed ? algebraic[l] : manifold.algebraic(l) || absent;
     }
     formed = true;
   }
 
-  private String declaredWrongly(int component, double t) {
+  static String declaredWrongly(int component, int row, double t) {
     return "component "
         + component
         + " is declared "
         + ResidualSystem.Component.ALGEBRAIC
         + ", which leaves it out of the error test, but its derivative appears in equation "
-        + fyDot.rowOfLargest(component)
+        + row
         + " of the residual at t = "
         + t
         + "; declare it "
@@ -262,6 +262,12 @@ public final class ResidualJacobians implements ResidualLinearisation {
   @Override
   public boolean algebraic(int component) {
     return algebraic[component];
+  }
+
+  /** {@inheritDoc} Derivatives that the problem knows tell whenever they are formed. */
+  @Override
+  public boolean doubtsDeclarations() {
+    return known.isEmpty();
   }
 
   /** {@inheritDoc} Only a column that is zero tells, unless all is declared. */

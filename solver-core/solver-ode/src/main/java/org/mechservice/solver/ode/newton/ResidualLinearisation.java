@@ -55,6 +55,12 @@ public interface ResidualLinearisation {
   /** Returns whether a component's derivative does not appear in F. */
   boolean algebraic(int component);
 
+  /**
+   * Returns whether components declared algebraic are to be looked at again behind the start, where
+   * the coefficient of a derivative may have been zero.
+   */
+  boolean doubtsDeclarations();
+
   /** Returns whether it is known before anything is formed that F has the derivatives of all. */
   boolean allDifferential();
 

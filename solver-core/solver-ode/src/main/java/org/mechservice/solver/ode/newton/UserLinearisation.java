@@ -87,6 +87,11 @@ public final class UserLinearisation implements ResidualLinearisation {
   }
 
   @Override
+  public boolean doubtsDeclarations() {
+    return false;
+  }
+
+  @Override
   public boolean algebraic(int component) {
     return manifold.algebraic(component);
   }

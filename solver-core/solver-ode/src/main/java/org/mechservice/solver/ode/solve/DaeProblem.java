@@ -82,7 +82,8 @@ public final class DaeProblem implements ResidualSystem {
   /**
    * Returns the problem with components declared algebraic: their derivatives do not appear in F,
    * they are in no error test, and y0 is corrected there. One whose derivative does appear is
-   * refused when the problem is solved.
+   * refused when the problem is solved, at the start or, if its coefficient is zero there, behind
+   * the first step, with analytic derivatives when they are next formed.
    *
    * @throws IllegalArgumentException if there is no such component
    */

@@ -1,5 +1,6 @@
 package org.mechservice.solver.ode.solve;
 
+import java.util.Objects;
 import java.util.Optional;
 import org.mechservice.solver.ode.events.EventFunctions.Direction;
 
@@ -67,6 +68,7 @@ public final class OdeEvent {
 
   /** Returns the event of a change of sign in either direction, which is only recorded. */
   public static OdeEvent when(Function function) {
+    Objects.requireNonNull(function, "the function of an event is null; give g(t, y)");
     return new OdeEvent(function, Direction.EITHER, 0, NEVER, Optional.empty(), "");
   }
 
@@ -100,6 +102,8 @@ public final class OdeEvent {
 
   /** Returns the event with something that happens at it; a terminal event ends behind that. */
   public OdeEvent then(Action change) {
+    Objects.requireNonNull(
+        change, "what happens at an event is null; leave then(...) out if nothing does");
     return new OdeEvent(function, direction, hysteresis, last, Optional.of(change), name);
   }
 
@@ -119,6 +123,7 @@ public final class OdeEvent {
 
   /** Returns the event with a name by which messages and {@link FoundEvent} call it. */
   public OdeEvent named(String title) {
+    Objects.requireNonNull(title, "the name of an event is null; leave named(...) out");
     return new OdeEvent(function, direction, hysteresis, last, action, title);
   }
 }

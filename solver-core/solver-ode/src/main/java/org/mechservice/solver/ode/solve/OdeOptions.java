@@ -3,6 +3,7 @@ package org.mechservice.solver.ode.solve;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
@@ -178,6 +179,7 @@ public final class OdeOptions {
 
   /** Adds an event. */
   public OdeOptions event(OdeEvent event) {
+    Objects.requireNonNull(event, "an event is null; build one by OdeEvent.when(...)");
     return with(copy -> copy.events = appended(events, event));
   }
 

@@ -280,7 +280,7 @@ public final class OdeSolution {
    * holds on to its integrator; it is to be called by one thread.
    *
    * @throws IllegalStateException if there is nothing to go on from: the integration has failed, or
-   *     was cancelled before its first step
+   *     was cancelled while f was evaluated at the start; one cancelled in its first step has one
    */
   public OdeCheckpoint checkpoint() {
     return checkpoint.get();

@@ -152,6 +152,11 @@ class NegligibleResidualTest {
     }
 
     @Override
+    public boolean doubtsDeclarations() {
+      return false;
+    }
+
+    @Override
     public boolean allDifferential() {
       return true;
     }

@@ -2,6 +2,7 @@ package org.mechservice.solver.ode.solve;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.assertThatNullPointerException;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
@@ -238,5 +239,22 @@ class OdeEventTest {
         .isThrownBy(() -> Ode.solve(FALL, 0, new double[] {5, 0}, 5, with(broken)))
         .withMessageContaining("action of event 0 (floor)")
         .withMessageContaining("y[1] to NaN");
+  }
+
+  @Test
+  @SuppressWarnings("NullAway") // what callers without checks may hand in
+  void nullIsRefusedWithWhatToWriteInstead() {
+    assertThatNullPointerException()
+        .isThrownBy(() -> OdeEvent.when(null))
+        .withMessageContaining("give g(t, y)");
+    assertThatNullPointerException()
+        .isThrownBy(() -> FLOOR.then(null))
+        .withMessageContaining("leave then(...) out");
+    assertThatNullPointerException()
+        .isThrownBy(() -> FLOOR.named(null))
+        .withMessageContaining("leave named(...) out");
+    assertThatNullPointerException()
+        .isThrownBy(() -> OdeOptions.standard().event(null))
+        .withMessageContaining("build one by OdeEvent.when(...)");
   }
 }

@@ -143,13 +143,51 @@ class StreamedSolutionTest {
     assertThat(many).isLessThan(few + 200);
   }
 
+  @ParameterizedTest
+  @EnumSource(names = {"ODE15S", "AUTO"})
+  void memoryDoesNotGrowInOtherFormsEither(OdeMethod method) {
+    OdeOptions options =
+        with(method).keepSteps(false).event(OdeEvent.when((t, y) -> y[0] - 2).terminal());
+    OdeProblem pairs =
+        Ode.system(
+            4,
+            (t, y, yDot) -> {
+              for (int i = 0; i < 4; i += 2) {
+                yDot[i] = y[i + 1];
+                yDot[i + 1] = -y[i];
+              }
+            });
+    double[] y0 = {1, 0, 0, 1};
+    List<OdeProblem> forms =
+        List.of(
+            pairs.withPattern((i, j) -> i / 2 == j / 2),
+            pairs.withBlocks(2),
+            pairs.withBand(1, 1),
+            pairs.withJacobianProduct(
+                (t, y, v, product) -> {
+                  for (int i = 0; i < 4; i += 2) {
+                    product[i] = v[i + 1];
+                    product[i + 1] = -v[i];
+                  }
+                }));
+    for (OdeProblem form : forms) {
+      long few = allocated(() -> Ode.solve(form, 0, y0, 5, options));
+      long many = allocated(() -> Ode.solve(form, 0, y0, 50, options));
+      assertThat(many).as("form %d", forms.indexOf(form)).isLessThan(few + 400);
+    }
+  }
+
   /** Returns the least that a run allocates; the virtual machine may add something of its own. */
   private static long allocated(double t1, OdeOptions options) {
+    return allocated(() -> rotate(0, t1, options));
+  }
+
+  private static long allocated(Runnable integration) {
     ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
     long least = Long.MAX_VALUE;
     for (int run = 0; run < 20; run++) {
       long before = threads.getCurrentThreadAllocatedBytes();
-      rotate(0, t1, options);
+      integration.run();
       least = Math.min(least, threads.getCurrentThreadAllocatedBytes() - before);
     }
     return least;

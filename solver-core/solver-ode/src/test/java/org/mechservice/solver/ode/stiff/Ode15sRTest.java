@@ -17,6 +17,8 @@ import org.mechservice.solver.ode.IntegratorSettings;
 import org.mechservice.solver.ode.IntegratorSettings.Mode;
 import org.mechservice.solver.ode.ResidualSystem;
 import org.mechservice.solver.ode.StepResult;
+import org.mechservice.solver.ode.solve.Dae;
+import org.mechservice.solver.ode.solve.DaeProblem;
 import org.mechservice.solver.ode.suite.ExplicitAsResidual;
 import org.mechservice.solver.ode.suite.ImplicitOde;
 import org.mechservice.solver.ode.suite.PendulumWithMultiplier;
@@ -456,6 +458,24 @@ class Ode15sRTest extends IntegratorContract {
         .isThrownBy(
             () -> integrator.start(oscillator, 0, new double[] {1, 0}, new double[] {0, -1}, 10))
         .withMessageContaining("component 0 is declared ALGEBRAIC")
+        .withMessageContaining("derivative appears in equation 1 ")
+        .withMessageEndingWith("declare it DIFFERENTIAL");
+  }
+
+  /** With y0 = t the coefficient of y1' is zero at the start alone; y1 ended at −3.3e8. */
+  @Test
+  void wrongDeclarationIsSeenWhereTheCoefficientIsZeroAtTheStart() {
+    DaeProblem problem =
+        Dae.system(
+                2,
+                (t, y, yDot, residual) -> {
+                  residual[0] = yDot[0] - 1;
+                  residual[1] = y[0] * yDot[1] + y[1] - y[0];
+                })
+            .withAlgebraic(1);
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> Dae.solve(problem, 0, new double[2], new double[] {1, 0.5}, 2))
+        .withMessageContaining("component 1 is declared ALGEBRAIC")
         .withMessageContaining("derivative appears in equation 1 ")
         .withMessageEndingWith("declare it DIFFERENTIAL");
   }
