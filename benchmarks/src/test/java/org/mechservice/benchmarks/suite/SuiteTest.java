@@ -10,7 +10,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 class SuiteTest {
   private static Stream<ProblemFile> files() {
-    return Stream.of(ProblemFile.all(), ProblemFile.further(), ProblemFile.unseen())
+    return Stream.of(
+            ProblemFile.all(), ProblemFile.further(), ProblemFile.unseen(), ProblemFile.fresh())
         .flatMap(List::stream);
   }
 
@@ -19,7 +20,7 @@ class SuiteTest {
   }
 
   private static Stream<String> comparedProblems() {
-    return Stream.of(ProblemFile.further(), ProblemFile.unseen())
+    return Stream.of(ProblemFile.further(), ProblemFile.unseen(), ProblemFile.fresh())
         .flatMap(List::stream)
         .map(problem -> problem.id);
   }

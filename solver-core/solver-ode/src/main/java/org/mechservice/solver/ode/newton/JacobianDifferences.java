@@ -72,6 +72,9 @@ final class JacobianDifferences {
 
   private boolean baseKnown;
 
+  /** Whether a stop came between the first and the second evaluation for the group. */
+  private boolean repeating;
+
   /** Group of columns to be differenced next. */
   private int group;
 
@@ -126,6 +129,7 @@ final class JacobianDifferences {
   void knowValue(double[] value) {
     System.arraycopy(value, 0, base, 0, base.length);
     baseKnown = true;
+    repeating = false;
     group = 0;
   }
 
@@ -137,6 +141,7 @@ final class JacobianDifferences {
   /** Forgets a Jacobian that was stopped half way. */
   void abandon() {
     baseKnown = false;
+    repeating = false;
     group = 0;
     steep.abandon();
   }
@@ -255,6 +260,9 @@ final class JacobianDifferences {
 
   private TrialOutcome differenceGroup(
       DifferencedFunction function, double[] x, double[] jacobian) {
+    if (repeating) {
+      return repeatLost(function, x, jacobian);
+    }
     moveGroup(x, 1);
     if (!function.evaluate(moved, movedValue)) {
       return TrialOutcome.STOPPED;
@@ -342,20 +350,21 @@ final class JacobianDifferences {
 
   /** Differences the columns of the group that were lost in round-off again, over more. */
   private TrialOutcome repeatLost(DifferencedFunction function, double[] x, double[] jacobian) {
-    boolean repeating = false;
+    boolean anyLost = false;
     for (int j = groups.first(group); j >= 0; j = groups.next(j)) {
       double larger = largerShare(j);
       lost[j] &= larger != share[j];
       if (lost[j]) {
-        firstIncrement[j] = increment[j];
+        firstIncrement[j] = repeating ? firstIncrement[j] : increment[j];
         move(j, x, 1, larger);
-        repeating = true;
+        anyLost = true;
       }
     }
-    if (!repeating) {
+    if (!anyLost) {
       return TrialOutcome.PASSED;
     }
-    if (!function.evaluate(moved, movedValue)) {
+    repeating = !function.evaluate(moved, movedValue);
+    if (repeating) {
       return TrialOutcome.STOPPED;
     }
     boolean finite = finite(movedValue);

@@ -380,7 +380,8 @@ public final class ResidualEquations extends StepEquations {
     if (asPublished) {
       return IterationRules.PUBLISHED;
     }
-    return linearisation.allDifferential()
+    return (residual.manifold().anyAlgebraic() && !drift().matters())
+            || linearisation.allDifferential()
         ? IterationRules.TRUSTING_RESIDUALS
         : IterationRules.LEARNING;
   }
