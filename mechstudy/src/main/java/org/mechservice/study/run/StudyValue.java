@@ -57,7 +57,8 @@ public final class StudyValue {
     List<String> words = new ArrayList<>();
     StringBuilder word = new StringBuilder();
     int depth = 0;
-    for (char c : text.toCharArray()) {
+    for (int i = 0; i < text.length(); i++) {
+      char c = text.charAt(i);
       depth += c == '(' ? 1 : c == ')' ? -1 : 0;
       if (depth <= 0 && separators.indexOf(c) >= 0) {
         words.add(word.toString());
