@@ -27,15 +27,22 @@ public final class LoopDefect {
         "Start or drive the mechanism so that it keeps away from this position, or end the run"
             + " before; "
             + other(formulation, penalty)
-            + ", or a looser tolerance, may step across.");
+            + ", or a looser tolerance, may step across."
+            + (solvesPenalty(formulation, penalty)
+                ? " Where alpha is below its default of 1e7, use that: with less, fewer runs pass."
+                : ""));
   }
 
   /** Returns the method that is most likely to step across, other than the one that runs. */
   private static String other(String formulation, boolean penalty) {
     boolean solvesThere =
-        formulation.equals(Formulation.RR_JF.label())
-            || (penalty && !formulation.equals(Formulation.DSR.label()));
+        formulation.equals(Formulation.RR_JF.label()) || solvesPenalty(formulation, penalty);
     return solvesThere ? "DSR with penalty closure and ode113" : "RR-JF with ode15sR";
+  }
+
+  /** Returns whether implicit steps are solved with the forces of the penalty. */
+  private static boolean solvesPenalty(String formulation, boolean penalty) {
+    return penalty && !formulation.equals(Formulation.DSR.label());
   }
 
   /** The start hides equations, so that no independent coordinates can be chosen. */

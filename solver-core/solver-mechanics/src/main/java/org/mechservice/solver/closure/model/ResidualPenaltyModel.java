@@ -60,11 +60,11 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
   private static final double ROUNDING = 2e-13;
 
   /**
-   * Relative change of the rates when positions change by their rounding errors. The projection at
-   * the end of the step removes what the iteration leaves of the rates, and later predictions
-   * enlarge such a change up to 32 times.
+   * Relative rates that the iteration leaves. The projection leaves as much, so that a start from
+   * projected states needs no change of them; a hundred times more grows in later predictions until
+   * fine tolerances notice it.
    */
-  private static final double RATE_ROUNDING = 1e-14;
+  private static final double RATE_ROUNDING = 1e-13;
 
   private final StepDerivatives jacobian;
   private final Optional<ResidualDifferences> differences;
