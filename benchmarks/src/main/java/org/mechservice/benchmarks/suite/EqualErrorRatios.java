@@ -187,7 +187,8 @@ public final class EqualErrorRatios {
     append(page, known);
     page.append("\n## Further problems of the literature\n\n");
     page.append("No parameter of ode15s was chosen on them. How long ode15sR trusts a rate of");
-    page.append(" convergence was judged on the car axis and the Chemical Akzo Nobel problem, too: ");
+    page.append(
+        " convergence was judged on the car axis and the Chemical Akzo Nobel problem, too: ");
     page.append(link("unseen")).append(".\n\n");
     append(page, unseen);
     page.append("\n## Problems written after the last change\n\n");

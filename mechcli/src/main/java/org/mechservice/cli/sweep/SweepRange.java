@@ -1,5 +1,7 @@
 package org.mechservice.cli.sweep;
 
+import static java.util.stream.Collectors.joining;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -8,6 +10,7 @@ import org.mechservice.mechml.diagnosis.SourcePosition;
 import org.mechservice.mechml.document.Attribute;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.study.run.StudyValue;
 
 /** Reads a parameter with its values, {@code P=A:B:N} or {@code P=1,2,5}, as a factor. */
 final class SweepRange {
@@ -34,13 +37,16 @@ final class SweepRange {
   }
 
   private static List<Attribute> list(String text, String values) {
-    List<String> all = Arrays.stream(values.split(",", -1)).map(String::strip).toList();
+    List<String> all = StudyValue.split(values, ",").stream().map(String::strip).toList();
     if (all.contains("")) {
       throw refused(
           text, values.isEmpty() ? "it has no value" : "a value between commas is missing");
     }
     all.forEach(value -> requireNumber(text, value));
-    return List.of(new Attribute("values", String.join(" ", all)));
+    // blanks separate values, and mean nothing within an expression
+    return List.of(
+        new Attribute(
+            "values", all.stream().map(v -> v.replaceAll("\\s", "")).collect(joining(" "))));
   }
 
   private static List<Attribute> range(String text, String values) {
@@ -66,14 +72,10 @@ final class SweepRange {
   }
 
   private static void requireNumber(String text, String part) {
-    double value;
     try {
-      value = Double.parseDouble(part);
-    } catch (NumberFormatException e) {
-      throw refused(text, "\"" + part + "\" is no number");
-    }
-    if (!Double.isFinite(value)) {
-      throw refused(text, "\"" + part + "\" is not finite");
+      StudyValue.constant(part);
+    } catch (IllegalArgumentException e) {
+      throw refused(text, String.valueOf(e.getMessage()));
     }
   }
 

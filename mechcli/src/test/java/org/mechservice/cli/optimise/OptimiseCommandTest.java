@@ -373,7 +373,8 @@ class OptimiseCommandTest {
     Path data = Files.writeString(folder.resolve("d.csv"), "t,slide.q\n0,1\n1,0.5\n2,0\n");
     assertThat(mech("identify", model, "--data", data.toString(), "--by", "m=-2:-1"))
         .isEqualTo(ExitStatus.SIMULATION_FAILED);
-    assertThat(err.toString()).startsWith("S-211 M-030 body \"block\": mass is negative");
+    assertThat(err.toString())
+        .startsWith("S-211 the run at m=-1.5 failed: M-030 body \"block\": mass is negative");
     assertThat(out.toString()).isEmpty();
   }
 

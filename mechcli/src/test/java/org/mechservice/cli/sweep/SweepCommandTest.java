@@ -232,9 +232,28 @@ class SweepCommandTest {
     assertThat(sweep(SEAT, "--set", "damping=500,4500", "-o", file.toString())).isZero();
   }
 
+  @Test
+  void valuesMayBeConstantExpressions() throws Exception {
+    assertThat(
+            sweep(
+                SEAT,
+                "--set",
+                "damping=1000*sin(PI/2)-500:9*500:3",
+                "--set",
+                "stiffness=2e4, max(3.1e4, 5 ^ 2)"))
+        .as(err.toString())
+        .isZero();
+    assertThat(cells(out.toString()).stream().skip(1).map(row -> row.get(1) + " " + row.get(2)))
+        .containsExactly(
+            "500 20000", "500 31000", "2500 20000", "2500 31000", "4500 20000", "4500 31000");
+  }
+
   @CsvSource(
       delimiter = '|',
       value = {
+        "damping=1,pi | S-041 --set damping=1,pi: \"pi\" is no number and no constant expression:"
+            + " \"pi\" is not a known name here; did you mean \"PI\"?; write NAME=",
+        "damping=1,2 3 | S-041 --set damping=1,2 3: \"2 3\" is no number and no constant",
         "damping=1:2 | S-041 --set damping=1:2: a range has three parts, not 2; write NAME=",
         "damping=1:2:x | S-041 --set damping=1:2:x: \"x\" is no whole number of values",
         "damping=1:2:1 | S-041 --set damping=1:2:1: a range has 2 values or more, not 1",

@@ -24,6 +24,16 @@ public final class ConstantEvaluation {
     return new ConstantEvaluation(scope).value(expression);
   }
 
+  /**
+   * Returns the value of a text: a number, or an expression of numbers and {@code PI}.
+   *
+   * @return a finite number
+   * @throws ExpressionException if the text is no such expression or has no finite value
+   */
+  public static double of(String text) throws ExpressionException {
+    return finite(of(ExpressionParser.parse(text), Scope.CONSTANTS) + 0.0, 0, "the value");
+  }
+
   private double value(ParsedExpression expression) throws ExpressionException {
     if (expression instanceof ParsedExpression.Literal literal) {
       return literal.value();

@@ -16,6 +16,9 @@ final class Advice {
   /** Usual errors: for a first look, for engineering work, for comparisons. */
   private static final double[] WANTED = {1e-3, 1e-6, 1e-9};
 
+  /** Time constants or radians of a run from which stability may limit explicit steps at all. */
+  private static final double FEW_STEPS = 50;
+
   private final SceneFindings found;
 
   Advice(SceneFindings found) {
@@ -120,7 +123,11 @@ final class Advice {
                   + Html.number(mode.modulus())
                   + " 1/s, "
                   + Html.digits(size)
-                  + " times the inverse of the interval; explicit methods are not limited by it.";
+                  + " times the inverse of the interval; explicit methods "
+                  + (size > FEW_STEPS
+                      ? "take about as many steps for it, which are few: a run may note that"
+                          + " stability limits them."
+                      : "are not limited by it.");
           case STIFF ->
               "<b>Stiff.</b> The fastest motion decays with "
                   + Html.number(-mode.real())

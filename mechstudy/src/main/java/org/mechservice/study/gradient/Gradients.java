@@ -39,7 +39,7 @@ import org.mechservice.study.Reduction;
  */
 public final class Gradients {
   /** Step of the differences, as a part of the value. */
-  private static final double STEP = 1e-3;
+  static final double STEP = 1e-3;
 
   /** Places of differences of fourth order, in steps. */
   private static final double[] SIDES = {-2, -1, 1, 2};
@@ -118,7 +118,7 @@ public final class Gradients {
     List<ModelFunctions> models = new ArrayList<>();
     double value = parameter(name).value();
     for (double side : SIDES) {
-      MechModel other = model.set(name, value + side * step(value));
+      MechModel other = moved(name, value + side * step(value));
       RunSettings its = other.request().settings();
       if (its.tStart() != run.tStart() || its.tEnd() != run.tEnd()) {
         throw new IllegalArgumentException(
@@ -129,6 +129,21 @@ public final class Gradients {
       models.add(new ModelFunctions(other.content(), run, columns, chosen));
     }
     return models;
+  }
+
+  private MechModel moved(String name, double value) {
+    try {
+      return model.set(name, value);
+    } catch (MechmlException e) {
+      throw new IllegalArgumentException(
+          "there is no gradient by \""
+              + name
+              + "\": at "
+              + ShortestDecimal.format(value)
+              + ", beside its value, the model cannot be used: "
+              + e.getMessage(),
+          e);
+    }
   }
 
   private static double size(double value) {

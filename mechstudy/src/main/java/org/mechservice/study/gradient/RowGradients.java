@@ -1,27 +1,68 @@
 package org.mechservice.study.gradient;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import java.util.stream.Collectors;
 import org.mechservice.library.MechModel;
 import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.solver.api.ModelParameter;
 import org.mechservice.solver.ode.solve.IntegrationException;
 import org.mechservice.study.Reduction;
 
 /**
  * Derivatives of reductions as studies compute them: of the rows of a run, with straight lines
  * between. Optimisers need them, since the derivatives of a motion's integrals and extremes are
- * those of other numbers than the values that rows give. Thread-safe: each thread has a workspace
+ * those of other numbers than the values that rows give. Parameters that masses and points depend
+ * on have equations of their own for each of their values. Thread-safe: each thread has a workspace
  * of its own.
  */
 public final class RowGradients {
   private final List<Reduction> reductions;
   private final List<String> by;
   private final List<String> columns;
-  private final ThreadLocal<Gradients> workplaces;
+  private final ThreadLocal<Workplace> workplaces;
 
-  private RowGradients(List<String> by, List<Reduction> reductions, ThreadLocal<Gradients> places) {
+  /** Where one thread computes: the equations at the latest values of settled parameters. */
+  private static final class Workplace {
+    private final MechModel model;
+    private final List<String> by;
+    private final List<Reduction> times;
+    private Gradients gradients;
+    private Map<String, Double> settled;
+
+    Workplace(MechModel model, List<String> by, List<Reduction> times) throws MechmlException {
+      this.model = model;
+      this.by = by;
+      this.times = times;
+      gradients = Gradients.of(model, by, times);
+      settled =
+          model.parameters().stream()
+              .filter(p -> by.contains(p.name()) && !gradients.tunable().contains(p.name()))
+              .collect(Collectors.toMap(ModelParameter::name, ModelParameter::value));
+    }
+
+    /** Returns the equations at values of the parameters. */
+    Gradients at(double[] values) throws MechmlException {
+      Map<String, Double> here = new LinkedHashMap<>();
+      for (String name : settled.keySet()) {
+        here.put(name, values[by.indexOf(name)]);
+      }
+      if (!here.equals(settled)) {
+        gradients = Gradients.of(model.set(here), by, times);
+        settled = here;
+      }
+      for (String name : gradients.tunable()) {
+        gradients.set(name, values[by.indexOf(name)]);
+      }
+      return gradients;
+    }
+  }
+
+  private RowGradients(List<String> by, List<Reduction> reductions, ThreadLocal<Workplace> places) {
     this.by = by;
     this.reductions = reductions;
     columns = new ArrayList<>(columnsOf(reductions));
@@ -39,7 +80,7 @@ public final class RowGradients {
    *
    * @throws MechmlException if the model cannot be read with the parameters as inputs
    * @throws IllegalArgumentException if there are none: the model has events, a part without
-   *     derivative, or masses and points that depend on the parameters; says which
+   *     derivative, or rows whose times depend on the parameters; says which
    */
   public static RowGradients of(MechModel model, List<String> by, List<Reduction> reductions)
       throws MechmlException {
@@ -52,24 +93,30 @@ public final class RowGradients {
             .toList();
     List<Reduction> times =
         reductions.stream().allMatch(r -> r.kind() == Reduction.Kind.AT) ? reductions : series;
-    Gradients first = Gradients.of(model, by, times);
-    if (first.tunable().size() < by.size()) {
-      List<String> others = new ArrayList<>(by);
-      others.removeAll(first.tunable());
-      throw new IllegalArgumentException(
-          "masses, points or settings depend on " + String.join(", ", others));
+    List<String> names = List.copyOf(by);
+    Workplace first = new Workplace(model, names, times);
+    for (Map.Entry<String, Double> settled : first.settled.entrySet()) {
+      requireSameRows(model, settled.getKey(), settled.getValue());
     }
-    ThreadLocal<Gradients> places =
+    ThreadLocal<Workplace> places =
         ThreadLocal.withInitial(
             () -> {
               try {
-                return Gradients.of(model, by, times);
+                return new Workplace(model, names, times);
               } catch (MechmlException e) {
                 throw new IllegalStateException("the model was read before", e);
               }
             });
     places.set(first);
-    return new RowGradients(List.copyOf(by), List.copyOf(reductions), places);
+    return new RowGradients(names, List.copyOf(reductions), places);
+  }
+
+  private static void requireSameRows(MechModel model, String name, double value)
+      throws MechmlException {
+    double moved = value == 0 ? Gradients.STEP : value * (1 + Gradients.STEP);
+    if (model.set(name, moved).request().settings().tStep() != model.request().settings().tStep()) {
+      throw new IllegalArgumentException("the times of the rows depend on " + name);
+    }
   }
 
   /**
@@ -80,14 +127,12 @@ public final class RowGradients {
    * @throws IllegalArgumentException if there are none there, or the motion cannot be computed
    */
   public double[][] at(double[] values) {
-    Gradients gradients = workplaces.get();
-    for (int k = 0; k < values.length; k++) {
-      gradients.set(by.get(k), values[k]);
-    }
+    Gradients gradients;
     Gradient rows;
     try {
+      gradients = workplaces.get().at(values);
       rows = gradients.compute(GradientMethod.FORWARD);
-    } catch (IntegrationException e) {
+    } catch (MechmlException | IntegrationException e) {
       throw new IllegalArgumentException(e.getMessage(), e);
     }
     if (reductions.equals(gradients.outputs())) {

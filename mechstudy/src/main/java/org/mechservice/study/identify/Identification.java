@@ -139,13 +139,15 @@ public record Identification(
     List<String> undetermined = new ArrayList<>();
     for (int k = 0; k < n; k++) {
       double[] direction = svd.getV().getColumn(k);
-      if (sigma[k] > least) {
+      // a direction wider than the range adds its share to the parameters that hardly belong to it
+      if (sigma[k] > WEAKEST * sigma[0]) {
         for (int i = 0; i < n; i++) {
           for (int j = 0; j < n; j++) {
             covariance[i][j] += direction[i] * direction[j] * Math.pow(noise / sigma[k], 2);
           }
         }
-      } else {
+      }
+      if (sigma[k] <= least) {
         undetermined.add(words(variables, direction));
         for (int j = 0; j < n; j++) {
           lost[j] |= Math.abs(direction[j]) > BELONGS;

@@ -143,7 +143,11 @@ public final class Measurements {
       for (int j = 0; j < point.length; j++) {
         set.put(names.get(j), point[j]);
       }
-      return weighted(ModelDesign.reduced(points, set));
+      try {
+        return weighted(ModelDesign.reduced(points, set));
+      } catch (PointFailedException e) {
+        throw PointFailedException.at(variables, point, "the run", String.valueOf(e.getMessage()));
+      }
     };
   }
 
@@ -170,7 +174,8 @@ public final class Measurements {
       try {
         slopes = gradients.at(point);
       } catch (IllegalArgumentException e) {
-        throw new PointFailedException(String.valueOf(e.getMessage()));
+        throw PointFailedException.at(
+            variables, point, "the gradient", String.valueOf(e.getMessage()));
       }
       for (int i = 0; i < slopes.length; i++) {
         for (int j = 0; j < slopes[i].length; j++) {

@@ -1,5 +1,7 @@
 package org.mechservice.study.optimise;
 
+import java.util.Arrays;
+
 /**
  * Least squares on the unit cube: Levenberg-Marquardt with a bound of the steps (Moré 1978), inside
  * the bounds of the variables.
@@ -30,6 +32,9 @@ public final class LeastSquares {
 
   private static final double POOR = 0.25;
   private static final double GOOD = 0.75;
+
+  /** Least bound of the first step, in diagonals of the cube: a start at lower bounds is 0. */
+  private static final double FIRST = 0.1;
 
   /** Step, as a part of the point's size, that does not move it. */
   private static final double NO_STEP = 1e-14;
@@ -83,7 +88,7 @@ public final class LeastSquares {
     boolean near = jacobian == rough;
     double[][] slopes = rough.at(x);
     steps.at(TallFactors.of(slopes, r));
-    double radius = Math.max(steps.length(x), Math.ulp(1.0));
+    double radius = Math.max(steps.length(x), FIRST * steps.length(diagonal(x.length)));
     double foreseenBefore = Double.POSITIVE_INFINITY;
     for (int k = 0; k < ITERATIONS && sum > 0; ) {
       double[] p = steps.from(x, radius);
@@ -146,6 +151,12 @@ public final class LeastSquares {
   private static double shortened(double ratio) {
     double part = 1 / (2 - ratio);
     return part > 0.1 ? Math.min(part, 0.5) : 0.1;
+  }
+
+  private static double[] diagonal(int n) {
+    double[] ones = new double[n];
+    Arrays.fill(ones, 1);
+    return ones;
   }
 
   private static double[] clipped(double[] x, double[] p) {

@@ -172,7 +172,8 @@ public final class ModelDesign {
     try {
       byVariable = gradients.at(point);
     } catch (IllegalArgumentException e) {
-      throw new PointFailedException(String.valueOf(e.getMessage()));
+      throw PointFailedException.at(
+          variables, point, "the gradient", String.valueOf(e.getMessage()));
     }
     double[] reduced = reduced(points, named(point));
     double[][] slopes = new double[wanted.size()][point.length];

@@ -202,7 +202,9 @@ final class Trials {
     } catch (PointFailedException e) {
       String why = String.valueOf(e.getMessage());
       if (failedAs.isEmpty()) {
-        throw new StartFailedException("the run at " + described(point) + " failed: " + why);
+        throw new StartFailedException(
+            String.valueOf(
+                PointFailedException.at(problem.variables(), point, "the run", why).getMessage()));
       }
       double[] none = new double[scales.length];
       Arrays.fill(none, Double.NaN);
@@ -215,14 +217,6 @@ final class Trials {
           Double.POSITIVE_INFINITY,
           Optional.of(why));
     }
-  }
-
-  private String described(double[] point) {
-    List<String> parts = new ArrayList<>();
-    for (int j = 0; j < point.length; j++) {
-      parts.add(problem.variables().get(j).name() + "=" + point[j]);
-    }
-    return String.join(", ", parts);
   }
 
   /** The first point says what size quantities have. */

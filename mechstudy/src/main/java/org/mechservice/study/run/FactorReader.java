@@ -116,7 +116,7 @@ final class FactorReader {
       throw new StudyRefusal("values stands beside from or distribution; write one of them");
     } else if (values.isPresent()) {
       List<Double> all = new ArrayList<>();
-      for (String word : values.get().strip().split("[\\s,;]+", -1)) {
+      for (String word : words(values.get())) {
         all.add(StudyValue.number(word, "value"));
       }
       return new Spread.Choice(all.stream().mapToDouble(Double::doubleValue).toArray());
@@ -136,6 +136,13 @@ final class FactorReader {
     } catch (MathIllegalArgumentException e) {
       throw new StudyRefusal("the distribution is not possible: " + e.getMessage());
     }
+  }
+
+  /** Returns values that blanks, commas or semicolons separate. */
+  private static List<String> words(String values) {
+    List<String> words = new ArrayList<>(StudyValue.split(values, " \t\n\r,;"));
+    words.removeIf(String::isBlank);
+    return words;
   }
 
   private static Spread distribution(Element element, String kind) throws StudyRefusal {

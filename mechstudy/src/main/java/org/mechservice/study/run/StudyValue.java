@@ -1,12 +1,16 @@
 package org.mechservice.study.run;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.mechservice.mechml.document.Element;
+import org.mechservice.mechml.expression.ConstantEvaluation;
+import org.mechservice.mechml.expression.ExpressionException;
 import org.mechservice.mechml.unit.Unit;
 import org.mechservice.mechml.unit.UnitException;
 import org.mechservice.mechml.unit.UnitParser;
 
 /** Reads numbers and units of a study. */
-final class StudyValue {
+public final class StudyValue {
   private StudyValue() {}
 
   /** Returns the finite number of an attribute. */
@@ -20,20 +24,64 @@ final class StudyValue {
   }
 
   /**
-   * Returns a finite number.
+   * Returns the value of a number or of a constant expression of the model's language, such as
+   * {@code PI/4}.
+   *
+   * @throws IllegalArgumentException if it has no finite value; says why
+   */
+  public static double constant(String text) {
+    String word = text.strip();
+    double value;
+    try {
+      value = Double.parseDouble(word);
+    } catch (NumberFormatException notPlain) {
+      try {
+        return ConstantEvaluation.of(word);
+      } catch (ExpressionException e) {
+        throw new IllegalArgumentException(
+            '"' + word + "\" is no number and no constant expression: " + e.reason(), e);
+      }
+    }
+    if (!Double.isFinite(value)) {
+      throw new IllegalArgumentException('"' + word + "\" is not finite");
+    }
+    return value;
+  }
+
+  /**
+   * Returns the texts between separators that are not within brackets.
+   *
+   * @param separators characters
+   */
+  public static List<String> split(String text, String separators) {
+    List<String> words = new ArrayList<>();
+    StringBuilder word = new StringBuilder();
+    int depth = 0;
+    for (int i = 0; i < text.length(); i++) {
+      char c = text.charAt(i);
+      depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+      if (depth <= 0 && separators.indexOf(c) >= 0) {
+        words.add(word.toString());
+        word.setLength(0);
+      } else {
+        word.append(c);
+      }
+    }
+    words.add(word.toString());
+    return words;
+  }
+
+  /**
+   * Returns the finite value of a number or a constant expression.
    *
    * @param what it is, for the message
    */
   static double number(String text, String what) throws StudyRefusal {
     try {
-      double value = Double.parseDouble(text.strip());
-      if (Double.isFinite(value)) {
-        return value;
-      }
-    } catch (NumberFormatException e) {
-      throw new StudyRefusal(what + " \"" + text.strip() + "\" is no number");
+      return constant(text);
+    } catch (IllegalArgumentException e) {
+      throw new StudyRefusal(what + " " + e.getMessage());
     }
-    throw new StudyRefusal(what + " \"" + text.strip() + "\" is not finite");
   }
 
   /** Returns the whole number of an attribute. */

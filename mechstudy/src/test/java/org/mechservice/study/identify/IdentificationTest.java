@@ -6,11 +6,13 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.Random;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.LUDecomposition;
 import org.apache.commons.math3.linear.RealMatrix;
 import org.junit.jupiter.api.Test;
 import org.mechservice.study.optimise.DesignVariable;
+import org.mechservice.study.optimise.PointFailedException;
 import org.mechservice.study.optimise.Response;
 
 /** Identified values, their intervals and what the data leave open agree with linear theory. */
@@ -127,6 +129,34 @@ class IdentificationTest {
     Identification found = Identification.of(variables, response, 1e-4);
     assertThat(found.undetermined()).containsExactly("idle has no visible effect on the data");
     assertThat(found.deviations()[0]).isFinite();
+  }
+
+  /** From here the first step leads to a negative decay, where the response has no values. */
+  @Test
+  void trialThatFailsIsTooFarAndAStartThatFailsEndsTheFit() throws Exception {
+    List<DesignVariable> decay = List.of(new DesignVariable("d", -5, 5, 4));
+    AtomicInteger failed = new AtomicInteger();
+    Response holed =
+        p -> {
+          if (p[0] < 0) {
+            failed.incrementAndGet();
+            throw new PointFailedException("N-013 no convergence");
+          }
+          double[] r = new double[SAMPLES];
+          for (int i = 0; i < SAMPLES; i++) {
+            double t = 0.1 * i;
+            r[i] = Math.exp(-p[0] * t) - Math.exp(-0.3 * t) + 1e-3 * Math.sin(40.0 * i);
+          }
+          return r;
+        };
+    Identification found = Identification.of(decay, holed, 1e-4);
+    assertThat(failed).hasPositiveValue();
+    assertThat(found.values()[0]).isCloseTo(0.3, within(found.halfWidth(0, 0.99)));
+
+    List<DesignVariable> nowhere = List.of(new DesignVariable("d", -5, 5, -1));
+    assertThatThrownBy(() -> Identification.of(nowhere, holed, 1e-4))
+        .isInstanceOf(PointFailedException.class)
+        .hasMessageContaining("N-013 no convergence");
   }
 
   @Test

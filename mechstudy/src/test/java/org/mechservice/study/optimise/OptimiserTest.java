@@ -96,6 +96,19 @@ class OptimiserTest {
     assertThat(optimum.bound(1)).isZero();
   }
 
+  /** On the unit cube such a start is 0, which is no measure of a step. */
+  @Test
+  void leastSquaresLeaveAStartAtTheLowerBounds() throws Exception {
+    DesignProblem problem =
+        new DesignProblem(
+            List.of(new DesignVariable("x", -2, 2, -2), new DesignVariable("y", -2, 2, -2)),
+            List.of(new Aim(Aim.Kind.RESIDUAL, "a"), new Aim(Aim.Kind.RESIDUAL, "b")),
+            x -> new double[] {10 * (x[1] - x[0] * x[0]), 1 - x[0]});
+    Optimum optimum = Optimiser.minimise(problem, SETTINGS);
+    assertThat(optimum.best().point()).containsExactly(new double[] {1, 1}, within(1e-6));
+    assertThat(optimum.runs()).isLessThan(200);
+  }
+
   @Test
   void leastSquaresHoldBoundsToo() throws Exception {
     DesignProblem problem =

@@ -278,10 +278,42 @@ class StudyTest {
     assertThat(lines.get(2)).startsWith("2,2,50,completed");
   }
 
+  @Test
+  void valuesAreNumbersOrConstantExpressionsOfTheLanguage() throws Exception {
+    List<String> lines =
+        Files.readAllLines(
+            run(
+                plan(
+                    "<factor name='k' from='2*10' to='5^2' count='2'/>"
+                        + "<factor name='m' values='PI/4, max(1, sqrt(4)); 3'/>"
+                        + "<output of='last(x.q)'/>"),
+                StudyPart.WHOLE,
+                1));
+    String quarter = Double.toString(Math.PI / 4);
+    assertThat(lines.stream().skip(1).map(line -> CsvLine.cells(line).subList(1, 3)))
+        .containsExactly(
+            List.of("20", quarter),
+            List.of("20", "2"),
+            List.of("20", "3"),
+            List.of("25", quarter),
+            List.of("25", "2"),
+            List.of("25", "3"));
+
+    Files.writeString(folder.resolve("points.csv"), "m,k\n1,20\nPI/4,\"max(30,5^2)\"\n");
+    List<String> points =
+        Files.readAllLines(
+            run(plan("<table file='points.csv'/><output of='last(x.q)'/>"), StudyPart.WHOLE, 1));
+    assertThat(points.get(2)).startsWith("2," + quarter + ",30,completed");
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = ';',
       value = {
+        "<factor name='k' values='1 pi/4'/>; \"pi/4\" is no number and no constant expression:"
+            + " \"pi\" is not a known name here; did you mean \"PI\"?",
+        "<factor name='k' from='1/0' to='2' count='3'/>; from \"1/0\" is no number and no constant"
+            + " expression: division by zero",
         "<factor name='kk' values='1'/>; no parameter \"kk\"; did you mean \"k\"?",
         "<factor name='k' unit='kg' values='1'/>; one of a mass",
         "<factor name='k'/>; it has no values",

@@ -103,14 +103,14 @@ final class CheckText {
 
   private String count(LoopAnalysis loops) {
     String tree = report.scene().degreesOfFreedom() + " of the tree less ";
+    String equations = loops.equations() + (loops.equations() == 1 ? " equation" : " equations");
     return loops.isJudged()
         ? tree
             + loops.independent()
             + " independent of "
-            + loops.equations()
-            + (loops.equations() == 1 ? " equation" : " equations")
+            + equations
             + (loops.redundant() == 0 ? "" : "; by count alone " + report.freedomsByCount())
-        : tree + loops.equations() + " equations, by count alone";
+        : tree + equations + ", by count alone";
   }
 
   private void formulation() {

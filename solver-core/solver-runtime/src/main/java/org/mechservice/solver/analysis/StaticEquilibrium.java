@@ -358,9 +358,10 @@ final class StaticEquilibrium {
                 worst < 0 ? "" : names.part(worst),
                 String.format(
                     Locale.ROOT,
-                    "No equilibrium was found in %d corrections: the largest force left over is"
-                        + " %.3g of those in play.",
+                    "No equilibrium was found in %d correction%s: the largest force left over is"
+                        + " %.3g times those in play.",
                     iterations,
+                    iterations == 1 ? "" : "s",
                     worstPart),
                 "Add a restoring force to free motions, start nearer to the equilibrium, or allow"
                     + " more corrections with maxIterations."));
