@@ -247,7 +247,8 @@ class Model:
 
         folder: takes the page of ``mech report`` and its data. Ctrl-C ends the report at its next
         measurement; with the same folder it is taken up again there.
-        quick: fewer tolerances and shorter limits, less than a minute; else some minutes.
+        quick: fewer tolerances and shorter limits, about a minute, or up to three for a large
+        mechanism; else some minutes.
         progress: whether a line on standard error tells what is measured; or a function that is
         called with it, the part done, from 0 to 1, and the time left, s, NaN if not known yet.
 

@@ -531,8 +531,8 @@ public final class RemoteModel {
    * }</pre>
    *
    * @param folder for the pages; a report that was interrupted is taken up again there
-   * @param effort {@link Effort#QUICK} takes less than a minute, as {@code mech report --quick};
-   *     {@link Effort#FULL} some minutes
+   * @param effort {@link Effort#QUICK} takes about a minute, and up to three for a large mechanism,
+   *     as {@code mech report --quick}; {@link Effort#FULL} some minutes, and up to fifteen
    * @param progress is told what is being measured; what it throws ends the report, which keeps
    *     what was measured
    * @return the page

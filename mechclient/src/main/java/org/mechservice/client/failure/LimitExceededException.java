@@ -25,7 +25,7 @@ public final class LimitExceededException extends ServiceException {
     return allowed;
   }
 
-  /** Returns the value this call would have needed. */
+  /** Returns the value this call would have needed, at least. */
   public long requested() {
     return requested;
   }

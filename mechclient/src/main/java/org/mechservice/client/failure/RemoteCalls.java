@@ -12,8 +12,10 @@ import org.mechservice.idl.NotAvailable;
 import org.mechservice.idl.NotFound;
 import org.mechservice.idl.ServerFailure;
 import org.mechservice.orb.GuardedServant;
+import org.mechservice.orb.connection.LimitedBuffers;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.COMM_FAILURE;
+import org.omg.CORBA.NO_MEMORY;
 import org.omg.CORBA.NO_PERMISSION;
 import org.omg.CORBA.OBJECT_NOT_EXIST;
 import org.omg.CORBA.SystemException;
@@ -167,6 +169,20 @@ public record RemoteCalls(String address) {
       failure =
           new NotAuthorizedException(
               MessageCode.ACCESS_REFUSED.code(), "the server at " + address + " refuses access");
+    } else if (said instanceof NO_MEMORY) {
+      int most = LimitedBuffers.MAX_MESSAGE_BYTES;
+      failure =
+          new LimitExceededException(
+              MessageCode.LIMIT_EXCEEDED.code(),
+              "what the server at "
+                  + address
+                  + " was sent or has to answer is larger than a message may be: "
+                  + most
+                  + " bytes, of which a text takes up to four for each character; ask for less at"
+                  + " once, or split the model",
+              "messageBytes",
+              most,
+              most + 1L);
     } else {
       failure =
           lost(

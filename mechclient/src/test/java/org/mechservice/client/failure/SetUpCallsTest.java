@@ -10,6 +10,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.MechSim;
+import org.omg.CORBA.NO_MEMORY;
 import org.omg.CORBA.TIMEOUT;
 
 /** A set-up that lasts is not a server that is lost. */
@@ -63,6 +64,21 @@ class SetUpCallsTest {
             "S-230 the server at here:1 is there, but has not set the model up")
         .withMessageContaining("within 3600 s")
         .satisfies(e -> assertThat(e.limit()).isEqualTo("setUp"));
+  }
+
+  /** The ORB refuses a message above its bound with an exception that names memory. */
+  @Test
+  void anAnswerLargerThanAMessageIsALimitAndNotAnotherVersion() {
+    MechSim patient =
+        session(
+            () -> {
+              throw new NO_MEMORY();
+            });
+    assertThatExceptionOfType(LimitExceededException.class)
+        .isThrownBy(() -> calls(session(() -> "id"), patient).get(s -> s.checkReport(true)))
+        .withMessageStartingWith("S-010 what the server at here:1 was sent or has to answer")
+        .withMessageContaining("33554432 bytes")
+        .satisfies(e -> assertThat(e.limit()).isEqualTo("messageBytes"));
   }
 
   @Test

@@ -12,6 +12,7 @@ import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Document;
 import org.mechservice.mechml.document.DocumentReader;
 import org.mechservice.mechml.document.Element;
+import org.mechservice.mechml.document.Limits;
 import org.mechservice.mechml.resolve.ModelResolver;
 import org.mechservice.solver.catalogue.MessageCode;
 
@@ -47,6 +48,12 @@ public record RobotImport(Document document, List<Diagnostic> losses, MechmlMode
           case SDF -> new SdfReader(diagnostics, losses).read(robot);
           case MJCF -> new MjcfReader(diagnostics, losses).read(robot);
         };
+    if (read.links().size() > Limits.BODIES) {
+      diagnostics.error(
+          MessageCode.MODEL_FILE_TOO_LARGE,
+          robot.position(),
+          Phrase.of("the robot has %d links; %d are allowed", read.links().size(), Limits.BODIES));
+    }
     diagnostics.throwIfErrors();
     RobotTree tree = RobotTree.of(read, diagnostics);
     diagnostics.throwIfErrors();

@@ -26,7 +26,7 @@ final class Ordeal {
 
   /**
    * Most that reading a file may allocate: files here are below 100 kB, entities may blow an
-   * attribute up to 100 000 characters, and each of its 200 000 elements at most costs a few
+   * attribute up to 100 000 characters, and each of its 600 000 elements at most costs a few
    * hundred bytes.
    */
   private static final long MOST_BYTES = 256L << 20;

@@ -268,7 +268,7 @@ public final class ScenePage {
   }
 
   /** Returns whether the time for the report did not allow the point. */
-  private static boolean leftOut(Point point) {
+  static boolean leftOut(Point point) {
     return point.first().cause().startsWith(Campaign.LEFT_OUT);
   }
 

@@ -37,6 +37,9 @@ final class ToleranceTable {
 
   private String cell(List<Point> points, double tolerance) {
     for (Point point : points) {
+      if (point.tolerance() == tolerance && ScenePage.leftOut(point)) {
+        return "<td class=\"none\">left out";
+      }
       if (point.tolerance() == tolerance && point.completed()) {
         boolean grey = point.error() <= found.floor();
         boolean flagged = ReliabilityWarnings.dishonest(point, found.floor());

@@ -17,8 +17,20 @@ import org.mechservice.solver.text.ShortestDecimal;
  * +- j1 (R): bar1, 1 kg
  *    +- j2 (R): bar2, 1 kg
  * </pre>
+ *
+ * <p>Bodies that are deeper than {@value #MOST_LEVELS} levels are drawn at that level and name the
+ * body they hang on, so that the drawing of a long chain grows with its length and not with its
+ * square:
+ *
+ * <pre>
+ *    +- j47 (R): bar47, 1 kg, on bar46
+ *    +- j48 (R): bar48, 1 kg, on bar47
+ * </pre>
  */
 public final class TreeDrawing {
+  /** Levels that are shown by indentation: as many as a line of a terminal has room for. */
+  static final int MOST_LEVELS = 20;
+
   /** A body still to be drawn. */
   private record Branch(int body, int depth) {}
 
@@ -59,7 +71,8 @@ public final class TreeDrawing {
     Joint joint = mechanism.joints().get(mechanism.jointOf(branch.body()));
     Body body = mechanism.bodies().get(branch.body());
     String mass = body.isMassless() ? "massless" : ShortestDecimal.format(body.mass()) + " kg";
-    return "   ".repeat(branch.depth() - 1)
+    boolean deep = branch.depth() > MOST_LEVELS;
+    return "   ".repeat((deep ? MOST_LEVELS : branch.depth()) - 1)
         + "+- "
         + joint.name()
         + " ("
@@ -67,6 +80,7 @@ public final class TreeDrawing {
         + "): "
         + body.name()
         + ", "
-        + mass;
+        + mass
+        + (deep ? ", on " + mechanism.bodies().get(joint.attachment().parent()).name() : "");
   }
 }

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.mechservice.sim.check.TreeDrawing;
+import org.mechservice.sim.model.Chains;
 import org.mechservice.sim.model.RandomMechmlTrees;
 import org.mechservice.sim.model.Scenes;
 import org.mechservice.solver.mechanism.Body;
@@ -40,6 +41,17 @@ class SceneAnalysisTest {
         .startsWith(
             "Ground", "+- j_pelvis (P): pelvis, 11 kg", "   +- j_lumb_y (R): lumb_y, massless")
         .contains("   +- j_rhip_y (R): rhip_y, massless");
+  }
+
+  /** Drawn three columns further for each, 2 000 links would take six million characters. */
+  @Test
+  void theDrawingOfAChainGrowsWithItsLength() {
+    List<String> lines = TreeDrawing.of(Chains.ofEqualLinks(2_000));
+    assertThat(lines).hasSize(2_001);
+    assertThat(lines.get(20)).startsWith(" ".repeat(57) + "+- j19 (R): b19, ");
+    assertThat(lines.get(21)).startsWith(" ".repeat(57) + "+- j20 (R): b20, ").endsWith(", on b19");
+    assertThat(lines.get(2_000)).endsWith(", on b1998");
+    assertThat(lines).allSatisfy(line -> assertThat(line).hasSizeLessThan(110));
   }
 
   @Test
