@@ -28,9 +28,9 @@ import org.mechservice.study.optimise.DesignVariable;
 import org.mechservice.study.optimise.Response;
 
 /**
- * The nonlinear regressions of NIST's statistical reference datasets (StRD, as published, with
- * their certified values): parameters to a thousandth of their standard deviations, these
- * deviations, and that of the residuals, from both starts.
+ * The nonlinear regressions of NIST's statistical reference datasets (StRD; the numbers, with their
+ * certified values): parameters to a thousandth of their standard deviations, these deviations, and
+ * that of the residuals, from both starts.
  *
  * <p>Variables have bounds here and the problems have none. The bounds hold both starts and the
  * certified value, with as much again to either side, and {@link #ROOM} deviations at least. Within
