@@ -189,10 +189,11 @@ public final class ModelReport {
     RunGrid uniform = RunGrid.uniform(settings.tStart(), settings.tEnd(), OUTPUT_INTERVALS);
     List<ReferenceMaker.Source> sources = sources(candidates);
     double seconds = effort.referenceSeconds();
+    double ofBudget = OF_REFERENCE * effort.budgetSeconds();
     ReferenceMaker maker =
         new ReferenceMaker(
             distance,
-            Math.min(seconds, OF_REFERENCE * effort.budgetSeconds()),
+            Math.min(seconds, ofBudget),
             Math.min(
                 LARGE_SOLUTIONS * Math.max(seconds, LARGE_SECONDS),
                 OF_LARGE_REFERENCE * budget.left()));
@@ -211,6 +212,13 @@ public final class ModelReport {
               .map(reference -> reference.saying(extent.why()));
       if (made.isPresent()) {
         file.write(made.get(), grid);
+      } else if (ofBudget < seconds) {
+        budget.saves(
+            "A code had "
+                + ReportBudget.inWords(ofBudget)
+                + " in place of "
+                + ReportBudget.inWords(seconds)
+                + " to make the reference. Without one nothing was measured.");
       }
     }
     return Judge.of(published, made, distance, grid);

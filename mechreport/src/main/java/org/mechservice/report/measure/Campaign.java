@@ -39,10 +39,10 @@ public final class Campaign {
   public static final String LEFT_OUT = "left out: ";
 
   /** Part of the report's remaining time for the first run of every point. */
-  private static final double FIRST_RUNS = 0.5;
+  private static final double FIRST_RUNS = 0.6;
 
   /** Part of that which the runs at the loosest tolerance may take, one of each method. */
-  private static final double OF_LOOSEST = 0.6;
+  private static final double OF_LOOSEST = 0.5;
 
   /** Part of the report's remaining time for timed runs, and at most half of it to warm up. */
   private static final double TIMED_RUNS = 0.7;

@@ -85,14 +85,16 @@ public final class LoopForces {
     }
     int count = (int) Math.min(all, seconds / (one * (runs + 1)));
     if (count < all) {
+      String computed =
+          count == 0
+              ? "not computed"
+              : String.format(Locale.ROOT, "computed for %d of %d times", count, all);
       budget.saves(
-          String.format(
-              Locale.ROOT,
-              "The forces that close the loops, and how far these are open, were looked at in %s of"
-                  + " %d times, since they take %s at one.",
-              count == 0 ? "none" : Integer.toString(count),
-              all,
-              ReportBudget.inWords(one)));
+          "How far loops are open, and the forces that close them, were "
+              + computed
+              + ", since one time takes "
+              + ReportBudget.inWords(one)
+              + ".");
     }
     if (count == 0) {
       return Optional.empty();

@@ -17,6 +17,9 @@ final class HowMeasured {
   /** Relative change of times that counts as warm; times scatter by a few per cent. */
   private static final double WARM = 0.05;
 
+  /** Points without which nothing is said of the warm-up. */
+  private static final int FEW_POINTS = 3;
+
   private final SceneFindings found;
 
   HowMeasured(SceneFindings found) {
@@ -97,8 +100,8 @@ final class HowMeasured {
   private List<String> warmth() {
     double[] drifts =
         found.points().stream().mapToDouble(Point::drift).filter(Double::isFinite).toArray();
-    if (drifts.length == 0) {
-      return List.of();
+    if (drifts.length < FEW_POINTS) {
+      return List.of(spread(found.points()));
     }
     double middle = Quantiles.median(drifts) - 1;
     return List.of(
