@@ -630,7 +630,6 @@ abstract class AdamsPece extends SteppingIntegrator {
         0,
         0,
         stiffness.suspectsStiffness(),
-        stiffness.timeConstants(),
         toleranceFactor,
         progress.limits());
   }
