@@ -410,18 +410,12 @@ abstract class AdamsPece extends SteppingIntegrator {
 
   /** Returns the component that has a pole inside the step that passed, −1 if none has. */
   private int componentWithPole() {
-    return settings.mode() == Mode.FAITHFUL
-        ? -1
-        : poles.component(
-            equations,
-            norm,
-            progress.time(),
-            triedTime,
-            history.state(),
-            history.corrected(),
-            history.difference(1),
-            history.foreseen(),
-            history.derivative);
+    if (settings.mode() == Mode.FAITHFUL) {
+      return -1;
+    }
+    poles.place(progress.time(), triedTime, history.state(), history.corrected());
+    return poles.component(
+        equations, norm, history.difference(1), history.foreseen(), history.derivative);
   }
 
   /** Returns the part of the step that passed up to a pulse inside of it; 1 if none is seen. */
