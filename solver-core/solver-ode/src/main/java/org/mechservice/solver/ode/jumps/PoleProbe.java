@@ -224,8 +224,7 @@ public final class PoleProbe {
             && (alike(there / here * power(order, distances), closeness(order))
                 || (anyOrder
                     && order != 1
-                    && alike(
-                        there / here * distances * step.y[l] / step.yEnd[l], CLOSELY_ALIKE)))
+                    && alike(there / here * distances * step.y[l] / step.yEnd[l], CLOSELY_ALIKE)))
         ? place
         : 0;
   }
