@@ -293,9 +293,7 @@ final class BackwardStep {
     progress.accepted(size, triedTime, k, error);
     jumps.accepted(error);
     solver.moveOn(hGamma(), differences);
-    if (watchesOscillations) {
-      control.follow(Math.abs(size) * equations.rateOfFastest(), equations.dampingOfFastest());
-    }
+    followOscillation();
     step.propose(control.accept(differences, norm));
     boolean jumpPassed = search.accepted(size, triedTime, error);
     if (error > 1 || jumpPassed) {
@@ -309,6 +307,14 @@ final class BackwardStep {
     equations.manifold().restoreUnitGroups(differences.state(), differences);
     if (equations.manifold().accepted(triedTime, differences.state())) {
       equations.derivatives().demandNew();
+    }
+  }
+
+  /** Tells the control how far the step goes on the fastest oscillation. */
+  private void followOscillation() {
+    if (watchesOscillations) {
+      double advance = Math.abs(step.size()) * equations.rateOfFastest();
+      control.follow(advance, equations.dampingOfFastest());
     }
   }
 
@@ -362,6 +368,7 @@ final class BackwardStep {
       step.reduce(again ? UNSOLVED_REDUCTION : 1, progress.time());
       return;
     }
+    followOscillation();
     double factor = inaccurate ? control.reject(differences, norm) : UNSOLVED_REDUCTION;
     step.reduce(factor, progress.time());
     if (inaccurate && jumps.derivativeJumped(step.size())) {
