@@ -5,8 +5,9 @@
     benchmarks/peers/loops.py --short    # a trial: nothing is written
     benchmarks/peers/loops.py --before FOLDER    # small scenes beside an older checkout, built
 
-Needs ./mech and benchmarks/target/benchmarks.jar built, and a network for the first run: Exudyn, MuJoCo and Pinocchio are taken from PyPI into
-benchmarks/target/peers.
+Needs ./mech and benchmarks/target/benchmarks.jar built, and a network for the first run: Exudyn,
+MuJoCo and Pinocchio are taken from PyPI into benchmarks/target/peers. The peers' part is in
+loop_peers.py.
 """
 import argparse
 import csv
@@ -393,7 +394,7 @@ def warm(column, tolerances, files, expected):
     for value in expected:
         points = []
         for tolerance in tolerances:
-            set_up, run, _, end = map(float, next(lines).split())
+            set_up, run, end = map(float, next(lines).split())
             points.append(Point(tolerance, set_up, run, abs(end - value)))
         print("warm", [(p.label, p.set_up, p.run, p.error) for p in points], file=sys.stderr,
               flush=True)
@@ -557,8 +558,9 @@ def main():
     lengths = [50] if given.short else [50, 100, 200, 400, 1000]
     rows = rows_of_points(
         python, "fourbars", {n: fourbars(n) for n in sizes}, [exact(n) for n in sizes],
-        ["1e-5", "1e-6"], [("exudyn", (100, 500, 1500), 2560), ("mujoco", (1000, 4000, 16000), 1280),
-                           ("pinocchio", (10, 20, 40), 320)])
+        ["1e-5", "1e-6"],
+        [("exudyn", (100, 500, 1500), 2560), ("mujoco", (1000, 4000, 16000), 1280),
+         ("pinocchio", (10, 20, 40), 320)])
     chain_rows = rows_of_points(
         python, "chain", {n: chain(n, True) for n in lengths},
         [exactly(f"exact-chain{n}", chain(n, True), "angle") for n in lengths], ["1e-4", "1e-6"],

@@ -9,7 +9,13 @@ import java.util.Locale;
 import org.mechservice.library.MechModel;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.report.measure.Quantiles;
+import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.ModelSource;
+import org.mechservice.solver.api.program.RowMemory;
 import org.mechservice.solver.api.program.Trajectory;
+import org.mechservice.solver.api.run.RunControl;
+import org.mechservice.solver.api.run.RunReport;
+import org.mechservice.solver.simulation.RuntimeSolver;
 
 /**
  * What mechanisms with loops cost in a process that has run them before, as in a study or an
@@ -27,9 +33,8 @@ public final class WarmLoops {
   private WarmLoops() {}
 
   /**
-   * Prints a line for each file and tolerance: s of the set-up from the file to a compiled model, s
-   * of a run that begins with closing the loops at the start, evaluations, and the value of a
-   * column at the end.
+   * Prints a line for each file and tolerance: s of the set-up from the file to an instance that
+   * can run, s of a run, and the value of a column at the end.
    *
    * @param args the column's name, relative tolerances with commas between, and MechML files;
    *     absolute tolerances are a hundredth
@@ -46,47 +51,51 @@ public final class WarmLoops {
   private static void measure(Path file, String column, double relative)
       throws IOException, MechmlException {
     MechModel model = read(file, relative);
-    Trajectory last = model.simulate();
-    for (double spent = 0; spent < WARM_UP; ) {
-      double begun = seconds();
-      last = model.simulate();
-      spent += seconds() - begun;
+    ModelSource source = model.instances();
+    RuntimeSolver solver = new RuntimeSolver();
+    List<Double> instances = new ArrayList<>();
+    List<Double> runs = new ArrayList<>();
+    double end = 0;
+    for (double first = seconds(), now = first;
+        now - first < WARM_UP + MEASURED || runs.size() < LEAST_RUNS; ) {
+      if (now - first < WARM_UP) {
+        instances.clear();
+        runs.clear();
+      }
+      Model instance = source.model();
+      double made = seconds();
+      RowMemory rows = new RowMemory();
+      RunReport report = solver.run(instance, model.request(), rows, new RunControl());
+      double ended = seconds();
+      double[] values = new Trajectory(rows, report).column(column);
+      end = values[values.length - 1];
+      instances.add(made - now);
+      runs.add(ended - made);
+      now = seconds();
     }
-    double[] run = times(model::simulate);
-    double[] values = last.column(column);
+    List<Double> readings = new ArrayList<>();
+    for (double first = seconds(), now = first;
+        now - first < MEASURED || readings.size() < LEAST_RUNS; ) {
+      read(file, relative).instances();
+      double then = seconds();
+      readings.add(then - now);
+      now = then;
+    }
     System.out.println(
         String.format(
             Locale.ROOT,
-            "%.6f %.6f %d %.17g",
-            Quantiles.median(times(() -> read(file, relative))),
-            Quantiles.median(run),
-            last.report().evaluations(),
-            values[values.length - 1]));
+            "%.6f %.6f %.17g",
+            median(readings) + median(instances),
+            median(runs),
+            end));
   }
 
-  /** Reads a model, and generates and compiles its code. */
   private static MechModel read(Path file, double relative) throws IOException, MechmlException {
-    MechModel model = MechModel.read(file).tolerances(relative, relative / 100);
-    model.instances();
-    return model;
+    return MechModel.read(file).tolerances(relative, relative / 100);
   }
 
-  /** What is timed. */
-  private interface Timed {
-    void call() throws IOException, MechmlException;
-  }
-
-  private static double[] times(Timed timed) throws IOException, MechmlException {
-    List<Double> times = new ArrayList<>();
-    double begun = seconds();
-    double now = begun;
-    while (now - begun < MEASURED || times.size() < LEAST_RUNS) {
-      timed.call();
-      double then = seconds();
-      times.add(then - now);
-      now = then;
-    }
-    return times.stream().mapToDouble(Double::doubleValue).toArray();
+  private static double median(List<Double> times) {
+    return Quantiles.median(times.stream().mapToDouble(Double::doubleValue).toArray());
   }
 
   private static double seconds() {
