@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.function.IntSupplier;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.mechservice.sim.equations.kinematics.ForceWays;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.closure.PenaltySettings;
 import org.mechservice.solver.closure.equations.LoopEquations;
@@ -202,6 +203,13 @@ public final class GenerationLimits {
       // much memory
       long factors = factors(mechanism);
       beyond.addAll(noFaster(choice.formulation(), factors, "its factors alone take " + factors));
+    }
+    ForceWays ways = ForceWays.of(mechanism);
+    if (ways.areTooMany()) {
+      beyond.add(
+          "forces between bodies far apart in the tree (their ways have "
+              + ways.steps()
+              + " joints), which data evaluate sooner");
     }
     add(
         beyond,
