@@ -6,7 +6,6 @@ import java.util.Optional;
 import java.util.function.IntSupplier;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
-import org.mechservice.sim.equations.kinematics.ForceWays;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.closure.PenaltySettings;
 import org.mechservice.solver.closure.equations.LoopEquations;

@@ -1,4 +1,4 @@
-package org.mechservice.sim.equations.kinematics;
+package org.mechservice.sim.scene;
 
 import java.util.HashSet;
 import java.util.List;
