@@ -319,7 +319,10 @@ final class MechSimServant implements MechSimOperations {
     LoadedModel source = parsed.model();
     SimulationRequest asked = parsed.request();
     byte[] jar = jars.ofModel(source, asked, info);
-    facts.value = facts("", ModelWarnings.ofSetUp(source, asked.formulation(), asked.settings()));
+    facts.value =
+        facts(
+            "",
+            ModelWarnings.ofSetUp(source, asked.formulation(), asked.closure(), asked.settings()));
     return jar;
   }
 
