@@ -373,12 +373,13 @@ public final class Campaign {
   /** In the same order as later the timed runs, so that the compiler sees the same. */
   private void warmUp(List<Candidate> candidates) {
     List<Due> due = due(candidates).stream().filter(point -> point.repeats() > 0).toList();
-    double round = runner.load() * due.stream().mapToDouble(Due::seconds).sum();
-    if (2 * round > TIMED_RUNS / 2 * budget.left()) {
+    double processor = due.stream().mapToDouble(Due::seconds).sum();
+    double aside = firstRuns == 0 ? 0 : asideSeconds / firstRuns;
+    double round = runner.load() * processor + due.size() * aside;
+    double rounds = Math.max(2, 2 * effort.warmSeconds() / Math.max(processor, 1e-3));
+    if (rounds * round > TIMED_RUNS / 2 * budget.left()) {
       budget.saves(
-          "Rounds to warm up were left out: one takes about "
-              + ReportBudget.inWords(round)
-              + ", most of it in runs long enough to be warm.");
+          "Rounds to warm up were left out: one takes about " + ReportBudget.inWords(round) + ".");
       return;
     }
     if (!due.isEmpty() && effort.warmSeconds() > 0 && toDo(due) > 0) {
