@@ -338,8 +338,16 @@ public final class ArticulatedIteration extends StepReduction implements StepDer
     return Double.isFinite(sum);
   }
 
+  /**
+   * {@inheritDoc}
+   *
+   * @throws IllegalStateException if there are rows of loops, see {@link #factorWithRows}
+   */
   @Override
   public boolean factor(double step) {
+    if (rows.count() > 0) {
+      throw new IllegalStateException("A is factored with the rows of the loops");
+    }
     form(step);
     isOneSystem = far.count() > 0 || !ofMatrix.eliminate(column, force, direct);
     if (!isOneSystem) {
