@@ -42,12 +42,12 @@ import org.mechservice.report.solution.RunGrid;
 import org.mechservice.report.solution.StateDistance;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.api.run.Stiffness;
 import org.mechservice.solver.catalogue.MethodNames;
 
 /** Error against run time of one model: measures it and writes its page. */
 public final class ModelReport {
   private static final int OUTPUT_INTERVALS = 50;
-  private static final int SPECTRUM_SAMPLES = 11;
 
   /** Parts of the time for the report: one solution of the reference, of a large mechanism too. */
   private static final double OF_REFERENCE = 0.15;
@@ -223,15 +223,15 @@ public final class ModelReport {
     Reference reference = judge.reference().get();
     ModelProblem problem = new ModelProblem(model);
     double one = Spectrum.forecast(reference, problem);
-    int samples = (int) Math.min(SPECTRUM_SAMPLES, OF_SPECTRUM * budget.left() / one);
-    if (samples < SPECTRUM_SAMPLES) {
+    int samples = (int) Math.min(Stiffness.USUAL_TIMES, OF_SPECTRUM * budget.left() / one);
+    if (samples < Stiffness.USUAL_TIMES) {
       budget.saves(
           String.format(
               Locale.ROOT,
               "Eigenvalues were computed at %s times in place of %d, since they take about %s at"
                   + " one time.",
               samples == 0 ? "no" : Integer.toString(samples),
-              SPECTRUM_SAMPLES,
+              Stiffness.USUAL_TIMES,
               ReportBudget.inWords(one)));
     }
     return Optional.of(Spectrum.along(reference, problem, samples))

@@ -44,7 +44,7 @@ final class ResultOptions {
           "wallTime",
           "energyDrift");
 
-  private static final String NOTES = "notes";
+  private static final Set<String> NEVER_LEFT_OUT = Set.of("stiffness", "notes");
 
   @Option(
       names = "--out",
@@ -146,7 +146,7 @@ final class ResultOptions {
 
   /**
    * Returns the lines of a report that matter most, in its order: {@link #FIRST}, then others; and
-   * the notes on the run, of which none may be missed.
+   * the verdict on stiffness and the notes on the run, of which none may be missed.
    */
   static Map<String, Object> brief(Map<String, Object> report) {
     Set<String> told =
@@ -156,7 +156,7 @@ final class ResultOptions {
             .limit(LINES)
             .collect(Collectors.toSet());
     Map<String, Object> brief = new LinkedHashMap<>(report);
-    brief.keySet().removeIf(key -> !told.contains(key) && !key.equals(NOTES));
+    brief.keySet().removeIf(key -> !told.contains(key) && !NEVER_LEFT_OUT.contains(key));
     return brief;
   }
 

@@ -10,7 +10,7 @@ import org.apache.commons.math3.linear.EigenDecomposition;
 import org.mechservice.report.method.ModelProblem;
 import org.mechservice.report.solution.Reference;
 import org.mechservice.solver.api.JointVariables;
-import org.mechservice.solver.api.run.RunReport;
+import org.mechservice.solver.api.run.Stiffness;
 
 /**
  * Eigenvalues of the linearised equations along a run: ∂f/∂y by central differences in the
@@ -60,7 +60,7 @@ public record Spectrum(List<Sample> samples, double interval) {
 
     /** Returns the damping ratio: 1 decays without swinging, 0 swings for ever, −1 grows. */
     public double damping() {
-      return modulus() == 0 ? 0 : -real / modulus();
+      return modulus() == 0 ? 0 : (0 - real) / modulus();
     }
   }
 
@@ -222,11 +222,28 @@ public record Spectrum(List<Sample> samples, double interval) {
     return names;
   }
 
-  /** Returns the fastest mode met. */
+  /** Returns the fastest mode met of those that decide on the verdict. */
   public Optional<Mode> fastest() {
+    boolean damped = verdict() == Stiffness.Verdict.STIFF;
+    boolean any = verdict() == Stiffness.Verdict.NOT_STIFF;
     return samples.stream()
-        .flatMap(sample -> sample.modes().stream().limit(1))
+        .flatMap(sample -> deciding(sample.modes()).stream())
+        .filter(mode -> any || Stiffness.isDamped(mode.real(), mode.imaginary()) == damped)
         .max((a, b) -> Double.compare(a.modulus(), b.modulus()));
+  }
+
+  private static Optional<Mode> deciding(List<Mode> modes) {
+    return modes.isEmpty()
+        ? Optional.empty()
+        : Optional.of(modes.get(Stiffness.deciding(reals(modes), imaginaries(modes))));
+  }
+
+  private static double[] reals(List<Mode> modes) {
+    return modes.stream().mapToDouble(Mode::real).toArray();
+  }
+
+  private static double[] imaginaries(List<Mode> modes) {
+    return modes.stream().mapToDouble(Mode::imaginary).toArray();
   }
 
   /** Returns the fastest decay met, 1/s; 0 if nothing decays. */
@@ -255,31 +272,17 @@ public record Spectrum(List<Sample> samples, double interval) {
         .orElse(1 / interval);
   }
 
-  /** Meaning of the spectrum for the choice of an integrator. */
-  public enum Verdict {
-    /** Nothing decays or swings much faster than the run's own scale. */
-    NOT_STIFF,
-    /** Fast decay without much swinging: stability limits explicit methods. */
-    STIFF,
-    /** Fast oscillation with little damping: an integrator must resolve it once it is excited. */
-    OSCILLATORY
+  /** Returns the measure of stiffness, with which the report of a run is judged, too. */
+  public Stiffness stiffness() {
+    Stiffness stiffness = new Stiffness();
+    for (Sample sample : samples) {
+      stiffness.add(reals(sample.modes()), imaginaries(sample.modes()));
+    }
+    return stiffness;
   }
 
-  /** Periods within the interval from which fast swinging is called so. */
-  private static final double MANY_RADIANS = 300;
-
-  private static final double WELL_DAMPED = 0.3;
-
-  /** Returns the verdict on the fastest mode. */
-  public Verdict verdict() {
-    Optional<Mode> fastest = fastest();
-    if (fastest.isEmpty()) {
-      return Verdict.NOT_STIFF;
-    }
-    double size = fastest.get().modulus() * interval;
-    if (fastest.get().damping() >= WELL_DAMPED) {
-      return size > RunReport.MANY_TIME_CONSTANTS ? Verdict.STIFF : Verdict.NOT_STIFF;
-    }
-    return size > MANY_RADIANS ? Verdict.OSCILLATORY : Verdict.NOT_STIFF;
+  /** Returns the verdict on the interval. */
+  public Stiffness.Verdict verdict() {
+    return stiffness().verdict(interval);
   }
 }

@@ -5,11 +5,15 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 import org.mechservice.report.measure.EqualError;
 import org.mechservice.report.measure.Point;
 import org.mechservice.report.measure.SceneFindings;
 import org.mechservice.report.measure.Spectrum;
 import org.mechservice.report.method.SimulationMethod;
+import org.mechservice.solver.api.run.Stiffness;
+import org.mechservice.solver.catalogue.IntegrationMethod;
 
 /** The recommendation in words, with its numbers. */
 final class Advice {
@@ -114,16 +118,21 @@ final class Advice {
     }
     Spectrum spectrum = found.spectrum().orElseThrow();
     Spectrum.Mode mode = fastest.get();
-    double size = mode.modulus() * spectrum.interval();
+    double timeConstants = spectrum.stiffness().timeConstants(spectrum.interval());
+    double radians = spectrum.stiffness().radians(spectrum.interval());
+    double size = Math.max(timeConstants, radians);
+    if (spectrum.verdict() == Stiffness.Verdict.STIFF && fewestExplicit() < timeConstants) {
+      return Optional.of(passing(mode, timeConstants));
+    }
     String where = " It sits at joint <b>" + Html.escape(mode.joint()) + "</b>.";
     return Optional.of(
         switch (spectrum.verdict()) {
           case NOT_STIFF ->
               "<b>Not stiff.</b> The fastest motion of the linearised equations has modulus "
                   + Html.number(mode.modulus())
-                  + " 1/s, "
+                  + " 1/s; "
                   + Html.digits(size)
-                  + " times the inverse of the interval; explicit methods "
+                  + " time constants of it pass within the interval. Explicit methods "
                   + (size > FEW_STEPS
                       ? "take about as many steps for it, which are few: a run may note that"
                           + " stability limits them."
@@ -134,25 +143,63 @@ final class Advice {
                   + " 1/s (damping ratio "
                   + Html.digits(mode.damping())
                   + "): "
-                  + Html.number(size)
-                  + " time constants fit into the run, and an explicit method needs about as many"
+                  + Html.number(timeConstants)
+                  + " time constants pass within the run, and an explicit method needs about as many"
                   + " steps whatever error is asked for. Ratio to the slowest motion: "
                   + Html.number(mode.modulus() / spectrum.slowest())
                   + "."
                   + where
                   + explicitAgainstImplicit();
           case OSCILLATORY ->
-              "<b>Fast oscillation, little damping.</b> The fastest motion swings with "
-                  + Html.number(mode.imaginary())
-                  + " rad/s (damping ratio "
+              "<b>Fast oscillation, little damping.</b> The fastest motion "
+                  + (mode.imaginary() > 0 ? "swings with " : "moves away with ")
+                  + Html.number(mode.modulus())
+                  + (mode.imaginary() > 0 ? " rad/s" : " 1/s")
+                  + " (damping ratio "
                   + Html.number(mode.damping())
                   + "): "
-                  + Html.number(mode.imaginary() * spectrum.interval() / (2 * Math.PI))
-                  + " periods fit into the run. Where it is excited every method has to follow it;"
+                  + Html.number(radians / (2 * Math.PI))
+                  + " periods pass within the run. Where it is excited every method has to follow it;"
                   + " the higher order of explicit ones is then the advantage."
                   + where
                   + explicitAgainstImplicit();
         });
+  }
+
+  /**
+   * Returns the paragraph on a fast decay that holds at times that were looked at and hardly
+   * between them, as that of friction where a body starts to slide.
+   */
+  private String passing(Spectrum.Mode mode, double timeConstants) {
+    return "<b>Not stiff.</b> At some times looked at the fastest motion decays with "
+        + Html.number(-mode.real())
+        + " 1/s at joint <b>"
+        + Html.escape(mode.joint())
+        + "</b>. It does not last: an explicit method took "
+        + fewestExplicit()
+        + " evaluations, where "
+        + Html.number(timeConstants)
+        + " time constants would ask for more.";
+  }
+
+  /** Returns the fewest evaluations of a run with an Adams method that came to the end. */
+  private long fewestExplicit() {
+    Set<String> adams =
+        found.methods().stream()
+            .filter(method -> isAdams(method.integrator()))
+            .map(SimulationMethod::name)
+            .collect(Collectors.toSet());
+    return found.points().stream()
+        .filter(point -> point.completed() && adams.contains(point.first().method()))
+        .mapToLong(point -> point.first().evaluations())
+        .min()
+        .orElse(Long.MAX_VALUE);
+  }
+
+  private static boolean isAdams(String integrator) {
+    return IntegrationMethod.find(integrator)
+        .filter(method -> method.family() == IntegrationMethod.Family.ADAMS)
+        .isPresent();
   }
 
   private String explicitAgainstImplicit() {

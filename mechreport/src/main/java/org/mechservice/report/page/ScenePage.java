@@ -17,6 +17,7 @@ import org.mechservice.report.measure.Spectrum;
 import org.mechservice.report.method.OmittedMethod;
 import org.mechservice.report.method.SimulationMethod;
 import org.mechservice.report.solution.Reference;
+import org.mechservice.solver.api.run.Stiffness;
 import org.mechservice.solver.catalogue.MethodNames;
 
 /** The page of one scene, without parts that do not apply to the scene. */
@@ -311,7 +312,7 @@ public final class ScenePage {
   private void spectrum() {
     Optional<Spectrum> spectrum = found.spectrum();
     boolean matters =
-        spectrum.isPresent() && spectrum.get().verdict() != Spectrum.Verdict.NOT_STIFF;
+        spectrum.isPresent() && spectrum.get().verdict() != Stiffness.Verdict.NOT_STIFF;
     if (matters) {
       add(SpectrumTable.of(spectrum.get()));
     }

@@ -137,6 +137,7 @@ public final class WorkerMain implements ResultSink {
         out.writeDouble(stepSize);
         out.writeInt(order);
         out.writeLong(steps);
+        out.writeBoolean(stiff());
         out.flush();
       } catch (IOException e) {
         stop(); // the host has closed the pipe

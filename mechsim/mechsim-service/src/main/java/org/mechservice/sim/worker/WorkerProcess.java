@@ -310,6 +310,7 @@ public final class WorkerProcess {
       double stepSize = hear(in::readDouble);
       int order = hear(in::readInt);
       long steps = hear(in::readLong);
+      control.setStiff(hear(in::readBoolean));
       byte answer;
       if (mayBeSaved && isDue(time, stepSize, order, steps)) {
         answer = WorkerMain.SAVE;

@@ -55,6 +55,11 @@ public enum IntegrationMethod {
     return family;
   }
 
+  /** Returns whether the limit of its stability may keep its steps short. */
+  public boolean stabilityHasLimit() {
+    return family != Family.BACKWARD;
+  }
+
   /** Returns whether it integrates residual systems F(t, y, y') = 0; otherwise explicit ones. */
   public boolean takesResidual() {
     return residual;

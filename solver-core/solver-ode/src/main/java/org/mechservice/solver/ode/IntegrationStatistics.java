@@ -15,8 +15,6 @@ import java.util.List;
  * @param solutions systems of linear equations solved
  * @param stiffnessSuspected whether the steps look as if stability, not accuracy, limited them: an
  *     implicit method might take far fewer
- * @param timeConstants of the fastest damped motion that passed while stability limited the steps:
- *     the sum of h L over these steps; 0 for methods whose stability has no limit
  * @param toleranceFactor what the tolerances asked for were multiplied by in every error test
  * @param limits components that made steps be rejected, most often first
  */
@@ -28,7 +26,6 @@ public record IntegrationStatistics(
     long factorisations,
     long solutions,
     boolean stiffnessSuspected,
-    double timeConstants,
     double toleranceFactor,
     List<Limit> limits) {
 

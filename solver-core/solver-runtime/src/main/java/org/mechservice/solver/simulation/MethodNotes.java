@@ -31,12 +31,9 @@ final class MethodNotes {
   private static String text(MethodChange change) {
     float size = (float) Math.abs(change.stepSize());
     return change.stiff()
-        ? "The method changes from ode113 to ode15s: the motion has become stiff; stability, not"
-            + " accuracy, limited the step to "
+        ? "The method changes from ode113 to ode15s: stability, not accuracy, limited the step to "
             + size
             + " s."
-        : "The method changes from ode15s to ode113: the motion is no longer stiff; at a step of "
-            + size
-            + " s it costs less.";
+        : "The method changes from ode15s to ode113: at a step of " + size + " s it costs less.";
   }
 }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.BooleanSupplier;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.capability.Defects;
 import org.mechservice.solver.api.capability.ExplicitModel;
@@ -42,14 +43,20 @@ final class RunFailures {
   private final RunSettings settings;
   private final OptionalDouble maxDrift;
   private final ModelDescription description;
+  private final BooleanSupplier stiff;
 
+  /**
+   * @param stiff whether the run so far is stiff
+   */
   RunFailures(
       ModelEquations equations,
       RunEvents events,
       Integrator integrator,
       RowWriter rows,
       Optional<MomentumBalance> momentum,
-      RunRequest request) {
+      RunRequest request,
+      BooleanSupplier stiff) {
+    this.stiff = stiff;
     this.equations = equations;
     this.events = events;
     this.integrator = integrator;
@@ -172,7 +179,7 @@ final class RunFailures {
         maxDrift.orElseThrow(),
         settings,
         limits(done).stream().findFirst().map(RunReport.Limit::state),
-        done.stiffnessSuspected());
+        stiff.getAsBoolean());
   }
 
   /** Ends a strict run at a warning. */

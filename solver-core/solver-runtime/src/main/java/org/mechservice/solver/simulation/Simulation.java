@@ -22,6 +22,7 @@ import org.mechservice.solver.api.run.RunReport;
 import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.api.run.StepwiseRun;
+import org.mechservice.solver.catalogue.IntegrationMethod;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.IntegrationStatistics;
 import org.mechservice.solver.ode.Integrator;
@@ -145,6 +146,10 @@ public final class Simulation implements Solver {
     private final RunNoteCollector notes;
     private final RunFailures failures;
     private final Optional<MomentumBalance> momentum;
+
+    /** Of integrators whose stability has a limit. */
+    private final Optional<StiffnessSamples> stiffness;
+
     private final double[] y;
     private final double[] yDot;
 
@@ -180,7 +185,13 @@ public final class Simulation implements Solver {
           new WorkMeter(
               equations, integrator, model, rows.measuresWork(), momentum, settings.tStart());
       notes = new RunNoteCollector(model, rows, events, integrator, momentum, request.silenced());
-      failures = new RunFailures(equations, events, integrator, rows, momentum, request);
+      failures =
+          new RunFailures(
+              equations, events, integrator, rows, momentum, request, () -> isStiff(false));
+      stiffness =
+          IntegrationMethod.find(settings.integrator())
+              .filter(IntegrationMethod::stabilityHasLimit)
+              .map(method -> new StiffnessSamples(model, equations.dimension(), settings));
       y = new double[equations.dimension()];
       yDot = new double[equations.dimension()];
       timeReached = settings.tStart();
@@ -256,6 +267,7 @@ public final class Simulation implements Solver {
         return Optional.of(failures.ofRow(first, badColumn));
       }
       nextRow++;
+      stiffness.ifPresent(samples -> samples.begin(y));
       control.giveStates(Optional.of(this::copyState));
       if (!control.proceed(settings.tStart(), 0, 0, 0)) {
         return Optional.of(new Outcome.Stopped());
@@ -280,6 +292,7 @@ public final class Simulation implements Solver {
       work.transfer(state);
       notes.transfer(state);
       momentum.ifPresent(balance -> ModelEquations.transfer(balance, state));
+      stiffness.ifPresent(samples -> samples.transfer(state));
       if (state.restoring()) {
         equations.resume(integrator, state.bytes(new byte[0]));
       } else {
@@ -305,6 +318,9 @@ public final class Simulation implements Solver {
         return Optional.of(new Outcome.Stopped());
       }
       steps++;
+      if (stiffness.isPresent() && stiffness.get().stepped(integrator, steps, yDot)) {
+        control.setStiff(isStiff(false));
+      }
       int badColumn = writeRowsOfStep();
       if (badColumn != RowWriter.ALL_FINITE) {
         return Optional.of(failures.ofRow(dueRow(), badColumn));
@@ -451,6 +467,10 @@ public final class Simulation implements Solver {
       return failures.ofIntegrator(y, yDot);
     }
 
+    private boolean isStiff(boolean completed) {
+      return stiffness.isPresent() && stiffness.get().areStiff(integrator, completed);
+    }
+
     RunReport report(Outcome outcome) {
       IntegrationStatistics done = integrator.statistics();
       EnergyMonitor energy = rows.energyMonitor();
@@ -467,7 +487,7 @@ public final class Simulation implements Solver {
           (System.nanoTime() - startedAt) * 1e-9,
           energy.drift(),
           energy.scale(),
-          done.stiffnessSuspected() && done.timeConstants() > RunReport.MANY_TIME_CONSTANTS,
+          isStiff(outcome instanceof Outcome.Completed),
           done.jacobians(),
           done.factorisations(),
           failures.limits(done),

@@ -18,8 +18,8 @@ public final class RunForecast {
         && run.tEnd() == other.tEnd()
         && run.maxStep() == other.maxStep()
         && run.relativeTolerance() == other.relativeTolerance()
-        && StiffnessForecast.isSame(run.integrator(), other.integrator())
-        && DenseForecast.isSame(run.integrator(), other.integrator());
+        && run.absoluteTolerance() == other.absoluteTolerance()
+        && run.integrator().equals(other.integrator());
   }
 
   /**

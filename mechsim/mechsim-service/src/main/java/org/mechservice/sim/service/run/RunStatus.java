@@ -168,6 +168,9 @@ final class RunStatus {
     entries.put("rows", output.spool().rows());
     entries.put("simulatedTime", timeReached() - settings.tStart());
     entries.put("wallTime", lifecycle.wallSeconds());
+    if (control.stiff()) {
+      entries.put("stiffness", "suspected");
+    }
     return entries;
   }
 

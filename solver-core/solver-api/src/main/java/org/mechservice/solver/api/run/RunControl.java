@@ -27,6 +27,7 @@ public class RunControl {
   private volatile double stepSize;
   private volatile int order;
   private volatile long steps;
+  private volatile boolean stiff;
 
   private boolean held;
   // The solver reads this at every step without the lock: stop() must not wait for a solver thread
@@ -171,6 +172,20 @@ public class RunControl {
   /** Returns the order of the last accepted step. */
   public int order() {
     return order;
+  }
+
+  /** Returns whether the run so far is called stiff. */
+  public final boolean stiff() {
+    return stiff;
+  }
+
+  /**
+   * For the solver: records whether the run so far is called stiff, as its report would.
+   *
+   * @param stiff by {@link Stiffness}
+   */
+  public final void setStiff(boolean stiff) {
+    this.stiff = stiff;
   }
 
   /** Returns the number of accepted steps. */

@@ -23,8 +23,8 @@ import org.mechservice.solver.catalogue.Accuracy;
  *     constant or not known
  * @param energyScale the largest of kinetic energy, change of potential energy, and the mean of
  *     added and removed energy, J; the reference of the drift
- * @param stiffnessSuspected whether stability, not accuracy, kept many successive steps small,
- *     while more than {@link #MANY_TIME_CONSTANTS} passed: the measure of {@code mech report} too
+ * @param stiffnessSuspected whether stability, not accuracy, kept many successive steps small, and
+ *     {@link Stiffness} calls the motion stiff
  * @param jacobians Jacobians formed; 0, like the next, for explicit integrators
  * @param factorisations matrices factored
  * @param limits states that caused rejected steps, most frequent first
@@ -50,12 +50,6 @@ public record RunReport(
     List<Limit> limits,
     List<RunNotes.Note> notes,
     String solverVersion) {
-
-  /**
-   * Time constants of fast decay from which a run is called stiff: an explicit method needs about
-   * as many steps whatever error is asked for.
-   */
-  public static final double MANY_TIME_CONSTANTS = 500;
 
   /** Largest number of states named in the report. */
   private static final int MOST_LIMITS = 5;

@@ -157,6 +157,11 @@ final class AdamsHistory implements Manifold.History {
     return extrapolated[1];
   }
 
+  /** Returns φ*_i of a component, i up to the order of the step being tried. */
+  double extrapolatedDifference(int i, int component) {
+    return extrapolated[i][component] - extrapolated[i + 1][component];
+  }
+
   /** Returns ‖φ^p_i + d‖, the discrepancy as a formula of order i − 1 would have had it. */
   double discrepancyNorm(ErrorNorm norm, int i) {
     return norm.ofSum(extrapolated[i], discrepancy);

@@ -50,6 +50,7 @@ abstract class AdamsPece extends SteppingIntegrator {
   private Manifold manifold = new Manifold(equations.system());
   private PoleProbe poles = new PoleProbe(0);
   private PulseProbe pulses = new PulseProbe(0);
+  private UnforeseenJump unforeseen = new UnforeseenJump(0);
   private AdamsHistory history = new AdamsHistory(0, false);
 
   /** End of the problem. */
@@ -109,6 +110,7 @@ abstract class AdamsPece extends SteppingIntegrator {
     history = new AdamsHistory(y0.length, compensates(roundOff(y0)));
     poles = new PoleProbe(y0.length);
     pulses = new PulseProbe(y0.length);
+    unforeseen = new UnforeseenJump(y0.length);
     stiffness.clear();
     return beginAt(t0, y0, settings.initialStep());
   }
@@ -367,16 +369,20 @@ abstract class AdamsPece extends SteppingIntegrator {
         : TrialOutcome.NOT_FINITE;
   }
 
-  /** Returns whether a step that passes, after one that failed, has a jump inside. */
+  /** Returns whether a step that passes has a jump inside. */
   private boolean crossesUnseen(int k) {
+    double discrepancy = control.discrepancy();
     if (settings.mode() == Mode.FAITHFUL
         || manifold.completes()
-        || !jumps.suspects(h, k, control.error(), control.discrepancy())) {
+        || !jumps.wouldMatter(h, discrepancy)) {
       return false;
     }
     int component = norm.largest(history.discrepancy);
-    return new JumpProbe(equations.system(), progress.time(), history.state())
-        .foundOnTheWay(h, history.predicted, component);
+    boolean suspected =
+        jumps.suspects(h, k, control.error())
+            || unforeseen.suspected(history, k, progress.order(), component, jumps.anyKnown());
+    return suspected
+        && unforeseen.found(equations, history, progress.time(), h, k, coefficients.psi, component);
   }
 
   /** Predict, complete, evaluate. */
@@ -586,6 +592,7 @@ abstract class AdamsPece extends SteppingIntegrator {
       history = new AdamsHistory(n, compensated);
       poles = new PoleProbe(n);
       pulses = new PulseProbe(n);
+      unforeseen = new UnforeseenJump(n);
     }
     equations.transfer(state);
     if (state.restoring()) {
@@ -623,7 +630,6 @@ abstract class AdamsPece extends SteppingIntegrator {
         0,
         0,
         stiffness.suspectsStiffness(),
-        stiffness.timeConstants(),
         toleranceFactor,
         progress.limits());
   }

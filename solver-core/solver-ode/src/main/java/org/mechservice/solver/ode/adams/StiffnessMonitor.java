@@ -75,13 +75,9 @@ public final class StiffnessMonitor {
 
   private int stepsOffEdge;
 
-  /** Sum of h L over the steps that stability along a damped direction limited. */
-  private double timeConstants;
-
   void clear() {
     beginAgain();
     verdict = false;
-    timeConstants = 0;
   }
 
   /** Takes note that the history was forgotten: order and step start low anew. */
@@ -161,7 +157,6 @@ public final class StiffnessMonitor {
   private void lookAtLimit(double hL, double cosine) {
     boolean damped = hL >= LIMIT_DAMPED && cosine <= DAMPED;
     boolean atLimit = hL >= LIMIT || damped;
-    timeConstants += damped ? hL : 0;
     int entering = atLimit ? 1 : 0;
     int leavingLatest = (slot + WINDOW - LATEST) % WINDOW;
     latestLimitedSteps += entering - (limited[leavingLatest] ? 1 : 0);
@@ -217,11 +212,6 @@ public final class StiffnessMonitor {
     return verdict;
   }
 
-  /** Returns the time constants of damped motions that passed while stability limited the steps. */
-  double timeConstants() {
-    return timeConstants;
-  }
-
   /** Carries the state between two steps over. */
   void transfer(SavedState state) {
     for (int i = 0; i < WINDOW; i++) {
@@ -235,7 +225,6 @@ public final class StiffnessMonitor {
     largestError = state.number(largestError);
     suspected = state.flag(suspected);
     verdict = state.flag(verdict);
-    timeConstants = state.number(timeConstants);
     stepsAtEdge = state.integer(stepsAtEdge);
     stepsOffEdge = state.integer(stepsOffEdge);
     sizeAtEdge = state.number(sizeAtEdge);

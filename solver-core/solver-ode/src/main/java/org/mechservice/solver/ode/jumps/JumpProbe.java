@@ -16,15 +16,6 @@ public final class JumpProbe {
   /** Change of a derivative, as a part of it, that is no smooth one's within so short a way. */
   private static final double MUCH = 0.1;
 
-  /** Halvings after which a change that is kept is a jump's. */
-  private static final int FEW_HALVINGS = 6;
-
-  /**
-   * A jump keeps this part of its change after all halvings; a smooth change keeps less of it after
-   * two.
-   */
-  private static final double KEPT = 0.6;
-
   private final OdeSystem system;
   private final double t;
   private final double[] here;
@@ -71,44 +62,6 @@ public final class JumpProbe {
    */
   public boolean found(double step) {
     return lookAhead(step) != Finding.STEEP;
-  }
-
-  /**
-   * Returns whether a component of the right-hand side jumps on the straight way to a point: by
-   * halving, most of its change stays in one of the halves.
-   *
-   * @param there the state at {@code t + h}; not modified
-   * @param component of the right-hand side
-   */
-  public boolean foundOnTheWay(double h, double[] there, int component) {
-    double whole = onTheWay(1, h, there, component) - slope[component];
-    double from = 0;
-    double to = 1;
-    double before = slope[component];
-    double behind = slope[component] + whole;
-    for (int i = 1; i <= FEW_HALVINGS; i++) {
-      double middle = 0.5 * (from + to);
-      double value = onTheWay(middle, h, there, component);
-      if (Math.abs(value - before) < Math.abs(value - behind)) {
-        from = middle;
-        before = value;
-      } else {
-        to = middle;
-        behind = value;
-      }
-      if (i > 1 && !(Math.abs(behind - before) >= KEPT * Math.abs(whole))) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  private double onTheWay(double part, double h, double[] there, int component) {
-    for (int l = 0; l < here.length; l++) {
-      between[l] = here[l] + part * (there[l] - here[l]);
-    }
-    system.derivative(t + part * h, between, slopeBetween);
-    return slopeBetween[component];
   }
 
   private enum Finding {

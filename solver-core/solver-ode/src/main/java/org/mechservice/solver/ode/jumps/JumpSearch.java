@@ -202,21 +202,29 @@ public final class JumpSearch {
   }
 
   /**
+   * Returns whether a jump inside a step that passes would make an error that none may make, and is
+   * not searched for yet.
+   *
+   * @param h its size
+   * @param discrepancy norm of the difference of the right-hand side from its extrapolation
+   */
+  public boolean wouldMatter(double h, double discrepancy) {
+    return !active && errorAcross(h, discrepancy) > MOST_ACROSS;
+  }
+
+  /**
    * Returns whether a step that passes, after one that failed, may have crossed a jump unseen: at
    * loose tolerances a jump misses the error test by little, and soon passes it. Its error then
-   * falls as the step does, and would be too large for a step across.
+   * falls as the step does.
    *
    * @param h its size
    * @param k its order
    * @param error over the tolerance
-   * @param discrepancy norm of the difference of the right-hand side from its extrapolation
    */
-  public boolean suspects(double h, int k, double error, double discrepancy) {
+  public boolean suspects(double h, int k, double error) {
     return missedError > 0
-        && !active
         && k == missedOrder
-        && error >= AS_THE_STEP * missedError * Math.abs(h) / missedSize
-        && errorAcross(h, discrepancy) > MOST_ACROSS;
+        && error >= AS_THE_STEP * missedError * Math.abs(h) / missedSize;
   }
 
   /**
@@ -308,6 +316,11 @@ public final class JumpSearch {
       shortest = shortest == 0 ? distance : Math.min(shortest, distance);
       shortest = Math.max(shortest, longest / SCATTER);
     }
+  }
+
+  /** Returns whether a jump was crossed. */
+  public boolean anyKnown() {
+    return !Double.isNaN(crossed);
   }
 
   /** Returns the shortest distance known between jumps, 0 before there is one. */

@@ -13,6 +13,9 @@ public final class JacobianMatrix {
   /** The second half of these powers of a matrix tell how it grows. */
   private static final int POWERS = 16;
 
+  /** The last powers that are compared with the one before are this many and one more. */
+  private static final int COMPARED = 3;
+
   /** What is left after {@link #POWERS} of an eigenvalue of 0.8 times the largest one. */
   private static final double SAME_LINE = 0.05;
 
@@ -223,25 +226,23 @@ public final class JacobianMatrix {
     for (int i = 1; i <= POWERS; i++) {
       Arrays.fill(product, 0);
       addProduct(power, product);
-      double size = 0;
-      for (double element : product) {
-        size = Math.max(size, Math.abs(element));
-      }
+      double size = largest(product);
       if (size == 0) {
         return 0;
       }
-      if (i == POWERS - 3) {
+      for (int l = 0; l < power.length; l++) {
+        product[l] /= size;
+      }
+      if (i == POWERS - COMPARED) {
         offTurned = 0;
         offKept = 0;
       }
-      for (int l = 0; l < power.length; l++) {
-        double next = product[l] / size;
-        offTurned = Math.max(offTurned, Math.abs(next + power[l]));
-        offKept = Math.max(offKept, Math.abs(next - power[l]));
-        power[l] = next;
+      if (i >= POWERS - COMPARED) {
+        compareLastPowers();
       }
-      double logSize = StrictMath.log(size);
-      growth += i > POWERS / 2 ? logSize : 0;
+      System.arraycopy(product, 0, power, 0, power.length);
+      double logSize = i > POWERS / 2 ? StrictMath.log(size) : 0;
+      growth += logSize;
       int turn = i - 1 - (POWERS - TURNS);
       followed = turn == 0 ? largestOfPower() : followed;
       if (turn >= 0) {
@@ -252,6 +253,22 @@ public final class JacobianMatrix {
     growth /= POWERS / 2;
     damping = dampingOf(growth);
     return StrictMath.exp(growth);
+  }
+
+  /** Returns the largest magnitude, NaN above all: such have the order of their bits. */
+  private static double largest(double[] x) {
+    long largest = 0;
+    for (double element : x) {
+      largest = Math.max(largest, Double.doubleToRawLongBits(element) & Long.MAX_VALUE);
+    }
+    return Double.longBitsToDouble(largest);
+  }
+
+  private void compareLastPowers() {
+    for (int l = 0; l < power.length; l++) {
+      offTurned = Math.max(offTurned, Math.abs(product[l] + power[l]));
+      offKept = Math.max(offKept, Math.abs(product[l] - power[l]));
+    }
   }
 
   private int largestOfPower() {

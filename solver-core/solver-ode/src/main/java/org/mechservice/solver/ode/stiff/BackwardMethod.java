@@ -290,7 +290,6 @@ abstract class BackwardMethod extends SteppingIntegrator {
         equations().factors().factorisations(),
         equations().factors().solutions(),
         false,
-        0,
         toleranceFactor * part,
         progress.limits());
   }

@@ -317,7 +317,6 @@ public final class Switching implements Integrator {
         ofBackward.factorisations(),
         ofBackward.solutions(),
         ofAdams.stiffnessSuspected(),
-        ofAdams.timeConstants(),
         ofAdams.toleranceFactor(),
         ofAdams.limits());
   }

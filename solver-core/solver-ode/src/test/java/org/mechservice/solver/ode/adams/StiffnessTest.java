@@ -72,29 +72,6 @@ class StiffnessTest {
     assertThat((double) suspected / runs).isGreaterThanOrEqualTo(0.95);
   }
 
-  /** The step of a method at its limit of stability is 0.35 to 1 time constants. */
-  @Test
-  void timeConstantsAreThoseThatPassWhileStabilityLimitsTheSteps() {
-    for (double rate : new double[] {100, 1000, 10_000}) {
-      FunctionOde drawn =
-          new FunctionOde(1, (t, y, yDot) -> yDot[0] = -rate * (y[0] - StrictMath.cos(t)));
-      for (Integrator integrator :
-          integrators(
-              new IntegratorSettings(
-                  1e-4,
-                  List.of(1e-4),
-                  Double.POSITIVE_INFINITY,
-                  0,
-                  0,
-                  Long.MAX_VALUE,
-                  () -> false))) {
-        double passed =
-            Run.of(integrator, drawn, 0, new double[] {1}, 2).statistics().timeConstants();
-        assertThat(passed).isBetween(0.3 * 2 * rate, 1.1 * 2 * rate);
-      }
-    }
-  }
-
   private static boolean suspectsSoon(Integrator integrator, SuiteProblem problem) {
     double[] y0 = problem.reference().initialState();
     StepResult result = integrator.start(problem, 0, y0, problem.reference().end());

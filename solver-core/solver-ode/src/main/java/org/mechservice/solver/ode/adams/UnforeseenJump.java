@@ -1,0 +1,122 @@
+package org.mechservice.solver.ode.adams;
+
+import org.mechservice.solver.ode.step.RightHandSide;
+
+/**
+ * Looks for a jump of f inside a step that passes the error test.
+ *
+ * <p>Formulas of high order think little of the last value of f: where f jumps by J, the error of
+ * the step is up to h J / 2, and its estimate h γ*_k J, at order 8 a fiftieth of that. What the
+ * jump leaves is a discrepancy d that the differences before it do not foretell. Those of a smooth
+ * solution fall from order to order, so that d is at most about as large as φ*_k; at a jump d is
+ * larger than all of the last ones. A few smooth steps look like that too, where several
+ * differences pass zero together. So f is then compared, at halves of halves of the step, with its
+ * extrapolation: most of the difference d that a jump makes stays in one of the halves; that of a
+ * smooth solution grows like a polynomial without zeros in the step, and is divided up.
+ */
+final class UnforeseenJump {
+  /**
+   * Discrepancy over the last two differences before it from which on it is worth a look, and over
+   * the one before those: no step of the suite of smooth problems is looked at, at any tolerance.
+   */
+  private static final double SUDDEN = 30;
+
+  private static final double LARGE = 2;
+
+  /** The same once jumps are known in the problem. */
+  private static final double SUDDEN_AGAIN = 3;
+
+  private static final double LARGE_AGAIN = 0.3;
+
+  /**
+   * Part of the change that a jump keeps after all halvings. The polynomial θ (θ + 1) … (θ + k − 1)
+   * / k! of equal steps keeps less after two, that of steps that double after three.
+   */
+  private static final double KEPT = 0.6;
+
+  private static final int HALVINGS = 6;
+
+  private final AdamsInterpolant interpolant = new AdamsInterpolant();
+  private final double[] state;
+  private final double[] foreseen;
+  private final double[] slope;
+
+  /**
+   * @param dimension n
+   */
+  UnforeseenJump(int dimension) {
+    state = new double[dimension];
+    foreseen = new double[dimension];
+    slope = new double[dimension];
+  }
+
+  /**
+   * Returns whether the discrepancy of a step is larger than the differences before it foretell.
+   *
+   * @param k order of the step
+   * @param lastOrder of the step before, which φ_{k+1} is known of if it is not less
+   * @param component of the discrepancy
+   * @param jumpsKnown whether f is known to jump
+   */
+  boolean suspected(AdamsHistory history, int k, int lastOrder, int component, boolean jumpsKnown) {
+    if (k < 2) {
+      return false; // φ*_1 is f itself
+    }
+    double next = k <= lastOrder ? Math.abs(history.difference(k + 1)[component]) : 0;
+    double last =
+        Math.max(
+            next,
+            Math.max(difference(history, k, component), difference(history, k - 1, component)));
+    double discrepancy = Math.abs(history.discrepancy[component]);
+    return discrepancy > (jumpsKnown ? SUDDEN_AGAIN : SUDDEN) * last
+        && discrepancy > (jumpsKnown ? LARGE_AGAIN : LARGE) * difference(history, k - 2, component);
+  }
+
+  /** Returns the size of φ*_i; 0 for f itself. */
+  private static double difference(AdamsHistory history, int i, int component) {
+    return i < 2 ? 0 : Math.abs(history.extrapolatedDifference(i, component));
+  }
+
+  /**
+   * Returns whether f jumps inside a step; false also if it is told to stop.
+   *
+   * @param t where the step begins
+   * @param h its size, signed
+   * @param k its order
+   * @param psi of the step before; not modified
+   * @param component of the discrepancy
+   */
+  boolean found(
+      RightHandSide equations,
+      AdamsHistory history,
+      double t,
+      double h,
+      int k,
+      double[] psi,
+      int component) {
+    double from = 0;
+    double to = 1;
+    double before = 0;
+    double behind = history.discrepancy[component];
+    double least = KEPT * Math.abs(behind);
+    for (int i = 1; i <= HALVINGS; i++) {
+      double middle = 0.5 * (from + to);
+      interpolant.evaluate(middle * h, k - 1, psi, history, state, foreseen);
+      if (!equations.evaluate(t + middle * h, state, slope)) {
+        return false;
+      }
+      double value = slope[component] - foreseen[component];
+      if (Math.abs(value - before) < Math.abs(value - behind)) {
+        from = middle;
+        before = value;
+      } else {
+        to = middle;
+        behind = value;
+      }
+      if (i > 1 && !(Math.abs(behind - before) >= least)) {
+        return false;
+      }
+    }
+    return true;
+  }
+}
