@@ -4,7 +4,7 @@ import java.util.Arrays;
 import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.closure.equations.RowSupport;
 import org.mechservice.solver.dynamics.derivative.ArticulatedIteration;
-import org.mechservice.solver.dynamics.derivative.LoopRows;
+import org.mechservice.solver.dynamics.derivative.LoopWrenches;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.linear.LinearSolver;
 import org.mechservice.solver.linear.SparseMatrix;
@@ -17,7 +17,7 @@ import org.mechservice.solver.linear.SparseMatrix;
 public final class LinkedAugmentedEquations extends AugmentedEquations {
   private final LoopEquations loops;
   private final ArticulatedIteration iteration;
-  private final LoopRows ofLinks;
+  private final LoopWrenches ofLinks;
   private final double[] wrench;
   private final double[] tau;
   private final double[] product;
@@ -36,7 +36,7 @@ public final class LinkedAugmentedEquations extends AugmentedEquations {
       double[] units,
       LoopEquations loops,
       TreeGeometry tree,
-      LoopRows ofLinks,
+      LoopWrenches ofLinks,
       ArticulatedIteration iteration) {
     super(rows, units);
     this.loops = loops;
@@ -48,7 +48,7 @@ public final class LinkedAugmentedEquations extends AugmentedEquations {
   }
 
   /** Returns rows of zeros of the equations of loops by the motions of links. */
-  public static LoopRows rowsOf(LoopEquations loops, TreeGeometry tree) {
+  public static LoopWrenches rowsOf(LoopEquations loops, TreeGeometry tree) {
     int[][] links = new int[loops.count()][];
     int[][] velocities = new int[loops.count()][];
     for (int row = 0; row < links.length; row++) {
@@ -57,7 +57,7 @@ public final class LinkedAugmentedEquations extends AugmentedEquations {
       velocities[row] =
           Arrays.stream(support.velocities()).filter(k -> k < tree.stateVelocityCount).toArray();
     }
-    return new LoopRows(links, velocities);
+    return new LoopWrenches(links, velocities);
   }
 
   @Override

@@ -8,7 +8,7 @@ import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.dynamics.derivative.ArticulatedIteration;
 import org.mechservice.solver.dynamics.derivative.BorderedStep;
 import org.mechservice.solver.dynamics.derivative.FurtherDerivatives;
-import org.mechservice.solver.dynamics.derivative.LoopRows;
+import org.mechservice.solver.dynamics.derivative.LoopWrenches;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.dynamics.derivative.StepDerivatives;
 import org.mechservice.solver.dynamics.derivative.StepReduction;
@@ -63,7 +63,7 @@ public final class LinearisedResidualModel extends RecursiveResidualModel
       ArticulatedIteration byLinks =
           local
               ? new ArticulatedIteration(motion)
-              : new ArticulatedIteration(motion, coupledLinks(loads.forces()), LoopRows.NONE);
+              : new ArticulatedIteration(motion, coupledLinks(loads.forces()), LoopWrenches.NONE);
       derivatives = byLinks;
       iteration = byLinks;
     } else {

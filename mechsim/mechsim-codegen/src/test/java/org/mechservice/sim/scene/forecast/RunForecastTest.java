@@ -27,7 +27,7 @@ class RunForecastTest {
 
   private static List<Finding> of(String text) throws MechmlException {
     MechmlModel model = MechmlReader.read("scene.xml", text.getBytes(StandardCharsets.UTF_8));
-    return RunForecast.of(model, "auto", model.settings().run());
+    return RunForecast.of(model, "auto", "auto", model.settings().run());
   }
 
   private static List<Finding> ofPush(String formula) throws IOException, MechmlException {

@@ -6,7 +6,7 @@ import org.mechservice.solver.closure.AugmentedEquations;
 import org.mechservice.solver.closure.ClosedTree;
 import org.mechservice.solver.closure.LinkedAugmentedEquations;
 import org.mechservice.solver.dynamics.derivative.ArticulatedIteration;
-import org.mechservice.solver.dynamics.derivative.LoopRows;
+import org.mechservice.solver.dynamics.derivative.LoopWrenches;
 import org.mechservice.solver.linear.SparseMatrix;
 
 /**
@@ -33,7 +33,7 @@ record LinkedStep(
       ArticulatedAugmentedEquations few = new ArticulatedAugmentedEquations(rows, units, links);
       return new LinkedStep(links, few, step -> few.factor(step, stiffness));
     }
-    LoopRows ofLinks = LinkedAugmentedEquations.rowsOf(work.loops, work.tree);
+    LoopWrenches ofLinks = LinkedAugmentedEquations.rowsOf(work.loops, work.tree);
     ArticulatedIteration links =
         new ArticulatedIteration(work.motion, work.coupledLinks(), ofLinks);
     LinkedAugmentedEquations all =

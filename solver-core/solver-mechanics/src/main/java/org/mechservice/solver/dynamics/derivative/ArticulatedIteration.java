@@ -107,7 +107,7 @@ public final class ArticulatedIteration extends StepReduction implements StepDer
   /** What couples links that are not neighbours, and loops. */
   private final FarBlocks far;
 
-  private final LoopRows rows;
+  private final LoopWrenches rows;
   private final double[] noGap = {};
 
   /** Mass of what is on a link and its moment of inertia about the link, two for each. */
@@ -127,7 +127,7 @@ public final class ArticulatedIteration extends StepReduction implements StepDer
    * @param motion swept by the caller, with accelerations, before each evaluation
    */
   public ArticulatedIteration(TreeMotion motion) {
-    this(motion, new int[0], LoopRows.NONE);
+    this(motion, new int[0], LoopWrenches.NONE);
   }
 
   /**
@@ -137,7 +137,7 @@ public final class ArticulatedIteration extends StepReduction implements StepDer
    * @param pairs links that forces and loops couple, two for each pair; empty if all are neighbours
    * @param rows of loops for {@link #factorWithRows}, written by the caller at each linearisation
    */
-  public ArticulatedIteration(TreeMotion motion, int[] pairs, LoopRows rows) {
+  public ArticulatedIteration(TreeMotion motion, int[] pairs, LoopWrenches rows) {
     super(new StateCoordinates(motion.tree().mechanism()));
     this.motion = motion;
     tree = motion.tree();

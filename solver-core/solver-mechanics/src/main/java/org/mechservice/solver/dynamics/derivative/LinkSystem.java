@@ -51,7 +51,7 @@ final class LinkSystem {
   private final double[] onParent;
   private final boolean[] coupled;
   private final FarBlocks far;
-  private final LoopRows rows;
+  private final LoopWrenches rows;
 
   /** Whether u are unknowns, and the number of unknowns of a link besides its velocities. */
   private final boolean hasSpeeds;
@@ -105,7 +105,7 @@ final class LinkSystem {
       double[] onParent,
       boolean[] coupled,
       FarBlocks far,
-      LoopRows rows,
+      LoopWrenches rows,
       double length) {
     this.links = links;
     this.own = own;

@@ -50,7 +50,7 @@ class ArticulatedIterationTest {
     /** Links that forces couple, two for each pair, and rows of a loop. */
     final int[] coupled;
 
-    final LoopRows rows;
+    final LoopWrenches rows;
 
     Step(long seed, double hGamma) {
       this(seed, hGamma, false, false);
@@ -110,14 +110,14 @@ class ArticulatedIterationTest {
     }
 
     /** Rows between the first and last link and of the first and last velocity. */
-    private LoopRows rows(boolean loops) {
+    private LoopWrenches rows(boolean loops) {
       int last = at.tree.linkCount - 1;
       if (!loops || last < 0 || at.nv == 0) {
-        return LoopRows.NONE;
+        return LoopWrenches.NONE;
       }
       int[] ends = last == 0 ? new int[] {0} : new int[] {0, last};
       int[] velocities = at.nv == 1 ? new int[] {0} : new int[] {0, at.nv - 1};
-      return new LoopRows(new int[][] {ends, {last}}, new int[][] {{}, velocities});
+      return new LoopWrenches(new int[][] {ends, {last}}, new int[][] {{}, velocities});
     }
 
     /** Springs and dampers of no law in particular, on each link, to its parent, and in joints. */

@@ -7,9 +7,9 @@ import java.util.Arrays;
  * wrenches w on the links and the joint forces τ that its multiplier exerts, where a row by joint
  * coordinates has an element for each joint on the way. Workspace of one thread.
  */
-public final class LoopRows {
+public final class LoopWrenches {
   /** No rows. */
-  public static final LoopRows NONE = new LoopRows(new int[0][], new int[0][]);
+  public static final LoopWrenches NONE = new LoopWrenches(new int[0][], new int[0][]);
 
   /** Links of each row, and where the wrenches of the row begin. */
   final int[][] links;
@@ -32,7 +32,7 @@ public final class LoopRows {
    * @param links on which the multiplier of each row exerts wrenches; not modified
    * @param velocities of the state on which it exerts forces; not modified
    */
-  public LoopRows(int[][] links, int[][] velocities) {
+  public LoopWrenches(int[][] links, int[][] velocities) {
     this.links = links.clone();
     this.velocities = velocities.clone();
     wrenchAt = new int[links.length + 1];
