@@ -45,7 +45,7 @@ public final class WarmLoops {
   public static void main(String[] args) throws IOException, MechmlException {
     for (int i = 2; i < args.length; i++) {
       double warmUp = FIRST_WARM_UP;
-      for (String tolerance : args[1].split(",")) {
+      for (String tolerance : args[1].split(",", -1)) {
         measure(Path.of(args[i]), args[0], Double.parseDouble(tolerance), warmUp);
         warmUp = WARM_UP;
       }
