@@ -19,6 +19,13 @@ public final class JacobianMatrix {
   /** What is left after {@link #POWERS} of an eigenvalue of 0.8 times the largest one. */
   private static final double SAME_LINE = 0.05;
 
+  /**
+   * Minus the cosine of the angle between powers that are turned round for the most part: several
+   * decays of like rates, as those of a diffusion, which no power tells apart. Two growths are not
+   * told from a saddle, through which a swing may pass.
+   */
+  private static final double SAME_DIRECTION = 0.9;
+
   private static final double GOLDEN_RATIO = 0.6180339887498949;
 
   /** The last powers whose largest element tells how fast an oscillation dies out. */
@@ -40,6 +47,9 @@ public final class JacobianMatrix {
 
   /** The same distance from the one before as it is. */
   private double offKept;
+
+  /** Largest cosine of the angle between one of the last powers and the one before. */
+  private double leastTurned;
 
   private boolean radiusKnown;
 
@@ -161,11 +171,12 @@ public final class JacobianMatrix {
 
   /**
    * Returns whether the fastest motion is a decay or a growth: the largest eigenvalue is real and
-   * alone in its size. The powers of the matrix then change nothing but the length and the sense of
-   * a vector.
+   * alone in its size, or among others like it. The powers of the matrix then change hardly
+   * anything but the length and the sense of a vector.
    */
   public boolean fastestIsExponential() {
-    return spectralRadius() > 0 && Math.min(offTurned, offKept) < SAME_LINE;
+    return spectralRadius() > 0
+        && (Math.min(offTurned, offKept) < SAME_LINE || leastTurned <= -SAME_DIRECTION);
   }
 
   /**
@@ -236,6 +247,7 @@ public final class JacobianMatrix {
       if (i == POWERS - COMPARED) {
         offTurned = 0;
         offKept = 0;
+        leastTurned = -1;
       }
       if (i >= POWERS - COMPARED) {
         compareLastPowers();
@@ -265,10 +277,17 @@ public final class JacobianMatrix {
   }
 
   private void compareLastPowers() {
+    double squareBefore = 0;
+    double square = 0;
+    double common = 0;
     for (int l = 0; l < power.length; l++) {
       offTurned = Math.max(offTurned, Math.abs(product[l] + power[l]));
       offKept = Math.max(offKept, Math.abs(product[l] - power[l]));
+      squareBefore += power[l] * power[l];
+      square += product[l] * product[l];
+      common += product[l] * power[l];
     }
+    leastTurned = Math.max(leastTurned, common / Math.sqrt(squareBefore * square));
   }
 
   private int largestOfPower() {
