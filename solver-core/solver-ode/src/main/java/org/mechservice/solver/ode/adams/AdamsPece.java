@@ -33,6 +33,9 @@ abstract class AdamsPece extends SteppingIntegrator {
   /** Share of the interval that the first step may cover: a start at rest says nothing about f. */
   private static final double FIRST_SHARE_OF_INTERVAL = 0.1;
 
+  /** Parts into which looks for pulses divide a step at most. */
+  private static final double MOST_LOOKS = 16;
+
   private static final double UNIT_ROUNDOFF = Math.ulp(1.0);
 
   private static final StepPolynomial KEPT = AdamsInterpolant::evaluateKept;
@@ -112,7 +115,9 @@ abstract class AdamsPece extends SteppingIntegrator {
     pulses = new PulseProbe(y0.length);
     unforeseen = new UnforeseenJump(y0.length);
     stiffness.clear();
-    return beginAt(t0, y0, settings.initialStep());
+    StepResult result = beginAt(t0, y0, settings.initialStep());
+    jumps.beginsAt(t0);
+    return result;
   }
 
   private void begin(double t0, double tEnd) {
@@ -426,21 +431,23 @@ abstract class AdamsPece extends SteppingIntegrator {
 
   /** Returns the part of the step that passed up to a pulse inside of it; 1 if none is seen. */
   private double partToPulse() {
-    boolean wanted =
-        settings.mode() != Mode.FAITHFUL
-            && !manifold.completes()
-            && pulses.wanted(
-                h, progress.stepSize(), tEnd - progress.start(), jumps.shortestDistance());
-    if (!wanted) {
+    if (settings.mode() == Mode.FAITHFUL || manifold.completes()) {
       return 1;
     }
-    pulses.place(h, history.state(), history.corrected(), norm);
-    if (!pulses.straight(h, history.difference(1), norm)
-        || !pulses.straight(h, history.derivative, norm)) {
-      return 1;
+    double t = progress.time();
+    if (pulses.wanted(h, progress.stepSize(), tEnd - progress.start(), jumps.shortestDistance())) {
+      pulses.place(h, history.state(), history.corrected(), norm);
+      if (pulses.straight(h, history.difference(1), norm)
+          && pulses.straight(h, history.derivative, norm)) {
+        jumps.straightFrom(progress.start());
+        return pulses.partToPulse(equations, t, h, history.state(), norm);
+      }
     }
-    jumps.straightFrom(progress.start());
-    return pulses.partToPulse(equations, progress.time(), h, history.state(), norm);
+    int parts = (int) Math.min(MOST_LOOKS, Math.ceil(Math.abs(h) / jumps.distanceOfLooks(t)));
+    return parts > 1
+        ? unforeseen.partToPulse(
+            equations, history, norm, t, h, control.order(), coefficients.psi, parts)
+        : 1;
   }
 
   private void accept() {
