@@ -3,9 +3,11 @@
 
     benchmarks/peers/loops.py            # everything; writes docs/reports/loops-at-scale.md
     benchmarks/peers/loops.py --short    # a trial: nothing is written
+    benchmarks/peers/loops.py --before FOLDER    # small scenes beside an older checkout, built
 
-Needs ./mech and benchmarks/target/benchmarks.jar built, and a network for the first run: Exudyn, MuJoCo and Pinocchio are taken from PyPI into
-benchmarks/target/peers.
+Needs ./mech and benchmarks/target/benchmarks.jar built, and a network for the first run: Exudyn,
+MuJoCo and Pinocchio are taken from PyPI into benchmarks/target/peers. The peers' part is in
+loop_peers.py.
 """
 import argparse
 import csv
@@ -20,12 +22,13 @@ import sys
 import time
 import venv
 
+from loop_peers import (BOOM, CHASSIS, CORNER_BODIES, CORNERS, GRAVITY, HINGE, SPRING, START, TYRE,
+                        points)
+
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 WORK = ROOT / "benchmarks" / "target" / "peers" / "loops"
 PAGE = ROOT / "docs" / "reports" / "loops-at-scale.md"
-GRAVITY = 9.81
-START = 1.0
 REPETITIONS = 3
 
 
@@ -131,32 +134,6 @@ def net(n):
     return document("net", bodies, joints, closed, [], 0.2)
 
 
-def points(corner):
-    """Places of a corner's parts in the world, by (x, side)."""
-    x, side = corner
-    return {name: (x + a, side * b, c) for name, (a, b, c) in {
-        "lower": (0, 0.4, 0.3), "upper": (0, 0.45, 0.55), "ball": (0, 0.75, 0.28),
-        "top": (0.02, 0.72, 0.58), "wheel": (0, 0.85, 0.4), "rack": (0.15, 0.4, 0.35),
-        "tie": (0.15, 0.74, 0.35), "seat": (0, 0.6, 0.29), "tower": (0, 0.55, 0.75),
-        "post": (0, 0.85, -0.6)}.items()}
-
-
-# A transporter of seven axles on a rig of posts: a free chassis (6 coordinates), 14 corners of
-# double wishbones (8 each: lower arm, upright on a ball, wheel, upper arm, tie rod on a universal
-# joint) and a boom (1): 119 coordinates. Two balls close each corner: 84 equations.
-CORNERS = [(1.2 * axle, side) for axle in range(-3, 4) for side in (1, -1)]
-CORNER_BODIES = {"arm": (15, (0, 0.58, 0.29), (0.4, 0.1, 0.4)),
-                 "upright": (25, (0, 0.74, 0.4), (0.5, 0.4, 0.3)),
-                 "rim": (40, (0, 0.85, 0.4), (1.0, 1.8, 1.0)),
-                 "wishbone": (10, (0.01, 0.58, 0.56), (0.3, 0.1, 0.3)),
-                 "rod": (3, (0.15, 0.57, 0.35), (0.03, 0.01, 0.03))}
-CHASSIS = (7000, (0, 0, 1.0), (4000, 30000, 32000))
-BOOM = (500, (1.2, 0, 1.8), (20, 400, 400))
-SPRING = {"k": 1.2e5, "c": 4e3, "more": 0.09}
-TYRE = {"k": 2e5, "c": 600, "more": 0.03}
-HINGE = {"k": 2e5, "c": 4e3}
-
-
 def vehicle():
     chassis, bodies, joints, closed, springs = ["pivot"], [], [], [], []
     places = {"chassis": {"pivot": (0, 0, 1.5)}, "Ground": {}}
@@ -218,69 +195,6 @@ def vehicle():
     return text.replace("<Forces>", f'<Forces>{"".join(springs)}')
 
 
-def mujoco_vehicle():
-    def element(name, joint, mass, centre, inertia, inner):
-        at = " ".join(map(str, centre))
-        return (f'<body name="{name}">{joint}<inertial pos="{at}" mass="{mass}" diaginertia="'
-                f'{" ".join(map(str, inertia))}"/>{inner}</body>')
-
-    def joint(kind, at, axis="1 0 0", more=""):
-        axis = f' axis="{axis}"' if kind == "hinge" else ""
-        return f'<joint type="{kind}" pos="{" ".join(map(str, at))}"{axis}{more}/>'
-
-    def site(name, at):
-        return f'<site name="{name}" pos="{" ".join(map(str, at))}"/>'
-
-    posts, inner, equal, tendons = [], [], [], []
-    for c, corner in enumerate(CORNERS):
-        at, side = points(corner), corner[1]
-
-        def part(name, joints, inside="", c=c, corner=corner, side=side):
-            mass, (x, y, z), inertia = CORNER_BODIES[name]
-            return element(f"{name}{c}", joints, mass, (corner[0] + x, side * y, z), inertia, inside)
-
-        rim = part("rim", joint("hinge", at["wheel"], "0 1 0"))
-        rod = part("rod", joint("hinge", at["tie"]) + joint("hinge", at["tie"], "0 0 1"),
-                   site(f"rackrod{c}", at["rack"]))
-        upright = part("upright", joint("ball", at["ball"]), site(f"topup{c}", at["top"])
-                       + site(f"wheel{c}", at["wheel"]) + rim + rod)
-        inner += [part("arm", joint("hinge", at["lower"]), site(f"seat{c}", at["seat"]) + upright),
-                  part("wishbone", joint("hinge", at["upper"]), site(f"topwish{c}", at["top"])),
-                  site(f"rack{c}", at["rack"]), site(f"tower{c}", at["tower"])]
-        posts.append(site(f"post{c}", at["post"]))
-        equal += [f'<connect site1="topwish{c}" site2="topup{c}"/>',
-                  f'<connect site1="rack{c}" site2="rackrod{c}"/>']
-        for law, one, two in ((SPRING, "tower", "seat"), (TYRE, "post", "wheel")):
-            length = math.dist(at[one], at[two]) + law["more"]
-            tendons.append(f'<spatial stiffness="{law["k"]}" damping="{law["c"]}" springlength='
-                           f'"{length}"><site site="{one}{c}"/><site site="{two}{c}"/></spatial>')
-    inner.append(element("boom", joint("hinge", (0, 0, 1.5), "0 1 0", f' stiffness="{HINGE["k"]}" '
-                                       f'damping="{HINGE["c"]}"'), *BOOM, ""))
-    chassis = element("chassis", "<freejoint/>", *CHASSIS, "".join(inner))
-    return (f'<worldbody>{"".join(posts)}{chassis}</worldbody><equality>{"".join(equal)}</equality>'
-            f'<tendon>{"".join(tendons)}</tendon>')
-
-
-def mujoco_drives(steps):
-    """The vehicle in MuJoCo: height of its chassis after 1 s."""
-    import mujoco as mj
-    h = 1 / steps
-    begun = time.perf_counter()
-    model = mj.MjModel.from_xml_string(
-        f'<mujoco><option timestep="{h}" gravity="0 0 {-GRAVITY}" integrator="RK4"/>'
-        f'<default><equality solref="{2.5 * h} 1"/><geom contype="0"/></default>'
-        f'{mujoco_vehicle()}</mujoco>')
-    data = mj.MjData(model)
-    set_up = time.perf_counter()
-    mj.mj_step(model, data, steps)
-    done = time.perf_counter()
-    mj.mj_kinematics(model, data)
-    drift = max(math.dist(data.site(a).xpos, data.site(b).xpos) for c in range(len(CORNERS))
-                for a, b in ((f"topwish{c}", f"topup{c}"), (f"rack{c}", f"rackrod{c}")))
-    return {"setUp": set_up - begun, "run": done - set_up, "angle": float(data.qpos[2]),
-            "drift": drift}
-
-
 def exact(n):
     """Angle of the cranks of n four-bars after 1 s: they move as one pendulum."""
     rate = GRAVITY * ((n + 1) / 2 + n) / ((n + 1) / 3 + n)
@@ -328,268 +242,6 @@ def ours(name, text, *options):
             "angle": float(last[1]), "height": float(last[7]) if len(last) > 7 else 0.0}
 
 
-def peer(python, name, scene, n, steps):
-    begun = time.monotonic()
-    out, cpu, memory = process(python, __file__, "--peer", name, scene, n, steps)
-    found = json.loads(out.splitlines()[-1])
-    return {**found, "total": time.monotonic() - begun, "cpu": cpu, "memory": memory}
-
-
-# -- the peers ------------------------------------------------------------------------------------
-
-class Planar:
-    """A mechanism in the x-z plane: bodies by centre, angle from x to z, mass and inertia about y;
-    pins by two bodies (-1 is the ground) and a point in each one's axes, from its centre. The first
-    pin of a body leads to it in a tree; the others close loops. The angle of body 0 is compared."""
-
-    def __init__(self, end):
-        self.end, self.bodies, self.pins = end, [], []
-
-    def body(self, x, z, angle, mass=1, inertia=1 / 12):
-        self.bodies.append((x, z, angle, mass, inertia))
-        return len(self.bodies) - 1
-
-    def pin(self, first, p, second, q):
-        self.pins.append((first, p, second, q))
-
-    def split(self):
-        """Pins of the tree by body, and the pins that close loops."""
-        tree, closing = {}, []
-        for pin in self.pins:
-            if pin[2] >= 0 and pin[2] not in tree and (pin[0] < 0 or pin[0] in tree):
-                tree[pin[2]] = pin
-            else:
-                closing.append(pin)
-        return tree, closing
-
-    def depth_first(self):
-        """Bodies in an order in which each is followed by all beyond it."""
-        tree, _ = self.split()
-        children = {body: [] for body in range(-1, len(self.bodies))}
-        for body, pin in tree.items():
-            children[pin[0]].append(body)
-        order, stack = [], children[-1][::-1]
-        while stack:
-            order.append(stack.pop())
-            stack += children[order[-1]][::-1]
-        return order
-
-
-def planar_fourbars(n):
-    scene, down = Planar(1.0), -START
-    tip = (math.cos(down), math.sin(down))
-    cranks = [scene.body(i + 0.5 * tip[0], 0.5 * tip[1], down) for i in range(n + 1)]
-    couplers = [scene.body(i + tip[0] + 0.5, tip[1], 0) for i in range(n)]
-    for i, crank in enumerate(cranks):
-        scene.pin(-1, (i, 0), crank, (-0.5, 0))
-    for i, coupler in enumerate(couplers):
-        scene.pin(cranks[i], (0.5, 0), coupler, (-0.5, 0))
-    for i, coupler in enumerate(couplers):
-        scene.pin(cranks[i + 1], (0.5, 0), coupler, (0.5, 0))
-    return scene
-
-
-def planar_track(n):
-    scene, half = Planar(0.5), math.pi / n
-    x, z, last = 0.0, 0.0, (-1, (0, 0))
-    for i in range(n):
-        angle = -(half + 2 * half * i)
-        shoe = scene.body(x + 0.5 * math.cos(angle), z + 0.5 * math.sin(angle), angle)
-        scene.pin(*last, shoe, (-0.5, 0))
-        x, z, last = x + math.cos(angle), z + math.sin(angle), (shoe, (0.5, 0))
-    scene.pin(-1, (0, 0), *last)
-    return scene
-
-
-def planar_net(n):
-    scene = Planar(0.2)
-    plates = [[scene.body(j, -0.5 - i, 0, 1, 0.1) for j in range(n)] for i in range(n)]
-    up, down, left, right = (0, 0.5), (0, -0.5), (-0.5, 0), (0.5, 0)
-    for i in range(n):
-        scene.pin(*((-1, (0, 0)) if i == 0 else (plates[i - 1][0], down)), plates[i][0], up)
-        for j in range(1, n):
-            scene.pin(plates[i][j - 1], right, plates[i][j], left)
-    for i in range(1, n):
-        for j in range(1, n):
-            scene.pin(plates[i - 1][j], down, plates[i][j], up)
-    return scene
-
-
-PLANAR = {"fourbars": planar_fourbars, "track": planar_track, "net": planar_net}
-
-
-def gap(scene, poses):
-    """Largest distance between the two points of a pin that closes a loop, for poses (x, z, angle)."""
-    def place(body, p):
-        if body < 0:
-            return p
-        x, z, angle = poses[body]
-        return (x + p[0] * math.cos(angle) - p[1] * math.sin(angle),
-                z + p[0] * math.sin(angle) + p[1] * math.cos(angle))
-    return max(math.dist(place(f, p), place(s, q)) for f, p, s, q in scene.split()[1])
-
-
-def exudyn(scene, steps):
-    import exudyn as exu
-    from exudyn.itemInterface import (MarkerBodyPosition, NodeRigidBody2D, ObjectGround,
-                                      ObjectJointRevolute2D, ObjectRigidBody2D, LoadForceVector)
-    begun = time.perf_counter()
-    container = exu.SystemContainer()
-    system = container.AddSystem()
-    fixed = system.AddObject(ObjectGround())
-    nodes, objects = [], []
-    for x, z, angle, mass, inertia in scene.bodies:
-        nodes.append(system.AddNode(NodeRigidBody2D(referenceCoordinates=[x, z, angle])))
-        objects.append(system.AddObject(
-            ObjectRigidBody2D(mass=mass, inertia=inertia, nodeNumber=nodes[-1])))
-        centre = system.AddMarker(MarkerBodyPosition(bodyNumber=objects[-1]))
-        system.AddLoad(LoadForceVector(markerNumber=centre, loadVector=[0, -GRAVITY * mass, 0]))
-    for first, p, second, q in scene.pins:
-        ends = [system.AddMarker(MarkerBodyPosition(
-            bodyNumber=fixed if body < 0 else objects[body], localPosition=[*point, 0]))
-            for body, point in ((first, p), (second, q))]
-        system.AddObject(ObjectJointRevolute2D(markerNumbers=ends))
-    system.Assemble()
-    settings = exu.SimulationSettings()
-    settings.timeIntegration.numberOfSteps = steps
-    settings.timeIntegration.endTime = scene.end
-    settings.timeIntegration.generalizedAlpha.useIndex2Constraints = True
-    settings.timeIntegration.generalizedAlpha.useNewmark = True
-    settings.solutionSettings.writeSolutionToFile = False
-    settings.timeIntegration.verboseMode = 0
-    settings.linearSolver.solverType = exu.LinearSolverType.EigenSparse
-    set_up = time.perf_counter()
-    system.SolveDynamic(settings)
-    done = time.perf_counter()
-    poses = []
-    for node, (x, z, angle, _, _) in zip(nodes, scene.bodies):
-        moved = system.GetNodeOutput(node, exu.OutputVariableType.Coordinates)
-        poses.append((x + moved[0], z + moved[1], angle + moved[2]))
-    return {"setUp": set_up - begun, "run": done - set_up, "angle": -poses[0][2],
-            "drift": gap(scene, poses)}
-
-
-def mujoco(scene, steps):
-    import mujoco as mj
-    tree, closing = scene.split()
-    children = {body: [] for body in range(-1, len(scene.bodies))}
-    for body, pin in tree.items():
-        children[pin[0]].append(body)
-
-    def opened(body):
-        """The body's element without its end; its frame is at its pin, in its own axes."""
-        first, p, _, q = tree[body]
-        angle = math.degrees(scene.bodies[body][2] - (0 if first < 0 else scene.bodies[first][2]))
-        if first >= 0:
-            own = tree[first][3]
-            p = (p[0] - own[0], p[1] - own[1])
-        mass, inertia = scene.bodies[body][3:]
-        return (f'<body name="b{body}" pos="{p[0]} 0 {p[1]}" euler="0 {-angle} 0">'
-                f'<joint type="hinge" axis="0 1 0" name="j{body}"/>'
-                f'<inertial pos="{-q[0]} 0 {-q[1]}" mass="{mass}" '
-                f'diaginertia="{inertia} {inertia} {inertia}"/>')
-
-    text, stack = [], [(child, False) for child in reversed(children[-1])]
-    while stack:
-        body, visited = stack.pop()
-        if visited:
-            text.append("</body>")
-            continue
-        text.append(opened(body))
-        for number, (first, p, second, q) in enumerate(closing):
-            for name, owner, point in (("f", first, p), ("s", second, q)):
-                if owner == body:
-                    own = tree[body][3]
-                    text.append(f'<site name="{name}{number}" '
-                                f'pos="{point[0] - own[0]} 0 {point[1] - own[1]}"/>')
-        stack.append((body, True))
-        stack += [(child, False) for child in reversed(children[body])]
-    fixed = [f'<site name="{name}{number}" pos="{point[0]} 0 {point[1]}"/>'
-             for number, (first, p, second, q) in enumerate(closing)
-             for name, owner, point in (("f", first, p), ("s", second, q)) if owner < 0]
-    equal = "".join(f'<connect site1="f{i}" site2="s{i}"/>' for i in range(len(closing)))
-    h = scene.end / steps
-    begun = time.perf_counter()
-    model = mj.MjModel.from_xml_string(
-        f'<mujoco><option timestep="{h}" gravity="0 0 {-GRAVITY}" integrator="RK4"/>'
-        f'<default><equality solref="{2.5 * h} 1"/></default>'
-        f'<worldbody>{"".join(fixed)}{"".join(text)}</worldbody><equality>{equal}</equality></mujoco>')
-    data = mj.MjData(model)
-    set_up = time.perf_counter()
-    mj.mj_step(model, data, steps)
-    done = time.perf_counter()
-    mj.mj_kinematics(model, data)
-    sites = [[data.site(f"{name}{i}").xpos for name in "fs"] for i in range(len(closing))]
-    first = data.joint("j0").qpos[0]
-    return {"setUp": set_up - begun, "run": done - set_up,
-            "angle": float(first) - scene.bodies[0][2],
-            "drift": max(math.dist(f, s) for f, s in sites)}
-
-
-def pinocchio(scene, steps):
-    import numpy as np
-    import pinocchio as pin
-    tree, closing = scene.split()
-    begun = time.perf_counter()
-    model = pin.Model()
-    model.gravity.linear = np.array([0, 0, -GRAVITY])
-    joints, down = {}, np.eye(3)
-
-    def turned(angle):
-        return pin.utils.rotate("y", -angle)
-
-    for body in scene.depth_first():
-        first, p, _, q = tree[body]
-        angle = scene.bodies[body][2] - (0 if first < 0 else scene.bodies[first][2])
-        own = (0, 0) if first < 0 else tree[first][3]
-        place = pin.SE3(turned(angle), np.array([p[0] - own[0], 0, p[1] - own[1]]))
-        joints[body] = model.addJoint(0 if first < 0 else joints[first], pin.JointModelRY(), place,
-                                      f"j{body}")
-        mass, inertia = scene.bodies[body][3:]
-        model.appendBodyToJoint(
-            joints[body], pin.Inertia(mass, np.array([-q[0], 0, -q[1]]), inertia * np.eye(3)),
-            pin.SE3.Identity())
-    constraints, datas = pin.StdVec_RigidConstraintModel(), pin.StdVec_RigidConstraintData()
-    for first, p, second, q in closing:
-        ends = []
-        for body, point in ((first, p), (second, q)):
-            own = (0, 0) if body < 0 else tree[body][3]
-            at = np.array([point[0] - own[0], 0, point[1] - own[1]])
-            ends += [0 if body < 0 else joints[body], pin.SE3(down, at)]
-        constraint = pin.RigidConstraintModel(pin.ContactType.CONTACT_3D, model, *ends,
-                                              pin.ReferenceFrame.LOCAL)
-        constraint.setBaumgarteCorrectorParameters(pin.BaumgarteCorrectorParameters(100.0, 20.0))
-        constraints.append(constraint)
-        datas.append(constraint.createData())
-    data = model.createData()
-    pin.initConstraintDynamics(model, data, constraints, datas)
-    proximal = pin.ProximalSettings(1e-12, 1e-10, 10)
-    set_up = time.perf_counter()
-    q, v, h = pin.neutral(model), np.zeros(model.nv), scene.end / steps
-    force = np.zeros(model.nv)
-
-    def slope(q, v):
-        return pin.constraintDynamics(model, data, q, v, force, constraints, datas, proximal).copy()
-
-    for _ in range(steps):
-        a1 = slope(q, v)
-        a2 = slope(q + h / 2 * v, v + h / 2 * a1)
-        a3 = slope(q + h / 2 * v + h * h / 4 * a1, v + h / 2 * a2)
-        a4 = slope(q + h * v + h * h / 2 * a2, v + h * a3)
-        q = q + h * v + h * h / 6 * (a1 + a2 + a3)
-        v = v + h / 6 * (a1 + 2 * a2 + 2 * a3 + a4)
-    done = time.perf_counter()
-    pin.forwardKinematics(model, data, q)
-    drift = 0
-    for constraint in constraints:
-        one, two = (data.oMi[j].act(place.translation) for j, place in
-                    ((constraint.joint1_id, constraint.joint1_placement),
-                     (constraint.joint2_id, constraint.joint2_placement)))
-        drift = max(drift, float(np.linalg.norm(one - two)))
-    return {"setUp": set_up - begun, "run": done - set_up,
-            "angle": float(q[joints[0] - 1]) - scene.bodies[0][2], "drift": drift}
-
-
 # -- the page -------------------------------------------------------------------------------------
 
 def table(head, rows):
@@ -601,28 +253,19 @@ def short(x):
     return f"{x:.2g}" if x < 10 else f"{x:.0f}"
 
 
-def four_bars(python, sizes, peer_steps, repetitions):
+def four_bars(sizes, repetitions):
     rows, before = [], None
     for n in sizes:
         figures = median(lambda: ours(f"fourbars{n}", fourbars(n)), repetitions)
         error = abs(figures["angle"] - exact(n))
         growth = "" if before is None else " / ".join(
             f"{figures[what] / before[what]:.1f}" for what in ("total", "setUp", "run"))
-        row = [str(n), f'{figures["total"]:.2f}', f'{figures["setUp"]:.2f}',
-               f'{figures["run"]:.3f}', growth, f"{error:.1e}",
-               f'{figures["memory"]:.0f}']
-        for name, steps, most in peer_steps:
-            if n <= most:
-                other = median(lambda: peer(python, name, "fourbars", n, steps), min(repetitions, 2))
-                wrong = abs(other["angle"] - exact(n))
-                row.append(f'{other["setUp"]:.3f} + {other["run"]:.2f}, {wrong:.0e}')
-            else:
-                row.append("not run")
-        rows.append(row)
+        rows.append([str(n), f'{figures["total"]:.2f}', f'{figures["setUp"]:.2f}',
+                     f'{figures["run"]:.3f}', growth, f"{error:.1e}", f'{figures["memory"]:.0f}'])
         before = figures
-        print(row, file=sys.stderr, flush=True)
-    head = ["N", "whole command, s", "set-up, s", "run, s", "growth", "error", "memory, MB"]
-    return table(head + [f"{name}, {steps} steps" for name, steps, _ in peer_steps], rows)
+        print(rows[-1], file=sys.stderr, flush=True)
+    return table(["N", "whole command, s", "set-up, s", "run, s", "growth", "error", "memory, MB"],
+                 rows)
 
 
 def chains(lengths, repetitions):
@@ -694,39 +337,195 @@ def drift(name, text, *options):
     return max(abs(float(row[at])) for row in values)
 
 
-def equal_error(python, repetitions):
-    """Ours and the peers on four scenes, at several tolerances and steps."""
-    scenes = {
-        "40 four-bars in a row": (fourbars(40), "fourbars", 40, "angle"),
-        "track of 100 shoes": (track(100), "track", 100, "angle"),
-        "net of 10 x 10 plates": (net(10), "net", 10, "angle"),
-        "vehicle of 119 coordinates": (vehicle(), "vehicle", 0, "height")}
-    runs = [("exudyn", 100), ("exudyn", 1000), ("mujoco", 100), ("mujoco", 1000),
-            ("pinocchio", 50), ("pinocchio", 200)]
-    rows = []
-    for title, (text, scene, n, what) in scenes.items():
+class Point:
+    """A measured run: its label, s of set-up and run, error and drift; s of the calls of a library
+    alone, where a run is a loop in Python around them."""
+
+    def __init__(self, label, set_up, run, error, drift=None, calls=None):
+        self.label, self.set_up, self.run, self.error = label, set_up, run, max(error, 1e-16)
+        self.drift, self.calls = drift, calls
+
+
+OURS, NEW = "MechService, warm", "MechService, new process"
+NAMES = {"exudyn": "Exudyn", "exudyn-dense": "Exudyn, dense", "mujoco": "MuJoCo",
+         "pinocchio": "Pinocchio"}
+
+
+def at_error(points, level, seconds):
+    """Time to an error, between the points measured in logarithms, and whether all points are better
+    than three times that; no time if none is as good."""
+    front = []
+    for point in sorted(points, key=seconds):
+        if not front or point.error < front[-1].error:
+            front.append(point)
+    place = next((i for i, point in enumerate(front) if point.error <= level), None)
+    if place is None:
+        return None, False
+    first = front[place]
+    if place == 0:
+        return seconds(first), first.error < level / 3
+    worse = front[place - 1]
+    part = math.log(worse.error / level) / math.log(worse.error / first.error)
+    return seconds(worse) ** (1 - part) * seconds(first) ** part, False
+
+
+def peer(python, name, scene, n, steps, expected):
+    """The points of a peer; none where it does not get through."""
+    alone = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
+    found = subprocess.run([str(python), str(HERE / "loop_peers.py"), name, scene, str(n),
+                            *map(str, steps)], text=True, capture_output=True,
+                           env={**os.environ, **alone})
+    points = []
+    for line in found.stdout.splitlines():
+        if line.startswith("{"):
+            one = json.loads(line)
+            points.append(Point(f'{one["steps"]} steps', one["setUp"], one["run"],
+                                abs(one["angle"] - expected), one["drift"], one.get("calls")))
+    print(name, scene, n, [(p.label, p.run, p.error) for p in points], file=sys.stderr, flush=True)
+    return [point for point in points if math.isfinite(point.error)]
+
+
+def warm(column, tolerances, files, expected):
+    """Points of ours in a process that has run the model before, by file."""
+    out, _, _ = process("java", "-XX:+UseSerialGC", "-cp", ROOT / "benchmarks/target/benchmarks.jar",
+                        "org.mechservice.benchmarks.study.WarmLoops", column, ",".join(tolerances),
+                        *files)
+    lines, found = iter(out.splitlines()), []
+    for value in expected:
+        points = []
+        for tolerance in tolerances:
+            set_up, run, end = map(float, next(lines).split())
+            points.append(Point(tolerance, set_up, run, abs(end - value)))
+        print("warm", [(p.label, p.set_up, p.run, p.error) for p in points], file=sys.stderr,
+              flush=True)
+        found.append(points)
+    return found
+
+
+def in_new_processes(name, text, tolerances, what, expected, repetitions):
+    points = []
+    for tolerance in tolerances:
+        options = ("--rtol", tolerance, "--atol", f"{float(tolerance) / 100:g}")
+        found = median(lambda: ours(name, text, *options), repetitions)
+        points.append(Point(tolerance, found["setUp"], found["run"], abs(found[what] - expected),
+                            drift(name, text, *options)))
+    return points
+
+
+def exactly(name, text, what):
+    return ours(name, text, "--rtol", "1e-11", "--atol", "1e-13")[what]
+
+
+def written(name, text):
+    file = WORK / f"{name}.xml"
+    file.write_text(text)
+    return file
+
+
+def rows_of_points(python, scene, texts, values, tolerances, peers):
+    """Points by size and program; peers are (name, numbers of steps, largest size)."""
+    files = [written(f"warm-{scene}{n}", text) for n, text in texts.items()]
+    rows = {}
+    for n, points, value in zip(texts, warm("a0.q", tolerances, files, values), values):
+        rows[n] = {OURS: points}
+        for name, counts, most in peers:
+            if n <= most:
+                rows[n][name] = peer(python, name, scene, n, counts, value)
+    return rows
+
+
+def scenes_of_points(python, repetitions):
+    scenes, tolerances = {}, ["1e-4", "1e-6", "1e-8"]
+    for title, text, scene, n, column, what in (
+            ("40 four-bars in a row", fourbars(40), "fourbars", 40, "a0.q", "angle"),
+            ("track of 100 shoes", track(100), "track", 100, "a0.q", "angle"),
+            ("net of 10 x 10 plates", net(10), "net", 10, "j0_0.q", "angle"),
+            ("vehicle of 119 coordinates", vehicle(), "vehicle", 0, "chassis.q[6]", "height")):
         name = title.replace(" ", "_")
-        reference = ours(name, text, "--rtol", "1e-11", "--atol", "1e-13")[what]
-        for tolerance in ("1e-4", "1e-6", "1e-8"):
-            options = ("--rtol", tolerance, "--atol", f"{float(tolerance) / 100:g}")
-            found = median(lambda: ours(name, text, *options), repetitions)
-            rows.append([title, f"MechService, {tolerance}", f'{found["setUp"]:.2f}',
-                         f'{found["run"]:.3f}', f'{abs(found[what] - reference):.0e}',
-                         f"{drift(name, text, *options):.0e}"])
-            print(rows[-1], file=sys.stderr, flush=True)
-        for other, steps in runs:
-            try:
-                found = median(lambda: peer(python, other, scene, n, steps), min(repetitions, 2))
-                wrong = abs(found["angle"] - reference)
-                if not math.isfinite(wrong):
-                    raise RuntimeError("no finite result")
-                rows.append([title, f"{other}, {steps} steps", f'{found["setUp"]:.3f}',
-                             f'{found["run"]:.3f}', f"{wrong:.0e}", f'{found["drift"]:.0e}'])
-            except RuntimeError as e:
-                why = ("not written" if "is not written" in str(e) else "no result")
-                rows.append([title, f"{other}, {steps} steps", why, "", "", ""])
-            print(rows[-1], file=sys.stderr, flush=True)
-    return table(["scene", "program", "set-up, s", "run, s", "error", "drift, m"], rows)
+        expected = exactly(name, text, what)
+        points = scenes[title] = {
+            NEW: in_new_processes(name, text, tolerances, what, expected, repetitions),
+            OURS: warm(column, tolerances, [written(f"warm-{scene}", text)], [expected])[0]}
+        for other, counts in (("exudyn", (100, 1000, 4000)), ("exudyn-dense", (100, 1000)),
+                              ("mujoco", (100, 1000, 10000)), ("pinocchio", (20, 50, 200))):
+            if other != "exudyn-dense" or scene == "net":
+                points[other] = peer(python, other, scene, n, counts, expected)
+    return scenes
+
+
+def points_table(scenes):
+    rows = []
+    for title, programs in scenes.items():
+        for program, points in programs.items():
+            name = NAMES.get(program, program)
+            for p in points:
+                rows.append([title, f"{name}, {p.label}", f"{p.set_up:.3f}", f"{p.run:.3f}",
+                             "" if p.calls is None else f"{p.calls:.3f}", f"{p.error:.0e}",
+                             "" if p.drift is None else f"{p.drift:.0e}"])
+            if not points:
+                rows.append([title, name, "no result", "", "", "", ""])
+    return table(["scene", "program", "set-up, s", "run, s", "of it calls, s", "error", "drift, m"],
+                 rows)
+
+
+def equal_cells(programs, level, names):
+    """Run / set-up and run at an error, and the run's ratio to that of ours."""
+    mine, _ = at_error(programs[OURS], level, lambda p: p.run)
+
+    def ratio(seconds):
+        return "" if mine is None else f" ({short(seconds / mine)})"
+
+    cells = []
+    for name in names:
+        run, limit = at_error(programs.get(name, ()), level, lambda p: p.run)
+        if run is None:
+            cells.append("not reached" if programs.get(name) else "not run")
+            continue
+        whole, _ = at_error(programs[name], level, lambda p: p.set_up + p.run)
+        cells.append(f'{"≤ " if limit else ""}{run:.2g} / {whole:.2g}'
+                     + ("" if name == OURS else ratio(run)))
+    calls, _ = at_error([p for p in programs.get("pinocchio", ()) if p.calls is not None], level,
+                        lambda p: p.calls)
+    return [*cells, "" if calls is None else f"{calls:.2g}{ratio(calls)}"]
+
+
+def equal_table(head, rows, levels, new):
+    """Times at equal errors; new, whether runs in new processes were measured too."""
+    names = [OURS, *([NEW] if new else []), "exudyn", "mujoco", "pinocchio"]
+    several = len(levels) > 1
+    lines = [[str(title), *([f"{level:.0e}"] if several else []),
+              *equal_cells(programs, level, names)]
+             for title, programs in rows.items() for level in levels]
+    return table([head, *(["error"] if several else []), *(NAMES.get(name, name) for name in names),
+                  "Pinocchio, calls alone"], lines)
+
+
+SMALL_SCENES = ("benchmarks/slider_crank_planar.xml",
+                "five-point-suspension/five-point-suspension.xml")
+
+
+def small_scenes(before, repetitions):
+    """Whole commands of small scenes in an older checkout and in this one, in turns."""
+    files = {"one four-bar": written("small-1", fourbars(1)),
+             "20 four-bars in a row": written("small-20", fourbars(20))}
+    files |= {scene.split("/")[-1]: before / "examples" / scene for scene in SMALL_SCENES}
+    rows = []
+    for name, file in files.items():
+        taken = {before: [], ROOT: []}
+        for _ in range(repetitions):
+            for home, times in taken.items():
+                begun = time.monotonic()
+                _, cpu, _ = process(home / "mech", "simulate", file, "--quiet", "--out",
+                                    WORK / "small.csv")
+                times.append((time.monotonic() - begun, cpu))
+        cells = []
+        for k in (0, 1):
+            old, new = (statistics.median(one[k] for one in taken[home]) for home in (before, ROOT))
+            cells += [f"{old:.2f}", f"{new:.2f}", f"{new / old:.2f}"]
+        rows.append([name, *cells])
+        print(rows[-1], file=sys.stderr, flush=True)
+    return table(["scene", "before, s", "now, s", "ratio", "before, s of processor time",
+                  "now, s of processor time", "ratio"], rows)
 
 
 def environment():
@@ -744,35 +543,38 @@ def machine():
     return f"{cpu}, {os.cpu_count()} processors, {platform.system()} {platform.machine()}"
 
 
-def peer_run(name, scene, n, steps):
-    if scene == "vehicle":
-        if name != "mujoco":
-            raise SystemExit(f"the vehicle is not written for {name}")
-        return mujoco_drives(steps)
-    programs = {"exudyn": exudyn, "mujoco": mujoco, "pinocchio": pinocchio}
-    return programs[name](PLANAR[scene](n), steps)
-
-
 def main():
     options = argparse.ArgumentParser(description=__doc__)
     options.add_argument("--short", action="store_true")
-    options.add_argument("--peer", nargs=4, metavar=("NAME", "SCENE", "N", "STEPS"))
+    options.add_argument("--before", type=pathlib.Path, metavar="FOLDER")
     given = options.parse_args()
-    if given.peer:
-        name, scene, n, steps = given.peer
-        print(json.dumps(peer_run(name, scene, int(n), int(steps))))
-        return
     WORK.mkdir(parents=True, exist_ok=True)
+    if given.before:
+        print(small_scenes(given.before, 3 if given.short else 11))
+        return
     python = environment()
     repetitions = 1 if given.short else REPETITIONS
-    sizes = [20, 80] if given.short else [20, 40, 80, 160, 320, 640, 1280, 2560]
-    peers = [("exudyn", 250, 640), ("exudyn", 1000, 320), ("mujoco", 1000, 160),
-             ("pinocchio", 100, 160)]
+    sizes = [20, 40] if given.short else [20, 40, 80, 160, 320, 640, 1280, 2560]
+    lengths = [50] if given.short else [50, 100, 200, 400, 1000]
+    rows = rows_of_points(
+        python, "fourbars", {n: fourbars(n) for n in sizes}, [exact(n) for n in sizes],
+        ["1e-5", "1e-6"],
+        [("exudyn", (100, 500, 1500), 2560), ("mujoco", (1000, 4000, 16000), 1280),
+         ("pinocchio", (10, 20, 40), 320)])
+    chain_rows = rows_of_points(
+        python, "chain", {n: chain(n, True) for n in lengths},
+        [exactly(f"exact-chain{n}", chain(n, True), "angle") for n in lengths], ["1e-4", "1e-6"],
+        [("exudyn", (20, 100, 500), 1000), ("mujoco", (20, 100, 400), 1000),
+         ("pinocchio", (10, 20, 40), 1000)])
+    scenes = scenes_of_points(python, repetitions)
     text = (HERE / "loops-at-scale.md.in").read_text().format(
         date=time.strftime("%Y-%m-%d"), machine=machine(),
-        fourbars=four_bars(python, sizes, peers, repetitions),
-        chains=chains([50] if given.short else [50, 100, 200, 400, 1000], repetitions),
-        equal=equal_error(python, repetitions),
+        fourbars=four_bars(sizes, repetitions),
+        fourbarsequal=equal_table("N", rows, (1e-6,), False),
+        chainsequal=equal_table("links", chain_rows, (1e-6,), False),
+        scenesequal=equal_table("scene", scenes, (1e-4, 1e-6, 1e-8), True),
+        points=points_table(scenes),
+        chains=chains(lengths, repetitions),
         evaluations=evaluations([200] if given.short else [200, 400, 1000]),
         steps=steps([100, 200] if given.short else [100, 200, 400, 800, 1600, 3200]),
         others=others(repetitions))

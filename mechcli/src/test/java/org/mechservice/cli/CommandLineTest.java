@@ -55,6 +55,14 @@ class CommandLineTest {
             + " lists what there is)",
         "report -o r | S-041 report: name a model, or --compare with two files",
         "report m.xml | S-041 report: name the folder for the pages, -o DIR",
+        "report m.xml -o r --budget 0 | S-041 --budget 0.0: the time for a report is a positive number"
+            + " of seconds",
+        "report m.xml -o r --budget -5 | S-041 --budget -5.0: the time for a report is a positive"
+            + " number of seconds",
+        "report m.xml -o r --budget NaN | S-041 --budget NaN: the time for a report is a positive"
+            + " number of seconds",
+        "report m.xml -o r --budget soon | S-041 --budget takes a number, not soon (mech help report"
+            + " lists what there is)",
         "report --compare pom.xml pom.xml | S-041 --compare: pom.xml has no runs of a report",
         "stability -o r --limit x | S-041 --limit takes a number, not x (mech help stability lists"
             + " what there is)",

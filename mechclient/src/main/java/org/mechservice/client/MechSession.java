@@ -236,7 +236,7 @@ public final class MechSession implements AutoCloseable {
    * @throws InvalidStateException if no model is loaded
    */
   public String checkReport(boolean asJson) {
-    return setUp.get(patient -> patient.checkReport(asJson));
+    return checkReport(SimulationOptions.asInFile(), asJson);
   }
 
   /**
@@ -246,9 +246,29 @@ public final class MechSession implements AutoCloseable {
    */
   public String checkReport(SimulationOptions options, boolean asJson) {
     NameValue[] asked = options.toNameValues();
-    return asked.length == 0
-        ? checkReport(asJson)
-        : setUp.get(patient -> patient.checkReportWith(asked, asJson));
+    try {
+      return asked.length == 0
+          ? setUp.get(patient -> patient.checkReport(asJson))
+          : setUp.get(patient -> patient.checkReportWith(asked, asJson));
+    } catch (LimitExceededException e) {
+      if (!e.limit().equals(RemoteCalls.MESSAGE_BYTES)) {
+        throw e;
+      }
+      return checkReportInParts(options, asJson);
+    }
+  }
+
+  /** Returns a report that is larger than a message. */
+  private String checkReportInParts(SimulationOptions options, boolean asJson) {
+    StringBuilder report = new StringBuilder();
+    for (int i = 0; ; i++) {
+      NameValue[] next = options.textPart(i).toNameValues();
+      String part = setUp.get(patient -> patient.checkReportWith(next, asJson));
+      if (part.isEmpty()) {
+        return report.toString();
+      }
+      report.append(part);
+    }
   }
 
   /**

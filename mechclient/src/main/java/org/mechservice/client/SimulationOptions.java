@@ -30,6 +30,7 @@ import org.mechservice.idl.OPT_SIMULATION;
 import org.mechservice.idl.OPT_SOURCE_PART;
 import org.mechservice.idl.OPT_STANDALONE;
 import org.mechservice.idl.OPT_STRICT;
+import org.mechservice.idl.OPT_TEXT_PART;
 import org.mechservice.idl.OPT_TUNABLE;
 import org.mechservice.idl.OPT_T_END;
 import org.mechservice.idl.OPT_T_STEP;
@@ -148,6 +149,11 @@ public final class SimulationOptions {
   /** Requests the sources in C instead of Java. */
   public SimulationOptions inC() {
     return with(SourceLanguage.OPTION, SourceLanguage.C.label());
+  }
+
+  /** Requests a part of a long text, from 0. */
+  SimulationOptions textPart(int part) {
+    return with(OPT_TEXT_PART.value, Integer.toString(part));
   }
 
   /** Requests another class of the model than that of its equations, from 1. */

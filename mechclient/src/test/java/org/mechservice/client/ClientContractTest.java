@@ -65,6 +65,12 @@ class ClientContractTest {
     session.loadModel("square.xml", MODEL);
   }
 
+  @Test
+  void reportThatFitsIntoNoMessageIsFetchedInParts() {
+    assertThat(session.checkReport(true)).isEqualTo("{\"a\":1}");
+    assertThat(server.happened).contains("text-part=0", "text-part=1", "text-part=2");
+  }
+
   @AfterEach
   void close() {
     session.close();

@@ -44,6 +44,7 @@ import org.omg.BiDirPolicy.BIDIRECTIONAL_POLICY_TYPE;
 import org.omg.BiDirPolicy.BOTH;
 import org.omg.BiDirPolicy.BidirectionalPolicyValueHelper;
 import org.omg.CORBA.Any;
+import org.omg.CORBA.NO_MEMORY;
 import org.omg.CORBA.ORB;
 import org.omg.CORBA.Policy;
 import org.omg.CORBA.UserException;
@@ -221,6 +222,22 @@ final class ScriptedServer implements AutoCloseable {
     ModelInfo getModelInfo() {
       return new ModelInfo(
           "square", "abc", new NameValue[0], "DTR", "a tree", new Channel[0], new Diagnostic[0]);
+    }
+
+    /** As the ORB says of an answer that no message holds. */
+    String checkReport(boolean asJson) {
+      throw new NO_MEMORY();
+    }
+
+    String checkReportWith(NameValue[] options, boolean asJson) {
+      for (NameValue option : options) {
+        happened.add(option.key + "=" + option.text);
+      }
+      return switch (options[0].text) {
+        case "0" -> "{\"a\"";
+        case "1" -> ":1}";
+        default -> "";
+      };
     }
 
     NameValue[] timings() {

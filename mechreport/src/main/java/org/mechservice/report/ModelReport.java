@@ -49,10 +49,19 @@ import org.mechservice.solver.catalogue.MethodNames;
 public final class ModelReport {
   private static final int OUTPUT_INTERVALS = 50;
 
-  /** Parts of the time for the report: one solution of the reference, of a large mechanism too. */
+  /** Part of the time for the report: one solution of the reference. */
   private static final double OF_REFERENCE = 0.15;
 
-  private static final double OF_LARGE_REFERENCE = 0.07;
+  /** Part of the time that is left: all solutions of the reference of a large mechanism. */
+  private static final double OF_LARGE_REFERENCE = 0.3;
+
+  /** What they may take at most, in times of one of a small mechanism, and least for that, s. */
+  private static final double LARGE_SOLUTIONS = 4;
+
+  private static final double LARGE_SECONDS = 60;
+
+  /** Part of the time that is left: looks at the loops in the first runs of all points. */
+  private static final double OF_LOOPS = 0.1;
 
   /** What eigenvalues may take of the time that is left for the report. */
   private static final double OF_SPECTRUM = 0.15;
@@ -108,7 +117,7 @@ public final class ModelReport {
     ReferenceFile kept =
         new ReferenceFile(
             folder.resolve(baseName(file) + "-reference.csv"), purpose(file), model.description());
-    Judge judge = judge(candidates, model, settings, distance, kept);
+    Judge judge = judge(candidates, model, settings, distance, kept, budget);
     Optional<Spectrum> spectrum = spectrum(judge, model, budget);
     String csv = baseName(file) + ".csv";
     Map<String, TimeShares> shares = new LinkedHashMap<>();
@@ -119,7 +128,8 @@ public final class ModelReport {
               MeasurementFile.open(
                   folder.resolve(csv), purpose(file) + "; " + code(candidates.get(0)));
           MethodRunner runner =
-              new MethodRunner(reference, distance, judge.grid(), loops(candidates))) {
+              new MethodRunner(
+                  reference, distance, judge.grid(), loops(candidates, reference, budget))) {
         List<MeasuredRun> leftOut =
             new Campaign(runner, journal, effort, budget, progress).run(candidates);
         points = Point.of(Stream.concat(journal.runs().stream(), leftOut.stream()).toList());
@@ -147,13 +157,19 @@ public final class ModelReport {
         budget.savings());
   }
 
-  /** Residuals and multipliers of the scene's loops; empty for an open chain. */
-  private Optional<LoopForces> loops(List<Candidate> candidates) {
+  /**
+   * Residuals and multipliers of the scene's loops, at as many times as the report's time allows;
+   * empty for an open chain, and where it allows none.
+   */
+  private Optional<LoopForces> loops(
+      List<Candidate> candidates, Reference reference, ReportBudget budget) {
     SimulationMethod first = candidates.get(0).method();
     if (first.closure().equals(MethodNames.NONE)) {
       return Optional.empty();
     }
-    return LoopForces.of(builds.withConstraints(first));
+    int points = candidates.size() * effort.tolerances().length;
+    return LoopForces.of(builds.withConstraints(first))
+        .flatMap(loops -> loops.within(reference, points, OF_LOOPS * budget.left(), budget));
   }
 
   private static int freedoms(ModelProblem problem, ExplicitModel model) {
@@ -167,16 +183,20 @@ public final class ModelReport {
       ExplicitModel model,
       RunSettings settings,
       StateDistance distance,
-      ReferenceFile file)
+      ReferenceFile file,
+      ReportBudget budget)
       throws IOException {
     RunGrid uniform = RunGrid.uniform(settings.tStart(), settings.tEnd(), OUTPUT_INTERVALS);
     List<ReferenceMaker.Source> sources = sources(candidates);
     double seconds = effort.referenceSeconds();
+    double ofBudget = OF_REFERENCE * effort.budgetSeconds();
     ReferenceMaker maker =
         new ReferenceMaker(
             distance,
-            Math.min(seconds, OF_REFERENCE * effort.budgetSeconds()),
-            Math.min(Math.max(seconds, 60), OF_LARGE_REFERENCE * effort.budgetSeconds()));
+            Math.min(seconds, ofBudget),
+            Math.min(
+                LARGE_SOLUTIONS * Math.max(seconds, LARGE_SECONDS),
+                OF_LARGE_REFERENCE * budget.left()));
     Optional<PublishedReference> published =
         PublishedReference.of(
             model.description().name(), candidates.get(0).problem(), settings.tEnd(), distance);
@@ -192,6 +212,13 @@ public final class ModelReport {
               .map(reference -> reference.saying(extent.why()));
       if (made.isPresent()) {
         file.write(made.get(), grid);
+      } else if (ofBudget < seconds) {
+        budget.saves(
+            "A code had "
+                + ReportBudget.inWords(ofBudget)
+                + " in place of "
+                + ReportBudget.inWords(seconds)
+                + " to make the reference. Without one nothing was measured.");
       }
     }
     return Judge.of(published, made, distance, grid);

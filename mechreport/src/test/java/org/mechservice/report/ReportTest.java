@@ -168,7 +168,7 @@ class ReportTest {
     assertThat(points).hasSize(8);
     assertThat(page)
         .contains("Not measured, to keep the time for the report", "it is not known how long a run")
-        .contains("The time for the report, 10.0 minutes", "Rounds to warm up were left out.")
+        .contains("The time for the report, 10 minutes", "Rounds to warm up were left out.")
         .doesNotContain("<h2>Failures");
     assertThat(ScenePage.of(measured)).doesNotContain("time for the report");
   }

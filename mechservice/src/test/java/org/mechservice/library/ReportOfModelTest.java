@@ -136,4 +136,63 @@ class ReportOfModelTest {
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageStartingWith("S-008 the simulation is <static>");
   }
+
+  /** Sixty-one pendulums have 122 unknowns, too many for the codes with dense matrices. */
+  @Test
+  void largeMechanismHasAReferenceInItsPartOfTheTime() throws Exception {
+    Path file = Files.writeString(folder.resolve("row.xml"), row(61));
+    reportUpTo("errors", MechModel.read(file));
+
+    assertThat(Files.readString(folder.resolve("row-reference.csv")))
+        .contains("Large mechanism:", "is the tightest tolerance that a solution kept")
+        .contains("Checked by: Gragg-Bulirsch-Stoer extrapolation, order 10");
+  }
+
+  /** Pendulums beside each other, as many as there are velocities. */
+  private static String row(int pendulums) {
+    StringBuilder points = new StringBuilder();
+    StringBuilder bodies = new StringBuilder();
+    StringBuilder joints = new StringBuilder();
+    StringBuilder starts = new StringBuilder();
+    for (int i = 0; i < pendulums; i++) {
+      points.append("<point name='p%d' x='%d' y='0' z='0'/>".formatted(i, i));
+      bodies.append(
+          ("<body name='k%d'><point name='p' x='0' y='0' z='0'/>"
+                  + "<vector name='y' vx='0' vy='1' vz='0'/><cog x='%s' y='0' z='0'/>"
+                  + "<mass value='1'/><inertiaTensor Ixx='0.1' Iyy='0.1' Izz='0.1'/></body>")
+              .formatted(i, 0.5 + 0.01 * i));
+      joints.append(
+          ("<joint name='a%d' type='R'><body1 name='g' point='p%d' vector='y'/>"
+                  + "<body2 name='k%d' point='p' vector='y'/></joint>")
+              .formatted(i, i, i));
+      starts.append("<jointVal name='a%d' posVals='0.3' velVals='0'/>".formatted(i));
+    }
+    return """
+    <MechML>
+      <MBSsimulation><dynamic>
+        <timeSet tini='0' tend='0.2' tstep='0.02'/>
+        <integrator name='auto' relTol='1e-6' absTol='1e-8'/>
+      </dynamic></MBSsimulation>
+      <MBSmodel name='Row' massUnits='kg' lengthUnits='m'>
+        <Bodies><body name='g'>%s<vector name='y' vx='0' vy='1' vz='0'/></body>%s</Bodies>
+        <Joints>%s</Joints>
+        <Forces><gravity gx='0' gy='0' gz='-9.81'/></Forces>
+        <topology><root name='g'/><relCoorVals>%s</relCoorVals></topology>
+      </MBSmodel>
+    </MechML>
+    """
+        .formatted(points, bodies, joints, starts);
+  }
+
+  @Test
+  void reportWithAlmostNoTimeSaysWhatItLeftOut() throws Exception {
+    Path page =
+        read("elements/Parameters.xml")
+            .until(0.2)
+            .report(folder, LEAST.withBudget(1e-6), ReportProgress.SILENT);
+
+    assertThat(Files.readString(page))
+        .contains("The time for the report", "<code>mech report --budget SECONDS</code>")
+        .contains("in place of 1 s to make the reference. Without one nothing was measured.");
+  }
 }

@@ -1,7 +1,6 @@
 package org.mechservice.study;
 
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
@@ -179,28 +178,11 @@ public final class PointModel implements PointEvaluation {
   }
 
   /**
-   * Opens a model file.
+   * Takes a model that has been read.
    *
-   * @param file MechML file
-   * @param simulation name or number of its simulation; empty for the first
    * @param factors parameters that points set
    * @param reductions what is kept of each run; columns of groups that the simulation does not put
    *     out are added
-   * @throws IOException if the file cannot be read
-   * @throws MechmlException if the model cannot be used
-   * @throws IllegalArgumentException if it has no such parameter or column
-   */
-  public static PointModel open(
-      Path file, Optional<String> simulation, List<String> factors, List<Reduction> reductions)
-      throws IOException, MechmlException {
-    MechModel read = MechModel.read(file);
-    return of(
-        simulation.isPresent() ? read.simulation(simulation.get()) : read, factors, reductions);
-  }
-
-  /**
-   * Takes a model that has been read.
-   *
    * @throws MechmlException if it cannot be used
    * @throws IllegalArgumentException if it has no such parameter or column
    */

@@ -53,16 +53,19 @@ public final class CheckCommand implements Callable<Integer> {
       SimulationOptions options = silence.addTo(SimulationOptions.asInFile());
       String report = session.checkReport(options, json);
       spec.commandLine().getOut().println(report.stripTrailing());
-      return strict ? judged(session, options) : ExitStatus.DONE;
+      if (!strict) {
+        return ExitStatus.DONE;
+      }
+      return judged(json ? report : session.checkReport(options, true));
     }
   }
 
-  private int judged(MechSession session, SimulationOptions options) {
+  /**
+   * @param report as JSON
+   */
+  private int judged(String report) {
     int warnings =
-        JsonParser.parseString(session.checkReport(options, true))
-            .getAsJsonObject()
-            .getAsJsonArray("warnings")
-            .size();
+        JsonParser.parseString(report).getAsJsonObject().getAsJsonArray("warnings").size();
     if (warnings == 0) {
       return ExitStatus.DONE;
     }

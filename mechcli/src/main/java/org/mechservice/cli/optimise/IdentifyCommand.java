@@ -125,6 +125,8 @@ public final class IdentifyCommand implements Callable<Integer> {
       List<DesignVariable> variables = design.variables(model);
       VariableOptions.Derived<Optional<Derivatives>> derived =
           design.derived(
+              model,
+              variables,
               exact -> exact ? Optional.of(measured.slopes(model, variables)) : Optional.empty());
       derivatives = derived.derivatives();
       Response residuals = measured.residuals(model, variables);

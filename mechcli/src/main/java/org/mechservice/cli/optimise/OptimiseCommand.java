@@ -234,7 +234,8 @@ public final class OptimiseCommand implements Callable<Integer> {
           MessageCode.DESIGN_UNUSABLE
               + " --front belongs to two objectives; write --minimise or --maximise once more");
     }
-    ModelDesign made = new ModelDesign(model, design.variables(model));
+    List<DesignVariable> variables = design.variables(model);
+    ModelDesign made = new ModelDesign(model, variables);
     minimise.forEach(made::minimise);
     maximise.forEach(made::maximise);
     residuals.forEach(made::residual);
@@ -244,7 +245,7 @@ public final class OptimiseCommand implements Callable<Integer> {
       return plain;
     }
     VariableOptions.Derived<DesignProblem> derived =
-        design.derived(exact -> exact ? made.problem(true) : plain);
+        design.derived(model, variables, exact -> exact ? made.problem(true) : plain);
     derivatives = ", " + derived.derivatives();
     return derived.made();
   }

@@ -14,6 +14,7 @@ import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.solver.api.ModelParameter;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.study.ModelInputs;
 import org.mechservice.study.optimise.DesignVariable;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -54,7 +55,8 @@ final class VariableOptions {
       defaultValue = "auto",
       description =
           "exact: derivatives by integrating them along with the motion; differences: of whole"
-              + " runs; auto: exact where the model has them (default: ${DEFAULT-VALUE}).")
+              + " runs; auto: exact where the model has them and they take less time (default:"
+              + " ${DEFAULT-VALUE}).")
   private String gradient = "auto";
 
   @Mixin private ParameterOption settings = new ParameterOption();
@@ -76,16 +78,22 @@ final class VariableOptions {
   record Derived<T>(T made, String derivatives) {}
 
   /**
-   * Makes something with exact derivatives, unless differences are asked for or there are none.
+   * Makes something with exact derivatives, unless differences are asked for, there are none, or
+   * they take more time.
    *
    * @throws IllegalArgumentException if exact derivatives are asked for and there are none
    */
-  <T> Derived<T> derived(Made<T> maker) throws MechmlException {
+  <T> Derived<T> derived(MechModel model, List<DesignVariable> variables, Made<T> maker)
+      throws MechmlException {
     if (!List.of("auto", "exact", "differences").contains(gradient)) {
       throw new IllegalArgumentException(
           "--gradient is \"" + gradient + "\"; there are auto, exact and differences");
     } else if (gradient.equals("differences")) {
       return new Derived<>(maker.made(false), "differences of runs");
+    } else if (gradient.equals("auto") && isOneOfTheEquations(model, variables)) {
+      return new Derived<>(
+          maker.made(false),
+          "differences of runs, since they take less time for one parameter of masses or geometry");
     }
     try {
       return new Derived<>(maker.made(true), "exact derivatives");
@@ -96,6 +104,16 @@ final class VariableOptions {
       T without = maker.made(false);
       return new Derived<>(without, "differences of runs, since " + e.getMessage());
     }
+  }
+
+  /**
+   * Returns whether the only variable is a parameter for which equations are made anew: five times
+   * for each derivative, where a difference takes two runs.
+   */
+  private static boolean isOneOfTheEquations(MechModel model, List<DesignVariable> variables)
+      throws MechmlException {
+    return variables.size() == 1
+        && ModelInputs.of(model, List.of(variables.get(0).name())).names().isEmpty();
   }
 
   /** Returns the name of the model's file. */

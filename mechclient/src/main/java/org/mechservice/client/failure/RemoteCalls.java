@@ -30,6 +30,9 @@ import org.omg.CORBA.UserException;
  */
 public record RemoteCalls(String address) {
   /** Pauses before the retries of a cut connection, ms; after the last, the server is lost. */
+  /** Name of the limit of a message, as a {@link LimitExceededException} tells it. */
+  public static final String MESSAGE_BYTES = "messageBytes";
+
   private static final long[] PAUSES_MILLIS = {0, 200, 800};
 
   /** A call that returns something. */
@@ -180,7 +183,7 @@ public record RemoteCalls(String address) {
                   + most
                   + " bytes, of which a text takes up to four for each character; ask for less at"
                   + " once, or split the model",
-              "messageBytes",
+              MESSAGE_BYTES,
               most,
               most + 1L);
     } else {

@@ -23,9 +23,12 @@ import org.mechservice.report.method.Candidate;
  * so. Where even the fastest method takes long, because the mechanism is large, the limit follows
  * it.
  *
- * <p>All keep the report's {@link ReportBudget}: methods that were fast at a tolerance come first
- * at the next one, and a run whose time, forecast from looser tolerances, would be missing to them
- * is left out. It says so, and is not written to the file of measurements: a report with more time
+ * <p>All keep the report's {@link ReportBudget}. At the loosest tolerance, where nothing is known
+ * of a method, every one has its share of the time, and what one does not use is for the others.
+ * Methods that were fast at a tolerance come first at the next one, and a run whose time, forecast
+ * from looser tolerances, would be missing to them is left out. A method that its share did not
+ * bring to the end is tried again with the time that is left when all others have their points.
+ * What is left out says so, and is not written to the file of measurements: a report with more time
  * takes it up.
  */
 public final class Campaign {
@@ -36,7 +39,10 @@ public final class Campaign {
   public static final String LEFT_OUT = "left out: ";
 
   /** Part of the report's remaining time for the first run of every point. */
-  private static final double FIRST_RUNS = 0.5;
+  private static final double FIRST_RUNS = 0.6;
+
+  /** Part of that which the runs at the loosest tolerance may take, one of each method. */
+  private static final double OF_LOOSEST = 0.5;
 
   /** Part of the report's remaining time for timed runs, and at most half of it to warm up. */
   private static final double TIMED_RUNS = 0.7;
@@ -44,14 +50,17 @@ public final class Campaign {
   /** What a run may take in times of the fastest method, however large the mechanism is. */
   private static final double BESIDE_FASTEST = 10;
 
+  /** A run that was stopped is tried again with so many times what it had. */
+  private static final double LONGER = 2;
+
   private final MethodRunner runner;
   private final MeasurementFile journal;
   private final Effort effort;
   private final ReportBudget budget;
   private final ReportProgress progress;
   private final Map<Candidate, Course> courses = new LinkedHashMap<>();
-  private double wallSeconds;
-  private double processorSeconds;
+  private double asideSeconds;
+  private int firstRuns;
 
   /**
    * @param budget time of the whole report; runs take part of what is left of it when they begin
@@ -131,20 +140,29 @@ public final class Campaign {
             spent == 0 ? Double.NaN : spent / done * (points - done + wholeRounds(points));
         progress.at(
             "errors: " + candidate.method(), 0.3 * done / points, Math.min(left, budget.left()));
-        double all = (budget.left() - after) / load();
+        double all = processorTime(budget.left() - after);
         double time =
-            all - Math.min(all / 2, reserved(candidate, found, tolerances.length - 1 - i));
+            i == 0
+                ? OF_LOOSEST * all / (candidates.size() - found.size())
+                : all - Math.min(all / 2, reserved(candidate, found, tolerances.length - 1 - i));
         MeasuredRun first =
             first(candidate, tolerances[i], hopeless, fastest(found.values()), time);
         found.put(candidate, first);
         spent += first.seconds();
         done++;
       }
-      if (i == 0 && fastest(found.values()).isEmpty()) {
+      if (i == 0) {
         tryLonger(found, budget.left() - after);
       }
       conclude(candidates, found, hopeless);
     }
+    tryAgain(candidates, budget.left() - after);
+  }
+
+  /** Processor time of a run that has some time by the clock, with what is done beside it. */
+  private double processorTime(double clock) {
+    double aside = firstRuns == 0 ? 0 : asideSeconds / firstRuns;
+    return Math.max(0, clock - aside) / runner.load();
   }
 
   private List<Candidate> fastestFirst(List<Candidate> candidates) {
@@ -196,7 +214,8 @@ public final class Campaign {
       return MeasuredRun.notRun(method, tolerance, cause);
     }
     double forecast = course(candidate).forecast();
-    if (time <= 0 || (Double.isFinite(forecast) && forecast > time)) {
+    boolean tooLong = Double.isFinite(forecast) && forecast > time;
+    if (tooLong || (Double.isInfinite(forecast) && time < MethodRunner.SHORTEST_LIMIT)) {
       return MeasuredRun.notRun(method, tolerance, LEFT_OUT + noTime(forecast, time));
     }
     double sense = best.map(Campaign::mostSeconds).orElse(Double.POSITIVE_INFINITY);
@@ -220,17 +239,10 @@ public final class Campaign {
   private MeasuredRun timed(Candidate candidate, double tolerance, double limit) {
     long started = System.nanoTime();
     MeasuredRun run = runner.run(candidate, tolerance, 0, limit);
-    wallSeconds += (System.nanoTime() - started) * 1e-9;
-    processorSeconds += run.seconds();
+    double clock = (System.nanoTime() - started) * 1e-9;
+    asideSeconds += Math.max(0, clock - runner.load() * run.seconds());
+    firstRuns++;
     return run;
-  }
-
-  /**
-   * Wall-clock time of the first runs by their processor time: other work on the machine, and the
-   * columns of loops that are compared after a run.
-   */
-  private double load() {
-    return processorSeconds > 0 ? Math.max(1, wallSeconds / processorSeconds) : 1;
   }
 
   private String noTime(double forecast, double time) {
@@ -254,22 +266,58 @@ public final class Campaign {
         ReportBudget.inWords(budget.seconds()));
   }
 
-  /** Gives methods more time at the loosest tolerance if none of them came to the end. */
+  /**
+   * Gives methods more time at the loosest tolerance that were stopped before it was known what the
+   * fastest takes, or if none of them came to the end.
+   */
   private void tryLonger(Map<Candidate, MeasuredRun> found, double time) {
-    double limit = Math.min(BESIDE_FASTEST * effort.limitSeconds(), time / 2);
+    Optional<MeasuredRun> fastest = fastest(found.values());
+    double limit =
+        fastest
+            .map(run -> BESIDE_FASTEST * run.seconds())
+            .orElseGet(() -> Math.min(BESIDE_FASTEST * effort.limitSeconds(), time / 2));
     double end = budget.left() - time;
     for (Map.Entry<Candidate, MeasuredRun> one : found.entrySet()) {
       boolean late = one.getValue().cause().startsWith(MethodRunner.NOT_FINISHED);
       double left = budget.left() - end;
       boolean kept = kept(one.getKey(), one.getValue().tolerance()).isPresent();
-      if (late && !kept && left > 0 && limit > effort.limitSeconds()) {
+      double most = Math.min(limit, processorTime(left / 2));
+      if (late && !kept && most > LONGER * one.getValue().seconds()) {
         progress.at("errors, with more time: " + one.getKey().method(), 0.1, left);
-        double most = Math.min(limit, left);
         MeasuredRun again = timed(one.getKey(), one.getValue().tolerance(), most);
         one.setValue(again);
         if (again.completed()) {
           limit = Math.min(limit, BESIDE_FASTEST * again.seconds());
         }
+      }
+    }
+  }
+
+  /**
+   * Gives the time that is left for first runs to methods that their share of it did not bring to
+   * the end of the loosest tolerance.
+   */
+  private void tryAgain(List<Candidate> candidates, double time) throws IOException {
+    double end = budget.left() - time;
+    List<Candidate> late =
+        candidates.stream()
+            .filter(candidate -> course(candidate).firsts.stream().allMatch(Campaign::isLeftOut))
+            .toList();
+    for (int i = 0; i < late.size(); i++) {
+      Course course = course(late.get(i));
+      MeasuredRun before = course.firsts.get(0);
+      double left = processorTime(budget.left() - end) / (late.size() - i);
+      if (left < Math.max(MethodRunner.SHORTEST_LIMIT, LONGER * before.seconds())) {
+        continue;
+      }
+      progress.at("errors, with more time: " + late.get(i).method(), 0.3, budget.left());
+      double limit = Math.min(left, BESIDE_FASTEST * effort.limitSeconds());
+      MeasuredRun again = timed(late.get(i), before.tolerance(), limit);
+      if (again.cause().startsWith(MethodRunner.NOT_FINISHED)) {
+        course.firsts.set(0, again.failed(LEFT_OUT + again.cause() + ", and " + allows()));
+      } else {
+        course.firsts.set(0, again);
+        journal.add(again);
       }
     }
   }
@@ -325,7 +373,7 @@ public final class Campaign {
   /** In the same order as later the timed runs, so that the compiler sees the same. */
   private void warmUp(List<Candidate> candidates) {
     List<Due> due = due(candidates).stream().filter(point -> point.repeats() > 0).toList();
-    double round = load() * due.stream().mapToDouble(Due::seconds).sum();
+    double round = runner.load() * due.stream().mapToDouble(Due::seconds).sum();
     if (2 * round > TIMED_RUNS / 2 * budget.left()) {
       budget.saves(
           "Rounds to warm up were left out: one takes about "
@@ -370,7 +418,7 @@ public final class Campaign {
         if (round > point.repeats() || isDone(point, round)) {
           continue;
         }
-        if (budget.left() - after < load() * point.seconds()) {
+        if (budget.left() - after < runner.load() * point.seconds()) {
           tellRepeats(due);
           return;
         }
@@ -380,7 +428,7 @@ public final class Campaign {
             "timing, round " + round + " of " + Effort.REPEATS + ": " + point.candidate().method(),
             0.3 + 0.65 * (1 - left / total),
             Math.min(rate * left, budget.left()));
-        double limit = 5 * effort.limitSeconds();
+        double limit = 5 * Math.max(effort.limitSeconds(), point.seconds());
         journal.add(runner.run(point.candidate(), point.tolerance(), round, limit));
         left -= point.seconds();
       }
@@ -436,7 +484,7 @@ public final class Campaign {
   private List<Due> affordable(List<Due> points) {
     List<Due> cheapestFirst = new ArrayList<>(points);
     cheapestFirst.sort(Comparator.comparingDouble(Due::seconds));
-    double time = TIMED_RUNS * budget.left() / load();
+    double time = TIMED_RUNS * budget.left() / runner.load();
     double whole = points.stream().mapToDouble(Due::seconds).sum() * effort.fewestRepeats();
     int fewest = whole <= time ? effort.fewestRepeats() : 0;
     double left = Math.min(effort.timingSeconds(), time);

@@ -35,6 +35,9 @@ public final class MethodRunner implements AutoCloseable {
 
   private static final long LOOK_MILLIS = 20;
 
+  /** No run can be stopped sooner, s. */
+  static final double SHORTEST_LIMIT = 1e-3 * LOOK_MILLIS;
+
   /** Beginning of the cause of a run that was stopped for its time. */
   static final String NOT_FINISHED = "not finished within ";
 
@@ -43,6 +46,8 @@ public final class MethodRunner implements AutoCloseable {
   private final RunGrid grid;
   private final Optional<LoopForces> loops;
   private final double absolutePart;
+  private double clockSeconds;
+  private double processorSeconds;
   private final ScheduledExecutorService watch =
       Executors.newSingleThreadScheduledExecutor(
           task -> {
@@ -69,7 +74,7 @@ public final class MethodRunner implements AutoCloseable {
 
   /**
    * @param grid output times; they meet those of the reference
-   * @param loops residuals and multipliers of closed loops
+   * @param loops residuals and multipliers of closed loops, at times of the same reference
    */
   public MethodRunner(
       Reference reference, StateDistance distance, RunGrid grid, Optional<LoopForces> loops) {
@@ -115,6 +120,7 @@ public final class MethodRunner implements AutoCloseable {
     long bytes = threads.getCurrentThreadAllocatedBytes();
     // The thread's own time: other processes of the machine do not count.
     long started = threads.getCurrentThreadCpuTime();
+    long clock = System.nanoTime();
     RunReport report;
     try {
       RunRequest request = new RunRequest(settings, java.util.Set.of(ColumnGroup.JOINTS));
@@ -126,7 +132,17 @@ public final class MethodRunner implements AutoCloseable {
     }
     double seconds = (threads.getCurrentThreadCpuTime() - started) * 1e-9;
     bytes = threads.getCurrentThreadAllocatedBytes() - bytes;
+    clockSeconds += (System.nanoTime() - clock) * 1e-9;
+    processorSeconds += seconds;
     return measured(candidate, tolerance, round, limitSeconds, report, rows, seconds, bytes);
+  }
+
+  /**
+   * Returns how much longer the runs so far took by the clock than in processor time, since there
+   * is other work on the machine; at least 1.
+   */
+  double load() {
+    return processorSeconds > 0 ? Math.max(1, clockSeconds / processorSeconds) : 1;
   }
 
   /** Stops a run when its thread has used the time up. */
@@ -219,7 +235,7 @@ public final class MethodRunner implements AutoCloseable {
       return failed.failure().message();
     }
     return outcome instanceof Outcome.Stopped
-        ? NOT_FINISHED + String.format(Locale.ROOT, "%.3g s", limitSeconds)
+        ? NOT_FINISHED + ReportBudget.inWords(limitSeconds)
         : "";
   }
 
@@ -246,14 +262,10 @@ public final class MethodRunner implements AutoCloseable {
     double multipliers = Double.NaN;
     double residual = Double.NaN;
     if (withLoops && loops.isPresent()) {
-      multipliers = 0;
-      residual = 0;
-      for (int i = 0; i < reference.times().length; i++) {
-        double t = reference.times()[i];
-        double[] y = rows.at(t);
-        residual = Math.max(residual, loops.get().residual(t, y));
-        multipliers = Math.max(multipliers, loops.get().distance(t, y, reference.states()[i]));
-      }
+      double[] openAndApart =
+          loops.get().openAndApart(reference, i -> rows.at(reference.times()[i]));
+      residual = openAndApart[0];
+      multipliers = openAndApart[1];
     }
     return new MeasuredRun.Errors(
         atEnd, Math.max(positions, velocities), positions, velocities, multipliers, residual);

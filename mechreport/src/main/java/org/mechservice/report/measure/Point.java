@@ -79,16 +79,26 @@ public record Point(
     return first.errors().largest();
   }
 
-  /** Returns by how much of their median half of the times differ: the quartiles' distance. */
-  public double spread() {
-    return (highSeconds - lowSeconds) / seconds;
+  /** Returns whether it was run more than once, so that its quartiles tell something. */
+  public boolean isRepeated() {
+    return repeats > 1;
   }
 
   /**
-   * Returns whether the times are indistinguishable from another point's: the quartiles overlap.
+   * Returns by how much of their median half of the times differ: the quartiles' distance; NaN of a
+   * single run.
+   */
+  public double spread() {
+    return isRepeated() ? (highSeconds - lowSeconds) / seconds : Double.NaN;
+  }
+
+  /**
+   * Returns whether the times are indistinguishable from another point's: the quartiles overlap. Of
+   * single runs it is not known.
    */
   public boolean overlaps(Point other) {
-    return lowSeconds <= other.highSeconds && other.lowSeconds <= highSeconds;
+    boolean known = isRepeated() && other.isRepeated();
+    return known && lowSeconds <= other.highSeconds && other.lowSeconds <= highSeconds;
   }
 
   /** Returns whether the end was reached. */

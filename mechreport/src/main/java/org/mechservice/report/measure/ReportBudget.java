@@ -46,10 +46,21 @@ public final class ReportBudget {
     return List.copyOf(savings);
   }
 
-  /** Returns a time of the report in words: seconds below two minutes, minutes above. */
+  /** Returns a time of the report in words: milliseconds, seconds or minutes. */
   public static String inWords(double seconds) {
+    if (seconds < 0.1) {
+      return String.format(Locale.ROOT, "%.0f ms", Math.max(1, 1000 * seconds));
+    }
     return seconds < 120
-        ? String.format(Locale.ROOT, "%.3g s", seconds)
-        : String.format(Locale.ROOT, "%.3g minutes", seconds / 60);
+        ? plain(seconds) + " s"
+        : String.format(Locale.ROOT, "%s minutes", plain(seconds / 60));
+  }
+
+  /** Two or three digits, and none behind the point that say nothing: 3 and not 3.00. */
+  private static String plain(double value) {
+    double shown = value < 10 ? Math.rint(value * 10) / 10 : Math.rint(value);
+    return shown == Math.rint(shown) || value >= 10
+        ? String.format(Locale.ROOT, "%.0f", shown)
+        : String.format(Locale.ROOT, "%.1f", shown);
   }
 }

@@ -61,6 +61,13 @@ public record SceneFindings(
     return points.stream().filter(point -> point.first().method().equals(method)).toList();
   }
 
+  /** Returns the methods of which a point reached the end. */
+  public List<SimulationMethod> measured() {
+    return methods.stream()
+        .filter(method -> pointsOf(method.name()).stream().anyMatch(Point::completed))
+        .toList();
+  }
+
   /** Returns the floor below which errors have no meaning. */
   public double floor() {
     return judge.reference().map(reference -> reference.worstFloor()).orElse(Double.NaN);

@@ -246,22 +246,6 @@ public record Spectrum(List<Sample> samples, double interval) {
     return modes.stream().mapToDouble(Mode::imaginary).toArray();
   }
 
-  /** Returns the fastest decay met, 1/s; 0 if nothing decays. */
-  public double fastestDecay() {
-    return samples.stream()
-        .flatMap(sample -> sample.modes().stream())
-        .mapToDouble(mode -> -mode.real())
-        .reduce(0, Math::max);
-  }
-
-  /** Returns the highest angular frequency met, rad/s; 0 if nothing swings. */
-  public double highestFrequency() {
-    return samples.stream()
-        .flatMap(sample -> sample.modes().stream())
-        .mapToDouble(Mode::imaginary)
-        .reduce(0, Math::max);
-  }
-
   /** Returns the smallest modulus that the interval is long enough to show, 1/s. */
   public double slowest() {
     return samples.stream()

@@ -72,14 +72,12 @@ final class Advice {
       String line =
           String.format(
               Locale.ROOT,
-              "<b>Error %s:</b> <b>%s</b> at tolerance %s, %s (quartiles %s – %s), %d evaluations,"
-                  + " error %s.",
+              "<b>Error %s:</b> <b>%s</b> at tolerance %s, %s (%s), %d evaluations, error %s.",
               Html.tolerance(choice.error()),
               choice.method().name(),
               Html.tolerance(point.tolerance()),
               Html.seconds(point.seconds()),
-              Html.seconds(point.lowSeconds()),
-              Html.seconds(point.highSeconds()),
+              spread(point),
               point.first().evaluations(),
               Html.error(point.error()));
       String next = choice.runnerUp().map(second -> next(point, second)).orElse("");
@@ -96,6 +94,15 @@ final class Advice {
               + "</code>");
     }
     return sentences;
+  }
+
+  private static String spread(Point point) {
+    return point.isRepeated()
+        ? "quartiles "
+            + Html.seconds(point.lowSeconds())
+            + " – "
+            + Html.seconds(point.highSeconds())
+        : "a single run";
   }
 
   /** Returns the next best method, and whether the difference is significant. */

@@ -17,6 +17,9 @@ final class HowMeasured {
   /** Relative change of times that counts as warm; times scatter by a few per cent. */
   private static final double WARM = 0.05;
 
+  /** Points without which nothing is said of the warm-up. */
+  private static final int FEW_POINTS = 3;
+
   private final SceneFindings found;
 
   HowMeasured(SceneFindings found) {
@@ -73,20 +76,23 @@ final class HowMeasured {
 
   private String timing() {
     Effort effort = found.effort();
+    int fewest =
+        found.points().stream()
+            .filter(Point::completed)
+            .mapToInt(Point::repeats)
+            .min()
+            .orElse(effort.fewestRepeats());
     String repeats =
-        effort.fewestRepeats() == Effort.REPEATS
+        fewest == Effort.REPEATS
             ? "median of " + Effort.REPEATS + " runs"
-            : "median of "
-                + effort.fewestRepeats()
-                + " to "
-                + Effort.REPEATS
-                + " runs (the tables say how many)";
+            : "median of " + fewest + " to " + Effort.REPEATS + " runs (the tables say how many)";
     return String.format(
         Locale.ROOT,
-        "Time: processor time of the run's thread, %s. Before them, rounds that do not count until"
+        "Time: processor time of the run's thread, %s. Before them%s, rounds that do not count until"
             + " %.2g s of them got no faster (by 2 %%). Every round runs every point once,"
             + " beginning at another one. Spread: quartiles.",
         repeats,
+        found.savings().isEmpty() ? "" : ", if the time for the report allowed it",
         effort.warmSeconds());
   }
 
@@ -94,8 +100,8 @@ final class HowMeasured {
   private List<String> warmth() {
     double[] drifts =
         found.points().stream().mapToDouble(Point::drift).filter(Double::isFinite).toArray();
-    if (drifts.length == 0) {
-      return List.of();
+    if (drifts.length < FEW_POINTS) {
+      return List.of(spread(found.points()));
     }
     double middle = Quantiles.median(drifts) - 1;
     return List.of(
@@ -110,18 +116,19 @@ final class HowMeasured {
             Math.abs(middle) <= WARM
                 ? ": the methods were warm."
                 : ": <b>they were not warm, or the machine was not quiet.</b>"),
-        spread(found.points()) + ".");
+        spread(found.points()));
   }
 
-  /** How far half of a point's times differ, in the middle of all points. */
+  /** How far half of a point's times differ, in the middle of all points; a sentence. */
   static String spread(List<Point> points) {
     double[] spreads =
         points.stream().mapToDouble(Point::spread).filter(Double::isFinite).toArray();
     return spreads.length == 0
-        ? "No point was timed"
+        ? "Each time is that of a single run, so how far times scatter is not known."
         : String.format(
             Locale.ROOT,
-            "Half of a point's times lie within %.1f %% of each other (median of the points)",
+            "Half of a point's times lie within %.1f %% of each other (median of the points):"
+                + " ratios nearer to 1 than that mean nothing.",
             100 * Quantiles.median(spreads));
   }
 

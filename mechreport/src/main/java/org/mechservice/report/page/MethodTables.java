@@ -1,5 +1,6 @@
 package org.mechservice.report.page;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
 import org.mechservice.report.measure.ColdRunTimes;
@@ -42,12 +43,11 @@ final class MethodTables {
     html.append("<section><h2>Run time at equal error</h2>");
     html.append("<p class=\"note\">The best in seconds, the others as its multiples; interpolated");
     html.append(" between points. – : the error is not reached. ");
-    html.append(HowMeasured.spread(found.points())).append(": ratios nearer to 1 than that mean");
-    html.append(" nothing.</p><table><tr><th>method");
+    html.append(HowMeasured.spread(found.points())).append("</p><table><tr><th>method");
     for (double error : errors) {
       html.append("<th>").append(Html.tolerance(error));
     }
-    for (SimulationMethod method : found.methods()) {
+    for (SimulationMethod method : found.measured()) {
       html.append("<tr>").append(styles.name(method));
       for (int i = 0; i < errors.length; i++) {
         html.append(cell(cost(method, errors[i]), best[i]));
@@ -81,6 +81,13 @@ final class MethodTables {
 
   /** One row per method: order, events, first runs, allocation. */
   String methods() {
+    List<SimulationMethod> known =
+        found.methods().stream()
+            .filter(method -> order(method).isPresent() || isTimed(method))
+            .toList();
+    if (known.isEmpty()) {
+      return "";
+    }
     String at = Html.tolerance(found.effort().typicalTolerance());
     StringBuilder html = new StringBuilder();
     html.append("<section><h2>Methods</h2>");
@@ -88,8 +95,8 @@ final class MethodTables {
     html.append("; of first runs the median, least and most, start of Java included. Order: how");
     html.append(" fast the error falls with the number of steps.</p><table><tr><th>method");
     html.append("<th>order observed<th>first run in a fresh JVM<th>where the time goes, warm");
-    for (SimulationMethod method : found.methods()) {
-      OptionalDouble order = EqualError.order(found.pointsOf(method.name()), found.floor());
+    for (SimulationMethod method : known) {
+      OptionalDouble order = order(method);
       ColdRunTimes fresh = found.freshStarts().get(method.name());
       html.append("<tr>").append(styles.name(method));
       html.append("<td>").append(order(order));
@@ -97,6 +104,15 @@ final class MethodTables {
       html.append("<td>").append(bar(found.shares().get(method.name())));
     }
     return html.append("</table>").append(partLegend()).append("</section>").toString();
+  }
+
+  private OptionalDouble order(SimulationMethod method) {
+    return EqualError.order(found.pointsOf(method.name()), found.floor());
+  }
+
+  private boolean isTimed(SimulationMethod method) {
+    return found.freshStarts().containsKey(method.name())
+        || found.shares().containsKey(method.name());
   }
 
   private static String firstRuns(ColdRunTimes runs) {
@@ -195,14 +211,16 @@ final class MethodTables {
     row.append("<td>").append(Html.tolerance(point.tolerance()));
     if (!point.completed()) {
       int columns = 12 + (loops ? 2 : 0) + (energy ? 1 : 0) + (implicit ? 2 : 0);
-      return row.append("<td class=\"text failed\" colspan=\"")
+      return row.append("<td class=\"text ")
+          .append(ScenePage.leftOut(point) ? "none" : "failed")
+          .append("\" colspan=\"")
           .append(columns)
           .append("\">")
           .append(Html.escape(run.cause()))
           .toString();
     }
     boolean grey = point.error() <= found.floor();
-    boolean flagged = ReliabilityWarnings.dishonest(point, found.floor());
+    boolean flagged = ReliabilityWarnings.isNotKept(point, found.floor());
     row.append(grey ? "<td class=\"none\">" : "<td>").append(Html.error(point.error()));
     row.append(flagged ? "<td class=\"flag\">" : "<td>");
     row.append(grey ? "" : Html.number(point.error() / point.tolerance()));
@@ -223,8 +241,13 @@ final class MethodTables {
       row.append("<td>").append(run.jacobians()).append("<td>").append(run.factorisations());
     }
     row.append("<td>").append(Html.seconds(point.seconds()));
-    row.append("<td>").append(Html.seconds(point.lowSeconds())).append(" – ");
-    row.append(Html.seconds(point.highSeconds()));
+    row.append("<td>");
+    if (point.isRepeated()) {
+      row.append(Html.seconds(point.lowSeconds())).append(" – ");
+      row.append(Html.seconds(point.highSeconds()));
+    } else {
+      row.append("–");
+    }
     row.append("<td>").append(point.repeats());
     row.append("<td>").append(Html.bytes((double) run.bytes()));
     return row.toString();

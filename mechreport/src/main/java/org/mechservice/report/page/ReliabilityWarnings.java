@@ -10,7 +10,7 @@ import org.mechservice.report.method.SimulationMethod;
 
 /** Warnings of results that are not reliable, one sentence with its numbers each. */
 public final class ReliabilityWarnings {
-  /** Achieved over requested error within this is an honest tolerance. */
+  /** Achieved over requested error beyond which a tolerance is not kept. */
   static final double MOST_OPTIMISTIC = 100;
 
   static final double MOST_CAUTIOUS = 0.01;
@@ -198,11 +198,17 @@ public final class ReliabilityWarnings {
     return points.stream().filter(Point::completed).reduce((a, b) -> b).orElseThrow();
   }
 
-  /** Returns whether the achieved error is far from the requested tolerance. */
-  static boolean dishonest(Point point, double floor) {
-    double ratio = point.error() / point.tolerance();
-    boolean tooLarge = ratio > MOST_OPTIMISTIC && point.error() > NEAR_FLOOR * floor;
-    boolean tooSmall = ratio < MOST_CAUTIOUS && point.error() > floor;
-    return point.completed() && (tooLarge || tooSmall);
+  /** Returns whether a run's error is far larger than the requested tolerance. */
+  static boolean isNotKept(Point point, double floor) {
+    return point.completed()
+        && point.error() > MOST_OPTIMISTIC * point.tolerance()
+        && point.error() > NEAR_FLOOR * floor;
+  }
+
+  /** Returns whether a run is far more exact than requested, as far as the reference can tell. */
+  static boolean isCautious(Point point, double floor) {
+    return point.completed()
+        && point.error() < MOST_CAUTIOUS * point.tolerance()
+        && point.error() > floor;
   }
 }

@@ -133,8 +133,9 @@ public final class ScenePage {
             false));
     add("<h2>Error achieved against tolerance asked for</h2>");
     add(
-        "<p class=\"note\">On the line the error is the tolerance; between the dotted lines (0.01"
-            + " to 100) the tolerance is honest.</p>");
+        "<p class=\"note\">On the line the error is the tolerance. Above the upper dotted line, 100"
+            + " times as large, the tolerance is not kept; below the lower one, a hundredth, a run"
+            + " is more exact than asked for.</p>");
     add(honesty());
     add(new ToleranceTable(found, styles).html());
     add("</section>");
@@ -224,13 +225,15 @@ public final class ScenePage {
         + (point.error() <= found.floor() ? " (below the reference's floor)" : "")
         + "\n"
         + Html.seconds(point.seconds())
-        + " ("
-        + Html.seconds(point.lowSeconds())
-        + " – "
-        + Html.seconds(point.highSeconds())
-        + ", "
-        + point.repeats()
-        + " runs)\n"
+        + (point.isRepeated()
+            ? " ("
+                + Html.seconds(point.lowSeconds())
+                + " – "
+                + Html.seconds(point.highSeconds())
+                + ", "
+                + point.repeats()
+                + " runs)\n"
+            : " (a single run)\n")
         + point.first().steps()
         + " steps, "
         + point.first().evaluations()
@@ -283,30 +286,52 @@ public final class ScenePage {
     if (failed.isEmpty()) {
       return;
     }
-    Map<String, List<Point>> byCause = new LinkedHashMap<>();
-    for (Point point : failed) {
-      byCause
-          .computeIfAbsent(
-              point.first().method() + "\n" + kind(point.first().cause()), k -> new ArrayList<>())
-          .add(point);
-    }
     add("<section><h2>" + title + "</h2><table><tr><th>method<th>tolerances<th>" + why);
-    for (List<Point> same : byCause.values()) {
-      Point first = same.get(0);
+    Map<String, List<List<Point>>> alike = new LinkedHashMap<>();
+    for (List<Point> same : byCause(failed).values()) {
+      String key = kind(same.get(0).first().cause()) + "\n" + tolerances(same);
+      alike.computeIfAbsent(key, k -> new ArrayList<>()).add(same);
+    }
+    for (List<List<Point>> methods : alike.values()) {
+      Point first = methods.get(0).get(0);
       add(
-          "<tr><td>"
-              + Html.escape(first.first().method())
+          "<tr><td class=\"text\">"
+              + String.join(", ", methods.stream().map(same -> method(same.get(0))).toList())
               + "<td>"
-              + String.join(", ", same.stream().map(p -> Html.tolerance(p.tolerance())).toList())
+              + tolerances(methods.get(0))
               + "<td class=\"text\">"
               + Html.escape(first.first().cause().replaceFirst("^" + Campaign.LEFT_OUT, "")));
     }
     add("</table></section>");
   }
 
-  /** Returns the code of a message, by which failures are counted in one line. */
+  /** Returns points by their method and the kind of their cause. */
+  private static Map<String, List<Point>> byCause(List<Point> points) {
+    Map<String, List<Point>> byCause = new LinkedHashMap<>();
+    for (Point point : points) {
+      byCause
+          .computeIfAbsent(
+              point.first().method() + "\n" + kind(point.first().cause()), k -> new ArrayList<>())
+          .add(point);
+    }
+    return byCause;
+  }
+
+  private static String method(Point point) {
+    return "<span class=\"name\">" + Html.escape(point.first().method()) + "</span>";
+  }
+
+  private static String tolerances(List<Point> points) {
+    return String.join(", ", points.stream().map(p -> Html.tolerance(p.tolerance())).toList());
+  }
+
+  /**
+   * Returns what tells a cause from others, by which they are counted in one line: the code of a
+   * message, or the first words.
+   */
   private static String kind(String cause) {
-    return cause.substring(0, Math.min(cause.length(), 5));
+    int length = cause.startsWith(Campaign.LEFT_OUT) ? Campaign.LEFT_OUT.length() : 5;
+    return cause.substring(0, Math.min(cause.length(), length));
   }
 
   private void spectrum() {

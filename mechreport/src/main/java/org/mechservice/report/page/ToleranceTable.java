@@ -7,7 +7,8 @@ import org.mechservice.report.measure.SceneFindings;
 import org.mechservice.report.method.SimulationMethod;
 
 /**
- * Achieved error over requested tolerance, per method and tolerance; flagged outside the bounds.
+ * Achieved error over requested tolerance, per method and tolerance; flagged where the tolerance is
+ * not kept.
  */
 final class ToleranceTable {
   private final SceneFindings found;
@@ -26,7 +27,7 @@ final class ToleranceTable {
     for (double tolerance : tolerances) {
       html.append("<th>").append(Html.tolerance(tolerance));
     }
-    for (SimulationMethod method : found.methods()) {
+    for (SimulationMethod method : found.measured()) {
       html.append("\n<tr>").append(styles.name(method));
       for (double tolerance : tolerances) {
         html.append(cell(found.pointsOf(method.name()), tolerance));
@@ -42,7 +43,7 @@ final class ToleranceTable {
       }
       if (point.tolerance() == tolerance && point.completed()) {
         boolean grey = point.error() <= found.floor();
-        boolean flagged = ReliabilityWarnings.dishonest(point, found.floor());
+        boolean flagged = ReliabilityWarnings.isNotKept(point, found.floor());
         String css = grey ? "none" : flagged ? "flag" : "";
         return "<td class=\"" + css + "\">" + ratio(point.error() / tolerance);
       }
@@ -60,19 +61,27 @@ final class ToleranceTable {
     List<Point> completed = found.points().stream().filter(Point::completed).toList();
     long flagged =
         completed.stream()
-            .filter(point -> ReliabilityWarnings.dishonest(point, found.floor()))
+            .filter(point -> ReliabilityWarnings.isNotKept(point, found.floor()))
+            .count();
+    long cautious =
+        completed.stream()
+            .filter(point -> ReliabilityWarnings.isCautious(point, found.floor()))
             .count();
     String sum =
         flagged == 0
             ? "All "
                 + completed.size()
-                + " runs that reached the end keep their tolerance within"
-                + " 0.01 to 100 times."
+                + " runs that reached the end keep their tolerance: no error is more than 100 times"
+                + " as large."
             : "<b>"
                 + flagged
                 + " of "
                 + completed.size()
-                + "</b> runs that reached the end leave 0.01 to 100 times their tolerance (red).";
+                + "</b> runs that reached the end do not keep their tolerance: their errors are more"
+                + " than 100 times as large (red).";
+    if (cautious > 0) {
+      sum += " " + cautious + (cautious == 1 ? " is" : " are") + " more exact than a hundredth.";
+    }
     return sum + growth();
   }
 

@@ -1,7 +1,6 @@
 package org.mechservice.report.solution;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -246,10 +245,5 @@ public record Judge(Optional<Reference> reference, RunGrid grid, List<String> sa
       }
     }
     return false;
-  }
-
-  /** Returns the times of the reference, for a look at the spectrum. */
-  public double[] times() {
-    return reference.map(Reference::times).orElseGet(() -> Arrays.copyOf(grid.times(), 1));
   }
 }

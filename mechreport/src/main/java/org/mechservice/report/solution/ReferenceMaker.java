@@ -66,8 +66,19 @@ public final class ReferenceMaker {
     }
   }
 
-  /** Tolerances of extrapolation on a large mechanism; the first that its time allows is taken. */
-  private static final double[] LARGE_TOLERANCES = {1e-13, 1e-12, 1e-11, 1e-10, 1e-9};
+  /**
+   * Columns of extrapolation on a large mechanism: with more, a step adds up so many evaluations
+   * that their rounding is as large as a tight tolerance, and shorter steps do not help.
+   */
+  private static final int LARGE_COLUMNS = 6;
+
+  private static final int LARGE_CHECK_COLUMNS = 5;
+
+  /**
+   * Solutions of a large mechanism: the reference, its check by other equations, which may take
+   * twice as long, and one from a changed start.
+   */
+  private static final double LARGE_SOLUTIONS = 4;
 
   private static final int EVERY = 5;
 
@@ -86,8 +97,8 @@ public final class ReferenceMaker {
 
   /**
    * @param secondsPerCode time limit of one solution, s
-   * @param secondsForLarge the same of a mechanism too large for dense matrices, whose tolerance is
-   *     chosen so that a solution is likely to end in that time, s
+   * @param secondsForLarge time limit of all solutions of a mechanism too large for dense matrices
+   *     together, s; their tolerance is the tightest that they keep in that time
    */
   public ReferenceMaker(StateDistance distance, double secondsPerCode, double secondsForLarge) {
     this(distance, secondsPerCode, secondsForLarge, RADAU_TOLERANCE, EXTRAPOLATION_TOLERANCE);
@@ -103,7 +114,12 @@ public final class ReferenceMaker {
       double secondsPerCode,
       double radauTolerance,
       double extrapolationTolerance) {
-    this(distance, secondsPerCode, secondsPerCode, radauTolerance, extrapolationTolerance);
+    this(
+        distance,
+        secondsPerCode,
+        LARGE_SOLUTIONS * secondsPerCode,
+        radauTolerance,
+        extrapolationTolerance);
   }
 
   private ReferenceMaker(
@@ -141,20 +157,80 @@ public final class ReferenceMaker {
    * @return empty if no code solves the problem in its time
    */
   public Optional<Reference> make(List<Source> sources, double[] times) {
+    if (isLarge(sources.get(0))) {
+      return makeLarge(sources, times);
+    }
     List<String> said = new ArrayList<>();
     List<Solved> solved = new ArrayList<>();
-    for (Attempt attempt : attempts(sources, times, said)) {
-      Optional<Solved> found = solve(attempt, times, 0);
+    for (Attempt attempt : attempts(sources)) {
+      Optional<Solved> found = solve(attempt, times, 0, secondsPerCode);
       if (found.isPresent()) {
         solved.add(found.get());
         if (solved.size() == 2) {
           break;
         }
       } else {
-        said.add(attempt.how() + ": not solved, for " + (long) limit(attempt) + " s at most");
+        said.add(attempt.how() + ": not solved, for " + (long) secondsPerCode + " s at most");
       }
     }
-    return solved.isEmpty() ? Optional.empty() : comparable(solved, times, said);
+    return solved.isEmpty() ? Optional.empty() : comparable(solved, times, said, secondsPerCode);
+  }
+
+  /**
+   * The first source has independent coordinates, if the scene closes loops. Its tolerance is the
+   * tightest that its code keeps, and the second checks it at the same tolerance in the time left.
+   */
+  private Optional<Reference> makeLarge(List<Source> sources, double[] times) {
+    double end = clock() + secondsForLarge;
+    Source first = sources.get(0);
+    Source second = sources.get(Math.min(1, sources.size() - 1));
+    Optional<ToleranceLadder.Rung<Solved>> rung =
+        new ToleranceLadder<Solved>(ReferenceMaker::clock, LARGE_SOLUTIONS)
+            .climb(
+                (tolerance, seconds) ->
+                    solve(
+                        new Attempt(first, new ExtrapolationCode(LARGE_COLUMNS), tolerance),
+                        times,
+                        0,
+                        seconds),
+                one -> one.states().length == times.length || ended(one),
+                secondsForLarge);
+    if (rung.isEmpty()) {
+      return Optional.empty();
+    }
+    List<String> said = new ArrayList<>();
+    Solved solved = rung.get().solution();
+    said.add(
+        String.format(
+            Locale.ROOT,
+            "Large mechanism: %.3g s were for the reference; %.0e is the tightest tolerance that a"
+                + " solution kept in its part of them, %.3g s.",
+            secondsForLarge,
+            solved.attempt().tolerance(),
+            rung.get().seconds()));
+    List<Solved> all = new ArrayList<>(List.of(solved));
+    double[] reached = Arrays.copyOf(times, solved.states().length);
+    double ownTime = rung.get().seconds();
+    List<Attempt> checks =
+        List.of(
+            new Attempt(
+                second, new ExtrapolationCode(LARGE_CHECK_COLUMNS), solved.attempt().tolerance()),
+            new Attempt(
+                first, new ExtrapolationCode(LARGE_CHECK_COLUMNS), solved.attempt().tolerance()));
+    for (Attempt check : checks) {
+      double left = Math.max(end - clock() - ownTime, ownTime);
+      Optional<Solved> found = solve(check, reached, 0, left);
+      if (found.isPresent()) {
+        all.add(found.get());
+        break;
+      }
+      said.add(String.format(Locale.ROOT, "%s: not solved, for %.3g s at most", check.how(), left));
+    }
+    return comparable(all, times, said, Math.max(end - clock(), ownTime));
+  }
+
+  private static double clock() {
+    return System.nanoTime() * 1e-9;
   }
 
   /**
@@ -177,7 +253,12 @@ public final class ReferenceMaker {
     }
     ReferenceCode code = isLarge(source) ? new ExtrapolationCode(6) : new RadauCode(5);
     Optional<double[][]> states =
-        code.solve(problem, times, problem.start(), ROUGH_TOLERANCE, deadline(source));
+        code.solve(
+            problem,
+            times,
+            problem.start(),
+            ROUGH_TOLERANCE,
+            deadline(isLarge(source) ? secondsForLarge / LARGE_SOLUTIONS : secondsPerCode));
     ModelPhases course = problem.course().orElseThrow();
     if (states.isEmpty() || states.get().length == times.length) {
       return new Extent(whole, "");
@@ -191,17 +272,9 @@ public final class ReferenceMaker {
     return source.fresh().get().dimension() > DENSE_LIMIT;
   }
 
-  private List<Attempt> attempts(List<Source> sources, double[] times, List<String> said) {
+  private List<Attempt> attempts(List<Source> sources) {
     Source first = sources.get(0);
     Source second = sources.get(Math.min(1, sources.size() - 1));
-    if (isLarge(first)) {
-      double tolerance = largeTolerance(first, times, said);
-      // The first has independent coordinates, if the scene closes loops: it evaluates faster.
-      return List.of(
-          new Attempt(first, new ExtrapolationCode(8), tolerance),
-          new Attempt(second, new ExtrapolationCode(6), tolerance),
-          new Attempt(first, new ExtrapolationCode(6), tolerance));
-    }
     Attempt extrapolation = new Attempt(second, new ExtrapolationCode(8), extrapolationTolerance);
     return List.of(
         new Attempt(first, new RadauCode(7), radauTolerance),
@@ -211,7 +284,7 @@ public final class ReferenceMaker {
         new Attempt(second, new RadauCode(5), LOOSER * radauTolerance));
   }
 
-  private Optional<Solved> solve(Attempt attempt, double[] times, double change) {
+  private Optional<Solved> solve(Attempt attempt, double[] times, double change, double seconds) {
     ModelProblem problem = attempt.source().fresh().get();
     double[] y0 = problem.start();
     if (change > 0) {
@@ -221,71 +294,17 @@ public final class ReferenceMaker {
     }
     return attempt
         .code()
-        .solve(problem, times, y0, attempt.tolerance(), deadline(attempt.source(), change))
+        .solve(problem, times, y0, attempt.tolerance(), deadline(seconds))
         .map(states -> new Solved(attempt.how(), attempt, states, problem.course()));
   }
 
-  /**
-   * The tightest tolerance that a solution is likely to reach in its time: the steps of a code of
-   * order p grow with the p-th root of the tolerance, from those of a rough solution.
-   */
-  private double largeTolerance(Source source, double[] times, List<String> said) {
-    ExtrapolationCode code = new ExtrapolationCode(8);
-    double rough = seconds(code, source, times);
-    if (rough < secondsForLarge / 3) {
-      // The first is slow because the program is not compiled yet.
-      rough = seconds(code, source, times);
-    }
-    for (double tolerance : LARGE_TOLERANCES) {
-      boolean fits = rough * Math.pow(ROUGH_TOLERANCE / tolerance, 1.0 / 15) <= secondsForLarge;
-      if (tolerance >= extrapolationTolerance && fits) {
-        if (tolerance > extrapolationTolerance) {
-          said.add(looser(rough, tolerance));
-        }
-        return tolerance;
-      }
-    }
-    double loosest = LARGE_TOLERANCES[LARGE_TOLERANCES.length - 1];
-    said.add(looser(rough, loosest));
-    return loosest;
-  }
-
-  private double seconds(ExtrapolationCode code, Source source, double[] times) {
-    ModelProblem problem = source.fresh().get();
-    long started = System.nanoTime();
-    code.solve(problem, times, problem.start(), ROUGH_TOLERANCE, deadline(source));
-    return (System.nanoTime() - started) * 1e-9;
-  }
-
-  private String looser(double rough, double tolerance) {
-    return String.format(
-        Locale.ROOT,
-        "Large mechanism: a solution at %.0e took %.3g s, so the codes have a tolerance of %.0e in"
-            + " place of %.0e to end within %.3g s.",
-        ROUGH_TOLERANCE,
-        rough,
-        tolerance,
-        extrapolationTolerance,
-        secondsForLarge);
-  }
-
-  private double limit(Attempt attempt) {
-    return isLarge(attempt.source()) ? secondsForLarge : secondsPerCode;
-  }
-
-  private long deadline(Source source) {
-    return deadline(source, 0);
-  }
-
-  /** A changed start has as far to go as a solution got in its time, and more than that time. */
-  private long deadline(Source source, double change) {
-    double large = change > 0 ? 2 * secondsForLarge : secondsForLarge;
-    double seconds = isLarge(source) ? large : secondsPerCode;
+  private static long deadline(double seconds) {
     return System.nanoTime() + (long) (seconds * TimeUnit.SECONDS.toNanos(1));
   }
 
   /** Keeps the times that all solutions reach and at which a state that jumps can be compared. */
-  private Optional<Reference> comparable(List<Solved> solved, double[] times, List<String> said) {
+  private Optional<Reference> comparable(
+      List<Solved> solved, double[] times, List<String> said, double seconds) {
     int reached = solved.stream().mapToInt(one -> one.states().length).min().orElse(0);
     int[] kept =
         ComparableTimes.of(
@@ -298,8 +317,8 @@ public final class ReferenceMaker {
       said.add(
           String.format(
               Locale.ROOT,
-              "Large mechanism: in %.3g s the codes reached %.3g s; the time before is judged.",
-              secondsForLarge,
+              "Large mechanism: in that time the codes reached %.3g s; the interval up to it is"
+                  + " judged.",
               times[reached - 1]));
     }
     double[] clear = Arrays.stream(kept).mapToDouble(i -> times[i]).toArray();
@@ -307,7 +326,8 @@ public final class ReferenceMaker {
     List<ModelPhases> courses = solved.stream().flatMap(one -> one.course().stream()).toList();
     all.addAll(JumpNotes.of(courses, clear[clear.length - 1], kept.length, times.length));
     courses.stream().map(ModelPhases::end).filter(end -> !end.isEmpty()).limit(1).forEach(all::add);
-    return Optional.of(judged(solved.stream().map(one -> one.at(kept)).toList(), clear, all));
+    return Optional.of(
+        judged(solved.stream().map(one -> one.at(kept)).toList(), clear, all, seconds));
   }
 
   private static boolean ended(Solved one) {
@@ -328,13 +348,20 @@ public final class ReferenceMaker {
     problem.close(t, y);
   }
 
-  private Reference judged(List<Solved> solved, double[] times, List<String> said) {
+  /**
+   * @param seconds for each solution from a changed start
+   */
+  private Reference judged(List<Solved> solved, double[] times, List<String> said, double seconds) {
     Solved best = solved.get(0);
     List<String> sources = new ArrayList<>();
     sources.add("Reference: " + best.how() + ".");
     double[] floor = new double[times.length];
-    Optional<double[]> rounding = grown(best, times, Math.ulp(1.0) / 2);
-    Optional<double[]> amplified = grown(best, times, AMPLIFIED);
+    Optional<double[]> amplified = grown(best, times, AMPLIFIED, seconds);
+    // What a large mechanism does to rounding is read from a single changed start.
+    Optional<double[]> rounding =
+        isLarge(best.attempt().source())
+            ? amplified.map(moved -> scaled(moved, Math.ulp(1.0) / 2 / AMPLIFIED))
+            : grown(best, times, Math.ulp(1.0) / 2, seconds);
     rounding.ifPresent(moved -> raise(floor, moved));
     if (solved.size() == 2) {
       double[] apart = distances(best.states(), solved.get(1).states());
@@ -361,21 +388,17 @@ public final class ReferenceMaker {
         best.states(),
         floor,
         rounding.orElseGet(() -> new double[times.length]),
-        amplified.map(ReferenceMaker::perUnit),
+        amplified.map(moved -> scaled(moved, 1 / AMPLIFIED)),
         best.jumps(),
         sources);
   }
 
-  private static double[] perUnit(double[] moved) {
-    double[] factors = new double[moved.length];
-    for (int i = 0; i < moved.length; i++) {
-      factors[i] = moved[i] / AMPLIFIED;
-    }
-    return factors;
+  private static double[] scaled(double[] moved, double factor) {
+    return Arrays.stream(moved).map(one -> factor * one).toArray();
   }
 
-  private Optional<double[]> grown(Solved solved, double[] times, double change) {
-    return solve(solved.attempt(), times, change)
+  private Optional<double[]> grown(Solved solved, double[] times, double change, double seconds) {
+    return solve(solved.attempt(), times, change, seconds)
         .map(moved -> distances(moved.states(), solved.states()));
   }
 

@@ -41,7 +41,6 @@ final class AdjointRun {
   private final double[] y;
   private final double[] byBoth;
   private final List<Observation> found = new ArrayList<>();
-  private long recomputed;
 
   AdjointRun(GradientModel model, List<Wanted> wanted, RunSettings run, long memory) {
     this.model = model;
@@ -74,11 +73,6 @@ final class AdjointRun {
                 one.corner(t, z, NONE, Observation.Side.BEHIND);
               }
             });
-  }
-
-  /** Returns how many segments of the motion were integrated twice for want of memory. */
-  long recomputed() {
-    return recomputed;
   }
 
   /** Runs from a start. */
@@ -128,7 +122,6 @@ final class AdjointRun {
       }
       slopes[i] = Double.isNaN(values[i]) ? filled() : back(i, values[i], at, side, way);
     }
-    recomputed = way.recomputed();
     return new Outcomes(values, slopes, way.steps());
   }
 

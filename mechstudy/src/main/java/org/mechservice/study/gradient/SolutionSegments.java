@@ -33,7 +33,6 @@ final class SolutionSegments {
   private final double tEnd;
   private final List<Segment> segments = new ArrayList<>();
   private final List<FoundEvent> events = new ArrayList<>();
-  private long recomputed;
   private long steps;
   private long counted;
   private int last = -1;
@@ -129,11 +128,6 @@ final class SolutionSegments {
     return steps;
   }
 
-  /** Returns how many segments were integrated again. */
-  long recomputed() {
-    return recomputed;
-  }
-
   /**
    * Evaluates the motion; behind an event, where one is.
    *
@@ -162,7 +156,6 @@ final class SolutionSegments {
         segments.get(i).solution = Optional.empty();
       }
       segment.solution = Optional.of(solved(segment.from));
-      recomputed++;
     }
     return segment.solution.get();
   }

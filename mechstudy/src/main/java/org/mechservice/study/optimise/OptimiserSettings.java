@@ -54,9 +54,4 @@ public record OptimiserSettings(
   public OptimiserSettings with(Method other) {
     return new OptimiserSettings(other, starts, seed, mostRuns, step, failedAs, threads);
   }
-
-  /** Returns the settings with several starts. */
-  public OptimiserSettings withStarts(int number, long other) {
-    return new OptimiserSettings(method, number, other, mostRuns, step, failedAs, threads);
-  }
 }

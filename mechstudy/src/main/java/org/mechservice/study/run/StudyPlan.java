@@ -9,7 +9,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.stream.Collectors;
 import org.mechservice.study.PointModel;
 import org.mechservice.study.PointOutcome;
 import org.mechservice.study.design.Design;
@@ -130,11 +129,4 @@ public record StudyPlan(
 
   /** The outcome of one that did not. */
   static final String FAILED = "failed";
-
-  /** Returns the factors with their units, for messages. */
-  public String describe() {
-    return points()
-        + " points of "
-        + shown.stream().map(StudyFactor::toString).collect(Collectors.joining(", "));
-  }
 }

@@ -43,7 +43,12 @@ public record CheckReport(
     SceneAnalysis scene = SceneAnalysis.of(mechanism);
     LoopAnalysis loops = LoopAnalysis.of(model);
     List<Finding> findings = new ArrayList<>(loops.findings());
-    findings.addAll(RunForecast.of(model, model.settings().formulation(), model.settings().run()));
+    findings.addAll(
+        RunForecast.of(
+            model,
+            model.settings().formulation(),
+            model.settings().closure(),
+            model.settings().run()));
     try {
       return new CheckReport(
           model, scene, loops, findings, Optional.of(CodeForecast.of(model)), "");

@@ -51,7 +51,7 @@ public record FastestMotion(
       return Optional.empty();
     }
     try {
-      ExplicitModel model = model(mechanism, settings, start);
+      ExplicitModel model = equations(mechanism, settings, start);
       double[] y = new double[model.description().stateCount()];
       model.initialState(y);
       return new FastSpectrum(model).at(settings.tStart(), y).map(found -> of(mechanism, found));
@@ -73,7 +73,14 @@ public record FastestMotion(
             Locale.ROOT, "%s with %.3g 1/s", isDamped ? "decays" : "moves away", modulus);
   }
 
-  private static ExplicitModel model(
+  /**
+   * Returns the equations that are linearised: formed from data, loops closed by projection.
+   *
+   * @param settings settings of the run
+   * @param start its closed start, asked for if the mechanism has loops
+   * @throws IllegalArgumentException if the mechanism cannot be built
+   */
+  public static ExplicitModel equations(
       Mechanism mechanism, RunSettings settings, Supplier<ClosedStart> start) {
     return mechanism.closures().isEmpty()
         ? new DataDrivenModel(mechanism, settings)

@@ -88,7 +88,7 @@ class EveryFunctionTest {
   void forecastKnowsTheFunction(Function function) throws Exception {
     MechmlModel file = BranchesNotTakenTest.scene(force("", function));
 
-    assertThatCode(() -> RunForecast.of(file, "auto", file.settings().run()))
+    assertThatCode(() -> RunForecast.of(file, "auto", "auto", file.settings().run()))
         .doesNotThrowAnyException();
   }
 }

@@ -70,20 +70,21 @@ class IntegratorSelectionTest {
   /**
    * A preloaded spring of 2e12 N/m on the tip of two hinged bars: at the start one motion swings
    * with 2.2e6 rad/s, and the preload moves another away with ±3.1e6 1/s, as a buckling column.
-   * Nothing decays: there is no damper.
+   * Nothing decays: there is no damper. Steps counted over 0.01 s: 381 369 by ode113, 1 315 598 by
+   * ode15s, twelve and forty times one for each radian at the start.
    */
-  @Test
-  void whatThePreloadOfASpringMovesAwayDoesNotDecay() throws Exception {
+  @ParameterizedTest
+  @CsvSource({"auto, 1e+09", "ode113, 1e+09", "ode15s, 4e+09"})
+  void whatThePreloadOfASpringMovesAwayDoesNotDecay(String integrator, String counted)
+      throws Exception {
     String text = preloaded();
     assertThat(choice("auto", text).integrator()).isEqualTo("switching");
     MechmlModel model = MechmlReader.read("scene.xml", text.getBytes(StandardCharsets.UTF_8));
-    for (String integrator : new String[] {"auto", "ode113", "ode15s"}) {
-      assertThat(StiffnessForecast.of(model, model.settings().run().withIntegrator(integrator)))
-          .hasValueSatisfying(
-              found ->
-                  assertThat(found.text())
-                      .contains("moves away with 3.08e+06 1/s", "9e+07 steps", "every method"));
-    }
+    assertThat(StiffnessForecast.of(model, model.settings().run().withIntegrator(integrator)))
+        .hasValueSatisfying(
+            found ->
+                assertThat(found.text())
+                    .contains("moves away with 3.08e+06 1/s", counted + " steps", "every method"));
   }
 
   private static String preloaded() {

@@ -19,7 +19,7 @@
  * generated code.
  *
  * <p>Up to {@link org.mechservice.solver.closure.equations.LoopEquations#LARGE} velocities matrices
- * are dense, which is fastest at that size. Larger mechanisms use sparse algorithms: {@link
+ * are dense and have code of their own. Larger mechanisms use sparse algorithms: {@link
  * org.mechservice.solver.closure.ArticulatedLoops} carries the loop equations inwards with the
  * articulated bodies, and assembly and the choice of coordinates eliminate in the sparsity of J
  * ({@code closure.assembly}, {@link org.mechservice.solver.closure.model.Partition}).

@@ -78,8 +78,7 @@ public final class CondensedLu implements LinearSolver {
     if (matrix.length != n * n) {
       return whole.factor(matrix);
     }
-    findRows(matrix);
-    condensed = takenCount >= LEAST;
+    condensed = n >= LEAST && takesEnough(matrix);
     if (!condensed) {
       return whole.factor(matrix);
     }
@@ -94,7 +93,8 @@ public final class CondensedLu implements LinearSolver {
     return singular == NONSINGULAR ? NONSINGULAR : kept[singular];
   }
 
-  private void findRows(double[] matrix) {
+  /** Looks for rows to take out; returns whether they are worth it. */
+  private boolean takesEnough(double[] matrix) {
     keptCount = 0;
     takenCount = 0;
     for (int i = 0; i < n; i++) {
@@ -115,6 +115,7 @@ public final class CondensedLu implements LinearSolver {
         keptCount++;
       }
     }
+    return takenCount >= LEAST;
   }
 
   /** Returns whether a row can be taken out; its elements are then noted. */

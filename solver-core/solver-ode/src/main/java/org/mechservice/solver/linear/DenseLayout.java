@@ -43,12 +43,30 @@ public record DenseLayout(int dimension) implements MatrixLayout {
 
   @Override
   public void addProduct(double[] matrix, double[] x, double[] sum) {
-    for (int i = 0; i < dimension; i++) {
+    int i = 0;
+    for (; i < dimension - 1; i += 2) {
+      addTwoProducts(matrix, x, sum, i);
+    }
+    if (i < dimension) {
       double element = sum[i];
       for (int j = 0; j < dimension; j++) {
         element += matrix[i * dimension + j] * x[j];
       }
       sum[i] = element;
     }
+  }
+
+  /** Rows i and i + 1: neither waits for the sums of the other. */
+  private void addTwoProducts(double[] matrix, double[] x, double[] sum, int i) {
+    int row = i * dimension;
+    int below = row + dimension;
+    double first = sum[i];
+    double second = sum[i + 1];
+    for (int j = 0; j < dimension; j++) {
+      first += matrix[row + j] * x[j];
+      second += matrix[below + j] * x[j];
+    }
+    sum[i] = first;
+    sum[i + 1] = second;
   }
 }

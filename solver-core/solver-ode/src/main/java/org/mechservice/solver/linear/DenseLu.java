@@ -13,8 +13,11 @@ public final class DenseLu extends LuFactors {
   /** 1 / U_kk, length n. */
   private final double[] inversePivot;
 
-  /** Row that was interchanged with row k at stage k, length n. */
-  private final int[] interchange;
+  /** Row of A that stands at k after all interchanges, length n. */
+  private final int[] rowOf;
+
+  /** Right-hand side on its way through L, or on its way out, length n. */
+  private final double[] partial;
 
   /**
    * @param dimension n, not negative
@@ -25,32 +28,43 @@ public final class DenseLu extends LuFactors {
     n = dimension;
     lu = new double[n * n];
     inversePivot = new double[n];
-    interchange = new int[n];
+    rowOf = new int[n];
+    partial = new double[n];
   }
 
   @Override
   double load(double[] matrix) {
     System.arraycopy(matrix, 0, lu, 0, lu.length);
     double norm = 0;
-    for (int i = 0; i < n; i++) {
-      double sum = 0;
-      for (int ij = i * n; ij < i * n + n; ij++) {
-        sum += Math.abs(lu[ij]);
-      }
-      norm = Math.max(norm, sum);
+    int i = 0;
+    for (; i < n - 1; i += 2) {
+      norm = Math.max(norm, largerSum(i * n, i * n + n));
     }
-    return norm;
+    return i < n ? Math.max(norm, largerSum(i * n, i * n)) : norm;
+  }
+
+  /** Returns the larger of the sums of two rows: neither waits for the other. */
+  private double largerSum(int row1, int row2) {
+    double sum1 = 0;
+    double sum2 = 0;
+    for (int j = 0; j < n; j++) {
+      sum1 += Math.abs(lu[row1 + j]);
+      sum2 += Math.abs(lu[row2 + j]);
+    }
+    return Math.max(sum1, sum2);
   }
 
   @Override
   int eliminate() {
+    for (int k = 0; k < n; k++) {
+      rowOf[k] = k;
+    }
     for (int k = 0; k < n; k++) {
       int p = pivotRow(k);
       double pivot = lu[p * n + k];
       if (!isPivot(pivot)) {
         return k;
       }
-      interchange[k] = p;
       inversePivot[k] = 1 / pivot;
       if (p != k) {
         swapRows(k, p);
@@ -81,6 +95,9 @@ public final class DenseLu extends LuFactors {
       lu[k * n + j] = lu[p * n + j];
       lu[p * n + j] = a;
     }
+    int row = rowOf[k];
+    rowOf[k] = rowOf[p];
+    rowOf[p] = row;
   }
 
   /** Row i minus L_ik times row k, from column k on. */
@@ -99,34 +116,43 @@ public final class DenseLu extends LuFactors {
 
   @Override
   void substitute(double[] b) {
-    for (int k = 0; k < n; k++) {
-      swap(b, k);
-    }
+    double[] x = partial;
     int i = 0;
-    for (; i < n - 1; i += 2) {
-      eliminatePair(b, i);
+    for (; i < n - 3; i += 4) {
+      eliminateFour(b, x, i);
     }
-    if (i < n) {
-      b[i] = lessProduct(b[i], i * n, 0, i, b);
+    for (; i < n; i++) {
+      x[i] = lessProduct(b[rowOf[i]], i * n, 0, i, x);
     }
     for (i = n - 1; i >= 0; i--) {
-      b[i] = lessProduct(b[i], i * n, i + 1, n, b) * inversePivot[i];
+      b[i] = lessProduct(x[i], i * n, i + 1, n, b) * inversePivot[i];
     }
   }
 
-  /** Rows i and i + 1 of L at once: neither waits for the sums of the other. */
-  private void eliminatePair(double[] b, int i) {
-    int row = i * n;
-    int below = row + n;
-    double first = b[i];
-    double second = b[i + 1];
+  /** Rows i to i + 3 of L at once: none waits for the sums of the others. */
+  private void eliminateFour(double[] b, double[] x, int i) {
+    int row1 = i * n;
+    int row2 = row1 + n;
+    int row3 = row2 + n;
+    int row4 = row3 + n;
+    double x1 = b[rowOf[i]];
+    double x2 = b[rowOf[i + 1]];
+    double x3 = b[rowOf[i + 2]];
+    double x4 = b[rowOf[i + 3]];
     for (int j = 0; j < i; j++) {
-      double known = b[j];
-      first -= lu[row + j] * known;
-      second -= lu[below + j] * known;
+      double known = x[j];
+      x1 -= lu[row1 + j] * known;
+      x2 -= lu[row2 + j] * known;
+      x3 -= lu[row3 + j] * known;
+      x4 -= lu[row4 + j] * known;
     }
-    b[i] = first;
-    b[i + 1] = second - lu[below + i] * first;
+    x2 -= lu[row2 + i] * x1;
+    x3 = x3 - lu[row3 + i] * x1 - lu[row3 + i + 1] * x2;
+    x4 = x4 - lu[row4 + i] * x1 - lu[row4 + i + 1] * x2 - lu[row4 + i + 2] * x3;
+    x[i] = x1;
+    x[i + 1] = x2;
+    x[i + 2] = x3;
+    x[i + 3] = x4;
   }
 
   private double lessProduct(double start, int row, int from, int end, double[] b) {
@@ -150,15 +176,9 @@ public final class DenseLu extends LuFactors {
         b[j] -= lu[i * n + j] * b[i];
       }
     }
-    for (int k = n - 1; k >= 0; k--) {
-      swap(b, k);
+    System.arraycopy(b, 0, partial, 0, n);
+    for (int k = 0; k < n; k++) {
+      b[rowOf[k]] = partial[k];
     }
-  }
-
-  private void swap(double[] b, int k) {
-    int p = interchange[k];
-    double part = b[k];
-    b[k] = b[p];
-    b[p] = part;
   }
 }

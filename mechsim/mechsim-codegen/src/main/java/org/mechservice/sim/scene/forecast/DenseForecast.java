@@ -33,11 +33,6 @@ final class DenseForecast {
 
   private DenseForecast() {}
 
-  /** Returns whether the forecasts for two integrators are the same. */
-  static boolean isSame(String integrator, String other) {
-    return isStiff(integrator) == isStiff(other);
-  }
-
   private static boolean isStiff(String integrator) {
     return integrator.equals(IntegrationMethod.ODE15S.label());
   }

@@ -18,18 +18,20 @@ public final class RunForecast {
         && run.tEnd() == other.tEnd()
         && run.maxStep() == other.maxStep()
         && run.relativeTolerance() == other.relativeTolerance()
-        && StiffnessForecast.isSame(run.integrator(), other.integrator())
-        && DenseForecast.isSame(run.integrator(), other.integrator());
+        && run.absoluteTolerance() == other.absoluteTolerance()
+        && run.integrator().equals(other.integrator());
   }
 
   /**
    * Returns the findings that the model does not silence: joints that move nothing, bodies that
-   * nothing moves, causes of a long run, dense matrices of large mechanisms, and events that a step
-   * may miss.
+   * nothing moves, causes of a long run, dense matrices of large mechanisms, tolerances near
+   * rounding, and events that a step may miss.
    *
    * @param formulation requested formulation, {@code auto} or a name
+   * @param closure requested closure, {@code auto} or a name
    */
-  public static List<Finding> of(MechmlModel model, String formulation, RunSettings settings) {
+  public static List<Finding> of(
+      MechmlModel model, String formulation, String closure, RunSettings settings) {
     Mechanism mechanism = model.mechanism();
     List<Finding> findings =
         new ArrayList<>(SceneAnalysis.of(mechanism).findingsAtStart(settings.tStart()));
@@ -41,6 +43,7 @@ public final class RunForecast {
     DigitsForecast.of(mechanism, formulation, settings).ifPresent(findings::add);
     ShortPulseCheck.of(mechanism, settings).ifPresent(findings::add);
     findings.addAll(FormulaForecast.of(mechanism, settings));
+    ToleranceForecast.of(model, formulation, closure, settings).ifPresent(findings::add);
     findings.addAll(DenseForecast.of(model, formulation, settings));
     findings.removeIf(finding -> model.silenced().contains(finding.code()));
     return findings;

@@ -9,9 +9,9 @@
  * its client before the first step.
  *
  * <p>A forecast considers the start alone: it is computed from the model and the settings of the
- * run, and nothing is integrated. Depends on the analysis of scenes beside it and on the
- * data-driven equations of solver-mechanics; a {@link org.mechservice.sim.scene.Finding} has a code
- * of the error catalogue.
+ * run. Only where a fast motion may take very many steps are the first of them taken ({@code
+ * TrialSteps}). Depends on the analysis of scenes beside it and on the data-driven equations of
+ * solver-mechanics; a {@link org.mechservice.sim.scene.Finding} has a code of the error catalogue.
  */
 @NullMarked
 package org.mechservice.sim.scene.forecast;

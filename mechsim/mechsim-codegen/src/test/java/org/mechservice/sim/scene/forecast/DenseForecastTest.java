@@ -52,7 +52,7 @@ class DenseForecastTest {
   }
 
   private static List<Finding> forecast(MechmlModel model, String formulation) {
-    return RunForecast.of(model, formulation, model.settings().run()).stream()
+    return RunForecast.of(model, formulation, "auto", model.settings().run()).stream()
         .filter(finding -> finding.code() == MessageCode.DENSE_MATRICES)
         .toList();
   }

@@ -38,7 +38,10 @@ class StiffnessForecastTest {
     return text.replaceFirst("integrator name=\"\\w+\"", "integrator name=\"" + integrator + "\"");
   }
 
-  /** 1 kg on 1e12 N/m with 2e8 N·s/m: λ = −c/2m ∓ √((c/2m)² − k/m) = −1.99995e8 and −5e3 1/s. */
+  /**
+   * 1 kg on 1e12 N/m with 2e8 N·s/m: λ = −c/2m ∓ √((c/2m)² − k/m) = −1.99995e8 and −5e3 1/s. Steps
+   * of ode113 counted over 1e-3 s: 123 454.
+   */
   @Test
   void fastDecayIsForeseenWithItsJointItsSpeedAndItsSteps() {
     assertThat(forecast(with(scene("spring_1e12_far_over_critical"), "ode113")))
@@ -47,12 +50,12 @@ class StiffnessForecastTest {
               assertThat(found.code()).isEqualTo(MessageCode.VERY_MANY_STEPS);
               assertThat(found.text())
                   .contains(
-                      "joint \"j1\"", "for ode113:", "decays with 2.00e+08 1/s", "2e+07 steps")
+                      "joint \"j1\"", "for ode113:", "decays with 2.00e+08 1/s", "1e+07 steps")
                   .contains("use integrator \"auto\"");
             });
   }
 
-  /** 1 kg on 1e12 N/m: ω = 1e6 rad/s, for 10 s. */
+  /** 1 kg on 1e12 N/m: ω = 1e6 rad/s, for 10 s. Steps of DE counted over 0.01 s: 60 979. */
   @Test
   void undampedOscillationIsForeseenAndNoImplicitMethodPromised() {
     String longer = scene("spring_1e12_undamped").replaceFirst("tend=\"[^\"]*", "tend=\"10");
@@ -61,7 +64,7 @@ class StiffnessForecastTest {
             found ->
                 assertThat(found.text())
                     .contains(
-                        "swings with 1.00e+06 rad/s", "1e+07 steps", "followed by every method"));
+                        "swings with 1.00e+06 rad/s", "6e+07 steps", "followed by every method"));
   }
 
   @Test

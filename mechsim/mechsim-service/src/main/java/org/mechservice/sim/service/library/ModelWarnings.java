@@ -21,7 +21,8 @@ public final class ModelWarnings {
 
   /** Returns the warnings of a run with the settings of the file. */
   static List<Diagnostic> of(MechmlModel model) {
-    return of(model, model.settings().formulation(), model.settings().run());
+    return of(
+        model, model.settings().formulation(), model.settings().closure(), model.settings().run());
   }
 
   /**
@@ -29,11 +30,13 @@ public final class ModelWarnings {
    * whether a run will take very many steps.
    *
    * @param formulation requested
+   * @param closure requested
    * @param run settings of the run
    */
-  static List<Diagnostic> of(MechmlModel model, String formulation, RunSettings run) {
+  static List<Diagnostic> of(
+      MechmlModel model, String formulation, String closure, RunSettings run) {
     List<Diagnostic> warnings = new ArrayList<>(model.warnings());
-    for (Finding finding : RunForecast.of(model, formulation, run)) {
+    for (Finding finding : RunForecast.of(model, formulation, closure, run)) {
       warnings.add(
           new Diagnostic(
               Severity.WARNING,
@@ -49,18 +52,18 @@ public final class ModelWarnings {
 
   /**
    * Returns all warnings of a run; empty if they are those of its file. They differ if the run has
-   * another formulation, integrator, end, tolerance or largest step, or if the model is read with
-   * other options.
+   * another formulation, closure, integrator, end, tolerance or largest step, or if the model is
+   * read with other options.
    */
   static Optional<List<Diagnostic>> differing(
-      LoadedModel source, String formulation, RunSettings run) {
+      LoadedModel source, String formulation, String closure, RunSettings run) {
     RunSettings file = source.model().settings().run();
-    boolean sameFormulation = formulation.equals(source.model().settings().formulation());
-    return source.options().equals(ReadOptions.NONE)
-            && sameFormulation
-            && RunForecast.isSame(run, file)
+    boolean sameMethods =
+        formulation.equals(source.model().settings().formulation())
+            && closure.equals(source.model().settings().closure());
+    return source.options().equals(ReadOptions.NONE) && sameMethods && RunForecast.isSame(run, file)
         ? Optional.empty()
-        : Optional.of(of(source.model(), formulation, run));
+        : Optional.of(of(source.model(), formulation, closure, run));
   }
 
   /**
@@ -69,7 +72,7 @@ public final class ModelWarnings {
    * path and text, separated by tabs. {@code silenced} are the codes of silenced warnings.
    */
   public static Map<String, String> ofSetUp(
-      LoadedModel source, String formulation, RunSettings run) {
+      LoadedModel source, String formulation, String closure, RunSettings run) {
     Map<String, String> facts = new LinkedHashMap<>();
     if (!source.model().silenced().isEmpty()) {
       facts.put(
@@ -79,7 +82,7 @@ public final class ModelWarnings {
               .sorted()
               .collect(Collectors.joining(" ")));
     }
-    differing(source, formulation, run)
+    differing(source, formulation, closure, run)
         .ifPresent(
             warnings -> {
               facts.put("warnings", String.valueOf(warnings.size()));

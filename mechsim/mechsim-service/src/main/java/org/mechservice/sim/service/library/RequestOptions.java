@@ -26,6 +26,7 @@ import org.mechservice.idl.OPT_SIMULATION;
 import org.mechservice.idl.OPT_SOURCE_PART;
 import org.mechservice.idl.OPT_STANDALONE;
 import org.mechservice.idl.OPT_STRICT;
+import org.mechservice.idl.OPT_TEXT_PART;
 import org.mechservice.idl.OPT_TUNABLE;
 import org.mechservice.idl.OPT_T_END;
 import org.mechservice.idl.OPT_T_STEP;
@@ -56,6 +57,7 @@ public final class RequestOptions {
               OPT_SET.value,
               OPT_TUNABLE.value,
               OPT_SOURCE_PART.value,
+              OPT_TEXT_PART.value,
               SourceLanguage.OPTION,
               OPT_STANDALONE.value,
               OPT_STRICT.value,

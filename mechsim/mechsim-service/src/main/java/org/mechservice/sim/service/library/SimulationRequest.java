@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.OptionalInt;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -24,6 +25,7 @@ import org.mechservice.idl.OPT_REL_TOL;
 import org.mechservice.idl.OPT_SOURCE_PART;
 import org.mechservice.idl.OPT_STANDALONE;
 import org.mechservice.idl.OPT_STRICT;
+import org.mechservice.idl.OPT_TEXT_PART;
 import org.mechservice.idl.OPT_T_END;
 import org.mechservice.idl.OPT_T_STEP;
 import org.mechservice.mechml.MechmlModel;
@@ -128,11 +130,23 @@ public record SimulationRequest(
    * @throws InvalidOption if it is not a number from 0 to 999
    */
   public static int sourcePart(RequestOptions given) throws InvalidOption {
-    String text = given.text(OPT_SOURCE_PART.value, "0");
+    return part(OPT_SOURCE_PART.value, given.text(OPT_SOURCE_PART.value, "0"));
+  }
+
+  /**
+   * Returns the index of the part of a text that is requested, from 0; empty for all of it.
+   *
+   * @throws InvalidOption if it is not a number from 0 to 999
+   */
+  public static OptionalInt textPart(RequestOptions given) throws InvalidOption {
+    String text = given.text(OPT_TEXT_PART.value, "");
+    return text.isEmpty() ? OptionalInt.empty() : OptionalInt.of(part(OPT_TEXT_PART.value, text));
+  }
+
+  private static int part(String option, String text) throws InvalidOption {
     if (!text.matches("[0-9]{1,3}")) {
       throw ContractErrors.option(
-          OPT_SOURCE_PART.value,
-          OPT_SOURCE_PART.value + " is \"" + text + "\"; it must be a number from 0 to 999");
+          option, option + " is \"" + text + "\"; it must be a number from 0 to 999");
     }
     return Integer.parseInt(text);
   }

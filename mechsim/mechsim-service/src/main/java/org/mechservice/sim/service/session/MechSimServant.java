@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.idl.Channel;
@@ -65,6 +66,7 @@ final class MechSimServant implements MechSimOperations {
   private final SetUpTimes times = new SetUpTimes();
   private final RunCreation creation;
   private final SignedJars jars;
+  private final LongTexts longTexts = new LongTexts();
   private volatile Optional<LoadedModel> loaded = Optional.empty();
 
   /**
@@ -203,7 +205,12 @@ final class MechSimServant implements MechSimOperations {
 
   @Override
   public String checkReport(boolean asJson) throws InvalidState {
-    CheckReport report = CheckReport.of(requireModel().model());
+    MechmlModel model = requireModel().model();
+    return longTexts.of(List.of(model, asJson), () -> checkReport(model, asJson));
+  }
+
+  private static String checkReport(MechmlModel model, boolean asJson) {
+    CheckReport report = CheckReport.of(model);
     return asJson ? report.json() : report.text();
   }
 
@@ -220,8 +227,10 @@ final class MechSimServant implements MechSimOperations {
   @Override
   public String checkReportWith(NameValue[] options, boolean asJson)
       throws InvalidModel, InvalidOption, InvalidState {
-    CheckReport report = CheckReport.of(parsed(options).model().model());
-    return asJson ? report.json() : report.text();
+    MechmlModel model = parsed(options).model().model();
+    OptionalInt part = SimulationRequest.textPart(RequestOptions.of(options));
+    String text = longTexts.of(List.of(model, asJson), () -> checkReport(model, asJson));
+    return part.isEmpty() ? text : LongTexts.part(text, part.getAsInt());
   }
 
   @Override
@@ -310,7 +319,10 @@ final class MechSimServant implements MechSimOperations {
     LoadedModel source = parsed.model();
     SimulationRequest asked = parsed.request();
     byte[] jar = jars.ofModel(source, asked, info);
-    facts.value = facts("", ModelWarnings.ofSetUp(source, asked.formulation(), asked.settings()));
+    facts.value =
+        facts(
+            "",
+            ModelWarnings.ofSetUp(source, asked.formulation(), asked.closure(), asked.settings()));
     return jar;
   }
 

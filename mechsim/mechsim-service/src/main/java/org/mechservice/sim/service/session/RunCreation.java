@@ -99,7 +99,7 @@ final class RunCreation {
         run,
         reference,
         compiled.generated().formulationReason(),
-        ModelWarnings.ofSetUp(source, asked.formulation(), asked.settings()));
+        ModelWarnings.ofSetUp(source, asked.formulation(), asked.closure(), asked.settings()));
   }
 
   private RunIdentity identity(RunTask task, LoadedModel source, SimulationRequest asked) {

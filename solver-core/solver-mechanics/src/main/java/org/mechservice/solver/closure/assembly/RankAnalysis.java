@@ -235,11 +235,6 @@ public final class RankAnalysis {
     return positionRank;
   }
 
-  /** Returns the number of degrees of freedom that the loops leave. */
-  public int freedom() {
-    return n - rank;
-  }
-
   /** Returns the rows of the redundant equations. */
   public List<Integer> redundant() {
     return redundant;

@@ -45,6 +45,9 @@ public final class BackwardDifferences implements Manifold.History {
   /** Those of the step being tried: the same array until they are rescaled. */
   private double[][] tried;
 
+  /** Stands for differences that are not in a formula: −0 changes no sum, not even one of −0. */
+  private final double[] nothing;
+
   /** Where differences are rescaled to. */
   private double[][] spare;
 
@@ -60,6 +63,8 @@ public final class BackwardDifferences implements Manifold.History {
     accepted = new double[LENGTH][dimension];
     tried = accepted;
     spare = new double[LENGTH][dimension];
+    nothing = new double[dimension];
+    Arrays.fill(nothing, -0.0);
   }
 
   /** Forgets the history and places the state; {@link #slope} is to be written next. */
@@ -120,55 +125,49 @@ public final class BackwardDifferences implements Manifold.History {
    * A difference depends on those of its own and higher orders only: the target may be D itself.
    */
   private void rescaleInto(double[] target, int m, int k) {
+    double[] d0 = tried[m];
+    double[] d1 = ofFormula(m + 1, k);
+    double[] d2 = ofFormula(m + 2, k);
+    double[] d3 = ofFormula(m + 3, k);
+    double[] d4 = ofFormula(m + 4, k);
     double own = rescaling.element(m, m);
-    double[] difference = tried[m];
+    double other1 = rescaling.element(m + 1, m);
+    double other2 = rescaling.element(m + 2, m);
+    double other3 = rescaling.element(m + 3, m);
+    double other4 = rescaling.element(m + 4, m);
     for (int l = 0; l < target.length; l++) {
-      target[l] = own * difference[l];
-    }
-    for (int i = m + 1; i <= k; i++) {
-      double other = rescaling.element(i, m);
-      double[] higher = tried[i];
-      for (int l = 0; l < target.length; l++) {
-        target[l] += other * higher[l];
-      }
+      target[l] = own * d0[l] + other1 * d1[l] + other2 * d2[l] + other3 * d3[l] + other4 * d4[l];
     }
   }
 
-  /** Forms y* and ψ; the iteration starts from d = 0. */
+  /**
+   * Forms y* and ψ; the iteration starts from d = 0. All is done in one pass: in small systems the
+   * passes cost more than the sums. These begin with 0, and so are never −0.
+   */
   public void predict(int k, BackwardFormulas formulas) {
-    Arrays.fill(predicted, 0);
-    Arrays.fill(psi, 0);
-    int m = 1;
-    for (; m < k; m += 2) {
-      predictByTwo(m, formulas.share(m, k), formulas.share(m + 1, k));
-    }
-    if (m == k) {
-      predictBy(m, formulas.share(m, k));
-    }
+    double[] d1 = tried[1];
+    double[] d2 = ofFormula(2, k);
+    double[] d3 = ofFormula(3, k);
+    double[] d4 = ofFormula(4, k);
+    double[] d5 = ofFormula(5, k);
+    double share1 = formulas.share(1, k);
+    double share2 = formulas.share(2, k);
+    double share3 = formulas.share(3, k);
+    double share4 = formulas.share(4, k);
+    double share5 = formulas.share(5, k);
     for (int l = 0; l < predicted.length; l++) {
-      double start = predicted[l] + state[l];
+      double start = 0 + d1[l] + d2[l] + d3[l] + d4[l] + d5[l] + state[l];
       predicted[l] = start;
       corrected[l] = start;
       correction[l] = 0;
+      psi[l] =
+          0 + share1 * d1[l] + share2 * d2[l] + share3 * d3[l] + share4 * d4[l] + share5 * d5[l];
     }
   }
 
-  private void predictBy(int m, double share) {
-    double[] difference = tried[m];
-    for (int l = 0; l < predicted.length; l++) {
-      predicted[l] += difference[l];
-      psi[l] += share * difference[l];
-    }
-  }
-
-  /** Two terms in one pass: in small systems the passes cost more than the sums. */
-  private void predictByTwo(int m, double share, double shareAbove) {
-    double[] difference = tried[m];
-    double[] above = tried[m + 1];
-    for (int l = 0; l < predicted.length; l++) {
-      predicted[l] = predicted[l] + difference[l] + above[l];
-      psi[l] = psi[l] + share * difference[l] + shareAbove * above[l];
-    }
+  /** Returns ∇^m of the step being tried if a formula of order k has it. */
+  private double[] ofFormula(int m, int k) {
+    return m <= k ? tried[m] : nothing;
   }
 
   /**
@@ -216,11 +215,12 @@ public final class BackwardDifferences implements Manifold.History {
   /** Accepts the corrected state and forms its differences up to order k + 2. */
   public void accept(int k) {
     takeUpCorrection(tried[k + 2], tried[k + 1], tried[k]);
-    int m = k - 1;
-    for (; m > 1; m -= 2) {
-      raiseTwo(tried[m - 1], tried[m], tried[m + 1]);
+    if (k > 3) {
+      raiseThree(tried[k - 3], tried[k - 2], tried[k - 1], tried[k]);
+    } else if (k == 3) {
+      raiseTwo(tried[1], tried[2], tried[3]);
     }
-    if (m == 1) {
+    if (k == 2 || k == 5) {
       raise(tried[1], tried[2]);
     }
     if (tried != accepted) {
@@ -244,6 +244,17 @@ public final class BackwardDifferences implements Manifold.History {
   private static void raise(double[] difference, double[] above) {
     for (int l = 0; l < difference.length; l++) {
       difference[l] += above[l];
+    }
+  }
+
+  private static void raiseThree(
+      double[] lowest, double[] below, double[] difference, double[] above) {
+    for (int l = 0; l < difference.length; l++) {
+      double raised = difference[l] + above[l];
+      difference[l] = raised;
+      raised += below[l];
+      below[l] = raised;
+      lowest[l] += raised;
     }
   }
 

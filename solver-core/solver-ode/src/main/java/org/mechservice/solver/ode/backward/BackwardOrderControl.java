@@ -19,8 +19,9 @@ import org.mechservice.solver.ode.step.ErrorNorm;
  *
  * <p>Where the rate and the damping of the fastest oscillation are known, that is known beforehand:
  * no step of orders 3 to 5 is proposed at which the formula makes it grow, see {@link
- * UnstableSteps}. Where only that, and not accuracy, keeps the step of a higher order short, order
- * 2, which is stable at any step, is taken if it allows a longer one.
+ * UnstableSteps}, nor tried after a failure: it would go on until the growth fails, and then begin
+ * anew from far shorter steps. Where only that, and not accuracy, keeps the step of a higher order
+ * short, order 2, which is stable at any step, is taken if it allows a longer one.
  *
  * <p>If asked to be cautious, the step is proposed for 6 times the error, at order k + 1 for 10
  * times, as CVODE does: the errors of the differences after a change add to those of the formula.
@@ -62,6 +63,12 @@ public final class BackwardOrderControl {
 
   private static final double GROWTH_AT_ORDER_2 = 2;
 
+  /**
+   * Part of the step from which on the fastest oscillation grows: at the whole one it would live on
+   * as it is, and keep order 2 from going beyond. Parts from 0.9 to 0.98 do alike.
+   */
+  private static final double DECAYING = 0.95;
+
   /** Highest order that is stable for every damped oscillation. */
   private static final int ALWAYS_STABLE = 2;
 
@@ -82,7 +89,7 @@ public final class BackwardOrderControl {
 
   private double error;
 
-  /** h |λ| of the fastest motion in the step accepted last, and its damping ratio; 0 if none. */
+  /** h |λ| of the fastest motion in the step tried last, and its damping ratio; 0 if none. */
   private double fastest;
 
   private double damping;
@@ -134,7 +141,7 @@ public final class BackwardOrderControl {
   /**
    * Heeds a damped oscillation from now on.
    *
-   * @param fastest h |λ| of it in the step accepted last
+   * @param fastest h |λ| of it in the step tried last
    * @param dampingRatio of it; 0 if there is none
    */
   public void follow(double fastest, double dampingRatio) {
@@ -180,7 +187,8 @@ public final class BackwardOrderControl {
       double errorBelow =
           formulas.errorConstant(order - 1)
               * norm.ofSum(differences.tried(order), differences.correction);
-      double below = Math.max(SMALLEST_RETRY, RETRY_BELOW * passing(errorBelow, order - 1));
+      double retry = outsideUnstable(RETRY_BELOW * passing(errorBelow, order - 1), order - 1);
+      double below = Math.max(SMALLEST_RETRY, retry);
       if (below > factor) {
         order--;
         return Math.min(1, below);
@@ -202,7 +210,7 @@ public final class BackwardOrderControl {
       return 1;
     }
     if (unstable(k)) {
-      return lower(stableBelow(k), differences, norm);
+      return leaveUnstable(differences, norm);
     }
     double accurate = growth(error, k, SAFETY_SAME);
     double best = stable(accurate, k);
@@ -255,17 +263,45 @@ public final class BackwardOrderControl {
     if (damping == 0 || growth == 1) {
       return growth;
     }
-    double first = formulas.unstable().first(j, damping);
-    return fastest < first ? Math.max(1, Math.min(growth, first / fastest)) : growth;
+    boolean below = fastest < formulas.unstable().first(j, damping);
+    return below ? Math.max(1, Math.min(growth, longestDecaying(j) / fastest)) : growth;
   }
 
-  /** Returns the highest order below k at which the fastest oscillation does not grow. */
-  private int stableBelow(int k) {
-    int j = k - 1;
-    while (unstable(j)) {
-      j--;
+  /**
+   * Chooses the order whose longest step is the longest among those that are accurate and let the
+   * fastest oscillation decay: the present one with a shorter step, the next, or one of those
+   * below.
+   */
+  private double leaveUnstable(BackwardDifferences differences, ErrorNorm norm) {
+    int k = order;
+    double best = outsideUnstable(1, k);
+    int highest = k < highestOrder && mayRise(differences, norm) ? k + 1 : k;
+    for (int j = highest; j >= ALWAYS_STABLE; j--) {
+      if (j != k) {
+        double bias = j > k ? BIAS_ABOVE : BIAS;
+        double accurate = passing(bias * errorOf(j, differences, norm), j);
+        double factor = outsideUnstable(Math.min(LARGEST_GROWTH, accurate), j);
+        if (factor > best) {
+          best = factor;
+          order = j;
+        }
+      }
     }
-    return j;
+    grown = best > 1;
+    equalSteps = 0;
+    return best;
+  }
+
+  /** Returns a factor for the step, reduced to where order j lets the fastest oscillation decay. */
+  private double outsideUnstable(double factor, int j) {
+    return damping > 0 && formulas.unstable().contains(j, factor * fastest, damping)
+        ? longestDecaying(j) / fastest
+        : factor;
+  }
+
+  /** Returns the h |λ| up to which order j lets the fastest oscillation decay visibly. */
+  private double longestDecaying(int j) {
+    return DECAYING * formulas.unstable().first(j, damping);
   }
 
   private double lower(int j, BackwardDifferences differences, ErrorNorm norm) {

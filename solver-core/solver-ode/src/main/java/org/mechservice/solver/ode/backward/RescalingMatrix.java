@@ -1,5 +1,7 @@
 package org.mechservice.solver.ode.backward;
 
+import java.util.Arrays;
+
 /**
  * The matrix R(r) U that turns backward differences over steps h into those over steps r h.
  *
@@ -16,29 +18,34 @@ final class RescalingMatrix {
   private static final double[][] U = new double[LENGTH][LENGTH];
 
   static {
-    for (int j = 1; j < LENGTH; j++) {
-      formColumn(U, j, 1, LENGTH - 1);
+    Arrays.fill(U[0], 1);
+    for (int i = 1; i < LENGTH; i++) {
+      formRow(U, i, 1, LENGTH - 1);
     }
   }
 
   private final double[][] r = new double[LENGTH][LENGTH];
   private final double[][] product = new double[LENGTH][LENGTH];
+  private int size;
+
+  RescalingMatrix() {
+    Arrays.fill(r[0], 1);
+  }
 
   /** Forms the matrix of size k. */
   void prepare(double ratio, int k) {
-    for (int j = 1; j <= k; j++) {
-      formColumn(r, j, ratio, k);
-    }
+    size = k;
     for (int i = 1; i <= k; i++) {
+      formRow(r, i, ratio, k);
       for (int j = 1; j <= i; j++) {
         product[i][j] = product(i, j);
       }
     }
   }
 
-  /** Returns (R U)_ij, j ≤ i. */
+  /** Returns (R U)_ij, j ≤ i; 0 beyond the size of the matrix. */
   double element(int i, int j) {
-    return product[i][j];
+    return i <= size ? product[i][j] : 0;
   }
 
   private double product(int i, int j) {
@@ -49,11 +56,12 @@ final class RescalingMatrix {
     return sum;
   }
 
-  private static void formColumn(double[][] matrix, int j, double ratio, int k) {
-    double element = 1;
-    for (int i = 1; i <= k; i++) {
-      element *= (i - 1 - j * ratio) / i;
-      matrix[i][j] = element;
+  /** Forms row i of R from the one above; row 0 is all ones. */
+  private static void formRow(double[][] matrix, int i, double ratio, int k) {
+    double[] above = matrix[i - 1];
+    double[] row = matrix[i];
+    for (int j = 1; j <= k; j++) {
+      row[j] = above[j] * ((i - 1 - j * ratio) / i);
     }
   }
 }

@@ -4,7 +4,8 @@ import java.util.Arrays;
 
 /**
  * Steps at which formulas of orders 3 to 5 make a damped oscillation grow: intervals of h |λ| for
- * y' = λ y, by the angle of λ from the negative real axis, cos angle = damping ratio.
+ * y' = λ y, by the damping ratio −Re λ / |λ|. They begin and end with the points of the curve below
+ * that have this ratio or more.
  *
  * <p>The values ζ^n of a solution obey the formula where h λ = Σ_{m=1..k} (1 − 1/ζ)^m / m − κ_k γ_k
  * (1 − 1/ζ)^{k+1}; for |ζ| = 1 that is the curve around the steps at which they grow. Hairer and
@@ -13,8 +14,10 @@ import java.util.Arrays;
 final class UnstableSteps {
   private static final int LOWEST_ORDER = 3;
 
-  /** Angles told apart, in a right angle. */
-  private static final int ANGLES = 90;
+  /**
+   * Damping ratios told apart, equally spaced in their square roots: the small ones more finely.
+   */
+  private static final int RATIOS = 300;
 
   /** Points on half of a curve. */
   private static final int POINTS = 720;
@@ -22,16 +25,20 @@ final class UnstableSteps {
   /** Part of the plane around 0 that is left out: steps that resolve any oscillation. */
   private static final double RESOLVED = 0.1;
 
-  /** Shortest and longest by order and angle; none if the shortest is infinite. */
-  private final double[][] shortest = new double[BackwardFormulas.HIGHEST_ORDER + 1][ANGLES + 1];
+  /** Shortest and longest by order and damping ratio; none if the shortest is infinite. */
+  private final double[][] shortest = new double[BackwardFormulas.HIGHEST_ORDER + 1][RATIOS + 1];
 
-  private final double[][] longest = new double[BackwardFormulas.HIGHEST_ORDER + 1][ANGLES + 1];
+  private final double[][] longest = new double[BackwardFormulas.HIGHEST_ORDER + 1][RATIOS + 1];
 
   UnstableSteps(BackwardFormulas formulas) {
     for (int k = LOWEST_ORDER; k <= BackwardFormulas.HIGHEST_ORDER; k++) {
       Arrays.fill(shortest[k], Double.POSITIVE_INFINITY);
       for (int i = 0; i <= POINTS; i++) {
         place(formulas, k, Math.PI * i / POINTS);
+      }
+      for (int i = RATIOS - 1; i >= 0; i--) {
+        shortest[k][i] = Math.min(shortest[k][i], shortest[k][i + 1]);
+        longest[k][i] = Math.max(longest[k][i], longest[k][i + 1]);
       }
     }
   }
@@ -54,14 +61,14 @@ final class UnstableSteps {
     }
     double size = Math.sqrt(real * real + imaginary * imaginary);
     if (real <= 0 && size > RESOLVED) {
-      int angle = angle(-real / size);
-      shortest[k][angle] = Math.min(shortest[k][angle], size);
-      longest[k][angle] = Math.max(longest[k][angle], size);
+      int ratio = place(-real / size);
+      shortest[k][ratio] = Math.min(shortest[k][ratio], size);
+      longest[k][ratio] = Math.max(longest[k][ratio], size);
     }
   }
 
-  private static int angle(double dampingRatio) {
-    return (int) Math.round(StrictMath.acos(dampingRatio) / (Math.PI / 2) * ANGLES);
+  private static int place(double dampingRatio) {
+    return (int) (Math.sqrt(dampingRatio) * RATIOS);
   }
 
   /**
@@ -70,7 +77,7 @@ final class UnstableSteps {
    * @param dampingRatio −Re λ / |λ|, 0 to 1
    */
   double first(int k, double dampingRatio) {
-    return k < LOWEST_ORDER ? Double.POSITIVE_INFINITY : shortest[k][angle(dampingRatio)];
+    return k < LOWEST_ORDER ? Double.POSITIVE_INFINITY : shortest[k][place(dampingRatio)];
   }
 
   /** Returns whether an oscillation grows at this h |λ|. */
@@ -78,7 +85,7 @@ final class UnstableSteps {
     if (k < LOWEST_ORDER) {
       return false;
     }
-    int angle = angle(dampingRatio);
-    return size > shortest[k][angle] && size < longest[k][angle];
+    int ratio = place(dampingRatio);
+    return size > shortest[k][ratio] && size < longest[k][ratio];
   }
 }

@@ -80,14 +80,17 @@ public final class PulseProbe {
    * @param distance shortest one known between jumps; 0 if there is none
    */
   public boolean wanted(double h, double before, double interval, double distance) {
+    line = false;
     double size = Math.abs(h);
+    if (!(size >= LONG * Math.abs(interval))) {
+      return false;
+    }
     boolean longer = size > LONGER * Math.abs(before);
     double byGrowth = longer && before != 0 ? PARTS * size / Math.abs(before) : 0;
     double byDistance = distance == 0 ? 0 : PARTS_OF_DISTANCE * size / distance;
     int fewest = before == 0 ? FEWEST_AT_FIRST : longer ? FEWEST : FEWEST_AGAIN;
     parts = (int) Math.max(fewest, Math.min(MOST, Math.max(byGrowth, byDistance)));
-    line = false;
-    return size >= LONG * Math.abs(interval);
+    return true;
   }
 
   /** Returns where the derivative at an end of the step is to be written, length n. */
@@ -115,6 +118,14 @@ public final class PulseProbe {
    * @param derivative not modified
    */
   public boolean straight(double h, double[] derivative, ErrorNorm norm) {
+    line = false;
+    double half = 0.5 * Math.abs(h);
+    for (int l = 0; l < chord.length; l++) {
+      double difference = Math.abs((derivative[l] - chord[l]) * norm.weight(l));
+      if (!(half * difference <= rounding)) {
+        return false;
+      }
+    }
     line = difference(h, derivative, norm) <= rounding;
     return line;
   }

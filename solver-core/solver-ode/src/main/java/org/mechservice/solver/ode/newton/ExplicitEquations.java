@@ -287,6 +287,11 @@ public final class ExplicitEquations extends StepEquations {
     return better;
   }
 
+  @Override
+  boolean slight(double[] left, ErrorNorm norm, double small) {
+    return norm.of(left) <= small;
+  }
+
   /**
    * {@inheritDoc} A Jacobian of a steeper place explains anything: what it says of rounding errors
    * is believed where y moved by some moves f as much.

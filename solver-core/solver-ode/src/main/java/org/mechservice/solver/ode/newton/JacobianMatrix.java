@@ -13,8 +13,18 @@ public final class JacobianMatrix {
   /** The second half of these powers of a matrix tell how it grows. */
   private static final int POWERS = 16;
 
+  /** The last powers that are compared with the one before are this many and one more. */
+  private static final int COMPARED = 3;
+
   /** What is left after {@link #POWERS} of an eigenvalue of 0.8 times the largest one. */
   private static final double SAME_LINE = 0.05;
+
+  /**
+   * Minus the cosine of the angle between powers that are turned round for the most part: several
+   * decays of like rates, as those of a diffusion, which no power tells apart. Two growths are not
+   * told from a saddle, through which a swing may pass.
+   */
+  private static final double SAME_DIRECTION = 0.9;
 
   private static final double GOLDEN_RATIO = 0.6180339887498949;
 
@@ -37,6 +47,9 @@ public final class JacobianMatrix {
 
   /** The same distance from the one before as it is. */
   private double offKept;
+
+  /** Largest cosine of the angle between one of the last powers and the one before. */
+  private double leastTurned;
 
   private boolean radiusKnown;
 
@@ -158,11 +171,12 @@ public final class JacobianMatrix {
 
   /**
    * Returns whether the fastest motion is a decay or a growth: the largest eigenvalue is real and
-   * alone in its size. The powers of the matrix then change nothing but the length and the sense of
-   * a vector.
+   * alone in its size, or among others like it. The powers of the matrix then change hardly
+   * anything but the length and the sense of a vector.
    */
   public boolean fastestIsExponential() {
-    return spectralRadius() > 0 && Math.min(offTurned, offKept) < SAME_LINE;
+    return spectralRadius() > 0
+        && (Math.min(offTurned, offKept) < SAME_LINE || leastTurned <= -SAME_DIRECTION);
   }
 
   /**
@@ -223,25 +237,24 @@ public final class JacobianMatrix {
     for (int i = 1; i <= POWERS; i++) {
       Arrays.fill(product, 0);
       addProduct(power, product);
-      double size = 0;
-      for (double element : product) {
-        size = Math.max(size, Math.abs(element));
-      }
+      double size = largest(product);
       if (size == 0) {
         return 0;
       }
-      if (i == POWERS - 3) {
+      for (int l = 0; l < power.length; l++) {
+        product[l] /= size;
+      }
+      if (i == POWERS - COMPARED) {
         offTurned = 0;
         offKept = 0;
+        leastTurned = -1;
       }
-      for (int l = 0; l < power.length; l++) {
-        double next = product[l] / size;
-        offTurned = Math.max(offTurned, Math.abs(next + power[l]));
-        offKept = Math.max(offKept, Math.abs(next - power[l]));
-        power[l] = next;
+      if (i >= POWERS - COMPARED) {
+        compareLastPowers();
       }
-      double logSize = StrictMath.log(size);
-      growth += i > POWERS / 2 ? logSize : 0;
+      System.arraycopy(product, 0, power, 0, power.length);
+      double logSize = i > POWERS / 2 ? StrictMath.log(size) : 0;
+      growth += logSize;
       int turn = i - 1 - (POWERS - TURNS);
       followed = turn == 0 ? largestOfPower() : followed;
       if (turn >= 0) {
@@ -252,6 +265,29 @@ public final class JacobianMatrix {
     growth /= POWERS / 2;
     damping = dampingOf(growth);
     return StrictMath.exp(growth);
+  }
+
+  /** Returns the largest magnitude, NaN above all: such have the order of their bits. */
+  private static double largest(double[] x) {
+    long largest = 0;
+    for (double element : x) {
+      largest = Math.max(largest, Double.doubleToRawLongBits(element) & Long.MAX_VALUE);
+    }
+    return Double.longBitsToDouble(largest);
+  }
+
+  private void compareLastPowers() {
+    double squareBefore = 0;
+    double square = 0;
+    double common = 0;
+    for (int l = 0; l < power.length; l++) {
+      offTurned = Math.max(offTurned, Math.abs(product[l] + power[l]));
+      offKept = Math.max(offKept, Math.abs(product[l] - power[l]));
+      squareBefore += power[l] * power[l];
+      square += product[l] * product[l];
+      common += product[l] * power[l];
+    }
+    leastTurned = Math.max(leastTurned, common / Math.sqrt(squareBefore * square));
   }
 
   private int largestOfPower() {

@@ -129,7 +129,6 @@ final class NewtonIteration {
     begun = true;
     iteration = 0;
     seen = 0;
-    remainder.begin();
     negligible = ROUNDOFF * norm.of(differences.predicted);
   }
 

@@ -1,6 +1,5 @@
 package org.mechservice.solver.ode.newton;
 
-import java.util.Arrays;
 import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.ode.backward.BackwardDifferences;
 import org.mechservice.solver.ode.step.ErrorNorm;
@@ -36,12 +35,19 @@ final class ResidualMonitor {
   /** Part that may remain after a change for which the matrix is right. */
   private static final double REDUCED = 0.3;
 
-  /** What was left before the last change, the one before, and the first one, length n. */
+  /** What was left before the first change, length n. */
+  private final double[] first;
+
+  /** The same before the last change and the one before it, which may be the first, length n. */
   private double[] last;
 
   private double[] before;
 
-  private final double[] first;
+  /** What was left before two later changes, by turns, and before there was any, length n. */
+  private final double[] later;
+
+  private final double[] afterThat;
+  private final double[] nothing;
 
   /** Smallest magnitudes before a first change since the rate was measured, length n. */
   private final double[] usual;
@@ -53,28 +59,27 @@ final class ResidualMonitor {
   private final double[] expected;
 
   ResidualMonitor(int dimension) {
-    last = new double[dimension];
-    before = new double[dimension];
     first = new double[dimension];
+    later = new double[dimension];
+    afterThat = new double[dimension];
+    nothing = new double[dimension];
+    last = first;
+    before = nothing;
     usual = new double[dimension];
     leftOver = new double[dimension];
     expected = new double[dimension];
   }
 
-  /** Begins an iteration. */
-  void begin() {
-    Arrays.fill(last, 0);
-  }
-
   /** Keeps what is left before a change; the array is not kept. */
   void keep(double[] left, boolean beforeFirst) {
-    double[] freed = before;
-    before = last;
-    last = freed;
-    System.arraycopy(left, 0, last, 0, left.length);
-    if (beforeFirst) {
-      System.arraycopy(left, 0, first, 0, left.length);
+    if (!beforeFirst) {
+      before = last;
+      last = before == later ? afterThat : later;
+    } else if (last != first) {
+      before = nothing;
+      last = first;
     }
+    System.arraycopy(left, 0, last, 0, left.length);
   }
 
   /**
@@ -84,6 +89,9 @@ final class ResidualMonitor {
    * @param rate at which changes are expected to fall
    */
   boolean usual(StepEquations equations, double hGamma, ErrorNorm norm, double rate) {
+    if (equations.slight(last, norm, EXPECTED)) {
+      return true;
+    }
     for (int l = 0; l < usual.length; l++) {
       double size = Math.abs(last[l]);
       double left = Math.max(rate, leftOver[l]);

@@ -162,6 +162,14 @@ public abstract class StepEquations {
       double hGamma, double[] before, double part, double[] left, ErrorNorm norm, double small);
 
   /**
+   * Returns whether it is known without further work that what is left of the equations, or parts
+   * of it, is as little as {@link #better} asks for.
+   */
+  boolean slight(double[] left, ErrorNorm norm, double small) {
+    return false;
+  }
+
+  /**
    * Returns a component moved by some rounding errors: of either sign and no two by like parts, so
    * that differences of components move, too.
    */

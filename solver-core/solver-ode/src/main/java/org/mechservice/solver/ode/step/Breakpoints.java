@@ -8,8 +8,10 @@ import org.mechservice.solver.ode.SystemParts;
 
 /** The places at which the equations jump, in the direction of integration. */
 public final class Breakpoints {
+  private static final double[] NONE = {Double.POSITIVE_INFINITY};
+
   /** Places times the direction, ascending, the last one infinite. */
-  private double[] ahead = {Double.POSITIVE_INFINITY};
+  private double[] ahead = NONE;
 
   private double direction = 1;
   private int next;
@@ -29,21 +31,26 @@ public final class Breakpoints {
     direction = tEnd < t0 ? -1 : 1;
     List<Double> places =
         system.part(PiecewiseSystem.class).map(PiecewiseSystem::breakpoints).orElse(List.of());
-    ahead =
-        places.stream()
-            .mapToDouble(place -> direction * requireNumber(place))
-            .filter(place -> place >= direction * t0)
-            .distinct()
-            .sorted()
-            .toArray();
-    ahead = Arrays.copyOf(ahead, ahead.length + 1);
-    ahead[ahead.length - 1] = Double.POSITIVE_INFINITY;
+    ahead = places.isEmpty() ? NONE : aheadOf(direction * t0, places);
     next = 0;
     first = Double.NEGATIVE_INFINITY;
     last = Math.nextDown(ahead[0]);
     if (reachedAt(t0)) {
       pass();
     }
+  }
+
+  private double[] aheadOf(double start, List<Double> places) {
+    double[] ascending =
+        places.stream()
+            .mapToDouble(place -> direction * requireNumber(place))
+            .filter(place -> place >= start)
+            .distinct()
+            .sorted()
+            .toArray();
+    double[] ahead = Arrays.copyOf(ascending, ascending.length + 1);
+    ahead[ahead.length - 1] = Double.POSITIVE_INFINITY;
+    return ahead;
   }
 
   private static double requireNumber(double place) {

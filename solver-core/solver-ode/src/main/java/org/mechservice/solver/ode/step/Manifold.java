@@ -101,6 +101,11 @@ public final class Manifold {
     return tested[component];
   }
 
+  /** Returns whether all components are always tested, each by its own size. */
+  boolean weighsBySizeAlone() {
+    return completed == NOTHING && groups == NOTHING && !anyAlgebraic;
+  }
+
   /** Returns whether a state may be changed by {@link #complete} or {@link #project}. */
   public boolean changesStates() {
     return completed != NOTHING || projected != NOTHING;

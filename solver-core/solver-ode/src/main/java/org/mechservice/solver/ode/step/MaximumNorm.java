@@ -18,7 +18,8 @@ public final class MaximumNorm extends WeightedNorm {
 
   @Override
   double allowed(double relativeTolerance, double size, double absoluteTolerance) {
-    return part * Math.max(relativeTolerance * size, absoluteTolerance);
+    double relative = relativeTolerance * size;
+    return part * (relative <= absoluteTolerance ? absoluteTolerance : relative);
   }
 
   @Override

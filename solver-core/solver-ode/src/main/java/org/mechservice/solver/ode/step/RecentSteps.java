@@ -33,7 +33,10 @@ public final class RecentSteps {
     this.stepSize[slot] = stepSize;
     this.order[slot] = order;
     this.error[slot] = error;
-    this.attempt[slot] = attempt;
+    // Collectors make it cost more to store a reference than to compare it.
+    if (this.attempt[slot] != attempt) {
+      this.attempt[slot] = attempt;
+    }
     recorded++;
   }
 

@@ -13,6 +13,10 @@ abstract class WeightedNorm implements ErrorNorm {
   private double[] size = {};
   private double[] largestSize = {};
   private int dimension;
+
+  /** Whether nothing but its own size bears on the weight of a component. */
+  private boolean bySizeAlone;
+
   private Manifold manifold = new Manifold(RightHandSide.none().system());
 
   /** Reciprocal of the error allowed, 0 where not tested. */
@@ -23,6 +27,7 @@ abstract class WeightedNorm implements ErrorNorm {
     this.relativeTolerance = relativeTolerance;
     this.absoluteTolerance = absoluteTolerance;
     this.manifold = manifold;
+    bySizeAlone = manifold.weighsBySizeAlone();
     dimension = absoluteTolerance.length;
     weight = new double[dimension];
     size = new double[dimension];
@@ -46,8 +51,14 @@ abstract class WeightedNorm implements ErrorNorm {
 
   @Override
   public final void weigh(double[] y1, double[] y2) {
+    if (bySizeAlone) {
+      for (int l = 0; l < dimension; l++) {
+        weight[l] = 1 / allowed(relativeTolerance, larger(y1[l], y2[l]), absoluteTolerance[l]);
+      }
+      return;
+    }
     for (int l = 0; l < dimension; l++) {
-      size[l] = Math.max(Math.abs(y1[l]), Math.abs(y2[l]));
+      size[l] = larger(y1[l], y2[l]);
     }
     weighGroups(y1, y2);
     for (int l = 0; l < dimension; l++) {
@@ -55,6 +66,13 @@ abstract class WeightedNorm implements ErrorNorm {
       weight[l] =
           manifold.tested(l) ? 1 / allowed(relativeTolerance, counted, absoluteTolerance[l]) : 0;
     }
+  }
+
+  /** Returns the larger magnitude; NaN if the second is NaN. */
+  private static double larger(double first, double second) {
+    double size1 = Math.abs(first);
+    double size2 = Math.abs(second);
+    return size2 <= size1 ? size1 : size2;
   }
 
   private void weighGroups(double[] y1, double[] y2) {

@@ -55,8 +55,8 @@ final class BackwardStep {
   private StepSolver solver;
   private BackwardDifferences differences = new BackwardDifferences(0);
 
-  /** The error that the last test judged: the correction, or its part along the manifold. */
-  private double[] judged = differences.correction;
+  /** Whether the error that the last test judged is the part of the correction that follows. */
+  private boolean judgedAlongManifold;
 
   private double[] alongManifold = new double[0];
 
@@ -107,7 +107,7 @@ final class BackwardStep {
     solver = new StepSolver(equations, mode);
     differences = new BackwardDifferences(n);
     alongManifold = new double[n];
-    judged = differences.correction;
+    judgedAlongManifold = false;
     pulses = new PulseProbe(n);
     relativeTolerance = tested.relativeTolerance();
     norm.begin(relativeTolerance, tested.absoluteTolerances(n), equations.manifold());
@@ -211,8 +211,12 @@ final class BackwardStep {
    * orders 3 and 4.
    */
   private void chooseFormulas() {
-    formulas = equations.dampingOfFastest() > 0 ? BackwardFormulas.BDF : usual;
-    control.use(formulas);
+    BackwardFormulas chosen = equations.dampingOfFastest() > 0 ? BackwardFormulas.BDF : usual;
+    // Collectors make it cost more to store a reference than to compare it.
+    if (formulas != chosen) {
+      formulas = chosen;
+      control.use(chosen);
+    }
   }
 
   private double hGamma() {
@@ -232,8 +236,8 @@ final class BackwardStep {
   }
 
   private TrialOutcome test() {
-    judged = differences.correction;
-    control.estimate(judged, norm);
+    judgedAlongManifold = false;
+    control.estimate(differences.correction, norm);
     if (control.error() > 1) {
       leaveOutProjected();
     }
@@ -250,8 +254,8 @@ final class BackwardStep {
   private void leaveOutProjected() {
     System.arraycopy(differences.correction, 0, alongManifold, 0, alongManifold.length);
     if (equations.manifold().projectError(triedTime, differences.corrected(), alongManifold)) {
-      judged = alongManifold;
-      control.estimate(judged, norm);
+      judgedAlongManifold = true;
+      control.estimate(alongManifold, norm);
     }
   }
 
@@ -289,9 +293,7 @@ final class BackwardStep {
     progress.accepted(size, triedTime, k, error);
     jumps.accepted(error);
     solver.moveOn(hGamma(), differences);
-    if (watchesOscillations) {
-      control.follow(Math.abs(size) * equations.rateOfFastest(), equations.dampingOfFastest());
-    }
+    followOscillation();
     step.propose(control.accept(differences, norm));
     boolean jumpPassed = search.accepted(size, triedTime, error);
     if (error > 1 || jumpPassed) {
@@ -305,6 +307,14 @@ final class BackwardStep {
     equations.manifold().restoreUnitGroups(differences.state(), differences);
     if (equations.manifold().accepted(triedTime, differences.state())) {
       equations.derivatives().demandNew();
+    }
+  }
+
+  /** Tells the control how far the step goes on the fastest oscillation. */
+  private void followOscillation() {
+    if (watchesOscillations) {
+      double advance = Math.abs(step.size()) * equations.rateOfFastest();
+      control.follow(advance, equations.dampingOfFastest());
     }
   }
 
@@ -358,6 +368,7 @@ final class BackwardStep {
       step.reduce(again ? UNSOLVED_REDUCTION : 1, progress.time());
       return;
     }
+    followOscillation();
     double factor = inaccurate ? control.reject(differences, norm) : UNSOLVED_REDUCTION;
     step.reduce(factor, progress.time());
     if (inaccurate && jumps.derivativeJumped(step.size())) {
@@ -368,7 +379,7 @@ final class BackwardStep {
   /** Returns the component that made a try fail, or would have. */
   int limitingComponent(TrialOutcome attempt) {
     return attempt == TrialOutcome.TOO_INACCURATE
-        ? norm.largest(judged)
+        ? norm.largest(judgedAlongManifold ? alongManifold : differences.correction)
         : solver.limitingComponent(attempt, norm);
   }
 

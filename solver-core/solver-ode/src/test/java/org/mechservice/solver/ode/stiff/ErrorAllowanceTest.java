@@ -111,6 +111,33 @@ class ErrorAllowanceTest {
   }
 
   @Test
+  void decaysOfLikeRatesAreNoOscillation() {
+    // Diffusion along a line of 20 points, alone and carried along by a flow.
+    assertThat(exponential(diffusion(20, 0))).isTrue();
+    assertThat(exponential(diffusion(20, 0.5))).isTrue();
+    // Two undamped oscillations of like rates; a saddle.
+    assertThat(
+            exponential(
+                new double[][] {{0, 1, 0, 0}, {-1, 0, 0, 0}, {0, 0, 0, 1}, {0, 0, -1.1, 0}}))
+        .isFalse();
+    assertThat(exponential(new double[][] {{0, 1}, {4, 0}})).isFalse();
+  }
+
+  private static double[][] diffusion(int n, double flow) {
+    double[][] rows = new double[n][n];
+    for (int i = 0; i < n; i++) {
+      rows[i][i] = -2;
+      if (i > 0) {
+        rows[i][i - 1] = 1 + flow;
+      }
+      if (i < n - 1) {
+        rows[i][i + 1] = 1 - flow;
+      }
+    }
+    return rows;
+  }
+
+  @Test
   void dampingOfTheFastestOscillationIsKnownWhateverTheUnits() {
     assertThat(damping(new double[][] {{0, 1}, {-100, -0.4}})).isCloseTo(0.02, within(1e-9));
     assertThat(damping(new double[][] {{0, 1e-6}, {-1e8, -0.4}})).isCloseTo(0.02, within(1e-9));
