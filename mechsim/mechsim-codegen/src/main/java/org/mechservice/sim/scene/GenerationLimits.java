@@ -203,6 +203,13 @@ public final class GenerationLimits {
       long factors = factors(mechanism);
       beyond.addAll(noFaster(choice.formulation(), factors, "its factors alone take " + factors));
     }
+    ForceWays ways = ForceWays.of(mechanism);
+    if (ways.areTooMany()) {
+      beyond.add(
+          "forces between bodies far apart in the tree (their ways have "
+              + ways.steps()
+              + " joints), which data evaluate sooner");
+    }
     add(
         beyond,
         "tunable parameters in coefficients of forces",

@@ -274,10 +274,7 @@ final class ActiveRows {
     return Arrays.copyOf(columns[i], length[i]);
   }
 
-  /** Writes a row's elements. */
-  void write(int i, double[] dense, int at) {
-    for (int e = 0; e < length[i]; e++) {
-      dense[at + columns[i][e]] = elements[i][e];
-    }
+  double[] elementsOf(int i) {
+    return Arrays.copyOf(elements[i], length[i]);
   }
 }

@@ -28,11 +28,6 @@ public final class Cholesky {
     l = new double[n * n];
   }
 
-  /** Returns n. */
-  public int dimension() {
-    return n;
-  }
-
   /**
    * Factors a matrix; what was factored before is forgotten.
    *

@@ -191,15 +191,13 @@ public final class SparseElimination {
     return active.largestWaiting();
   }
 
-  /**
-   * Returns what is left of the rows without pivots, {@code m − pivots} rows in the order of {@link
-   * #row}: n columns, those of pivots being zero.
-   */
-  public double[] remainder() {
-    double[] left = new double[(m - eliminated) * n];
-    for (int k = eliminated; k < m; k++) {
-      active.write(row[k], left, (k - eliminated) * n);
-    }
-    return left;
+  /** Returns the columns, in no order, in which row k of those without pivots has elements left. */
+  public int[] columnsLeft(int k) {
+    return active.columnsOf(row[k]);
+  }
+
+  /** Returns what row k of those without pivots has left, in the order of {@link #columnsLeft}. */
+  public double[] elementsLeft(int k) {
+    return active.elementsOf(row[k]);
   }
 }

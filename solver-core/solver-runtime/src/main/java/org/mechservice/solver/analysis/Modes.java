@@ -14,7 +14,7 @@ final class Modes {
    * Eigenvalues below this part of the largest are zero: a double one at zero is found to half the
    * digits.
    */
-  private static final double ZERO = 1e-6;
+  static final double ZERO = 1e-6;
 
   /** Part of the change of further states below which the mechanism stands still in a mode. */
   private static final double STILL = 1e-12;

@@ -371,6 +371,9 @@ final class StaticEquilibrium {
   /** Returns notes if an equilibrium is unstable or not isolated. */
   static List<Note> judged(EquationsOfMotion equations, double t, Linearisation linear) {
     List<Note> notes = new ArrayList<>();
+    if (ProvenStability.of(linear, Modes.ZERO)) {
+      return notes;
+    }
     CoordinateNames names = new CoordinateNames(equations.tree.mechanism());
     double[] system = linear.freedom() == 0 ? new double[0] : linear.system();
     if (system.length == 0) {

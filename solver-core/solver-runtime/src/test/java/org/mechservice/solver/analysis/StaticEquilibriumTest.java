@@ -5,11 +5,15 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Random;
 import java.util.Set;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.solver.analysis.equation.EquationsOfMotion;
+import org.mechservice.solver.analysis.equation.Linearisation;
 import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.api.run.RunControl;
 import org.mechservice.solver.api.run.RunNotes.Note;
@@ -116,6 +120,60 @@ class StaticEquilibriumTest {
     for (int i = 1; i < n; i++) {
       assertThat(Math.cos(found.state()[i])).isCloseTo(1, within(1e-12));
     }
+  }
+
+  /**
+   * Rods on top of each other, held up by springs and dampers at random: some stand, others fall.
+   * The eigenvalues say which, and the proof by factors says the same.
+   */
+  @Test
+  void stabilityIsProvenWhereTheEigenvaluesHaveNegativeRealParts() throws Exception {
+    Random random = new Random(12);
+    int stable = 0;
+    for (int trial = 0; trial < 60; trial++) {
+      int n = 2 + trial % 4;
+      Mechanism rods = chain(n, -Math.PI / 2);
+      List<ForceElement> springs = new ArrayList<>();
+      for (int i = 0; i < n; i++) {
+        double stiffness = 20 * n * n * random.nextDouble();
+        double damping = trial % 3 == 0 ? 0 : random.nextDouble();
+        springs.add(
+            new JointSpringDamper(
+                "k" + i,
+                new JointCoordinate(i, 0),
+                Expression.of(stiffness),
+                Expression.of(damping),
+                Expression.of(i == 0 ? -Math.PI / 2 : 0),
+                Expression.ZERO,
+                Side.BOTH,
+                Expression.ZERO,
+                Origin.NONE));
+      }
+      EquationsOfMotion equations =
+          new EquationsOfMotion(
+              with(rods.bodies(), rods.joints(), List.of(), springs), UserForceSource.NONE);
+      double[] y = new double[2 * n];
+      y[0] = -Math.PI / 2;
+      Linearisation linear = new Linearisation(equations, 0, y, new double[n]);
+      Modes modes = new Modes(linear, linear.changing(linear.system()));
+      boolean falls =
+          IntStream.range(0, modes.count())
+              .anyMatch(k -> modes.growth(k) > 1e-9 || modes.frequency(k) == 0);
+      assertThat(ProvenStability.of(linear, Modes.ZERO)).as("trial %s", trial).isEqualTo(!falls);
+      stable += falls ? 0 : 1;
+    }
+    assertThat(stable).isBetween(15, 45);
+  }
+
+  @Test
+  void aFreeHingeIsNotProvenToHaveARestoringForce() throws Exception {
+    Body wheel = new Body("w", 1, Vector3.ZERO, new InertiaTensor(1, 1, 1, 0, 0, 0), Origin.NONE);
+    Joint hinge = new Revolute("h", at(Mechanism.ROOT, 0), Y, 0, 0, Origin.NONE);
+    EquationsOfMotion equations =
+        new EquationsOfMotion(
+            with(List.of(wheel), List.of(hinge), List.of(), List.of()), UserForceSource.NONE);
+    Linearisation linear = new Linearisation(equations, 0, new double[2], new double[1]);
+    assertThat(ProvenStability.of(linear, Modes.ZERO)).isFalse();
   }
 
   private static Mechanism chain(int n, double start) {

@@ -17,6 +17,7 @@ import org.mechservice.sim.equations.kinematics.LinkKinematics;
 import org.mechservice.sim.equations.links.Labels;
 import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.equations.recursion.Loads;
+import org.mechservice.sim.scene.ForceWays;
 import org.mechservice.sim.symbolic.Differentiation;
 import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.Program;
@@ -52,6 +53,7 @@ public final class AppliedForces {
   private final JointLinks links;
   private final CutCoordinateTerms cuts;
   private final JointCoordinates joints;
+  private final boolean placed;
   private final LinkKinematics kinematics;
   private final StateFormulas formulas;
   private final Terms terms = new Terms();
@@ -62,7 +64,8 @@ public final class AppliedForces {
     this.mechanism = mechanism;
     this.points = new BodyPoints(expressions, mechanism);
     this.links = new JointLinks(expressions, mechanism, coordinates);
-    this.kinematics = new LinkKinematics(program, mechanism, coordinates);
+    this.placed = ForceWays.of(mechanism.mechanism()).areShared();
+    this.kinematics = new LinkKinematics(program, mechanism, coordinates, placed);
     this.cuts = new CutCoordinateTerms(expressions, mechanism, points, kinematics);
     this.joints = new JointCoordinates(mechanism.mechanism(), links, cuts);
     int firstState = mechanism.positionCount() + mechanism.velocityCount();
@@ -85,6 +88,7 @@ public final class AppliedForces {
    * @param checked whether the program ends if a force has no direction
    */
   public Loads loads(boolean checked) {
+    placeFrames();
     Loads loads = new Loads(expressions, mechanism);
     List<ForceElement> elements = mechanism.mechanism().forces();
     for (int i = 0; i < elements.size(); i++) {
@@ -103,6 +107,20 @@ public final class AppliedForces {
       new UserForceInputs(expressions, mechanism, points, links).apply(loads);
     }
     return loads;
+  }
+
+  /** Computes the places that forces share in sections of their own, before those of the forces. */
+  private void placeFrames() {
+    if (!placed) {
+      return;
+    }
+    for (ForceElement element : written()) {
+      List<Integer> on = element.bodies().stream().map(points::link).toList();
+      for (int i = 0; i < on.size(); i++) {
+        int other = on.size() == 1 ? Links.ROOT : on.get(i == 0 ? 1 : i - 1);
+        kinematics.place(kinematics.commonAncestor(on.get(i), other), on.get(i));
+      }
+    }
   }
 
   /** Returns the forces with equations; loads of user force classes are inputs. */
@@ -126,6 +144,7 @@ public final class AppliedForces {
 
   /** Returns the potential energy of all forces, J. */
   public Scalar potential() {
+    placeFrames();
     Scalar sum = expressions.zero();
     for (ForceElement element : written()) {
       section(element);
@@ -136,6 +155,7 @@ public final class AppliedForces {
 
   /** Returns the power of the non-conservative part of each force, in file order, W. */
   public List<Scalar> powers() {
+    placeFrames();
     List<Scalar> powers = new ArrayList<>();
     for (ForceElement element : written()) {
       section(element);
@@ -146,6 +166,7 @@ public final class AppliedForces {
 
   /** Returns the output values of all forces, in file order. */
   public List<Scalar> values() {
+    placeFrames();
     List<Scalar> values = new ArrayList<>();
     for (ForceElement element : written()) {
       section(element);

@@ -107,6 +107,11 @@ public final class ScaledJacobian {
     return elements;
   }
 
+  /** Returns the scaled J, of which the columns of the state's velocities count; not modified. */
+  public SparseMatrix scaled() {
+    return scaled;
+  }
+
   /**
    * Finds the multipliers of least norm with Jᵀ λ = −residual; forces are multiplied by the
    * mechanism's length to compare them with moments.

@@ -2,16 +2,15 @@ package org.mechservice.solver.closure.assembly;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.BitSet;
+import java.util.Comparator;
 import java.util.List;
-import org.mechservice.solver.linear.PivotedElimination;
 import org.mechservice.solver.linear.SparseElimination;
 import org.mechservice.solver.linear.SparseMatrix;
-import org.mechservice.solver.linear.spectrum.SingularValues;
 
 /**
- * Rank by sparse elimination while pivots are clearly nonzero, then by singular values of the few
- * rows that remain.
+ * Rank by sparse elimination while pivots are clearly nonzero, then by singular values of the rows
+ * that remain. Remaining rows that share no column, directly or by others, have singular values of
+ * their own, so that each group of rows is decomposed alone.
  */
 final class SparseIndependentRows implements IndependentRows {
   /** Fraction of the largest element above which a pivot is clearly nonzero. */
@@ -28,61 +27,48 @@ final class SparseIndependentRows implements IndependentRows {
     SparseElimination elimination = new SparseElimination(matrix.rows(), columns);
     int clear = elimination.eliminate(matrix, matrix.rows(), DOUBTLESS);
     int doubtful = matrix.rows() - clear;
-    int[] names = new int[doubtful];
-    Arrays.setAll(names, i -> elimination.row(clear + i));
     double least = clear == 0 ? 1 : elimination.smallestPivot();
     double part = elimination.smallestOverLargest();
     int found = 0;
     if (doubtful > 0 && !(elimination.largestLeft() * doubtful <= least * NEGLIGIBLE / GAP)) {
-      double[] left = withoutEmptyColumns(elimination.remainder(), doubtful, columns);
-      int width = left.length / doubtful;
-      found = rank(left, doubtful, width, least);
-      PivotedElimination among = new PivotedElimination(doubtful, width);
-      found = among.eliminate(left, found);
-      int[] order = new int[doubtful];
-      Arrays.setAll(order, i -> names[among.row(i)]);
-      System.arraycopy(order, 0, names, 0, doubtful);
-      part = found == 0 ? part : part * among.pivot(found - 1) / least;
+      List<DoubtfulRows> groups = DoubtfulRows.groups(elimination, clear, doubtful, columns);
+      share(groups, least);
+      double smallest = Double.POSITIVE_INFINITY;
+      for (DoubtfulRows group : groups) {
+        smallest = Math.min(smallest, group.choose());
+        redundant.addAll(group.redundant());
+      }
+      found = doubtful - redundant.size();
+      part = found == 0 ? part : part * smallest / least;
+    } else {
+      for (int k = clear; k < matrix.rows(); k++) {
+        redundant.add(elimination.row(k));
+      }
     }
+    redundant.sort(Comparator.naturalOrder());
     rank = clear + found;
     smallestPivot = part;
-    Arrays.stream(names, found, doubtful).sorted().forEach(redundant::add);
-  }
-
-  private static double[] withoutEmptyColumns(double[] left, int rows, int columns) {
-    BitSet used = new BitSet();
-    for (int i = 0; i < left.length; i++) {
-      if (left[i] != 0) {
-        used.set(i % columns);
-      }
-    }
-    int[] kept = used.stream().toArray();
-    double[] narrow = new double[rows * kept.length];
-    for (int row = 0; row < rows; row++) {
-      for (int j = 0; j < kept.length; j++) {
-        narrow[row * kept.length + j] = left[row * columns + kept[j]];
-      }
-    }
-    return narrow;
   }
 
   /**
-   * Returns the number of singular values before the gap; the largest of the eliminated rows counts
-   * as 1.
+   * Tells each group how many of the singular values before the gap are its own; the largest of the
+   * eliminated rows counts as 1.
    */
-  private static int rank(double[] left, int rows, int columns, double least) {
-    SingularValues singular = new SingularValues(rows, columns);
-    singular.decompose(left);
+  private static void share(List<DoubtfulRows> groups, double least) {
+    record Value(double size, DoubtfulRows group) {}
+    Value[] values =
+        groups.stream()
+            .flatMap(group -> Arrays.stream(group.values()).mapToObj(v -> new Value(v, group)))
+            .sorted(Comparator.comparingDouble(Value::size).reversed())
+            .toArray(Value[]::new);
     double before = least;
-    int found = 0;
-    for (; found < Math.min(rows, columns); found++) {
-      double value = singular.value(found);
-      if (value <= NEGLIGIBLE && value * GAP <= before) {
-        return found;
+    for (Value value : values) {
+      if (value.size() <= NEGLIGIBLE && value.size() * GAP <= before) {
+        return;
       }
-      before = value;
+      value.group().take();
+      before = value.size();
     }
-    return found;
   }
 
   @Override

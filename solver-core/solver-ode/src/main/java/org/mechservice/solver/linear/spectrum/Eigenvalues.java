@@ -197,11 +197,6 @@ public final class Eigenvalues {
     return converged;
   }
 
-  /** Returns the number of eigenvalues. */
-  public int count() {
-    return n;
-  }
-
   /** Returns the real part of an eigenvalue. */
   public double real(int index) {
     return real[index];

@@ -63,9 +63,19 @@ public final class PoleProbe {
   private final double[] twoBefore;
   private double timeBefore;
   private double timeTwoBefore;
-  private final double[] between;
-  private final double[] slope;
   private int known;
+
+  /** The step being looked at. */
+  private final Step step;
+
+  /** The component being looked at, and its derivatives at the ends of the step. */
+  private int l;
+
+  private double here;
+  private double there;
+
+  /** Whether orders of its growth other than 1 and 2 are looked for. */
+  private boolean anyOrder;
 
   /**
    * @param dimension number of equations
@@ -73,8 +83,7 @@ public final class PoleProbe {
   public PoleProbe(int dimension) {
     before = new double[dimension];
     twoBefore = new double[dimension];
-    between = new double[dimension];
-    slope = new double[dimension];
+    step = new Step(dimension);
   }
 
   /** Forgets the derivatives seen: those behind a jump tell nothing of those before it. */
@@ -92,14 +101,25 @@ public final class PoleProbe {
   }
 
   /**
-   * Returns the component with a pole inside a step, −1 if there is none.
+   * Places the step to be looked at.
+   *
+   * @param t where it begins
+   * @param end where it ends
+   * @param y state at its beginning; kept until the next step is placed, not modified
+   * @param yEnd state at its end; likewise
+   */
+  public void place(double t, double end, double[] y, double[] yEnd) {
+    step.t = t;
+    step.end = end;
+    step.y = y;
+    step.yEnd = yEnd;
+  }
+
+  /**
+   * Returns the component with a pole inside the step placed, −1 if there is none.
    *
    * @param equations asked for further derivatives if it looks like a pole
    * @param norm what changes less in a step than it allows as an error is not looked at
-   * @param t beginning of the step
-   * @param end end of the step
-   * @param y state at its beginning
-   * @param yEnd state at its end
    * @param derivative at its beginning
    * @param foreseen derivative at its end, extrapolated from what came before: a change of sign
    *     that it shows is no pole
@@ -108,40 +128,30 @@ public final class PoleProbe {
   public int component(
       RightHandSide equations,
       ErrorNorm norm,
-      double t,
-      double end,
-      double[] y,
-      double[] yEnd,
       double[] derivative,
       double[] foreseen,
       double[] derivativeAtEnd) {
     if (known == 0) {
       return -1;
     }
-    for (int l = 0; l < y.length; l++) {
-      double here = derivative[l];
-      double there = derivativeAtEnd[l];
+    for (l = 0; l < before.length; l++) {
+      here = derivative[l];
+      there = derivativeAtEnd[l];
       if (!(here * before[l] > 0 && Math.abs(here) > Math.abs(before[l]))) {
         continue; // not growing
       }
-      double size = Math.max(Math.abs(y[l]), Math.abs(yEnd[l]));
-      double move = Math.abs((end - t) * here);
-      boolean anyOrder = known == 2 && move > VERY_MUCH * size && norm.of(yEnd) < MOST_TOLERANCES;
-      if (here * there < 0) {
-        if (foreseen[l] * here > 0
-            && Math.abs((end - t) * there) * norm.weight(l) > 1
-            && suspect(l, t, here, there, end - t, y[l], yEnd[l], anyOrder)
-            && narrowed(equations, l, t, end, y, yEnd, here, there)) {
-          return l;
-        }
-      } else if (here * there > 0 && move > MUCH * size && growsUpTo(l, t, here, end - t)) {
-        for (int i = 0; i < (anyOrder ? ORDERS.length : USUAL); i++) {
-          double place =
-              placeOfPeak(l, ORDERS[i], t, here, there, end - t, y[l], yEnd[l], anyOrder);
-          if (place > 0 && peaks(equations, l, t, end, y, yEnd, place, here, there)) {
-            return l;
-          }
-        }
+      double size = Math.max(Math.abs(step.y[l]), Math.abs(step.yEnd[l]));
+      double move = Math.abs(step.length() * here);
+      anyOrder = known == 2 && move > VERY_MUCH * size && norm.of(step.yEnd) < MOST_TOLERANCES;
+      boolean pole =
+          here * there < 0
+              ? foreseen[l] * here > 0
+                  && Math.abs(step.length() * there) * norm.weight(l) > 1
+                  && changesSignAtPole()
+                  && narrowed(equations)
+              : here * there > 0 && move > MUCH * size && growsUpTo() && peaks(equations);
+      if (pole) {
+        return l;
       }
     }
     return -1;
@@ -150,58 +160,54 @@ public final class PoleProbe {
   /**
    * Returns whether the derivatives known, which grow and then change sign, look like A/(t − c), or
    * like another odd growth, with c inside the step.
-   *
-   * @param here derivative at its beginning
-   * @param there derivative at its end
-   * @param step its size, signed
-   * @param y state at its beginning
-   * @param yEnd state at its end
-   * @param anyOrder whether orders other than 1 are looked for
    */
-  private boolean suspect(
-      int l,
-      double t,
-      double here,
-      double there,
-      double step,
-      double y,
-      double yEnd,
-      boolean anyOrder) {
+  private boolean changesSignAtPole() {
     double last = before[l];
-    double ahead = (t - timeBefore) * last / (here - last); // from the beginning to the pole
+    double ahead = (step.t - timeBefore) * last / (here - last); // from the beginning to the pole
     double behind = -ahead * here / there; // from the pole to the end, by the values
-    double earlier = here * ahead / (t - timeTwoBefore + ahead);
-    if (alike((ahead + behind) / step) && (known == 1 || alike(twoBefore[l] / earlier))) {
+    double earlier = here * ahead / (step.t - timeTwoBefore + ahead);
+    if (alike((ahead + behind) / step.length()) && (known == 1 || alike(twoBefore[l] / earlier))) {
       return true;
     }
-    boolean grows = anyOrder && growsUpTo(l, t, here, step);
+    boolean grows = anyOrder && growsUpTo();
     for (int i = 1; grows && i < ORDERS.length; i++) {
-      double place = placeOfGrowth(l, ORDERS[i], t, here, step);
+      double place = placeOfGrowth(ORDERS[i]);
       double distances = (1 - place) / place;
       if (place > 0
           && (alike(-there / here * power(ORDERS[i], distances))
-              || alike(-there / here * distances * y / yEnd))) {
+              || alike(-there / here * distances * step.y[l] / step.yEnd[l]))) {
         return true;
       }
     }
     return false;
   }
 
-  /** Returns whether component l has grown so fast that its pole, if it has one, is in the step. */
-  private boolean growsUpTo(int l, double t, double here, double step) {
+  /** Returns whether it has grown so fast that its pole, if it has one, is in the step. */
+  private boolean growsUpTo() {
     // A/|t − c|, whose pole is the nearest that the growth allows.
-    return here / before[l] - 1 > (t - timeBefore) / step;
+    return here / before[l] - 1 > (step.t - timeBefore) / step.length();
   }
 
   /**
    * Returns the share of the step at which the derivatives before it foretell that growth of an
    * order p, A/|t − c|^p, comes to its pole; 0 if they do not, or not inside the step.
    */
-  private double placeOfGrowth(int l, double order, double t, double here, double step) {
-    double ahead = (t - timeBefore) / (power(1 / order, here / before[l]) - 1);
-    double earlier = here / power(order, (t - timeTwoBefore + ahead) / ahead);
+  private double placeOfGrowth(double order) {
+    double ahead = (step.t - timeBefore) / (power(1 / order, here / before[l]) - 1);
+    double earlier = here / power(order, (step.t - timeTwoBefore + ahead) / ahead);
     boolean foretold = known == 1 || alike(twoBefore[l] / earlier, closeness(order));
-    return foretold && (step - ahead) / step > 0 ? ahead / step : 0;
+    return foretold && (step.length() - ahead) / step.length() > 0 ? ahead / step.length() : 0;
+  }
+
+  /** Returns whether there is a pole at a place that the derivatives known foretell. */
+  private boolean peaks(RightHandSide equations) {
+    for (int i = 0; i < (anyOrder ? ORDERS.length : USUAL); i++) {
+      double place = placeOfPeak(ORDERS[i]);
+      if (place > 0 && peaksNear(equations, place)) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /**
@@ -210,25 +216,15 @@ public final class PoleProbe {
    * f depends on t alone, or if it is y times A/|t − c|.
    *
    * @param order p for A/|t − c|^p
-   * @param anyOrder whether y times A/|t − c| is looked for
    */
-  private double placeOfPeak(
-      int l,
-      double order,
-      double t,
-      double here,
-      double there,
-      double step,
-      double y,
-      double yEnd,
-      boolean anyOrder) {
-    double place = placeOfGrowth(l, order, t, here, step);
+  private double placeOfPeak(double order) {
+    double place = placeOfGrowth(order);
     double distances = (1 - place) / place;
     return place > 0
             && (alike(there / here * power(order, distances), closeness(order))
                 || (anyOrder
                     && order != 1
-                    && alike(there / here * distances * y / yEnd, CLOSELY_ALIKE)))
+                    && alike(there / here * distances * step.y[l] / step.yEnd[l], CLOSELY_ALIKE)))
         ? place
         : 0;
   }
@@ -248,36 +244,27 @@ public final class PoleProbe {
     return order == 1 || order == 2 ? CLOSELY_ALIKE : VERY_CLOSELY_ALIKE;
   }
 
-  /** Narrows the largest value of component l down; returns whether a pole is there. */
-  private boolean peaks(
-      RightHandSide equations,
-      int l,
-      double t,
-      double end,
-      double[] y,
-      double[] yEnd,
-      double place,
-      double here,
-      double there) {
+  /** Narrows the largest value down from a place; returns whether a pole is there. */
+  private boolean peaksNear(RightHandSide equations, double place) {
     double from = 0;
     double to = 1;
     double top = place;
-    if (!evaluate(equations, t, end, y, yEnd, top)) {
+    if (!step.evaluate(equations, top)) {
       return false; // the run is to stop
     }
-    double peak = Math.abs(slope[l]);
+    double peak = Math.abs(step.slope[l]);
     if (peak <= Math.max(Math.abs(here), Math.abs(there))) {
       return false;
     }
     double least = KEPT * Math.min(Math.abs(here), Math.abs(there));
-    double resolution = 4 * Math.max(Math.ulp(t), Math.ulp(end)) / Math.abs(end - t);
+    double resolution = step.resolution();
     while (Double.isFinite(peak) && to - from > resolution) {
       boolean nearer = top - from > to - top;
       double share = 0.5 * (top + (nearer ? from : to));
-      if (!evaluate(equations, t, end, y, yEnd, share)) {
+      if (!step.evaluate(equations, share)) {
         return false;
       }
-      double value = Math.abs(slope[l]);
+      double value = Math.abs(step.slope[l]);
       boolean higher = !(value <= peak);
       double edge = higher ? top : share;
       from = nearer == higher ? from : edge;
@@ -299,28 +286,20 @@ public final class PoleProbe {
     return ratio < most && ratio > 1 / most;
   }
 
-  /** Narrows the change of sign of component l down; returns whether a pole is there. */
-  private boolean narrowed(
-      RightHandSide equations,
-      int l,
-      double t,
-      double end,
-      double[] y,
-      double[] yEnd,
-      double here,
-      double there) {
+  /** Narrows the change of sign down; returns whether a pole is there. */
+  private boolean narrowed(RightHandSide equations) {
     double from = 0;
     double to = 1;
     double first = here;
     double last = there;
     double least = KEPT * Math.min(Math.abs(here), Math.abs(there));
-    double resolution = 4 * Math.max(Math.ulp(t), Math.ulp(end)) / Math.abs(end - t);
+    double resolution = step.resolution();
     for (int i = 1; i <= ENOUGH; i++) {
       double middle = 0.5 * (from + to);
-      if (!evaluate(equations, t, end, y, yEnd, middle)) {
+      if (!step.evaluate(equations, middle)) {
         return false; // the run is to stop
       }
-      double value = slope[l];
+      double value = step.slope[l];
       if (!Double.isFinite(value)) {
         return true;
       }
@@ -350,12 +329,36 @@ public final class PoleProbe {
     timeBefore = state.number(timeBefore);
   }
 
-  /** Evaluates the derivatives a share of the step ahead, unless the run is to stop. */
-  private boolean evaluate(
-      RightHandSide equations, double t, double end, double[] y, double[] yEnd, double share) {
-    for (int k = 0; k < y.length; k++) {
-      between[k] = y[k] + share * (yEnd[k] - y[k]);
+  /** A step, and the derivatives on the straight line between its ends. */
+  private static final class Step {
+    private double t;
+    private double end;
+    private double[] y = {};
+    private double[] yEnd = {};
+    private final double[] between;
+    private final double[] slope;
+
+    Step(int dimension) {
+      between = new double[dimension];
+      slope = new double[dimension];
     }
-    return equations.evaluate(t + share * (end - t), between, slope);
+
+    /** Returns its size, signed. */
+    double length() {
+      return end - t;
+    }
+
+    /** Returns the share of it within which times cannot be told apart. */
+    double resolution() {
+      return 4 * Math.max(Math.ulp(t), Math.ulp(end)) / Math.abs(end - t);
+    }
+
+    /** Evaluates the derivatives a share of the step ahead, unless the run is to stop. */
+    boolean evaluate(RightHandSide equations, double share) {
+      for (int k = 0; k < between.length; k++) {
+        between[k] = y[k] + share * (yEnd[k] - y[k]);
+      }
+      return equations.evaluate(t + share * (end - t), between, slope);
+    }
   }
 }

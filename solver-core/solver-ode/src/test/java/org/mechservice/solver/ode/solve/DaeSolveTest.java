@@ -48,6 +48,13 @@ class DaeSolveTest {
   }
 
   @Test
+  void movingMassMatrixIsToldOnAndChangesNoSolution() {
+    DaeProblem moving = PROBLEM.withMovingMassMatrix().withBand(1, 0).withFunction(f -> f);
+    assertThat(moving.massMatrixMoves()).isTrue();
+    assertThat(solve(moving).endState()[0]).isCloseTo(StrictMath.exp(-2), within(1e-6));
+  }
+
+  @Test
   void backwardsTheSolutionComesToItsStart() {
     double[] end = solve(PROBLEM).endState();
     OdeSolution back = Dae.solve(PROBLEM, 2, end, new double[2], 0, OPTIONS);

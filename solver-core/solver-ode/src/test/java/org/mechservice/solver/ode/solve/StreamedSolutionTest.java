@@ -177,6 +177,30 @@ class StreamedSolutionTest {
     }
   }
 
+  @ParameterizedTest
+  @EnumSource
+  void memoryDoesNotGrowWithAMassMatrixEither(OdeMethod method) {
+    OdeOptions options = with(method).keepSteps(false);
+    OdeProblem circle =
+        Ode.system(
+            2,
+            (t, y, yDot) -> {
+              yDot[0] = 2 * y[1] - y[0];
+              yDot[1] = y[1] - 3 * y[0];
+            });
+    List<MassProblem> problems =
+        List.of(
+            circle.withMass(MassMatrix.full(new double[][] {{2, 1}, {1, 3}})),
+            circle.withMass(MassMatrix.banded(2, 1, 1, 0, 2, 1, 1, 3, 0)),
+            circle.withMass(MassMatrix.diagonal(2, 1)));
+    double[] y0 = {1, 0};
+    for (MassProblem problem : problems) {
+      long few = allocated(() -> Ode.solve(problem, 0, y0, 5, options));
+      long many = allocated(() -> Ode.solve(problem, 0, y0, 100, options));
+      assertThat(many).as("matrix %d", problems.indexOf(problem)).isLessThan(few + 400);
+    }
+  }
+
   /** Returns the least that a run allocates; the virtual machine may add something of its own. */
   private static long allocated(double t1, OdeOptions options) {
     return allocated(() -> rotate(0, t1, options));

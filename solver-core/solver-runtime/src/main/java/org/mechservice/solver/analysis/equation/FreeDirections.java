@@ -5,10 +5,14 @@ import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.linear.DenseLu;
 import org.mechservice.solver.linear.LinearSolver;
 import org.mechservice.solver.linear.PivotedElimination;
+import org.mechservice.solver.linear.SparseElimination;
+import org.mechservice.solver.linear.SparseLu;
+import org.mechservice.solver.linear.SparseMatrix;
 
 /**
  * The free directions of loops at a state: x = R x_I with J x = 0; pivoting chooses the independent
- * velocities x_I, one per degree of freedom.
+ * velocities x_I, one per degree of freedom. Large mechanisms have it done by sparse elimination,
+ * and products with R take its elements that are not zero alone.
  */
 public final class FreeDirections {
   private final EquationsOfMotion equations;
@@ -24,8 +28,17 @@ public final class FreeDirections {
   /** R, n × f row by row. */
   public final double[] r;
 
-  private final DenseLu lu;
+  /** Where the elements of each row of R that are not zero begin, and their columns. */
+  private final int[] start;
+
+  private final int[] columnOf;
+  private final Solver block;
   private final double[] column;
+
+  /** Solves equations of the kept rows for the dependent velocities. */
+  private interface Solver {
+    void solve(double[] b);
+  }
 
   /** Chooses directions at the placed state of the equations, whose J must be evaluated. */
   public FreeDirections(EquationsOfMotion equations) {
@@ -49,15 +62,10 @@ public final class FreeDirections {
       equations.jacobian.decompose();
     }
     rank = equations.loops.holonomicCount() == 0 && ofPositions ? 0 : equations.rank();
-    PivotedElimination elimination = new PivotedElimination(equations.lambda.length, n);
-    elimination.eliminate(equations.jacobian.elements(), rank);
     independent = new int[n - rank];
     dependent = new int[rank];
     kept = new int[rank];
-    for (int i = 0; i < rank; i++) {
-      dependent[i] = elimination.column(i);
-      kept[i] = elimination.row(i);
-    }
+    block = equations.loops.isLarge() ? chooseSparse() : chooseDense();
     boolean[] isDependent = new boolean[n];
     for (int j : dependent) {
       isDependent[j] = true;
@@ -68,21 +76,58 @@ public final class FreeDirections {
         independent[next++] = j;
       }
     }
-    lu = new DenseLu(rank);
     column = new double[rank];
     r = new double[n * (n - rank)];
-    factor();
     formDirections();
-  }
-
-  private void factor() {
-    double[] block = new double[rank * rank];
-    for (int i = 0; i < rank; i++) {
-      for (int j = 0; j < rank; j++) {
-        block[i * rank + j] = equations.jacobian.elements()[kept[i] * n + dependent[j]];
+    start = new int[n + 1];
+    int[] columns = new int[r.length];
+    for (int i = 0; i < n; i++) {
+      start[i + 1] = start[i];
+      for (int j = 0; j < freedom(); j++) {
+        if (r[i * freedom() + j] != 0) {
+          columns[start[i + 1]++] = j;
+        }
       }
     }
-    if (lu.factor(block) != LinearSolver.NONSINGULAR) {
+    columnOf = Arrays.copyOf(columns, start[n]);
+  }
+
+  private Solver chooseDense() {
+    double[] elements = equations.jacobian.elements();
+    PivotedElimination elimination = new PivotedElimination(equations.lambda.length, n);
+    elimination.eliminate(elements, rank);
+    for (int i = 0; i < rank; i++) {
+      dependent[i] = elimination.column(i);
+      kept[i] = elimination.row(i);
+    }
+    double[] square = new double[rank * rank];
+    for (int i = 0; i < rank; i++) {
+      for (int j = 0; j < rank; j++) {
+        square[i * rank + j] = elements[kept[i] * n + dependent[j]];
+      }
+    }
+    DenseLu lu = new DenseLu(rank);
+    require(lu.factor(square) == LinearSolver.NONSINGULAR);
+    return lu::solve;
+  }
+
+  private Solver chooseSparse() {
+    SparseMatrix scaled = equations.jacobian.scaled();
+    SparseElimination elimination = new SparseElimination(scaled.rows(), n);
+    require(elimination.eliminate(scaled, rank, 0) == rank);
+    for (int i = 0; i < rank; i++) {
+      dependent[i] = elimination.column(i);
+      kept[i] = elimination.row(i);
+    }
+    double[] ones = new double[Math.max(scaled.rows(), n)];
+    Arrays.fill(ones, 1);
+    SparseLu lu = new SparseLu(elimination, rank, n);
+    require(lu.factor(scaled, ones, ones));
+    return lu::solve;
+  }
+
+  private static void require(boolean regular) {
+    if (!regular) {
       throw new IllegalStateException("pivots were found, but the block is singular");
     }
   }
@@ -123,7 +168,7 @@ public final class FreeDirections {
     for (int i = 0; i < rank; i++) {
       column[i] = -rows[kept[i]] / equations.loops.size(kept[i]);
     }
-    lu.solve(column);
+    block.solve(column);
     Arrays.fill(x, 0);
     for (int i = 0; i < rank; i++) {
       x[dependent[i]] = column[i] * equations.unit[dependent[i]];
@@ -134,8 +179,8 @@ public final class FreeDirections {
   public void expand(double[] reduced, double[] x) {
     for (int i = 0; i < n; i++) {
       double sum = 0;
-      for (int j = 0; j < freedom(); j++) {
-        sum += r[i * freedom() + j] * reduced[j];
+      for (int e = start[i]; e < start[i + 1]; e++) {
+        sum += r[i * freedom() + columnOf[e]] * reduced[columnOf[e]];
       }
       x[i] = sum;
     }
@@ -143,34 +188,59 @@ public final class FreeDirections {
 
   /** Writes Rᵀ x. */
   public void project(double[] x, double[] reduced) {
-    for (int j = 0; j < freedom(); j++) {
-      double sum = 0;
-      for (int i = 0; i < n; i++) {
-        sum += r[i * freedom() + j] * x[i];
+    Arrays.fill(reduced, 0, freedom(), 0);
+    for (int i = 0; i < n; i++) {
+      for (int e = start[i]; e < start[i + 1]; e++) {
+        reduced[columnOf[e]] += r[i * freedom() + columnOf[e]] * x[i];
       }
-      reduced[j] = sum;
     }
+  }
+
+  /** Returns Rᵀ A B with A n × n and the directions B, f × the freedoms of B. */
+  public double[] reduce(double[] a, FreeDirections b) {
+    int columns = b.freedom();
+    double[] product = new double[freedom() * columns];
+    double[] row = new double[columns];
+    for (int i = 0; i < n; i++) {
+      Arrays.fill(row, 0);
+      for (int k = 0; k < n; k++) {
+        double element = a[i * n + k];
+        if (element != 0) {
+          for (int e = b.start[k]; e < b.start[k + 1]; e++) {
+            row[b.columnOf[e]] += element * b.r[k * columns + b.columnOf[e]];
+          }
+        }
+      }
+      addRow(i, row, product);
+    }
+    return product;
   }
 
   /** Returns Rᵀ A B, f × columns, with A n × n and B n × columns. */
   public double[] reduce(double[] a, double[] b, int columns) {
-    int f = freedom();
-    double[] product = new double[f * columns];
-    double[] ab = new double[n];
-    double[] reduced = new double[f];
-    for (int j = 0; j < columns; j++) {
-      for (int i = 0; i < n; i++) {
-        double sum = 0;
-        for (int k = 0; k < n; k++) {
-          sum += a[i * n + k] * b[k * columns + j];
+    double[] product = new double[freedom() * columns];
+    double[] row = new double[columns];
+    for (int i = 0; i < n; i++) {
+      Arrays.fill(row, 0);
+      for (int k = 0; k < n; k++) {
+        double element = a[i * n + k];
+        for (int j = 0; element != 0 && j < columns; j++) {
+          row[j] += element * b[k * columns + j];
         }
-        ab[i] = sum;
       }
-      project(ab, reduced);
-      for (int i = 0; i < f; i++) {
-        product[i * columns + j] = reduced[i];
-      }
+      addRow(i, row, product);
     }
     return product;
+  }
+
+  /** Adds to Rᵀ A B what row i of A B gives. */
+  private void addRow(int i, double[] row, double[] product) {
+    for (int e = start[i]; e < start[i + 1]; e++) {
+      int to = columnOf[e];
+      double element = r[i * freedom() + to];
+      for (int j = 0; j < row.length; j++) {
+        product[to * row.length + j] += element * row[j];
+      }
+    }
   }
 }

@@ -111,13 +111,15 @@ public final class Linearisation {
     jacobian.mass().toDense(m);
     jacobian.byVelocity().toDense(c);
     jacobian.byPosition().toDense(k);
-    mass = free.reduce(m, free.r, f);
-    damping = sum(free.reduce(c, free.r, f), free.reduce(m, loops.accelerationByVelocity, f));
-    stiffnessOfPlaces =
-        sum(
-            sum(free.reduce(k, places.r, fq), free.reduce(c, loops.velocityByPlace, fq)),
-            free.reduce(m, loops.accelerationByPlace, fq));
-    stiffness = places == free ? stiffnessOfPlaces : free.reduce(k, free.r, f);
+    mass = free.reduce(m, free);
+    damping = free.reduce(c, free);
+    stiffnessOfPlaces = free.reduce(k, places);
+    if (loops.isMoving()) {
+      add(damping, free.reduce(m, loops.accelerationByVelocity, f));
+      add(stiffnessOfPlaces, free.reduce(c, loops.velocityByPlace, fq));
+      add(stiffnessOfPlaces, free.reduce(m, loops.accelerationByPlace, fq));
+    }
+    stiffness = places == free ? stiffnessOfPlaces : free.reduce(k, free);
     ns = equations.tree.mechanism().furtherStates().size();
     byState = new double[f * ns];
     rateDamping = new double[ns * f];
@@ -208,11 +210,10 @@ public final class Linearisation {
     return links.stream().mapToInt(Integer::intValue).toArray();
   }
 
-  private static double[] sum(double[] a, double[] b) {
-    for (int i = 0; i < a.length; i++) {
-      a[i] += b[i];
+  private static void add(double[] sum, double[] further) {
+    for (int i = 0; i < sum.length; i++) {
+      sum[i] += further[i];
     }
-    return a;
   }
 
   /** Returns the independent part of G R: ξ' = δv + ω × ξ for rotations. */

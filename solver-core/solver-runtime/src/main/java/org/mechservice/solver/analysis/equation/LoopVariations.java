@@ -21,6 +21,7 @@ public final class LoopVariations {
   private final double[] y;
   private final double[] a;
   private final int m;
+  private final boolean moving;
 
   /** V and A_q, n × the freedoms of positions, and A_v, n × those of velocities, row by row. */
   public final double[] velocityByPlace;
@@ -51,7 +52,8 @@ public final class LoopVariations {
     velocityByPlace = new double[equations.nv * places.freedom()];
     accelerationByPlace = new double[equations.nv * places.freedom()];
     accelerationByVelocity = new double[equations.nv * free.freedom()];
-    if (m > 0 && !atRest()) {
+    moving = m > 0 && !atRest();
+    if (moving) {
       for (int j = 0; j < places.freedom(); j++) {
         varyPlace(j);
       }
@@ -61,6 +63,11 @@ public final class LoopVariations {
         put(change, accelerationByVelocity, j, free.freedom());
       }
     }
+  }
+
+  /** Returns whether there are loops that move; all matrices are zero otherwise. */
+  public boolean isMoving() {
+    return moving;
   }
 
   private boolean atRest() {

@@ -37,6 +37,10 @@ class LargeAssemblyTest {
       dense[1] = dense[0].clone();
       dense[1][n - 1] += weak;
     }
+    return ofUnitRows(dense, n);
+  }
+
+  private static SparseMatrix ofUnitRows(double[][] dense, int n) {
     List<int[]> pattern = new ArrayList<>();
     for (double[] row : dense) {
       double length = Math.sqrt(Arrays.stream(row).map(x -> x * x).sum());
@@ -46,7 +50,7 @@ class LargeAssemblyTest {
       pattern.add(IntStream.range(0, n).filter(j -> row[j] != 0).toArray());
     }
     SparseMatrix matrix = SparseMatrix.of(pattern.toArray(int[][]::new), n);
-    for (int i = 0; i < m; i++) {
+    for (int i = 0; i < dense.length; i++) {
       matrix.setRow(i, dense[i], 0);
     }
     return matrix;
@@ -76,6 +80,34 @@ class LargeAssemblyTest {
     IndependentRows all = new DenseIndependentRows(dense(matrix), m, n);
     assertThat(few.rank()).isEqualTo(all.rank());
     assertThat(few.redundant()).hasSize(m - few.rank()).isSorted();
+    assertThat(withoutRedundant(matrix, few).rank()).isEqualTo(few.rank());
+    assertThat(few.smallestPivot()).isBetween(all.smallestPivot() / 30, 30 * all.smallestPivot());
+  }
+
+  /**
+   * Loops that share no coordinate, each with five rows of which two or three are independent up to
+   * a change of the others by {@code weak}: as those of stacked overconstrained linkages.
+   */
+  @ParameterizedTest
+  @ValueSource(doubles = {0, 1e-15, 1e-11, 1e-6, 1e-3})
+  void rowsOfSeparateLoopsHaveTheRankOfAll(double weak) {
+    int loops = 12;
+    double[][] rows = new double[5 * loops][4 * loops];
+    Random random = new Random(5);
+    for (int loop = 0; loop < loops; loop++) {
+      for (int i = 0; i < 5; i++) {
+        int like = i - 2 - loop % 2;
+        for (int j = 4 * loop; j < 4 * loop + 4; j++) {
+          double element = random.nextDouble() - 0.5;
+          rows[5 * loop + i][j] = like < 0 ? element : rows[5 * loop + like][j] + weak * element;
+        }
+      }
+    }
+    SparseMatrix matrix = ofUnitRows(rows, 4 * loops);
+    IndependentRows few = new SparseIndependentRows(matrix, 4 * loops);
+    IndependentRows all = new DenseIndependentRows(dense(matrix), 5 * loops, 4 * loops);
+    assertThat(few.rank()).isEqualTo(all.rank());
+    assertThat(few.redundant()).hasSize(5 * loops - few.rank()).isSorted();
     assertThat(withoutRedundant(matrix, few).rank()).isEqualTo(few.rank());
     assertThat(few.smallestPivot()).isBetween(all.smallestPivot() / 30, 30 * all.smallestPivot());
   }

@@ -1,0 +1,392 @@
+package org.mechservice.solver.ode.adams;
+
+import java.util.Optional;
+import java.util.function.DoubleUnaryOperator;
+import org.mechservice.solver.ode.IntegrationFailure.Cause;
+import org.mechservice.solver.ode.IntegratorSettings;
+import org.mechservice.solver.ode.IntegratorSettings.Mode;
+import org.mechservice.solver.ode.SavedState;
+import org.mechservice.solver.ode.StepResult;
+import org.mechservice.solver.ode.TrialOutcome;
+import org.mechservice.solver.ode.jumps.JumpSearch;
+import org.mechservice.solver.ode.step.ErrorNorm;
+import org.mechservice.solver.ode.step.IntegrationProgress;
+import org.mechservice.solver.ode.step.Manifold;
+import org.mechservice.solver.ode.step.RightHandSide;
+import org.mechservice.solver.ode.step.StepBounds;
+
+/**
+ * One step of an Adams method after the other: {@link #attempt} predicts, evaluates, tests,
+ * corrects and evaluates it, {@link #accept} chooses order and size of the next, {@link #repair}
+ * makes one that failed shorter.
+ */
+final class AdamsStep {
+  /** Share of the interval that the first step may cover: a start at rest says nothing about f. */
+  private static final double FIRST_SHARE_OF_INTERVAL = 0.1;
+
+  private static final double UNIT_ROUNDOFF = Math.ulp(1.0);
+
+  private final IntegrationProgress progress;
+  private final ErrorNorm norm;
+  private final StepBounds bounds;
+  private final DoubleUnaryOperator firstStep;
+  private final Mode mode;
+  private final int highestOrder;
+  private final AdamsCoefficients coefficients = new AdamsCoefficients();
+  private final AdamsOrderControl control = new AdamsOrderControl();
+  private final StiffnessMonitor stiffness = new StiffnessMonitor();
+  private final UnseenPlaces unseen;
+  private final JumpSearch jumps;
+
+  private AdamsProblem problem = AdamsProblem.none();
+  private AdamsHistory history = problem.history();
+
+  /** Size and end of the step being tried. */
+  private double h;
+
+  private double triedTime;
+
+  /** Whether a step is begun, and whether the coefficients are those of the step being tried. */
+  private boolean begun;
+
+  private boolean prepared;
+
+  /** Whether the step being tried is predicted, and f known there. */
+  private boolean foreseen;
+
+  private int notFiniteComponent;
+
+  /**
+   * @param firstStep size of the first step by the norm of f at the start, which is 0 if the
+   *     solution starts at rest
+   */
+  AdamsStep(
+      IntegrationProgress progress,
+      ErrorNorm norm,
+      StepBounds bounds,
+      DoubleUnaryOperator firstStep,
+      IntegratorSettings settings) {
+    this.progress = progress;
+    this.norm = norm;
+    this.bounds = bounds;
+    this.firstStep = firstStep;
+    mode = settings.mode();
+    highestOrder = settings.highestOrder(AdamsCoefficients.HIGHEST_ORDER);
+    unseen = new UnseenPlaces(progress, norm, control, coefficients, mode);
+    jumps = unseen.jumps();
+  }
+
+  /** Makes ready for a problem, for which norm and bounds are begun. */
+  void prepare(AdamsProblem problem) {
+    this.problem = problem;
+    history = problem.history();
+    unseen.prepare(problem);
+  }
+
+  /** Forgets what steps towards another state have told. */
+  void beginAgain() {
+    stiffness.beginAgain();
+    unseen.forgetDerivatives();
+  }
+
+  /**
+   * Begins at order 1.
+   *
+   * @param initialStep size of the first step; 0 for the method's choice
+   * @return {@link TrialOutcome#PASSED} unless the state cannot be completed, or f is not finite
+   */
+  TrialOutcome beginAt(double t, double[] y, double initialStep) {
+    coefficients.clear();
+    control.begin(highestOrder);
+    unseen.beginAt(t);
+    bounds.stopAt(problem.equations().breakpoints().next());
+    triedTime = t;
+    h = 0;
+    abandon();
+    history.begin(y);
+    boolean complete = problem.manifold().complete(t, history.state());
+    norm.weigh(history.state());
+    problem.equations().evaluateAlways(t, history.state(), history.derivative);
+    history.beginDerivative();
+    if (!complete) {
+      return TrialOutcome.NOT_COMPLETED;
+    }
+    if (!finite(history.derivative)) {
+      return TrialOutcome.NOT_FINITE;
+    }
+    h = Math.copySign(initialStep > 0 ? initialStep : firstStepFrom(t), problem.end() - t);
+    return TrialOutcome.PASSED;
+  }
+
+  private double firstStepFrom(double t) {
+    return Math.min(
+        FIRST_SHARE_OF_INTERVAL * Math.abs(problem.end() - t),
+        firstStep.applyAsDouble(norm.of(history.derivative)));
+  }
+
+  /** Makes the first step no longer than this. */
+  void boundFirst(double longest) {
+    h = Math.copySign(Math.min(Math.abs(h), longest), h);
+  }
+
+  /** Sets weights and bounds of a step; one that was stopped is taken up where it stood. */
+  void begin() {
+    if (!begun) {
+      norm.weigh(history.state());
+      control.beginStep();
+      h = bounds.bounded(progress.time(), h);
+      begun = true;
+    }
+  }
+
+  private void prepare() {
+    if (!prepared) {
+      coefficients.prepare(h, control.order());
+      triedTime = bounds.endOf(progress.time(), h);
+      prepared = true;
+    }
+  }
+
+  /** Predicts the first step; returns false if told to stop instead. */
+  boolean foresee() {
+    begin();
+    prepare();
+    TrialOutcome prediction = predict(control.order());
+    foreseen = prediction == TrialOutcome.PASSED;
+    return prediction != TrialOutcome.STOPPED;
+  }
+
+  /** Returns whether a first step is foreseen. */
+  boolean foreseen() {
+    return foreseen;
+  }
+
+  /** Gives a step up that was begun. */
+  void abandon() {
+    begun = false;
+    prepared = false;
+    foreseen = false;
+  }
+
+  /** Predict, complete, evaluate, estimate, correct, complete and project, evaluate. */
+  TrialOutcome attempt() {
+    prepare();
+    int k = control.order();
+    TrialOutcome prediction = foreseen ? TrialOutcome.PASSED : predict(k);
+    foreseen = false;
+    if (prediction != TrialOutcome.PASSED) {
+      return prediction;
+    }
+    control.estimate(Math.abs(h), coefficients, history, norm);
+    if (!(control.error() <= 1) || unseen.jumpInside(h, triedTime)) {
+      return finite(history.derivative) ? TrialOutcome.TOO_INACCURATE : TrialOutcome.NOT_FINITE;
+    }
+    if (!correct(h * coefficients.g[k + 1])) {
+      return TrialOutcome.NOT_COMPLETED;
+    }
+    if (!evaluate(history.corrected())) {
+      return TrialOutcome.STOPPED;
+    }
+    return finite(history.corrected()) && finite(history.derivative)
+        ? TrialOutcome.PASSED
+        : TrialOutcome.NOT_FINITE;
+  }
+
+  /** Predict, complete, evaluate. */
+  private TrialOutcome predict(int k) {
+    history.predict(h, k, coefficients.beta, coefficients.g);
+    if (!problem.manifold().complete(triedTime, history.predicted)) {
+      return TrialOutcome.NOT_COMPLETED;
+    }
+    if (!evaluate(history.predicted)) {
+      return TrialOutcome.STOPPED;
+    }
+    history.compareDerivative();
+    return TrialOutcome.PASSED;
+  }
+
+  /** Forms the corrected state, moved onto the manifold: f there enters the history. */
+  private boolean correct(double weight) {
+    Manifold manifold = problem.manifold();
+    double[] corrected = history.corrected();
+    history.correct(weight);
+    boolean found =
+        manifold.complete(triedTime, corrected) && manifold.project(triedTime, corrected);
+    history.carry(weight);
+    return found;
+  }
+
+  /** Returns the component that has a pole inside the step that passed, −1 if none has. */
+  int componentWithPole() {
+    return unseen.componentWithPole(triedTime);
+  }
+
+  /** Returns whether there is a pulse in the step that passed; it is then cut off in front. */
+  boolean cutAtPulse() {
+    double part = unseen.partToPulse(h);
+    if (!(part < 1)) {
+      return false;
+    }
+    progress.rejected(h, control.order(), Double.NaN, TrialOutcome.TOO_INACCURATE, -1);
+    h *= part;
+    prepared = false;
+    return true;
+  }
+
+  /** Goes on to the end of the step that passed. */
+  void accept() {
+    int k = control.order();
+    unseen.accepting();
+    history.accept(k);
+    coefficients.accept(h, k);
+    progress.accepted(h, triedTime, k, control.error());
+    stiffness.accepted(h, k, control.error(), coefficients.g[k + 1], history, norm);
+    double size = h;
+    double error = control.error();
+    h *= control.accept(Math.abs(h), coefficients.equalSteps(), history, norm);
+    problem.manifold().restoreUnitGroups(history.state(), history);
+    problem.manifold().accepted(triedTime, history.state());
+    if (jumps.accepted(size, triedTime, error)) {
+      forgetHistory();
+    } else if (jumps.active()) {
+      h = towardsJump(h);
+    }
+    h = Math.copySign(Math.min(Math.abs(h), jumps.longestStep(triedTime)), h);
+    begun = false;
+    prepared = false;
+  }
+
+  /** Begins at order 1 behind a jump, where f is known. */
+  private void forgetHistory() {
+    stiffness.beginAgain();
+    coefficients.beginAgain();
+    control.begin(highestOrder);
+    h = Math.copySign(firstStepFrom(triedTime), h);
+  }
+
+  /** Returns the step that halves the stretch with a jump, or crosses it, no longer than given. */
+  private double towardsJump(double longest) {
+    double step = jumps.step(progress.time());
+    if (jumps.crossing()) {
+      control.fallToOrderOne();
+    }
+    return Math.abs(step) < Math.abs(longest) ? step : longest;
+  }
+
+  /** Returns whether the solution slides along a jump and would have to cross it for ever. */
+  boolean slides() {
+    return unseen.slides(h);
+  }
+
+  /** Reduces the step; returns a cause if that is not possible. */
+  Optional<Cause> repair(TrialOutcome attempt) {
+    boolean inaccurate = attempt == TrialOutcome.TOO_INACCURATE;
+    double error = inaccurate ? control.error() : Double.NaN;
+    progress.rejected(h, control.order(), error, attempt, limitingComponent(attempt));
+    double smallest = bounds.smallest(progress.time());
+    boolean hopeless = Math.abs(h) <= smallest || jumpsAhead() > JumpSearch.MOST;
+    if (progress.notFiniteTooOften() || hopeless) {
+      return Optional.of(attempt.cause());
+    }
+    double size = Math.abs(inaccurate ? retry() : control.rejectNotFinite() * h);
+    h = Math.copySign(Math.max(size, smallest), h);
+    prepared = false;
+    return Optional.empty();
+  }
+
+  /** Returns the step to try after one that failed the error test. */
+  private double retry() {
+    if (mode != Mode.FAITHFUL && Double.isFinite(control.error())) {
+      jumps.rejected(h, control.order(), triedTime, control.error(), control.discrepancy());
+    }
+    return jumps.active() ? towardsJump(h) : control.reject() * h;
+  }
+
+  /** Evaluates f at the end of the step being tried; returns false if told to stop instead. */
+  private boolean evaluate(double[] y) {
+    return problem.equations().evaluate(triedTime, y, history.derivative);
+  }
+
+  /** Returns whether all components are finite; if not, remembers the first that is not. */
+  private boolean finite(double[] x) {
+    notFiniteComponent = RightHandSide.firstNotFinite(x);
+    return notFiniteComponent < 0;
+  }
+
+  /** Returns the component that made a try fail, or would have. */
+  int limitingComponent(TrialOutcome attempt) {
+    return switch (attempt) {
+      case NOT_FINITE -> notFiniteComponent;
+      case NOT_COMPLETED -> -1;
+      default -> norm.largest(history.discrepancy);
+    };
+  }
+
+  /** Ends the integration at the last accepted step. */
+  StepResult fail(Cause cause, int component) {
+    return progress.fail(cause, h, control.order(), component, norm);
+  }
+
+  /** Returns the norm of the rounding errors that a state cannot avoid. */
+  double roundOff(double[] y) {
+    return 2 * UNIT_ROUNDOFF * norm.of(y);
+  }
+
+  /** Returns how many jumps lie ahead; {@link JumpSearch#ahead}. */
+  double jumpsAhead() {
+    return jumps.ahead(progress.time(), problem.end());
+  }
+
+  /** Returns whether it crosses what looks like jumps again and again. */
+  boolean crossesOften() {
+    return jumps.crossesOften(progress.time(), problem.end());
+  }
+
+  /** Returns whether the problem's end is reached. */
+  boolean atEnd() {
+    return bounds.reachedAt(progress.time());
+  }
+
+  /** Returns whether a step is begun that was stopped or foreseen. */
+  boolean begun() {
+    return begun;
+  }
+
+  /** Returns the size of the step to be tried, signed. */
+  double size() {
+    return h;
+  }
+
+  /** Returns the problem. */
+  AdamsProblem problem() {
+    return problem;
+  }
+
+  /** Returns ψ of the last step, as its interpolation needs it. */
+  double[] psi() {
+    return coefficients.psi;
+  }
+
+  /** Returns what the steps tell of stiffness. */
+  StiffnessMonitor stiffness() {
+    return stiffness;
+  }
+
+  /** Carries the state between two steps over; the problem's own is carried over before. */
+  void transfer(SavedState state) {
+    if (state.restoring()) {
+      control.begin(highestOrder);
+      bounds.stopAt(problem.equations().breakpoints().next());
+      begun = false;
+      prepared = false;
+    }
+    progress.transfer(state);
+    history.transfer(state);
+    coefficients.transfer(state);
+    control.transfer(state);
+    unseen.transfer(state);
+    stiffness.transfer(state);
+    h = state.number(h);
+    triedTime = state.number(triedTime);
+  }
+}
