@@ -173,6 +173,38 @@ class ReportTest {
     assertThat(ScenePage.of(measured)).doesNotContain("time for the report");
   }
 
+  /** One run has no quartiles, and its time none that it could be told apart from. */
+  @Test
+  void pageOfSingleRunsSaysSoAndShowsNoSpread() throws IOException {
+    SceneFindings measured = findings(goodJudge(), "ode113", new RuntimeSolver(), 0);
+    List<Point> single = Point.of(measured.points().stream().map(Point::first).toList());
+    String page =
+        ScenePage.of(
+            new SceneFindings(
+                measured.model(),
+                measured.file(),
+                measured.states(),
+                measured.freedoms(),
+                measured.endOfFile(),
+                measured.methods(),
+                measured.leftOut(),
+                measured.judge(),
+                single,
+                measured.spectrum(),
+                measured.shares(),
+                measured.freshStarts(),
+                measured.effort(),
+                measured.csv(),
+                measured.versions(),
+                List.of()));
+
+    assertThat(single).isNotEmpty().noneMatch(point -> point.overlaps(point));
+    assertThat(page)
+        .contains("(a single run)", "how far they scatter is not known")
+        .doesNotContain("(quartiles", "Half of a point's times", "Warm-up:");
+    assertThat(ScenePage.of(measured)).contains("(quartiles").doesNotContain("(a single run)");
+  }
+
   @Test
   void referenceThatNoMethodConvergesToIsExposedInOneSentence() throws IOException {
     SceneFindings one = findings(goodJudge(), "ode113", new RuntimeSolver(), 1e-3);

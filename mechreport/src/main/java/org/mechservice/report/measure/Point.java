@@ -85,11 +85,11 @@ public record Point(
   }
 
   /**
-   * Returns by how much of their median half of the times differ: the quartiles' distance; NaN of a
-   * single run.
+   * Returns by how much of their median half of the times differ: the quartiles' distance; NaN of
+   * one run or two.
    */
   public double spread() {
-    return isRepeated() ? (highSeconds - lowSeconds) / seconds : Double.NaN;
+    return repeats > 2 ? (highSeconds - lowSeconds) / seconds : Double.NaN;
   }
 
   /**

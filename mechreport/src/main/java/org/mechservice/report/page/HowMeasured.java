@@ -124,7 +124,7 @@ final class HowMeasured {
     double[] spreads =
         points.stream().mapToDouble(Point::spread).filter(Double::isFinite).toArray();
     return spreads.length == 0
-        ? "Each time is that of a single run, so how far times scatter is not known."
+        ? "Times are of one or two runs, so how far they scatter is not known."
         : String.format(
             Locale.ROOT,
             "Half of a point's times lie within %.1f %% of each other (median of the points):"

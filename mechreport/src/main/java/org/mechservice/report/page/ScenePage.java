@@ -153,6 +153,9 @@ public final class ScenePage {
   private String legend() {
     StringBuilder legend = new StringBuilder("<p class=\"legend\">");
     for (SimulationMethod method : found.methods()) {
+      if (found.pointsOf(method.name()).stream().allMatch(ScenePage::leftOut)) {
+        continue;
+      }
       legend
           .append("<span data-m=\"")
           .append(Html.escape(method.name()))

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.stream.IntStream;
 import org.mechservice.solver.linear.PivotedElimination;
 import org.mechservice.solver.linear.SparseElimination;
@@ -40,7 +41,8 @@ final class DoubtfulRows {
       int[] columns = elimination.columnsLeft(steps[i]);
       double[] elements = elimination.elementsLeft(steps[i]);
       for (int e = 0; e < columns.length; e++) {
-        left[i * width + place.get(columns[e])] = elements[e];
+        int at = Objects.requireNonNull(place.get(columns[e]), "column of no row");
+        left[i * width + at] = elements[e];
       }
     }
     SingularValues singular = new SingularValues(names.length, width);
