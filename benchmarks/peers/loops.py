@@ -435,7 +435,7 @@ def rows_of_points(python, scene, texts, values, tolerances, peers):
 
 
 def scenes_of_points(python, repetitions):
-    scenes, tolerances = {}, ["1e-4", "1e-6", "1e-8"]
+    scenes, tolerances = {}, ["1e-3", "1e-4", "1e-6", "1e-8"]
     for title, text, scene, n, column, what in (
             ("40 four-bars in a row", fourbars(40), "fourbars", 40, "a0.q", "angle"),
             ("track of 100 shoes", track(100), "track", 100, "a0.q", "angle"),
@@ -446,8 +446,9 @@ def scenes_of_points(python, repetitions):
         points = scenes[title] = {
             NEW: in_new_processes(name, text, tolerances, what, expected, repetitions),
             OURS: warm(column, tolerances, [written(f"warm-{scene}", text)], [expected])[0]}
-        for other, counts in (("exudyn", (100, 1000, 4000)), ("exudyn-dense", (100, 1000)),
-                              ("mujoco", (100, 1000, 10000)), ("pinocchio", (20, 50, 200))):
+        for other, counts in (("exudyn", (20, 100, 1000, 4000)), ("exudyn-dense", (100, 1000)),
+                              ("mujoco", (20, 100, 1000, 10000)),
+                              ("pinocchio", (10, 20, 50, 200))):
             if other != "exudyn-dense" or scene == "net":
                 points[other] = peer(python, other, scene, n, counts, expected)
     return scenes

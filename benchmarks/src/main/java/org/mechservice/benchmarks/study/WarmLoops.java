@@ -22,7 +22,10 @@ import org.mechservice.solver.simulation.RuntimeSolver;
  * optimisation: processor time of the thread, medians. Called by benchmarks/peers/loops.py.
  */
 public final class WarmLoops {
-  /** Processor time that warms up, s. */
+  /** Processor time that warms a model up before its first tolerance, s. */
+  private static final double FIRST_WARM_UP = 3;
+
+  /** Processor time that warms up before its other tolerances, s. */
   private static final double WARM_UP = 1;
 
   /** Processor time that is measured, s. */
@@ -41,14 +44,15 @@ public final class WarmLoops {
    */
   public static void main(String[] args) throws IOException, MechmlException {
     for (int i = 2; i < args.length; i++) {
-      for (String tolerance : args[1].split(",")) {
-        double relative = Double.parseDouble(tolerance);
-        measure(Path.of(args[i]), args[0], relative);
+      double warmUp = FIRST_WARM_UP;
+      for (String tolerance : args[1].split(",", -1)) {
+        measure(Path.of(args[i]), args[0], Double.parseDouble(tolerance), warmUp);
+        warmUp = WARM_UP;
       }
     }
   }
 
-  private static void measure(Path file, String column, double relative)
+  private static void measure(Path file, String column, double relative, double warmUp)
       throws IOException, MechmlException {
     MechModel model = read(file, relative);
     ModelSource source = model.instances();
@@ -57,8 +61,8 @@ public final class WarmLoops {
     List<Double> runs = new ArrayList<>();
     double end = 0;
     for (double first = seconds(), now = first;
-        now - first < WARM_UP + MEASURED || runs.size() < LEAST_RUNS; ) {
-      if (now - first < WARM_UP) {
+        now - first < warmUp + MEASURED || runs.size() < LEAST_RUNS; ) {
+      if (now - first < warmUp) {
         instances.clear();
         runs.clear();
       }

@@ -14,7 +14,10 @@ import org.mechservice.solver.linear.SparseMatrix;
  * one thread.
  */
 public abstract sealed class AugmentedEquations
-    permits ArticulatedAugmentedEquations, DenseAugmentedEquations, SparseAugmentedEquations {
+    permits ArticulatedAugmentedEquations,
+        DenseAugmentedEquations,
+        LinkedAugmentedEquations,
+        SparseAugmentedEquations {
   private static final int REPETITIONS = 10;
 
   /** Relative residual at which the iteration stops. */
@@ -54,6 +57,9 @@ public abstract sealed class AugmentedEquations
     gap = new double[m];
     multipliers = new double[m];
   }
+
+  /** Takes up J as it has been written, with the loops placed at its state. */
+  public void linearise() {}
 
   /**
    * Solves for one correction.

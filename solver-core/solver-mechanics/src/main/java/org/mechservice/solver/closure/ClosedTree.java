@@ -163,12 +163,18 @@ public class ClosedTree {
     return rods.isEmpty() && forces.isLocal() && loops.isLocal();
   }
 
-  /** Returns whether the equations of an implicit step are best eliminated from link to link. */
+  /** Returns whether the equations of an implicit step are best kept by links. */
   public boolean isEliminatedByLinks() {
     return isLarge()
-        && isLocal()
-        && loops.count() <= LoopEquations.FEW
-        && ArticulatedIteration.pays(tree);
+        && rods.isEmpty()
+        && (hasFewLocalLoops()
+            ? ArticulatedIteration.pays(tree)
+            : ArticulatedIteration.paysFarCouplings(tree));
+  }
+
+  /** Returns whether they can be eliminated from link to link, with the loops beside them. */
+  public boolean hasFewLocalLoops() {
+    return isLocal() && loops.count() <= LoopEquations.FEW;
   }
 
   /** Evaluates the applied forces at the last sweep; returns whether all have values. */

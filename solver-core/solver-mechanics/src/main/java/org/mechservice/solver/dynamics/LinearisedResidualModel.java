@@ -8,6 +8,7 @@ import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.dynamics.derivative.ArticulatedIteration;
 import org.mechservice.solver.dynamics.derivative.BorderedStep;
 import org.mechservice.solver.dynamics.derivative.FurtherDerivatives;
+import org.mechservice.solver.dynamics.derivative.LoopWrenches;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.dynamics.derivative.StepDerivatives;
 import org.mechservice.solver.dynamics.derivative.StepReduction;
@@ -55,10 +56,16 @@ public final class LinearisedResidualModel extends RecursiveResidualModel
       Mechanism mechanism, RunSettings defaults, UserForceSource userForces, Mode mode) {
     super(mechanism, Formulation.RR_JF.label(), defaults, userForces);
     this.mode = mode;
-    if (mode == Mode.FULL && loads.forces().isLocal() && ArticulatedIteration.pays(tree)) {
-      ArticulatedIteration fromLinkToLink = new ArticulatedIteration(motion);
-      derivatives = fromLinkToLink;
-      iteration = fromLinkToLink;
+    boolean local = loads.forces().isLocal();
+    boolean pays =
+        local ? ArticulatedIteration.pays(tree) : ArticulatedIteration.paysFarCouplings(tree);
+    if (mode == Mode.FULL && pays) {
+      ArticulatedIteration byLinks =
+          local
+              ? new ArticulatedIteration(motion)
+              : new ArticulatedIteration(motion, coupledLinks(loads.forces()), LoopWrenches.NONE);
+      derivatives = byLinks;
+      iteration = byLinks;
     } else {
       TreePattern pattern = new TreePattern(tree, coupledLinks(loads.forces()));
       ResidualJacobian byElements = new ResidualJacobian(motion, pattern);

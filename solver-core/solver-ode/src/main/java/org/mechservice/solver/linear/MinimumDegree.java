@@ -13,7 +13,7 @@ import java.util.Arrays;
  * Davis and Duff, <i>An approximate minimum degree ordering algorithm</i>, SIAM J. Matrix Anal.
  * Appl. 17 (1996) 886.
  */
-final class MinimumDegree {
+public final class MinimumDegree {
   private static final int NONE = -1;
   private static final int[] EMPTY = {};
 
@@ -86,7 +86,7 @@ final class MinimumDegree {
   }
 
   /** Returns the columns in the order in which they are to be eliminated. */
-  static int[] order(SparseLayout layout) {
+  public static int[] order(SparseLayout layout) {
     MinimumDegree search = new MinimumDegree(layout);
     search.run();
     return search.order;

@@ -68,10 +68,18 @@ public final class SparsePivotedLu extends LuFactors {
    * @param layout pattern of the matrices
    */
   public SparsePivotedLu(SparseLayout layout) {
+    this(layout, MinimumDegree.order(layout));
+  }
+
+  /**
+   * @param layout pattern of the matrices
+   * @param order columns in the order in which they are to be eliminated; not modified
+   */
+  public SparsePivotedLu(SparseLayout layout, int[] order) {
     super(layout);
     this.layout = layout;
     n = layout.dimension();
-    column = MinimumDegree.order(layout);
+    column = order.clone();
     row = new int[n];
     step = new int[n];
     lowerStart = new int[n + 1];
@@ -262,7 +270,7 @@ public final class SparsePivotedLu extends LuFactors {
         double factor = work[s];
         work[s] = 0;
         upper[e] = factor;
-        for (int i = lowerStart[s]; i < lowerStart[s + 1]; i++) {
+        for (int i = lowerStart[s]; factor != 0 && i < lowerStart[s + 1]; i++) {
           work[lowerStep[i]] -= lower[i] * factor;
         }
       }
@@ -310,7 +318,7 @@ public final class SparsePivotedLu extends LuFactors {
     }
     for (int k = 0; k < n; k++) {
       double known = work[k];
-      for (int e = lowerStart[k]; e < lowerStart[k + 1]; e++) {
+      for (int e = lowerStart[k]; known != 0 && e < lowerStart[k + 1]; e++) {
         work[lowerStep[e]] -= lower[e] * known;
       }
     }

@@ -9,13 +9,9 @@ import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.IntegrationMethod;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.dynamics.recursion.MassiveRods;
-import org.mechservice.solver.force.ForceSet;
 import org.mechservice.solver.kinematics.TreeGeometry;
-import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.text.Origin;
 
 /**
@@ -55,7 +51,7 @@ final class DenseForecast {
       int rank = loops ? model.closedStart(settings.tStart()).rank() : 0;
       int free = mechanism.velocityCount() - rank;
       if (free >= MANY) {
-        findings.add(ofStates(free, tree, loops));
+        findings.add(ofStates(free, tree));
       }
     } else if (formulation.equalsIgnoreCase(Formulation.RR.label()) && pairs(tree) >= MANY_PAIRS) {
       findings.add(ofPairs("RR takes differences of its residual for", tree, advice(tree)));
@@ -77,7 +73,7 @@ final class DenseForecast {
     return findings;
   }
 
-  private static Finding ofStates(int free, TreeGeometry tree, boolean loops) {
+  private static Finding ofStates(int free, TreeGeometry tree) {
     int unknowns = 2 * free;
     return finding(
         String.format(
@@ -86,11 +82,10 @@ final class DenseForecast {
                 + " accelerations for each of them; its factors cost the cube of their number%s",
             unknowns,
             Math.round(8e-6 * unknowns * unknowns),
-            advice(tree)
-                + (loops && pairs(tree) >= MANY_PAIRS ? ", in long chains by penalty" : "")));
+            advice(tree)));
   }
 
-  /** Returns the advice to eliminate from link to link, if that is possible. */
+  /** Returns the advice to keep the equations of a step by links, if that is possible. */
   private static String advice(TreeGeometry tree) {
     return pairs(tree) < MANY_PAIRS || obstacle(tree).isEmpty()
         ? "; " + ADVICE + " keeps the equations of a step in their sparsity"
@@ -125,27 +120,10 @@ final class DenseForecast {
     return sum;
   }
 
-  /** Returns why steps of RR-JF are not eliminated from link to link; empty if they are. */
+  /** Returns why the equations of a step of RR-JF are not kept by links; empty if they are. */
   private static String obstacle(TreeGeometry tree) {
-    Mechanism mechanism = tree.mechanism();
-    LoopEquations loops = new LoopEquations(tree);
-    if (loops.count() > LoopEquations.FEW) {
-      return "RR-JF eliminates steps from link to link with up to "
-          + LoopEquations.FEW
-          + " equations of loops; there are "
-          + loops.count();
-    }
-    if (!loops.isLocal()) {
-      return "a loop lies between links that are not neighbours";
-    }
-    if (!new MassiveRods(tree).isEmpty()) {
-      return "a rod with mass couples links that are not neighbours";
-    }
-    if (mechanism.forces().stream().anyMatch(UserForceElement.class::isInstance)) {
-      return "forces given as classes may act between any links";
-    }
-    return new ForceSet(new TreeMotion(tree)).isLocal()
+    return new MassiveRods(tree).isEmpty()
         ? ""
-        : "a force acts between links that are not neighbours";
+        : "a rod with mass couples links that are not neighbours";
   }
 }

@@ -4,8 +4,8 @@ import java.util.Arrays;
 import java.util.Optional;
 import org.mechservice.solver.api.capability.LinearisedModel;
 import org.mechservice.solver.closure.ClosedMechanism;
+import org.mechservice.solver.closure.PenaltySettings;
 import org.mechservice.solver.closure.model.ResidualPenaltyModel.Derivatives;
-import org.mechservice.solver.dynamics.derivative.ArticulatedIteration;
 import org.mechservice.solver.dynamics.derivative.BorderedStep;
 import org.mechservice.solver.dynamics.derivative.FurtherDerivatives;
 import org.mechservice.solver.dynamics.derivative.ResidualDifferences;
@@ -92,11 +92,14 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
     positionMatrix = completion.positionMatrix().sameShape();
     lambda = new double[work.loops.count()];
     if (fromLinkToLink) {
-      ArticulatedIteration links = new ArticulatedIteration(work.motion);
-      jacobian = links;
-      iteration = links;
+      SparseMatrix rows = work.loops.stateRows(work.nv, false);
+      LinkedStep linked = LinkedStep.of(work, rows, PenaltySettings.DEFAULT.stiffness());
+      jacobian = linked.iteration();
+      iteration = linked.iteration();
       differences = Optional.empty();
-      step = new ArticulatedStepAlongLoops(velocities, work.loops, links);
+      step =
+          new SparseStepAlongLoops(
+              velocities, work.loops, rows, linked.equations(), linked.factors());
     } else {
       ElementDerivatives elements = ElementDerivatives.of(work, pattern, derivatives);
       TreeIteration tree = elements.iteration();
@@ -105,7 +108,7 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
       differences = elements.differences();
       step =
           byMultipliers
-              ? new SparseStepAlongLoops(
+              ? SparseStepAlongLoops.of(
                   velocities, work.loops, work.units.velocities, tree, pattern)
               : new DenseStepAlongLoops(velocities, loopJacobian, tree, work.isLarge());
     }
@@ -213,7 +216,7 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
     if (jacobian instanceof ResidualJacobian elements) {
       return elements;
     }
-    throw new IllegalStateException("the equations of the step are eliminated from link to link");
+    throw new IllegalStateException("the equations of the step are kept by links");
   }
 
   /**

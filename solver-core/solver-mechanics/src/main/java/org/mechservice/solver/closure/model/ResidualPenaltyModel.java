@@ -4,14 +4,12 @@ import java.util.Arrays;
 import java.util.Optional;
 import java.util.function.DoubleToIntFunction;
 import org.mechservice.solver.api.capability.LinearisedModel;
-import org.mechservice.solver.closure.ArticulatedAugmentedEquations;
 import org.mechservice.solver.closure.AugmentedEquations;
 import org.mechservice.solver.closure.ClosedMechanism;
 import org.mechservice.solver.closure.DenseAugmentedEquations;
 import org.mechservice.solver.closure.PenaltySettings;
 import org.mechservice.solver.closure.SparseAugmentedEquations;
 import org.mechservice.solver.closure.equations.LoopRounding;
-import org.mechservice.solver.dynamics.derivative.ArticulatedIteration;
 import org.mechservice.solver.dynamics.derivative.BorderedStep;
 import org.mechservice.solver.dynamics.derivative.FurtherDerivatives;
 import org.mechservice.solver.dynamics.derivative.ResidualDifferences;
@@ -141,14 +139,12 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     lambda = new double[m];
     double[] units = work.units.velocities;
     if (derivatives == Derivatives.RECURSIVE && work.isEliminatedByLinks()) {
-      ArticulatedIteration links = new ArticulatedIteration(work.motion);
-      ArticulatedAugmentedEquations few =
-          new ArticulatedAugmentedEquations(linearisedRows, units, links);
-      jacobian = links;
-      iteration = links;
+      LinkedStep linked = LinkedStep.of(work, linearisedRows, settings.stiffness());
+      jacobian = linked.iteration();
+      iteration = linked.iteration();
       differences = Optional.empty();
-      equations = few;
-      factors = step -> few.factor(step, settings.stiffness());
+      equations = linked.equations();
+      factors = linked.factors();
     } else {
       TreePattern pattern = new TreePattern(work.tree, work.coupledLinks());
       ElementDerivatives elements = ElementDerivatives.of(work, pattern, derivatives);
@@ -322,6 +318,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
       }
     }
     formRows(linearisedRows);
+    equations.linearise();
     formPositionRows();
     iteration.setState(y);
     bordered.setState(y);

@@ -14,7 +14,7 @@ public class ResidualProjectionModel extends ProjectionModel implements Residual
   /** Elements of Rᵀ A R to one of A above which neither R nor the former is formed. */
   private static final int ELEMENTS = 8;
 
-  /** Whether a step is eliminated from link to link, so that no matrix has a pattern. */
+  /** Whether the equations of a step are kept by links, so that no matrix has a pattern. */
   final boolean fromLinkToLink;
 
   /** Pattern of the matrices of an implicit step; of no place if there are none. */
@@ -45,10 +45,7 @@ public class ResidualProjectionModel extends ProjectionModel implements Residual
       ClosedMechanism closed, UserForceSource userForces, Derivatives derivatives) {
     super(closed, userForces);
     int f = closed.freedom();
-    fromLinkToLink =
-        derivatives == Derivatives.RECURSIVE
-            && work.isEliminatedByLinks()
-            && closed.start().rank() == work.loops.count();
+    fromLinkToLink = derivatives == Derivatives.RECURSIVE && work.isEliminatedByLinks();
     int[] none = {};
     pattern =
         fromLinkToLink

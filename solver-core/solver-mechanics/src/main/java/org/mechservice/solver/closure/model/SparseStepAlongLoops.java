@@ -1,5 +1,7 @@
 package org.mechservice.solver.closure.model;
 
+import java.util.function.DoubleToIntFunction;
+import org.mechservice.solver.closure.AugmentedEquations;
 import org.mechservice.solver.closure.PenaltySettings;
 import org.mechservice.solver.closure.SparseAugmentedEquations;
 import org.mechservice.solver.closure.equations.LoopEquations;
@@ -15,51 +17,77 @@ import org.mechservice.solver.linear.SparseMatrix;
 final class SparseStepAlongLoops extends StepAlongLoops {
   private final Partition velocities;
   private final LoopEquations loops;
-  private final TreeIteration iteration;
 
   /** J with scaled rows at the linearisation. */
   private final SparseMatrix rows;
 
-  private final SparseAugmentedEquations equations;
-  private final double[] units;
+  private final AugmentedEquations equations;
+
+  /** Factors {@link #equations} for hγ; a negative number, or the velocity without a pivot. */
+  private final DoubleToIntFunction factors;
+
   private final double[] right;
   private final double[] none;
 
   /**
    * @param velocities partition of the velocities
+   * @param rows of the equations, overwritten with J at each linearisation
+   */
+  SparseStepAlongLoops(
+      Partition velocities,
+      LoopEquations loops,
+      SparseMatrix rows,
+      AugmentedEquations equations,
+      DoubleToIntFunction factors) {
+    this.velocities = velocities;
+    this.loops = loops;
+    this.rows = rows;
+    this.equations = equations;
+    this.factors = factors;
+    right = new double[velocities.n];
+    none = new double[loops.count()];
+  }
+
+  /**
+   * Returns a step with A in the sparsity of the tree.
+   *
+   * @param velocities partition of the velocities
    * @param units of the velocities, 1/s
    * @param pattern of A
    */
-  SparseStepAlongLoops(
+  static SparseStepAlongLoops of(
       Partition velocities,
       LoopEquations loops,
       double[] units,
       TreeIteration iteration,
       TreePattern pattern) {
-    this.iteration = iteration;
-    this.velocities = velocities;
-    this.loops = loops;
-    this.units = units;
-    rows = loops.stateRows(velocities.n, false);
-    equations = new SparseAugmentedEquations(rows, units, pattern);
-    right = new double[velocities.n];
-    none = new double[loops.count()];
+    SparseMatrix rows = loops.stateRows(velocities.n, false);
+    SparseAugmentedEquations equations = new SparseAugmentedEquations(rows, units, pattern);
+    return new SparseStepAlongLoops(
+        velocities,
+        loops,
+        rows,
+        equations,
+        hGamma -> {
+          iteration.form(hGamma);
+          TreeSquare a = iteration.matrix();
+          double largest = 0;
+          for (int j = 0; j < units.length; j++) {
+            largest = Math.max(largest, Math.abs(a.get(j, j)) * units[j] * units[j]);
+          }
+          return equations.factor(a, PenaltySettings.DEFAULT.stiffness() * largest);
+        });
   }
 
   @Override
   void linearise() {
     loops.scaledRows(rows);
+    equations.linearise();
   }
 
   @Override
   int factor(double hGamma) {
-    iteration.form(hGamma);
-    TreeSquare a = iteration.matrix();
-    double largest = 0;
-    for (int j = 0; j < units.length; j++) {
-      largest = Math.max(largest, Math.abs(a.get(j, j)) * units[j] * units[j]);
-    }
-    int singular = equations.factor(a, PenaltySettings.DEFAULT.stiffness() * largest);
+    int singular = factors.applyAsInt(hGamma);
     return singular < 0 ? REGULAR : singular;
   }
 

@@ -7,8 +7,7 @@ package org.mechservice.solver.closure.model;
  *
  * <p>with A the iteration matrix of the open tree. Workspace of one thread.
  */
-abstract sealed class StepAlongLoops
-    permits ArticulatedStepAlongLoops, DenseStepAlongLoops, SparseStepAlongLoops {
+abstract sealed class StepAlongLoops permits DenseStepAlongLoops, SparseStepAlongLoops {
   /** Result of {@link #factor} if there are pivots for all velocities. */
   static final int REGULAR = -1;
 

@@ -5,6 +5,7 @@ import static org.mechservice.solver.dynamics.derivative.PlacedLinks.WIDTH;
 import static org.mechservice.solver.dynamics.derivative.PlacedLinks.add;
 import static org.mechservice.solver.dynamics.derivative.PlacedLinks.dot6;
 import static org.mechservice.solver.dynamics.derivative.PlacedLinks.multiply;
+import static org.mechservice.solver.spatial.Blocks.dot;
 
 import java.util.Arrays;
 import java.util.Optional;
@@ -15,8 +16,6 @@ import org.mechservice.solver.kinematics.LinkKind;
 import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
-import org.mechservice.solver.linear.DenseLu;
-import org.mechservice.solver.linear.LinearSolver;
 
 /**
  * The equations of an implicit step of a tree, eliminated from link to link: O(n), where the matrix
@@ -39,7 +38,8 @@ import org.mechservice.solver.linear.LinearSolver;
  * articulated inertia: x_i follows from n_i equations and is put into the others.
  *
  * <p>Where a pivot vanishes, or numbers are subtracted that are a thousand times larger than what
- * they are subtracted from, the matrix is formed and factored with interchanges (NUMERICS §2).
+ * they are subtracted from, and where forces or loops couple links that are not neighbours, the
+ * equations are factored as {@linkplain LinkSystem one sparse system} with interchanges.
  */
 public final class ArticulatedIteration extends StepReduction implements StepDerivatives {
   /**
@@ -47,6 +47,9 @@ public final class ArticulatedIteration extends StepReduction implements StepDer
    * pays. It takes some 2000 operations a link, two for each pair of them along the tree.
    */
   private static final double MEAN_SQUARE_PAYS = 2000;
+
+  /** The same for one sparse system, which takes some times as many. */
+  private static final double FAR_COUPLINGS_PAY = 10000;
 
   private final TreeMotion motion;
   private final TreeGeometry tree;
@@ -96,14 +99,27 @@ public final class ArticulatedIteration extends StepReduction implements StepDer
   private final double[] moved;
 
   private final double[] wrench;
-  private final double[] unit;
   private final double[] work = new double[WIDTH];
   private final double[] triple = new double[3];
-  private Optional<DenseLu> dense = Optional.empty();
-  private boolean isDense;
-  private long denseFactorizations;
   private int singular;
-  private final ForceJacobian forces = new LocalForces();
+  private final ForceJacobian forces = new LinkForces();
+
+  /** What couples links that are not neighbours, and loops. */
+  private final FarBlocks far;
+
+  private final LoopWrenches rows;
+  private final double[] noGap = {};
+
+  /** Mass of what is on a link and its moment of inertia about the link, two for each. */
+  private final double[] carried;
+
+  /**
+   * The equations as one system: for far couplings and loops, or where elimination loses digits.
+   */
+  private Optional<LinkSystem> system = Optional.empty();
+
+  private boolean isOneSystem;
+  private long interchanges;
 
   /**
    * Makes a workspace.
@@ -111,6 +127,17 @@ public final class ArticulatedIteration extends StepReduction implements StepDer
    * @param motion swept by the caller, with accelerations, before each evaluation
    */
   public ArticulatedIteration(TreeMotion motion) {
+    this(motion, new int[0], LoopWrenches.NONE);
+  }
+
+  /**
+   * Makes a workspace for forces and loops between any links.
+   *
+   * @param motion swept by the caller, with accelerations, before each evaluation
+   * @param pairs links that forces and loops couple, two for each pair; empty if all are neighbours
+   * @param rows of loops for {@link #factorWithRows}, written by the caller at each linearisation
+   */
+  public ArticulatedIteration(TreeMotion motion, int[] pairs, LoopWrenches rows) {
     super(new StateCoordinates(motion.tree().mechanism()));
     this.motion = motion;
     tree = motion.tree();
@@ -139,11 +166,23 @@ public final class ArticulatedIteration extends StepReduction implements StepDer
     ofInertia = new LinkElimination(links, own, byParent, onParent, coupled);
     moved = new double[WIDTH * count];
     wrench = new double[6 * count];
-    unit = new double[tree.stateVelocityCount];
+    far = new FarBlocks(tree, pairs);
+    this.rows = rows;
+    carried = new double[2 * count];
   }
 
   /** Returns whether elimination from link to link takes fewer operations than along the tree. */
   public static boolean pays(TreeGeometry tree) {
+    return meanSquare(tree) > MEAN_SQUARE_PAYS;
+  }
+
+  /** Returns whether one sparse system of the links takes fewer operations than a matrix. */
+  public static boolean paysFarCouplings(TreeGeometry tree) {
+    return meanSquare(tree) > FAR_COUPLINGS_PAY;
+  }
+
+  /** Returns the mean square of the number of velocities on the way to the root. */
+  private static double meanSquare(TreeGeometry tree) {
     int[] onWay = new int[tree.linkCount];
     double sum = 0;
     for (int link = 0; link < tree.linkCount; link++) {
@@ -154,7 +193,7 @@ public final class ArticulatedIteration extends StepReduction implements StepDer
       }
       onWay[link] = above + count;
     }
-    return sum > MEAN_SQUARE_PAYS * tree.stateVelocityCount;
+    return sum / Math.max(1, tree.stateVelocityCount);
   }
 
   /**
@@ -186,6 +225,7 @@ public final class ArticulatedIteration extends StepReduction implements StepDer
     }
     Arrays.fill(placeDirect, 0);
     Arrays.fill(velocityDirect, 0);
+    far.clear();
     inertiaFactored = false;
   }
 
@@ -282,7 +322,7 @@ public final class ArticulatedIteration extends StepReduction implements StepDer
 
   @Override
   public boolean isFinite() {
-    double sum = 0;
+    double sum = far.sum();
     for (double element : own) {
       sum += element;
     }
@@ -298,8 +338,99 @@ public final class ArticulatedIteration extends StepReduction implements StepDer
     return Double.isFinite(sum);
   }
 
+  /**
+   * {@inheritDoc}
+   *
+   * @throws IllegalStateException if there are rows of loops, see {@link #factorWithRows}
+   */
   @Override
   public boolean factor(double step) {
+    if (rows.count() > 0) {
+      throw new IllegalStateException("A is factored with the rows of the loops");
+    }
+    form(step);
+    isOneSystem = far.count() > 0 || !ofMatrix.eliminate(column, force, direct);
+    if (!isOneSystem) {
+      return true;
+    }
+    if (far.count() == 0) {
+      interchanges++;
+    }
+    return factorSystem(step, noGap);
+  }
+
+  /**
+   * Factors A with the rows J of loops, for {@link #solveWithRows}.
+   *
+   * @param step hγ, s
+   * @param penalties α of each row; not modified
+   * @return whether it is regular
+   */
+  public boolean factorWithRows(double step, double[] penalties) {
+    form(step);
+    isOneSystem = true;
+    return factorSystem(step, penalties);
+  }
+
+  private boolean factorSystem(double step, double[] penalties) {
+    if (system.isEmpty()) {
+      system =
+          Optional.of(new LinkSystem(links, own, byParent, onParent, coupled, far, rows, length()));
+    }
+    singular = system.get().factor(column, force, direct, step, penalties);
+    return singular < 0;
+  }
+
+  /** Returns the mean radius of the links about their joints, m; 1 m if none has mass. */
+  private double length() {
+    double sum = 0;
+    int counted = 0;
+    for (int link = 0; link < tree.linkCount; link++) {
+      double[] second = inertias.second;
+      double trace = second[9 * link] + second[9 * link + 4] + second[9 * link + 8];
+      if (tree.mass[link] > 0 && trace > 0) {
+        sum += Math.sqrt(trace / (2 * tree.mass[link]));
+        counted++;
+      }
+    }
+    return counted == 0 ? 1 : sum / counted;
+  }
+
+  /**
+   * Returns the largest inertia on the diagonal of A: of all links on a joint, with joint springs
+   * and dampers as they count in a step; at most twice as large if the links on it are folded.
+   *
+   * @param step hγ, s
+   * @param units of the velocities, which scale the rows and columns of A; not modified
+   */
+  public double largestInertia(double step, double[] units) {
+    double largest = Double.MIN_NORMAL;
+    Arrays.fill(carried, 0);
+    for (int link = tree.linkCount - 1; link >= 0; link--) {
+      double[] second = inertias.second;
+      double straight = carried[2 * link] + tree.mass[link];
+      double trace = second[9 * link] + second[9 * link + 4] + second[9 * link + 8];
+      double turned = carried[2 * link + 1] + trace;
+      for (int k = links.first(link); k < links.end(link); k++) {
+        int own = 3 * k + k - links.first(link);
+        double joint =
+            step * Math.abs(velocityDirect[own]) + step * step * Math.abs(placeDirect[own]);
+        double moved = tree.kind[link] == LinkKind.SLIDE ? straight : turned;
+        largest = Math.max(largest, (moved + joint) * units[k] * units[k]);
+      }
+      int parent = tree.parent[link];
+      if (parent != TreeGeometry.ROOT) {
+        double arm = Math.sqrt(dot(links.position, 3 * link, links.position, 3 * link));
+        double radius = Math.sqrt(turned) + arm * Math.sqrt(straight);
+        carried[2 * parent] += straight;
+        carried[2 * parent + 1] += radius * radius;
+      }
+    }
+    return largest;
+  }
+
+  /** Forms the columns of the matrix. */
+  private void form(double step) {
     hGamma = step;
     combine(placeColumn, velocityColumn, WIDTH, column);
     combine(placeForce, noWrench, 6, force);
@@ -309,8 +440,23 @@ public final class ArticulatedIteration extends StepReduction implements StepDer
         column[WIDTH * k + r] += links.subspace[6 * k + r];
       }
     }
-    isDense = !ofMatrix.eliminate(column, force, direct);
-    return !isDense || factorDense();
+    combine(far.wrenchBy);
+    combine(far.forceBy);
+  }
+
+  /** Writes hγ by velocity + hγ² by place for columns of far couplings, turned for balls. */
+  private void combine(FarBlocks.Columns columns) {
+    double square = hGamma * hGamma;
+    for (int i = 0; i < columns.combined.length; i++) {
+      columns.combined[i] = square * columns.place[i] + hGamma * columns.velocity[i];
+    }
+    for (int pair = 0; pair < far.count(); pair++) {
+      int by = far.by[pair];
+      if (tree.kind[by] == LinkKind.BALL && !tree.driven[by]) {
+        int k = links.first(by);
+        addTurnedColumns(columns.place, columns.combined, columns.height, columns.at(pair, 0), k);
+      }
+    }
   }
 
   /**
@@ -326,39 +472,21 @@ public final class ArticulatedIteration extends StepReduction implements StepDer
     }
     for (int ball = 0; ball < coordinates.ballCount(); ball++) {
       int k = coordinates.ballVelocity(ball);
-      double shrunk = shrunk(k);
-      for (int at = height * k; at < height * (k + 1); at++) {
-        turn(byPlace[at], byPlace[at + height], byPlace[at + 2 * height], v, k);
-        for (int c = 0; c < 3; c++) {
-          sum[at + c * height] +=
-              square
-                  * ((shrunk - 1) * byPlace[at + c * height] + 0.5 * hGamma * shrunk * triple[c]);
-        }
-      }
+      addTurnedColumns(byPlace, sum, height, height * k, k);
     }
   }
 
-  /** Forms the matrix column by column and factors it with interchanges. */
-  private boolean factorDense() {
-    int n = unit.length;
-    denseFactorizations++;
-    if (dense.isEmpty()) {
-      dense = Optional.of(new DenseLu(n));
-    }
-    double[] full = new double[n * n];
-    double[] product = new double[n];
-    for (int k = 0; k < n; k++) {
-      unit[k] = 1;
-      Arrays.fill(product, 0);
-      addProduct(unit, column, force, direct, 1, product);
-      unit[k] = 0;
-      for (int i = 0; i < n; i++) {
-        full[i * n + k] = product[i];
+  /** Adds what the rotation in a step adds to three columns of a ball from {@code from}. */
+  private void addTurnedColumns(double[] byPlace, double[] sum, int height, int from, int k) {
+    double square = hGamma * hGamma;
+    double shrunk = shrunk(k);
+    for (int at = from; at < from + height; at++) {
+      turn(byPlace[at], byPlace[at + height], byPlace[at + 2 * height], v, k);
+      for (int c = 0; c < 3; c++) {
+        sum[at + c * height] +=
+            square * ((shrunk - 1) * byPlace[at + c * height] + 0.5 * hGamma * shrunk * triple[c]);
       }
     }
-    int failed = dense.get().factor(full);
-    singular = failed == LinearSolver.NONSINGULAR ? 0 : failed;
-    return failed == LinearSolver.NONSINGULAR;
   }
 
   @Override
@@ -373,16 +501,29 @@ public final class ArticulatedIteration extends StepReduction implements StepDer
 
   @Override
   long denseFactorizations() {
-    return denseFactorizations;
+    return interchanges;
   }
 
   @Override
   public void solveReduced(double[] b) {
-    if (isDense) {
-      dense.orElseThrow(() -> new IllegalStateException("no matrix has been factored")).solve(b);
+    if (isOneSystem) {
+      solveWithRows(b, noGap);
     } else {
       ofMatrix.solve(b);
     }
+  }
+
+  /**
+   * Solves A x + Jᵀ λ = b, J x − λ / α = −g in place with the last factors of {@link
+   * #factorWithRows}.
+   *
+   * @param b right-hand side of the velocities; overwritten with x
+   * @param gap g, one for each row; overwritten with λ
+   */
+  public void solveWithRows(double[] b, double[] gap) {
+    system
+        .orElseThrow(() -> new IllegalStateException("no equations have been factored"))
+        .solve(b, gap);
   }
 
   @Override
@@ -428,6 +569,7 @@ public final class ArticulatedIteration extends StepReduction implements StepDer
         add(work, 0, 1, wrench, 6 * link);
       }
     }
+    far.addProduct(moved, x, z == placeColumn, factor, wrench, sum);
     for (int link = tree.linkCount - 1; link >= 0; link--) {
       int first = links.first(link);
       for (int j = first; j < links.end(link); j++) {
@@ -453,25 +595,28 @@ public final class ArticulatedIteration extends StepReduction implements StepDer
   }
 
   /** Takes derivatives of forces, whose sign is the opposite: F = M a + b − τ − Jᵀ w. */
-  private final class LocalForces implements ForceJacobian {
+  private final class LinkForces implements ForceJacobian {
     @Override
     public void wrenchByLink(int on, int by, double[] byPlace, double[] byVelocity) {
       if (on == by) {
-        subtract(own, on, byPlace, byVelocity);
+        subtract(own, BLOCK * on, 6, byPlace, byVelocity);
+      } else if (far.count() > 0) {
+        subtract(far.wrench, BLOCK * far.find(on, by), 6, byPlace, byVelocity);
       } else if (tree.parent[on] == by) {
         coupled[on] = true;
-        subtract(byParent, on, byPlace, byVelocity);
+        subtract(byParent, BLOCK * on, 6, byPlace, byVelocity);
       } else if (tree.parent[by] == on) {
         coupled[by] = true;
-        subtract(onParent, by, byPlace, byVelocity);
+        subtract(onParent, BLOCK * by, 6, byPlace, byVelocity);
       } else {
-        throw notLocal();
+        far.find(on, by);
       }
     }
 
-    private void subtract(double[] matrix, int link, double[] byPlace, double[] byVelocity) {
-      for (int r = 0; r < 6; r++) {
-        int at = BLOCK * link + WIDTH * r;
+    private void subtract(
+        double[] matrix, int from, int lines, double[] byPlace, double[] byVelocity) {
+      for (int r = 0; r < lines; r++) {
+        int at = from + WIDTH * r;
         for (int c = 0; c < 6; c++) {
           matrix[at + 6 + c] -= byVelocity[6 * r + c];
           matrix[at + 12 + c] -= byPlace[6 * r + c];
@@ -481,12 +626,25 @@ public final class ArticulatedIteration extends StepReduction implements StepDer
 
     @Override
     public void wrenchByCoordinate(int on, int by, double[] byPlace, double[] byVelocity) {
-      throw notLocal();
+      if (by >= tree.stateVelocityCount) {
+        return;
+      }
+      int link = tree.linkOfVelocity[by];
+      int at = far.wrenchBy.at(far.find(on, link), by - tree.velocityAt[link]);
+      for (int r = 0; r < 6; r++) {
+        far.wrenchBy.place[at + r] -= byPlace[r];
+        far.wrenchBy.velocity[at + r] -= byVelocity[r];
+      }
     }
 
     @Override
     public void forceByLink(int on, int by, double[] byPlace, double[] byVelocity) {
-      throw notLocal();
+      if (on >= tree.stateVelocityCount) {
+        return;
+      }
+      int link = tree.linkOfVelocity[on];
+      int line = FarBlocks.MOST * far.find(link, by) + on - tree.velocityAt[link];
+      subtract(far.force, WIDTH * line, 1, byPlace, byVelocity);
     }
 
     @Override
@@ -495,10 +653,14 @@ public final class ArticulatedIteration extends StepReduction implements StepDer
         return;
       }
       int link = tree.linkOfVelocity[by];
-      if (tree.linkOfVelocity[on] != link) {
-        throw notLocal();
+      int other = tree.linkOfVelocity[on];
+      int row = on - tree.velocityAt[other];
+      if (other != link) {
+        int at = far.forceBy.at(far.find(other, link), by - tree.velocityAt[link]) + row;
+        far.forceBy.place[at] -= byPlace;
+        far.forceBy.velocity[at] -= byVelocity;
+        return;
       }
-      int row = on - tree.velocityAt[link];
       placeDirect[3 * by + row] -= byPlace;
       velocityDirect[3 * by + row] -= byVelocity;
       if (tree.kind[link] == LinkKind.BALL && !tree.inverse[link]) {
@@ -509,10 +671,6 @@ public final class ArticulatedIteration extends StepReduction implements StepDer
         placeDirect[3 * last + row] += byVelocity * motion.v[next];
         placeDirect[3 * next + row] -= byVelocity * motion.v[last];
       }
-    }
-
-    private IllegalStateException notLocal() {
-      return new IllegalStateException("a force acts between links that are not neighbours");
     }
   }
 }

@@ -8,7 +8,8 @@
  * {@link org.mechservice.solver.dynamics.derivative.TreeIteration} forms the matrix of an implicit
  * step, M + hγ C + hγ² K, from either, factors it along the tree and solves the Newton step. {@link
  * org.mechservice.solver.dynamics.derivative.ArticulatedIteration} solves it for long chains, whose
- * matrix has no zeros, without forming it: link after link, in O(n).
+ * matrix has no zeros, without forming it: link after link, in O(n); with forces between any links
+ * and many loops as one sparse system whose graph is the mechanism.
  *
  * <p>Sources: Singh, Russell and Wensing 2022; Carpentier and Mansard 2018.
  */

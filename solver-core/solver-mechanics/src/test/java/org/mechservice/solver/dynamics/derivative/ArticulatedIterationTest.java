@@ -8,8 +8,10 @@ import java.util.List;
 import java.util.Random;
 import java.util.stream.LongStream;
 import org.apache.commons.math3.linear.ArrayRealVector;
+import org.apache.commons.math3.linear.MatrixUtils;
 import org.apache.commons.math3.linear.RealMatrix;
 import org.apache.commons.math3.linear.RealVector;
+import org.apache.commons.math3.linear.SingularValueDecomposition;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -45,27 +47,46 @@ class ArticulatedIterationTest {
     final TreeIteration elements;
     final RealMatrix matrix;
 
+    /** Links that forces couple, two for each pair, and rows of a loop. */
+    final int[] coupled;
+
+    final LoopWrenches rows;
+
     Step(long seed, double hGamma) {
+      this(seed, hGamma, false, false);
+    }
+
+    /**
+     * @param far whether forces act between any links and by the coordinates of any joint
+     * @param loops whether there are rows of loops
+     */
+    Step(long seed, double hGamma, boolean far, boolean loops) {
       at = new Evaluation(RandomTrees.ofAllJoints(seed, 1 + (int) (seed % 12))).loaded(seed);
       for (int i = 0; i < at.nv; i++) {
         at.y[at.nq + i] *= 10;
       }
       at.motion.sweep(0, at.y);
       at.motion.accelerationSweep(new Random(seed).doubles(at.nv, -3, 3).toArray());
-      TreePattern pattern = new TreePattern(at.tree, pairs());
+      coupled = pairs(seed, far);
+      rows = rows(loops);
+      TreePattern pattern = new TreePattern(at.tree, coupled);
       ResidualJacobian jacobian = new ResidualJacobian(at.motion, pattern);
       jacobian.evaluate(at.wrench);
       addForces(seed, jacobian.forces());
       jacobian.finish();
       elements = new TreeIteration(at.tree, pattern, jacobian);
-      articulated = new ArticulatedIteration(at.motion);
+      articulated =
+          far
+              ? new ArticulatedIteration(at.motion, coupled, rows)
+              : new ArticulatedIteration(at.motion);
       articulated.evaluate(at.wrench);
       addForces(seed, articulated.forces());
       articulated.finish();
       at.motion.sweep(0, new double[at.y.length]); // the derivatives stay where they were formed
       for (StepReduction each : new StepReduction[] {elements, articulated}) {
         each.setState(at.y);
-        assertThat(each.factor(hGamma)).isTrue();
+        boolean withRows = rows.count() > 0 && each instanceof ArticulatedIteration;
+        assertThat(withRows || each.factor(hGamma)).isTrue();
       }
       double[] dense = new double[at.nv * at.nv];
       elements.matrix().toDense(dense);
@@ -73,14 +94,31 @@ class ArticulatedIterationTest {
       assertThat(articulated.isFinite()).isTrue();
     }
 
-    private int[] pairs() {
+    /** Each link and its parent, and from each link to another one. */
+    private int[] pairs(long seed, boolean far) {
       TreeGeometry tree = at.tree;
-      int[] pairs = new int[2 * tree.linkCount];
+      Random random = new Random(-seed);
+      int[] pairs = new int[far ? 4 * tree.linkCount : 2 * tree.linkCount];
       for (int link = 0; link < tree.linkCount; link++) {
         pairs[2 * link] = link;
         pairs[2 * link + 1] = tree.parent[link];
+        if (far) {
+          pairs[2 * (tree.linkCount + link)] = link;
+          pairs[2 * (tree.linkCount + link) + 1] = random.nextInt(tree.linkCount);
+        }
       }
       return pairs;
+    }
+
+    /** Rows between the first and last link and of the first and last velocity. */
+    private LoopWrenches rows(boolean loops) {
+      int last = at.tree.linkCount - 1;
+      if (!loops || last < 0 || at.nv == 0) {
+        return LoopWrenches.NONE;
+      }
+      int[] ends = last == 0 ? new int[] {0} : new int[] {0, last};
+      int[] velocities = at.nv == 1 ? new int[] {0} : new int[] {0, at.nv - 1};
+      return new LoopWrenches(new int[][] {ends, {last}}, new int[][] {{}, velocities});
     }
 
     /** Springs and dampers of no law in particular, on each link, to its parent, and in joints. */
@@ -99,6 +137,53 @@ class ArticulatedIterationTest {
           sink.forceByCoordinate(k, tree.velocityAt[link], -random.nextDouble(), -10);
         }
       }
+      addFarForces(random, sink);
+    }
+
+    /** Wrenches by motions, and by coordinates, and joint forces by both. */
+    private void addFarForces(Random random, ForceJacobian sink) {
+      TreeGeometry tree = at.tree;
+      for (int i = 2 * tree.linkCount; i < coupled.length; i += 2) {
+        int on = coupled[i];
+        int by = coupled[i + 1];
+        addWrench(random, sink, on, by);
+        addWrench(random, sink, by, on);
+        for (int k = tree.velocityAt[by]; k < tree.velocityAt[by] + count(by); k++) {
+          sink.wrenchByCoordinate(on, k, numbers(random, 6), numbers(random, 6));
+          for (int j = tree.velocityAt[on]; j < tree.velocityAt[on] + count(on); j++) {
+            sink.forceByCoordinate(j, k, random.nextDouble(), random.nextDouble());
+          }
+        }
+        for (int j = tree.velocityAt[on]; j < tree.velocityAt[on] + count(on); j++) {
+          sink.forceByLink(j, by, numbers(random, 6), numbers(random, 6));
+        }
+      }
+    }
+
+    /** Returns the row of J by velocities: the joint forces of wrenches on the links of the row. */
+    private double[] jointForces(int row, double[] wrenches, double[] forces) {
+      double[] sum = new double[at.nv];
+      for (int link : rows.links[row]) {
+        double[] w = Arrays.copyOfRange(wrenches, 6 * link, 6 * link + 6);
+        for (int i = link; i != TreeGeometry.ROOT; i = at.tree.parent[i]) {
+          for (int k = at.tree.velocityAt[i]; k < at.tree.velocityAt[i] + count(i); k++) {
+            sum[k] += PlacedLinks.dot6(at.motion.subspace, 6 * k, w, 0);
+          }
+          at.motion.wrenches.toParent(i, w, 0);
+        }
+      }
+      for (int k : rows.velocities[row]) {
+        sum[k] += forces[k];
+      }
+      return sum;
+    }
+
+    private int count(int link) {
+      return at.tree.kind[link].velocityCount();
+    }
+
+    private static double[] numbers(Random random, int count) {
+      return random.doubles(count, -1, 1).toArray();
     }
 
     private static void addWrench(Random random, ForceJacobian sink, int on, int by) {
@@ -111,19 +196,23 @@ class ArticulatedIterationTest {
   @ParameterizedTest
   void productIsThatOfTheMatrix(long seed) {
     for (double hGamma : new double[] {1e-3, 0.1, 2}) {
-      Step step = new Step(seed, hGamma);
-      double[] x = new Random(seed).doubles(step.at.nv, -1, 1).toArray();
-      double[] product = new double[x.length];
-      step.articulated.addMatrixProduct(1, x, product);
-      requireSmall(step, product, x);
-      double[] places = new double[x.length];
-      double[] expected = new double[x.length];
-      step.articulated.addByPosition(-2, x, places);
-      step.elements.addByPosition(-2, x, expected);
-      double size = Evaluation.norm(expected) + step.matrix.getFrobeniusNorm();
-      for (int i = 0; i < x.length; i++) {
-        assertThat(Math.abs(places[i] - expected[i])).isLessThanOrEqualTo(ROUNDING * size);
-      }
+      requireProduct(seed, new Step(seed, hGamma));
+      requireProduct(seed, new Step(seed, hGamma, true, false));
+    }
+  }
+
+  private static void requireProduct(long seed, Step step) {
+    double[] x = new Random(seed).doubles(step.at.nv, -1, 1).toArray();
+    double[] product = new double[x.length];
+    step.articulated.addMatrixProduct(1, x, product);
+    requireSmall(step, product, x);
+    double[] places = new double[x.length];
+    double[] expected = new double[x.length];
+    step.articulated.addByPosition(-2, x, places);
+    step.elements.addByPosition(-2, x, expected);
+    double size = Evaluation.norm(expected) + step.matrix.getFrobeniusNorm();
+    for (int i = 0; i < x.length; i++) {
+      assertThat(Math.abs(places[i] - expected[i])).isLessThanOrEqualTo(ROUNDING * size);
     }
   }
 
@@ -142,11 +231,49 @@ class ArticulatedIterationTest {
   @ParameterizedTest
   void solutionObeysTheEquations(long seed) {
     for (double hGamma : new double[] {1e-3, 0.1, 2}) {
-      Step step = new Step(seed, hGamma);
-      double[] r = new Random(seed).doubles(step.at.nv, -1, 1).toArray();
+      for (Step step : new Step[] {new Step(seed, hGamma), new Step(seed, hGamma, true, false)}) {
+        double[] r = new Random(seed).doubles(step.at.nv, -1, 1).toArray();
+        double[] x = r.clone();
+        step.articulated.solveReduced(x);
+        requireSmall(step, r, x);
+      }
+    }
+  }
+
+  /** Forces and loops between any links: A x + Jᵀ λ = r and J x = λ / α − g. */
+  @MethodSource("seeds")
+  @ParameterizedTest
+  void solutionWithLoopsObeysTheEquations(long seed) {
+    for (double hGamma : new double[] {1e-3, 0.1, 2}) {
+      Step step = new Step(seed, hGamma, true, true);
+      Random random = new Random(seed);
+      int m = step.rows.count();
+      RealMatrix j = MatrixUtils.createRealMatrix(Math.max(1, m), Math.max(1, step.at.nv));
+      step.at.motion.sweep(0, step.at.y);
+      for (int row = 0; row < m; row++) {
+        double[] wrenches = Step.numbers(random, 6 * step.at.tree.linkCount);
+        double[] forces = Step.numbers(random, step.at.tree.velocityCount);
+        j.setRow(row, step.jointForces(row, wrenches, forces));
+        step.rows.take(row, wrenches, forces);
+      }
+      double[] r = Step.numbers(random, step.at.nv);
+      double[] gap = Step.numbers(random, m);
       double[] x = r.clone();
-      step.articulated.solveReduced(x);
-      requireSmall(step, r, x);
+      double[] lambda = gap.clone();
+      assertThat(step.articulated.factorWithRows(hGamma, new double[] {1e12, 1e12})).isTrue();
+      step.articulated.solveWithRows(x, lambda);
+      // rows that repeat each other, or that no joint obeys, have no solution without α
+      if (m > 0
+          && m <= step.at.nv
+          && new SingularValueDecomposition(j).getInverseConditionNumber() > 0.01) {
+        RealVector pushed =
+            new ArrayRealVector(r).subtract(j.preMultiply(new ArrayRealVector(lambda)));
+        requireSmall(step, pushed.toArray(), x);
+        RealVector left = j.operate(new ArrayRealVector(x)).add(new ArrayRealVector(gap));
+        double size = j.getFrobeniusNorm() * Evaluation.norm(x) + Evaluation.norm(gap);
+        // 1/α leaves 1e-12 of what the inertias allow
+        assertThat(left.getNorm()).isLessThanOrEqualTo(1e-9 * size);
+      }
     }
   }
 

@@ -1,5 +1,6 @@
 package org.mechservice.solver.ode.adams;
 
+import org.mechservice.solver.ode.step.ErrorNorm;
 import org.mechservice.solver.ode.step.RightHandSide;
 
 /**
@@ -35,6 +36,12 @@ final class UnforeseenJump {
   private static final double KEPT = 0.6;
 
   private static final int HALVINGS = 6;
+
+  /** Smallest change over half the distance of looks, in allowed errors, that is noticed. */
+  private static final double NOTICED = 1;
+
+  /** The same over the discrepancy at the end of the step, which inside is less. */
+  private static final double FAR_FROM_SMOOTH = 4;
 
   private final AdamsInterpolant interpolant = new AdamsInterpolant();
   private final double[] state;
@@ -118,5 +125,39 @@ final class UnforeseenJump {
       }
     }
     return true;
+  }
+
+  /**
+   * Returns the part of a step that passed up to the first look at which f is far from its
+   * extrapolation, as between two jumps that cancel each other; 1 if there is none.
+   *
+   * @param parts into which the looks divide the step
+   */
+  double partToPulse(
+      RightHandSide equations,
+      AdamsHistory history,
+      ErrorNorm norm,
+      double t,
+      double h,
+      int k,
+      double[] psi,
+      int parts) {
+    double half = 0.5 * Math.abs(h);
+    double noticed =
+        Math.max(NOTICED * parts, FAR_FROM_SMOOTH * half * norm.of(history.discrepancy));
+    for (int i = 1; i < parts; i++) {
+      double part = (double) i / parts;
+      interpolant.evaluate(part * h, k - 1, psi, history, state, foreseen);
+      if (!equations.evaluate(t + part * h, state, slope)) {
+        return 1;
+      }
+      for (int l = 0; l < slope.length; l++) {
+        slope[l] -= foreseen[l];
+      }
+      if (half * norm.of(slope) > noticed) {
+        return part;
+      }
+    }
+    return 1;
   }
 }

@@ -16,6 +16,9 @@ import org.mechservice.solver.ode.step.IntegrationProgress;
  * look.
  */
 final class UnseenPlaces {
+  /** Parts into which looks for pulses divide a step at most. */
+  private static final double MOST_LOOKS = 16;
+
   private final IntegrationProgress progress;
   private final ErrorNorm norm;
   private final AdamsOrderControl control;
@@ -57,6 +60,9 @@ final class UnseenPlaces {
   /** Begins without history. */
   void beginAt(double t) {
     jumps.clear();
+    if (t == progress.start()) {
+      jumps.beginsAt(t);
+    }
     chatter.begin(t, progress.steps(), progress.rejectedSteps());
   }
 
@@ -120,22 +126,25 @@ final class UnseenPlaces {
    * @param h its size
    */
   double partToPulse(double h) {
+    if (!searches || problem.manifold().completes()) {
+      return 1;
+    }
+    double t = progress.time();
     double interval = problem.end() - progress.start();
-    boolean wanted =
-        searches
-            && !problem.manifold().completes()
-            && pulses.wanted(h, progress.stepSize(), interval, jumps.shortestDistance());
-    if (!wanted) {
-      return 1;
-    }
     AdamsHistory history = problem.history();
-    pulses.place(h, history.state(), history.corrected(), norm);
-    if (!pulses.straight(h, history.difference(1), norm)
-        || !pulses.straight(h, history.derivative, norm)) {
-      return 1;
+    if (pulses.wanted(h, progress.stepSize(), interval, jumps.shortestDistance())) {
+      pulses.place(h, history.state(), history.corrected(), norm);
+      if (pulses.straight(h, history.difference(1), norm)
+          && pulses.straight(h, history.derivative, norm)) {
+        jumps.straightFrom(progress.start());
+        return pulses.partToPulse(problem.equations(), t, h, history.state(), norm);
+      }
     }
-    jumps.straightFrom(progress.start());
-    return pulses.partToPulse(problem.equations(), progress.time(), h, history.state(), norm);
+    int parts = (int) Math.min(MOST_LOOKS, Math.ceil(Math.abs(h) / jumps.distanceOfLooks(t)));
+    return parts > 1
+        ? unforeseen.partToPulse(
+            problem.equations(), history, norm, t, h, control.order(), coefficients.psi, parts)
+        : 1;
   }
 
   /** Takes note that a step is accepted from where the integration is. */

@@ -61,6 +61,14 @@ public final class JumpSearch {
 
   private static final int FEW = 5;
 
+  /** Longest distance over one down to which steps are looked into. */
+  private static final double LOOKED = 40;
+
+  /** Distance of looks into steps, in shortest distances, and in the time since the last jump. */
+  private static final double PART_OF_DISTANCE = 0.125;
+
+  private static final double PART_OF_QUIET = 0.05;
+
   /** Part of a try that failed to which steps fall in front of a jump. */
   private static final double NARROW = 0.05;
 
@@ -113,6 +121,12 @@ public final class JumpSearch {
 
   private double longest;
 
+  /** The shortest one, be it by chance or not, and that of the first jump from the start. */
+  private double closest;
+
+  /** Where the problem begins; NaN if it goes on there from another state. */
+  private double origin = Double.NaN;
+
   /** How many distances these are of. */
   private int distances;
 
@@ -127,6 +141,8 @@ public final class JumpSearch {
     crossed = Double.NaN;
     shortest = 0;
     longest = 0;
+    closest = 0;
+    origin = Double.NaN;
     distances = 0;
     noticed();
     forget();
@@ -140,6 +156,14 @@ public final class JumpSearch {
     if (Double.isNaN(crossed)) {
       crossed = start;
     }
+  }
+
+  /**
+   * Says where the problem begins: steps are looked into behind the first jump as if another one
+   * had been there.
+   */
+  public void beginsAt(double start) {
+    origin = start;
   }
 
   private void forget() {
@@ -308,9 +332,13 @@ public final class JumpSearch {
   }
 
   private void measure(double end) {
-    double distance = Math.abs(end - crossed);
+    boolean first = Double.isNaN(crossed);
+    double distance = Math.abs(end - (first ? origin : crossed));
     crossed = end;
     if (distance > 0) {
+      closest = closest == 0 ? distance : Math.min(closest, distance);
+    }
+    if (distance > 0 && !first) {
       distances++;
       longest = Math.max(longest, distance);
       shortest = shortest == 0 ? distance : Math.min(shortest, distance);
@@ -320,7 +348,7 @@ public final class JumpSearch {
 
   /** Returns whether a jump was crossed. */
   public boolean anyKnown() {
-    return !Double.isNaN(crossed);
+    return closest > 0;
   }
 
   /** Returns the shortest distance known between jumps, 0 before there is one. */
@@ -333,6 +361,18 @@ public final class JumpSearch {
     boolean expected = distances > 0 && Math.abs(t - crossed) <= PATIENCE * longest;
     double part = distances < FEW ? PART_AT_FIRST : PART;
     return expected ? part * shortest : Double.POSITIVE_INFINITY;
+  }
+
+  /**
+   * Returns at which distances a step from {@code t} is to be looked into for two jumps that cancel
+   * each other; infinite while no jump is known.
+   */
+  public double distanceOfLooks(double t) {
+    if (closest == 0) {
+      return Double.POSITIVE_INFINITY;
+    }
+    double byDistance = PART_OF_DISTANCE * Math.max(closest, longest / LOOKED);
+    return Math.max(byDistance, PART_OF_QUIET * Math.abs(t - crossed));
   }
 
   /**
@@ -402,6 +442,8 @@ public final class JumpSearch {
     crossed = state.number(crossed);
     shortest = state.number(shortest);
     longest = state.number(longest);
+    closest = state.number(closest);
+    origin = state.number(origin);
     distances = state.integer(distances);
   }
 }

@@ -15,6 +15,9 @@ public final class PulseProbe {
   /** Parts into which a step is divided, times its length over that of the step before. */
   private static final double PARTS = 4;
 
+  /** Fewest parts of the first step: nothing is known yet, and a start at rest makes it long. */
+  private static final int FEWEST_AT_FIRST = 20;
+
   /** Fewest parts of a step that is longer than the one before. */
   private static final int FEWEST = 8;
 
@@ -85,7 +88,7 @@ public final class PulseProbe {
     boolean longer = size > LONGER * Math.abs(before);
     double byGrowth = longer && before != 0 ? PARTS * size / Math.abs(before) : 0;
     double byDistance = distance == 0 ? 0 : PARTS_OF_DISTANCE * size / distance;
-    int fewest = longer ? FEWEST : FEWEST_AGAIN;
+    int fewest = before == 0 ? FEWEST_AT_FIRST : longer ? FEWEST : FEWEST_AGAIN;
     parts = (int) Math.max(fewest, Math.min(MOST, Math.max(byGrowth, byDistance)));
     return true;
   }

@@ -10,7 +10,10 @@
  * change. {@link org.mechservice.solver.analysis.equation.Drives} holds what prescribed motions do:
  * their coordinates, forces and power.
  *
- * <p>Everything is formed from the data of the mechanism. A workspace belongs to one thread.
+ * <p>{@link org.mechservice.solver.analysis.equation.FastSpectrum} finds the fastest eigenvalues of
+ * any model by differences, for the verdict on stiffness.
+ *
+ * <p>Everything else is formed from the data of the mechanism. A workspace belongs to one thread.
  *
  * <p>Source: NUMERICS §3, §6.
  */
