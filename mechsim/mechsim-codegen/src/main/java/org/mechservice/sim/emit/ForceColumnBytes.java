@@ -2,6 +2,7 @@ package org.mechservice.sim.emit;
 
 import org.mechservice.sim.emit.bytes.ClassMethods;
 import org.mechservice.sim.emit.bytes.NumberInstructions;
+import org.mechservice.sim.emit.bytes.TextInstructions;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.result.Variable;
 import org.objectweb.asm.ClassVisitor;
@@ -97,7 +98,7 @@ final class ForceColumnBytes {
   }
 
   private static void split(MethodVisitor code, String text, int slot) {
-    code.visitLdcInsn(text);
+    TextInstructions.push(code, text);
     code.visitLdcInsn("\n");
     code.visitInsn(Opcodes.ICONST_M1);
     code.visitMethodInsn(

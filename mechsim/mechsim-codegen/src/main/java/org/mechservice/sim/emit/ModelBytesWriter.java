@@ -6,6 +6,7 @@ import org.mechservice.sim.emit.bytes.ClassMethods;
 import org.mechservice.sim.emit.bytes.MethodSizes;
 import org.mechservice.sim.emit.bytes.NumberInstructions;
 import org.mechservice.sim.emit.bytes.ProgramBytes;
+import org.mechservice.sim.emit.bytes.TextInstructions;
 import org.mechservice.sim.emit.method.MethodSignature;
 import org.mechservice.sim.emit.method.ParameterSlots;
 import org.mechservice.sim.scene.ModelBuildException;
@@ -160,10 +161,10 @@ final class ModelBytesWriter {
     ModelDescription description = plan.content().description();
     MethodVisitor code =
         ClassMethods.beginPublic(classFile, "description", "()L" + DESCRIPTION + ";");
-    code.visitLdcInsn(description.name());
+    TextInstructions.push(code, description.name());
     code.visitLdcInsn(description.formulation());
-    code.visitLdcInsn(plan.jointTypes());
-    code.visitLdcInsn(plan.jointNames());
+    TextInstructions.push(code, plan.jointTypes());
+    TextInstructions.push(code, plan.jointNames());
     code.visitTypeInsn(Opcodes.NEW, SETTINGS);
     code.visitInsn(Opcodes.DUP);
     String rest = (plan.boundsSteps() ? "DDI" : "") + (plan.hasOneTolerance() ? "" : "DDD");
@@ -181,7 +182,7 @@ final class ModelBytesWriter {
         false);
     List<String> further = plan.furtherStates();
     if (!further.isEmpty()) {
-      further.forEach(code::visitLdcInsn);
+      further.forEach(text -> TextInstructions.push(code, text));
       code.visitMethodInsn(
           Opcodes.INVOKEVIRTUAL,
           DESCRIPTION,
@@ -233,7 +234,7 @@ final class ModelBytesWriter {
   /** Writes {@code return List.of("…".split(" ", -1))}. */
   private void bodies() {
     MethodVisitor code = ClassMethods.beginPublic(classFile, "bodies", "()Ljava/util/List;");
-    code.visitLdcInsn(plan.bodyNames());
+    TextInstructions.push(code, plan.bodyNames());
     code.visitLdcInsn("\n");
     code.visitInsn(Opcodes.ICONST_M1);
     code.visitMethodInsn(
@@ -246,7 +247,7 @@ final class ModelBytesWriter {
   /** Writes {@code return ("…").split(" ", -1)[force]}. */
   private void directedForce(String names) {
     MethodVisitor code = ClassMethods.beginPublic(classFile, "directedForce", "(I)" + STRING);
-    code.visitLdcInsn(names);
+    TextInstructions.push(code, names);
     code.visitLdcInsn("\n");
     code.visitInsn(Opcodes.ICONST_M1);
     code.visitMethodInsn(
@@ -259,7 +260,7 @@ final class ModelBytesWriter {
   private void formulas(ModelPlan.Part part) {
     ModelClass.FormulaParts parts = plan.content().formulas().orElseThrow();
     MethodVisitor lines = ClassMethods.beginPublic(classFile, "formulas", "()" + STRING);
-    lines.visitLdcInsn(parts.lines());
+    TextInstructions.push(lines, parts.lines());
     ClassMethods.end(lines, Opcodes.ARETURN);
     MethodVisitor count = ClassMethods.beginPublic(classFile, "formulaCount", "()I");
     new NumberInstructions(count).push(parts.count());

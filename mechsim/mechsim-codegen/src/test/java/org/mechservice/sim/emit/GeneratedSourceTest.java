@@ -21,6 +21,7 @@ import org.mechservice.sim.model.ModelFactory;
 import org.mechservice.sim.model.Omission;
 import org.mechservice.sim.model.Scenes;
 import org.mechservice.sim.scene.ModelBuildException;
+import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.BodyPoses;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.result.ColumnGroup;
@@ -167,22 +168,22 @@ class GeneratedSourceTest {
             "S-083 the name \"a?b\" contains a control character (shown as ?); leave it out");
   }
 
-  @Test
-  void namesThatJustFitAConstantAreKept() {
-    MechmlModel model = Scenes.model(cart("m".repeat(65534), "b", "c", "d", "e"));
-    GeneratedModel generated = ModelFactory.generate(model, LEAN);
-    assertThat(generated.classFiles().values()).allMatch(bytes -> bytes.length > 65534);
-  }
-
+  /** Class and source hold names that are longer together than one constant may be. */
   @ParameterizedTest
-  @ValueSource(strings = {"m", "m\u00fc", "\u2211"})
-  void namesThatDoNotFitAConstantAreRefused(String part) {
-    int bytes = part.codePoints().map(c -> c <= 0x7F ? 1 : c <= 0x7FF ? 2 : 3).sum();
-    String name = part.repeat(65535 / bytes);
-    MechmlModel model = Scenes.model(cart(name, "b", "c", "d", "e"));
-    assertThatThrownBy(() -> ModelFactory.generate(model, LEAN))
-        .isInstanceOf(ModelBuildException.class)
-        .hasMessageStartingWith("S-083");
+  @ValueSource(strings = {"b", "\u2211", "\ud83d\ude97"})
+  void longNamesAreKept(String part) throws ReflectiveOperationException {
+    String name = part.repeat(70_001);
+    MechmlModel model = Scenes.model(cart(name + "?", "c", name, "d", name + "!"));
+    GeneratedModel generated = ModelFactory.generate(model, WITH_BODIES);
+    for (CompiledModel compiled :
+        List.of(
+            ModelFactory.compile(model, WITH_BODIES, generated),
+            ModelFactory.compileSource(model, WITH_BODIES, generated))) {
+      Model instance = compiled.newInstance();
+      assertThat(instance.description().name()).isEqualTo(name + "?");
+      assertThat(instance.description().joints().get(1).name()).isEqualTo(name + "!");
+      assertThat(((BodyPoses) instance).bodies()).containsExactly("c", name);
+    }
   }
 
   @Test

@@ -6,7 +6,8 @@
  * the body of one method, instruction by instruction as {@link
  * org.mechservice.sim.emit.method.StackCode} walks it; {@code CountingLoop} writes loops, {@link
  * org.mechservice.sim.emit.bytes.NumberInstructions} pushes numbers by the shortest instruction,
- * and {@link org.mechservice.sim.emit.bytes.ClassMethods} begins and ends methods.
+ * {@link org.mechservice.sim.emit.bytes.TextInstructions} texts of any length, and {@link
+ * org.mechservice.sim.emit.bytes.ClassMethods} begins and ends methods.
  *
  * <p>{@link org.mechservice.sim.emit.bytes.MethodSizes} reads the lengths of methods from a
  * finished class file, to refuse a class that the virtual machine would not load (JVMS §4.7.3).

@@ -13,7 +13,8 @@
  * <p>{@link org.mechservice.sim.emit.method.StackCode} translates a planned method to instructions
  * of a stack machine. {@link org.mechservice.sim.emit.method.CodeSize} counts bytes with it, since
  * the virtual machine compiles no method above 8 000 bytes; the printer of byte code uses the same
- * walk, so the count is exact.
+ * walk, so the count is exact. {@link org.mechservice.sim.emit.method.TextPieces} cuts texts that
+ * are longer than a constant.
  *
  * <p>Depends on symbolic programs only. The planners of {@code emit.plan} create these values; the
  * printers read them.

@@ -1,7 +1,9 @@
 package org.mechservice.sim.emit.source;
 
+import java.util.List;
 import java.util.Set;
 import javax.lang.model.SourceVersion;
+import org.mechservice.sim.emit.method.TextPieces;
 import org.mechservice.sim.equations.links.Labels;
 
 /**
@@ -74,8 +76,23 @@ public final class JavaText {
     return true;
   }
 
-  /** Returns a string literal, in ASCII; a long one in pieces, which the compiler joins. */
+  /**
+   * Returns an expression for a text, in ASCII: literals, which the compiler joins to a constant,
+   * and the run to longer texts.
+   */
   public static String literal(String text) {
+    List<String> pieces = TextPieces.of(text);
+    StringBuilder joined = new StringBuilder(constant(pieces.get(0)));
+    if (pieces.size() > 1) {
+      joined.insert(0, '(').append(')');
+    }
+    for (String piece : pieces.subList(1, pieces.size())) {
+      joined.append(".concat(").append(constant(piece)).append(')');
+    }
+    return joined.toString();
+  }
+
+  private static String constant(String text) {
     StringBuilder literal = new StringBuilder("\"");
     int lineStart = 0;
     for (int i = 0; i < text.length(); i++) {
