@@ -1,6 +1,7 @@
 package org.mechservice.examples;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -163,6 +164,17 @@ final class Terminal {
         }
       } catch (InterruptedException e) {
         Thread.currentThread().interrupt();
+      }
+      deleteLog();
+    }
+
+    private void deleteLog() {
+      try {
+        Files.deleteIfExists(log.resolve("stdout"));
+        Files.deleteIfExists(log.resolve("stderr"));
+        Files.deleteIfExists(log);
+      } catch (IOException e) {
+        throw new UncheckedIOException(e);
       }
     }
   }
