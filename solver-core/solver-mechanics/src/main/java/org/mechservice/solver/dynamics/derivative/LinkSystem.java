@@ -5,8 +5,11 @@ import static org.mechservice.solver.dynamics.derivative.PlacedLinks.WIDTH;
 import static org.mechservice.solver.dynamics.derivative.PlacedLinks.dot6;
 import static org.mechservice.solver.spatial.Blocks.cross;
 
+import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.BitSet;
+import java.util.List;
+import java.util.SortedSet;
+import java.util.TreeSet;
 import java.util.stream.IntStream;
 import org.mechservice.solver.kinematics.LinkKind;
 import org.mechservice.solver.kinematics.TreeGeometry;
@@ -170,24 +173,27 @@ final class LinkSystem {
    */
   private int[] order() {
     TreeGeometry tree = links.tree;
-    BitSet[] neighbours = new BitSet[tree.linkCount];
-    Arrays.setAll(neighbours, link -> new BitSet());
+    List<SortedSet<Integer>> neighbours = new ArrayList<>();
+    for (int link = 0; link < tree.linkCount; link++) {
+      neighbours.add(new TreeSet<>());
+    }
     for (int link = 0; link < tree.linkCount; link++) {
       if (tree.parent[link] != TreeGeometry.ROOT) {
-        neighbours[link].set(tree.parent[link]);
+        neighbours.get(link).add(tree.parent[link]);
       }
     }
     for (int pair = 0; pair < far.count(); pair++) {
-      neighbours[far.on[pair]].set(far.by[pair]);
+      neighbours.get(far.on[pair]).add(far.by[pair]);
     }
     for (int row = 0; row < rows.count(); row++) {
       int[] touched = touched(row);
       for (int link : touched) {
-        neighbours[link].set(touched[0]);
+        neighbours.get(link).add(touched[0]);
       }
     }
     int[][] graph = new int[tree.linkCount][];
-    Arrays.setAll(graph, link -> neighbours[link].stream().toArray());
+    Arrays.setAll(
+        graph, link -> neighbours.get(link).stream().mapToInt(Integer::intValue).toArray());
     int[] ofLinks = MinimumDegree.order(SparseLayout.of(graph));
     int[] turn = new int[tree.linkCount];
     for (int i = 0; i < ofLinks.length; i++) {
