@@ -225,6 +225,7 @@ final class ScriptedServer implements AutoCloseable {
     }
 
     /** As the ORB says of an answer that no message holds. */
+    @SuppressWarnings("DoNotCallSuggester") // the dispatch calls it by its name
     String checkReport(boolean asJson) {
       throw new NO_MEMORY();
     }
