@@ -18,8 +18,8 @@ import org.mechservice.solver.api.run.RunReport;
 import org.mechservice.solver.simulation.RuntimeSolver;
 
 /**
- * What mechanisms with loops cost in a process that has run them before, as in a study or an
- * optimisation: processor time of the thread, medians. Called by benchmarks/peers/loops.py.
+ * Measures mechanisms with loops in a process that has run them before, as a study or an
+ * optimisation does: processor time of the thread, medians. Called by benchmarks/peers/loops.py.
  */
 public final class WarmLoops {
   /** Processor time that warms a model up before its first tolerance, s. */

@@ -198,7 +198,27 @@ public final class FreeDirections {
 
   /** Returns Rᵀ A B with A n × n and the directions B, f × the freedoms of B. */
   public double[] reduce(double[] a, FreeDirections b) {
-    int columns = b.freedom();
+    return reduce(a, b::addMultiple, b.freedom());
+  }
+
+  /** Returns Rᵀ A B, f × columns, with A n × n and B n × columns. */
+  public double[] reduce(double[] a, double[] b, int columns) {
+    Rows ofB =
+        (k, factor, row) -> {
+          for (int j = 0; j < columns; j++) {
+            row[j] += factor * b[k * columns + j];
+          }
+        };
+    return reduce(a, ofB, columns);
+  }
+
+  /** The rows of a matrix. */
+  private interface Rows {
+    /** Adds a multiple of row k. */
+    void add(int k, double factor, double[] sum);
+  }
+
+  private double[] reduce(double[] a, Rows b, int columns) {
     double[] product = new double[freedom() * columns];
     double[] row = new double[columns];
     for (int i = 0; i < n; i++) {
@@ -206,9 +226,7 @@ public final class FreeDirections {
       for (int k = 0; k < n; k++) {
         double element = a[i * n + k];
         if (element != 0) {
-          for (int e = b.start[k]; e < b.start[k + 1]; e++) {
-            row[b.columnOf[e]] += element * b.r[k * columns + b.columnOf[e]];
-          }
+          b.add(k, element, row);
         }
       }
       addRow(i, row, product);
@@ -216,21 +234,11 @@ public final class FreeDirections {
     return product;
   }
 
-  /** Returns Rᵀ A B, f × columns, with A n × n and B n × columns. */
-  public double[] reduce(double[] a, double[] b, int columns) {
-    double[] product = new double[freedom() * columns];
-    double[] row = new double[columns];
-    for (int i = 0; i < n; i++) {
-      Arrays.fill(row, 0);
-      for (int k = 0; k < n; k++) {
-        double element = a[i * n + k];
-        for (int j = 0; element != 0 && j < columns; j++) {
-          row[j] += element * b[k * columns + j];
-        }
-      }
-      addRow(i, row, product);
+  /** Adds a multiple of row k of R. */
+  private void addMultiple(int k, double factor, double[] sum) {
+    for (int e = start[k]; e < start[k + 1]; e++) {
+      sum[columnOf[e]] += factor * r[k * freedom() + columnOf[e]];
     }
-    return product;
   }
 
   /** Adds to Rᵀ A B what row i of A B gives. */
