@@ -375,25 +375,12 @@ public final class ArticulatedIteration extends StepReduction implements StepDer
   private boolean factorSystem(double step, double[] penalties) {
     if (system.isEmpty()) {
       system =
-          Optional.of(new LinkSystem(links, own, byParent, onParent, coupled, far, rows, length()));
+          Optional.of(
+              new LinkSystem(
+                  links, own, byParent, onParent, coupled, far, rows, inertias.meanRadius()));
     }
     singular = system.get().factor(column, force, direct, step, penalties);
     return singular < 0;
-  }
-
-  /** Returns the mean radius of the links about their joints, m; 1 m if none has mass. */
-  private double length() {
-    double sum = 0;
-    int counted = 0;
-    for (int link = 0; link < tree.linkCount; link++) {
-      double[] second = inertias.second;
-      double trace = second[9 * link] + second[9 * link + 4] + second[9 * link + 8];
-      if (tree.mass[link] > 0 && trace > 0) {
-        sum += Math.sqrt(trace / (2 * tree.mass[link]));
-        counted++;
-      }
-    }
-    return counted == 0 ? 1 : sum / counted;
   }
 
   /**
