@@ -18,19 +18,20 @@ import org.mechservice.solver.catalogue.MessageCode;
  * <p>With positive M and C that is not negative, each growing motion e^(st) x has a real s > 0: of
  * s² x*Mx + s x*Cx + x*Kx = 0 only real roots have a positive real part. The form s² M + s C + K
  * grows with s, and has a negative eigenvalue if and only if s is less than the fastest growth. So
- * that is found by halving, and its x by inverse iteration.
+ * that is found by halving, and its x by inverse iteration. What has neither grown nor come back
+ * after a million periods of the fastest motion has no restoring force: dampers do not matter.
  */
 final class EquilibriumStability {
   /** Growth rate, as a fraction of the largest eigenvalue, above which a mode is unstable. */
   private static final double GROWS = 1e-6;
 
+  /** Factor of the search for bounds of a growth. */
+  private static final double STRIDE = 16;
+
   /** Relative width at which halving ends, and steps of inverse iteration behind it. */
-  private static final double HALVED = 1e-2;
+  private static final double HALVED = 1e-6;
 
   private static final int STEPS = 8;
-
-  /** Relative change at which a growth is found; nearer to it the form is singular. */
-  private static final double SETTLED = 1e-8;
 
   private EquilibriumStability() {}
 
@@ -93,18 +94,18 @@ final class EquilibriumStability {
       return byEigenvalues(equations, t, links);
     }
     List<Note> notes = new ArrayList<>();
-    double zero = GROWS * Math.max(a, fastest);
+    double zero = GROWS * fastest;
     double[] x = new double[equations.nv];
-    int growing = negative(links, zero);
-    int held = links.negative(-zero * zero, -zero, 1);
+    int growing = links.negative(zero * zero, 0, 1);
+    int held = links.negative(-zero * zero, 0, 1);
     if (growing < 0 || held < 0) {
       return byEigenvalues(equations, t, links);
     }
     if (growing > 0) {
-      notes.add(unstable(equations, t, growth(links, zero, Math.max(a, fastest), x), x));
+      notes.add(unstable(equations, t, growth(links, zero, x), x));
     }
     if (held > growing) {
-      negative(links, zero);
+      links.negative(zero * zero, 0, 1);
       iterate(links, x);
       notes.add(notUnique(equations, t, x));
     }
@@ -127,18 +128,20 @@ final class EquilibriumStability {
   }
 
   /**
-   * Finds the fastest growth, 1/s.
+   * Finds the fastest growth, 1/s, where K has a negative eigenvalue.
    *
-   * @param least with which a motion grows faster, 1/s
-   * @param start a first try above, 1/s
+   * @param start a first try, 1/s
    * @param x its displacements; overwritten
    */
-  private static double growth(RestingLinks links, double least, double start, double[] x) {
-    double below = least;
-    double above = start;
+  private static double growth(RestingLinks links, double start, double[] x) {
+    double below = start;
+    while (negative(links, below) == 0) {
+      below /= STRIDE;
+    }
+    double above = STRIDE * below;
     while (negative(links, above) > 0) {
       below = above;
-      above *= 2;
+      above *= STRIDE;
     }
     while (above > (1 + HALVED) * below) {
       double middle = Math.sqrt(below * above);
@@ -148,21 +151,12 @@ final class EquilibriumStability {
         above = middle;
       }
     }
-    double growth = above;
-    for (int step = 0; step < STEPS; step++) {
-      negative(links, growth);
-      iterate(links, x);
-      double m = form(links, 1, 0, 0, x);
-      double c = form(links, 0, 1, 0, x);
-      double k = form(links, 0, 0, 1, x);
-      double root = 0.5 * (Math.sqrt(c * c - 4 * m * k) - c) / m;
-      boolean settled = Math.abs(root - growth) <= SETTLED * growth;
-      growth = root >= below && root <= above ? root : growth;
-      if (settled) {
-        break;
-      }
-    }
-    return growth;
+    negative(links, above);
+    iterate(links, x);
+    double m = form(links, 1, 0, 0, x);
+    double c = form(links, 0, 1, 0, x);
+    double k = form(links, 0, 0, 1, x);
+    return 0.5 * (Math.sqrt(c * c - 4 * m * k) - c) / m;
   }
 
   private static double form(RestingLinks links, double m, double c, double k, double[] x) {

@@ -13,6 +13,7 @@ import org.mechservice.solver.api.run.RunNotes.Note;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.assembly.Assembly;
 import org.mechservice.solver.closure.assembly.LoopFinding;
+import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.spatial.Vector3;
@@ -28,6 +29,10 @@ import org.mechservice.solver.spatial.Vector3;
  * is accepted if the forces along it have done work; the trust radius grows if the work agrees with
  * the prediction of K and shrinks otherwise. The work is that of the mean of the forces at both
  * ends of the step, so that non-conservative forces are included.
+ *
+ * <p>Large mechanisms have K kept by their {@linkplain RestingLinks links}, with D by the rotations
+ * of links in space: rotations of joints add up along a chain, whose steps they would shorten the
+ * more the longer it is. If its forces have no potential, K is a dense matrix.
  */
 final class StaticEquilibrium {
   /**
@@ -63,6 +68,7 @@ final class StaticEquilibrium {
   private final CoordinateNames names;
   private final double tolerance;
   private final int most;
+  private final int large;
   private final List<Note> notes = new ArrayList<>();
   private EquationsOfMotion equations;
   private double[] y = new double[0];
@@ -83,6 +89,15 @@ final class StaticEquilibrium {
    * @param most largest number of corrections
    */
   StaticEquilibrium(Mechanism mechanism, UserForceSource userForces, double tolerance, int most) {
+    this(mechanism, userForces, tolerance, most, LoopEquations.LARGE);
+  }
+
+  /**
+   * @param large number of velocities from which the stiffness is kept by links
+   */
+  StaticEquilibrium(
+      Mechanism mechanism, UserForceSource userForces, double tolerance, int most, int large) {
+    this.large = large;
     this.mechanism = mechanism;
     this.userForces = userForces;
     this.tolerance = tolerance;
@@ -147,7 +162,10 @@ final class StaticEquilibrium {
   }
 
   private boolean descend(double t) throws Linearisation.NotLinearised {
-    links = RestingLinks.fits(equations) ? Optional.of(new RestingLinks(equations)) : links;
+    links =
+        equations.nv >= large && RestingLinks.fits(equations)
+            ? Optional.of(new RestingLinks(equations))
+            : Optional.empty();
     RestingStiffness here = stiffness(t);
     double[] xi = new double[equations.nv];
     double trust = FIRST_TRUST;

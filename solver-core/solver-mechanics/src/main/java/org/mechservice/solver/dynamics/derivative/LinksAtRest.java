@@ -96,6 +96,11 @@ public final class LinksAtRest {
   private final int firstMultiplier;
   private final int unknowns;
 
+  /** Unit of each displacement, 1 or a length, and its link; -1 for other unknowns. */
+  private final double[] unit;
+
+  private final int[] linkOfDisplacement;
+
   /** Rows and columns of the elements in the order in which {@link #assemble} puts them. */
   private int[] seenRow = new int[1024];
 
@@ -154,6 +159,17 @@ public final class LinksAtRest {
     }
     firstMultiplier = at[count];
     unknowns = firstMultiplier + rows.count();
+    unit = new double[unknowns];
+    linkOfDisplacement = new int[unknowns];
+    Arrays.fill(linkOfDisplacement, -1);
+    for (int link = 0; link < count; link++) {
+      for (int unknown = at[link]; unknown < at[link + 1]; unknown++) {
+        int r = unknown - at[link];
+        boolean ofWrench = r >= WRENCH && r < JOINT;
+        linkOfDisplacement[unknown] = ofWrench ? -1 : link;
+        unit[unknown] = r < WRENCH ? unit(r) : unitOf(link);
+      }
+    }
     scale = new double[unknowns];
     size = new double[count];
     right = new double[unknowns];
@@ -614,11 +630,10 @@ public final class LinksAtRest {
   private void formScale() {
     Arrays.fill(size, 0);
     for (int e = 0; e < next; e++) {
-      if (isOfForm(seenRow[e], seenColumn[e])) {
-        int r = linkOf(seenRow[e]);
-        int c = linkOf(seenColumn[e]);
-        double element =
-            Math.abs(factored[e]) * unitOfUnknown(r, seenRow[e]) * unitOfUnknown(c, seenColumn[e]);
+      int r = linkOfDisplacement[seenRow[e]];
+      int c = linkOfDisplacement[seenColumn[e]];
+      if (r >= 0 && c >= 0) {
+        double element = Math.abs(factored[e]) * unit[seenRow[e]] * unit[seenColumn[e]];
         size[r] = Math.max(size[r], element);
         size[c] = Math.max(size[c], element);
       }
@@ -637,7 +652,7 @@ public final class LinksAtRest {
       for (int unknown = at[link]; unknown < at[link + 1]; unknown++) {
         int r = unknown - at[link];
         boolean ofWrench = r >= WRENCH && r < JOINT;
-        scale[unknown] = ofWrench ? root / unit(r - WRENCH) : unitOfUnknown(link, unknown) / root;
+        scale[unknown] = ofWrench ? root / unit(r - WRENCH) : unit[unknown] / root;
       }
     }
     for (int row = 0; row < rows.count(); row++) {
@@ -658,29 +673,6 @@ public final class LinksAtRest {
       most = Math.max(most, Math.abs(rows.force[from++]) * scale[x(tree.linkOfVelocity[k], k)]);
     }
     return most == 0 ? 1 : 1 / most;
-  }
-
-  /** Returns whether an element belongs to the form, not to its equations. */
-  private boolean isOfForm(int row, int column) {
-    return isDisplacement(row) && isDisplacement(column);
-  }
-
-  private boolean isDisplacement(int unknown) {
-    if (unknown >= firstMultiplier) {
-      return false;
-    }
-    int r = unknown - at[linkOf(unknown)];
-    return r < WRENCH || r >= JOINT;
-  }
-
-  private int linkOf(int unknown) {
-    int found = Arrays.binarySearch(at, unknown);
-    return found >= 0 ? found : -found - 2;
-  }
-
-  private double unitOfUnknown(int link, int unknown) {
-    int r = unknown - at[link];
-    return r < WRENCH ? unit(r) : unitOf(link);
   }
 
   /** Puts all elements, always in the same order. */

@@ -3,7 +3,6 @@ package org.mechservice.solver.analysis.equation;
 import java.util.Arrays;
 import java.util.stream.IntStream;
 import org.mechservice.solver.closure.LinkedAugmentedEquations;
-import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.dynamics.derivative.LinksAtRest;
 import org.mechservice.solver.dynamics.derivative.LoopWrenches;
 import org.mechservice.solver.dynamics.recursion.MassiveRods;
@@ -37,13 +36,9 @@ public final class RestingLinks {
     tau = new double[equations.tau.length];
   }
 
-  /**
-   * Returns whether a mechanism is large and has no rods with mass, whose stiffness is not kept by
-   * links.
-   */
+  /** Returns whether a mechanism has no rods with mass, whose stiffness is not kept by links. */
   public static boolean fits(EquationsOfMotion equations) {
-    return equations.nv >= LoopEquations.LARGE
-        && new MassiveRods(equations.tree).pairs().length == 0;
+    return new MassiveRods(equations.tree).isEmpty();
   }
 
   private int[] couplings() {
