@@ -9,7 +9,10 @@
  * step, M + hγ C + hγ² K, from either, factors it along the tree and solves the Newton step. {@link
  * org.mechservice.solver.dynamics.derivative.ArticulatedIteration} solves it for long chains, whose
  * matrix has no zeros, without forming it: link after link, in O(n); with forces between any links
- * and many loops as one sparse system whose graph is the mechanism.
+ * and many loops as one sparse system whose graph is the mechanism. {@link
+ * org.mechservice.solver.dynamics.derivative.LinksAtRest} keeps mass, damping and stiffness at rest
+ * in such a system, symmetric, whose factors tell whether they are positive definite along the
+ * loops.
  *
  * <p>Sources: Singh, Russell and Wensing 2022; Carpentier and Mansard 2018.
  */
