@@ -55,7 +55,7 @@ class LinkedEquilibriumTest {
   private static final int DENSE = Integer.MAX_VALUE;
 
   static IntStream seeds() {
-    return IntStream.range(0, 24);
+    return IntStream.range(0, 15);
   }
 
   private static Mechanism of(
@@ -112,7 +112,7 @@ class LinkedEquilibriumTest {
 
   /** Rods of mass m and length l between two points of a level: slopes of (i − (n−1)/2) m g / H. */
   @ParameterizedTest
-  @CsvSource({"3, 0.5", "20, 0.9", "60, 0.7", "61, 0.2", "300, 0.7"})
+  @CsvSource({"3, 0.5", "20, 0.9", "60, 0.7", "61, 0.2", "150, 0.7"})
   void aChainBetweenTwoPointsHangsInACatenaryPolygon(int n, double part) {
     double mass = 0.3;
     double length = 2.0 / n;
@@ -190,7 +190,7 @@ class LinkedEquilibriumTest {
 
   /** The number of corrections does not grow with the number of links. */
   @ParameterizedTest
-  @ValueSource(ints = {5, 40, 160, 640})
+  @ValueSource(ints = {5, 40, 300})
   void aLevelChainHangsDownInAFewCorrections(int n) {
     List<Body> bodies = new ArrayList<>();
     List<Joint> joints = new ArrayList<>();
@@ -285,7 +285,7 @@ class LinkedEquilibriumTest {
   @ParameterizedTest
   @MethodSource("seeds")
   void verdictsAreThoseOfTheEigenvalues(int seed) throws Exception {
-    Mechanism mechanism = random(seed % 12, 1 << 2 * (seed / 3), seed % 2 == 1);
+    Mechanism mechanism = random(seed, 1 << 2 * (seed % 5), seed % 2 == 1);
     EquationsOfMotion equations = new EquationsOfMotion(mechanism, UserForceSource.NONE);
     double[] y = new double[mechanism.stateCount()];
     mechanism.initialState(y);
