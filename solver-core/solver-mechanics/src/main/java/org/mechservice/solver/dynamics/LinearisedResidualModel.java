@@ -8,7 +8,7 @@ import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.dynamics.derivative.ArticulatedIteration;
 import org.mechservice.solver.dynamics.derivative.BorderedStep;
 import org.mechservice.solver.dynamics.derivative.FurtherDerivatives;
-import org.mechservice.solver.dynamics.derivative.LoopWrenches;
+import org.mechservice.solver.dynamics.derivative.LinkJacobian;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.dynamics.derivative.StepDerivatives;
 import org.mechservice.solver.dynamics.derivative.StepReduction;
@@ -60,12 +60,10 @@ public final class LinearisedResidualModel extends RecursiveResidualModel
     boolean pays =
         local ? ArticulatedIteration.pays(tree) : ArticulatedIteration.paysFarCouplings(tree);
     if (mode == Mode.FULL && pays) {
-      ArticulatedIteration byLinks =
-          local
-              ? new ArticulatedIteration(motion)
-              : new ArticulatedIteration(motion, coupledLinks(loads.forces()), LoopWrenches.NONE);
+      LinkJacobian byLinks =
+          local ? new LinkJacobian(motion) : new LinkJacobian(motion, coupledLinks(loads.forces()));
       derivatives = byLinks;
-      iteration = byLinks;
+      iteration = new ArticulatedIteration(byLinks);
     } else {
       TreePattern pattern = new TreePattern(tree, coupledLinks(loads.forces()));
       ResidualJacobian byElements = new ResidualJacobian(motion, pattern);
