@@ -49,9 +49,9 @@ final class HowMeasured {
     }
     html.append("\n<li>");
     html.append(String.join(" · ", found.versions().stream().map(Html::escape).toList()));
-    html.append("\n<li>Every single run: ").append(link(found.csv()));
+    html.append("\n<li>Every single run: ").append(link(found.scene().runs()));
     if (judge.reference().flatMap(Reference::amplification).isPresent()) {
-      String kept = found.csv().replaceFirst("\\.csv$", "-reference.csv");
+      String kept = found.scene().reference();
       html.append("; what the codes of this report made, to every digit: ").append(link(kept));
     }
     return html.append("</ul></details>").toString();
