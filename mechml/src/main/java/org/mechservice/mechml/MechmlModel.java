@@ -26,7 +26,7 @@ public final class MechmlModel {
   private final List<Diagnostic> warnings;
   private final Set<MessageCode> silenced;
 
-  /** Kept because all who ask for it ask for the same one, and it takes long to compute. */
+  /** Kept, since it takes long to compute and all callers use the same one. */
   private Optional<ClosedStart> closedStart = Optional.empty();
 
   /**
@@ -41,7 +41,7 @@ public final class MechmlModel {
    * @param unused points, vectors and parameters that nothing refers to, such as {@code point "p3"
    *     of body "bar"}
    * @param warnings diagnostics below errors, in file order, without the silenced ones
-   * @param silenced warnings that nobody is to hear
+   * @param silenced warnings that are silenced
    */
   public MechmlModel(
       Mechanism mechanism,
@@ -124,7 +124,7 @@ public final class MechmlModel {
     return warnings;
   }
 
-  /** Returns the warnings that nobody is to hear, by the file or the options of its reading. */
+  /** Returns the warnings that are silenced, by the file or the options of its reading. */
   public Set<MessageCode> silenced() {
     return silenced;
   }

@@ -20,8 +20,8 @@ import org.mechservice.view.scene.SceneForce;
 import org.mechservice.view.scene.SceneJoint;
 
 /**
- * What a mechanism looks like: the surfaces of its bodies and joints, and the links between points
- * of bodies that rods and springs are drawn as.
+ * The shapes that show a mechanism: the surfaces of its bodies and joints, and the links between
+ * points of bodies that rods and springs are drawn as.
  *
  * <p>A body without a geometry file gets rods that join its joints, and the box or cylinder of even
  * density that has its inertia; a body in contact by a sphere or a tyre gets that. Sizes of symbols
