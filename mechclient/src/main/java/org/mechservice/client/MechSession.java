@@ -269,7 +269,7 @@ public final class MechSession implements AutoCloseable {
   }
 
   /**
-   * Lets the server read the model with options, which it checks.
+   * Reads the model at the server with options, which it checks.
    *
    * @throws InvalidModelException if the model cannot be used so
    * @throws InvalidOptionException if an option cannot be used

@@ -279,7 +279,7 @@ public final class RemoteModel {
    * Runs the simulation that the file describes, under control.
    *
    * @param control stops the run, which then returns the rows up to there, pauses it and shows its
-   *     progress to other threads; the server hears of it within 0.1 s
+   *     progress to other threads; the server learns it within 0.1 s
    * @throws RunFailedException if it could not go on to its end; has the rows up to there
    */
   public Trajectory simulate(RunControl control) {

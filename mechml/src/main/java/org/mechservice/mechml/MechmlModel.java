@@ -28,7 +28,7 @@ public final class MechmlModel {
   private final Set<MessageCode> silenced;
   private final Map<String, List<Solid>> solids;
 
-  /** Kept because all who ask for it ask for the same one, and it takes long to compute. */
+  /** Kept, since it takes long to compute and all callers use the same one. */
   private Optional<ClosedStart> closedStart = Optional.empty();
 
   /**
@@ -43,7 +43,7 @@ public final class MechmlModel {
    * @param unused points, vectors and parameters that nothing refers to, such as {@code point "p3"
    *     of body "bar"}
    * @param warnings diagnostics below errors, in file order, without the silenced ones
-   * @param silenced warnings that nobody is to hear
+   * @param silenced warnings that are silenced
    * @param solids what the bodies consist of, by their names, in file order
    */
   public MechmlModel(
@@ -153,7 +153,7 @@ public final class MechmlModel {
     return warnings;
   }
 
-  /** Returns the warnings that nobody is to hear, by the file or the options of its reading. */
+  /** Returns the warnings that are silenced, by the file or the options of its reading. */
   public Set<MessageCode> silenced() {
     return silenced;
   }

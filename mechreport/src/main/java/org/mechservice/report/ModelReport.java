@@ -66,7 +66,7 @@ public final class ModelReport {
   /** Part of the time that is left: looks at the loops in the first runs of all points. */
   private static final double OF_LOOPS = 0.1;
 
-  /** What eigenvalues may take of the time that is left for the report. */
+  /** Part of the time left for the report that eigenvalues may take. */
   private static final double OF_SPECTRUM = 0.15;
 
   private final MethodBuilds builds;

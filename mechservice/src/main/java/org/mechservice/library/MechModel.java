@@ -100,7 +100,7 @@ import org.mechservice.solver.text.Sha256;
  * May be used by several threads.
  */
 public final class MechModel {
-  /** What the program asked for beyond the file. */
+  /** Settings of the program beyond those of the file. */
   private record Choices(
       ReadOptions reading,
       UnaryOperator<SimulationSettings> changes,

@@ -15,7 +15,7 @@ import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 
 /**
- * What the equations of an implicit step of a chain with stiff joints cost, eliminated from link to
+ * Cost of the equations of an implicit step of a chain with stiff joints, eliminated from link to
  * link and with their matrix formed: processor time of the thread, warm, the least of several
  * rounds. Called by benchmarks/peers/loops.py.
  */

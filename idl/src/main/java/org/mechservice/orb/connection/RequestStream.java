@@ -26,7 +26,7 @@ import org.slf4j.LoggerFactory;
 final class RequestStream extends InputStream {
   private static final Logger LOG = LoggerFactory.getLogger(RequestStream.class);
 
-  /** Where the body of a request says who answers it, and what it may say (section 15.4.2.1). */
+  /** Place of the response flags in the body of a request (section 15.4.2.1). */
   private static final int RESPONSE_FLAGS = MessageHead.ID_BYTES;
 
   private static final Set<Byte> KNOWN_RESPONSES = Set.of((byte) 0, (byte) 1, (byte) 3);
@@ -34,7 +34,10 @@ final class RequestStream extends InputStream {
   /** Fragmented messages, or refused requests that are not answered yet, of one connection. */
   private static final int MOST_FRAGMENTED = 100;
 
-  /** What the ORB gets of a request that is too large: enough for whom and what it asks, B. */
+  /**
+   * Beginning of a request that is too large that the ORB gets: with the object and the operation,
+   * B.
+   */
   private static final int BEGINNING_BYTES = 1 << 14;
 
   /** Most that is thrown away of a request that is too large, B; a larger one gets no answer. */
@@ -54,7 +57,7 @@ final class RequestStream extends InputStream {
   private final ConnectionRoom room;
   private final MessageHead head = new MessageHead();
 
-  /** What the ORB has got of the body, and is still to get. */
+  /** Bytes of the body that the ORB has got, and is still to get. */
   private long bodyPassed;
 
   private long bodyBytes;
@@ -62,7 +65,7 @@ final class RequestStream extends InputStream {
   /** The thread that reads; it dies of messages that the ORB cannot read. */
   private volatile @Nullable Thread reader;
 
-  /** What is thrown away after that. */
+  /** Bytes that are thrown away after that. */
   private long droppedBytes;
 
   private final ByteBuffer id = ByteBuffer.allocate(MessageHead.ID_BYTES);
@@ -251,7 +254,7 @@ final class RequestStream extends InputStream {
     }
   }
 
-  /** Lets the ORB have the beginning of a request that is too large, as if it were all. */
+  /** Passes the beginning of a request that is too large to the ORB, as if it were all. */
   private void refuse(int request, long length) throws IOException {
     long size = length + fragmented.getOrDefault(request, 0L);
     if (refused.size() >= MOST_FRAGMENTED) {
@@ -351,8 +354,8 @@ final class RequestStream extends InputStream {
 
   /**
    * Returns whether the peer is late: with its first message, or with the rest of one that has
-   * begun. Bytes that have arrived and are not read yet are no fault of the peer. A connection that
-   * nobody reads any more counts as late, too.
+   * begun. Bytes that have arrived and are not read yet are no fault of the peer. A connection
+   * whose reading thread has ended counts as late, too.
    *
    * @param now the time, ns, as {@link System#nanoTime}
    */

@@ -16,7 +16,7 @@ import org.mechservice.solver.text.Origin;
 import org.mechservice.solver.text.ShortestDecimal;
 
 /**
- * What the bodies of a model look like: their geometry files and solids as visuals of URDF. Cones,
+ * The shapes of the bodies of a model: their geometry files and solids as visuals of URDF. Cones,
  * which URDF lacks, are reported as lost; the inertia of the body does not depend on them.
  */
 final class UrdfShapes {

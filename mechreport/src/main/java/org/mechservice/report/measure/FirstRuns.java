@@ -38,7 +38,7 @@ final class FirstRuns {
   /** Part of that which the runs at the loosest tolerance may take, one of each method. */
   private static final double OF_LOOSEST = 0.5;
 
-  /** What a run may take in times of the fastest method, however large the mechanism is. */
+  /** Largest time of a run in times of the fastest method, however large the mechanism is. */
   private static final double BESIDE_FASTEST = 10;
 
   /** A run that was stopped is tried again with so many times what it had. */

@@ -10,9 +10,7 @@ import org.mechservice.report.measure.SceneFindings;
 import org.mechservice.report.solution.Judge;
 import org.mechservice.report.solution.Reference;
 
-/**
- * How the figures were measured, for a reader who checks them: reference, rules, warm-up, spread.
- */
+/** The section of the page on the measurement: reference, rules, warm-up, spread. */
 final class HowMeasured {
   /** Relative change of times that counts as warm; times scatter by a few per cent. */
   private static final double WARM = 0.05;

@@ -21,8 +21,8 @@ import org.mechservice.view.scene.SceneJoint;
 import org.mechservice.view.scene.SceneSolid;
 
 /**
- * What a mechanism looks like: the surfaces of its bodies and joints, and the links between points
- * of bodies that rods and springs are drawn as.
+ * The shapes that show a mechanism: the surfaces of its bodies and joints, and the links between
+ * points of bodies that rods and springs are drawn as.
  *
  * <p>A body without a geometry file is drawn as its solids, with rods to those of its joints that
  * are away from them. Without solids it gets rods that join its joints, and the box or cylinder of

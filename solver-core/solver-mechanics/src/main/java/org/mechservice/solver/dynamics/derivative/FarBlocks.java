@@ -10,7 +10,7 @@ import java.util.stream.LongStream;
 import org.mechservice.solver.kinematics.TreeGeometry;
 
 /**
- * What forces between any links, or by coordinates of other joints, add to the equations of {@link
+ * Terms of forces between any links, or by coordinates of other joints, in the equations of {@link
  * LinkJacobian}: for pairs of links, the change of the wrench on one and of the forces in its joint
  * by the motion of the other and by the coordinates of the other's joint. Workspace of one thread.
  */

@@ -1,8 +1,8 @@
 package org.mechservice.solver.dynamics.derivative;
 
 /**
- * What the coordinates of the joints change by themselves in the equations of {@link LinkJacobian},
- * whose symbols these are: a column for each velocity.
+ * Direct terms of the coordinates of the joints in the equations of {@link LinkJacobian}, whose
+ * symbols these are: a column for each velocity.
  */
 final class LinkColumns {
   /** Z, the motion of the link, 18 for each velocity. */

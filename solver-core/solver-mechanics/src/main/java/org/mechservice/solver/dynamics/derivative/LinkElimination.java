@@ -30,7 +30,9 @@ final class LinkElimination {
   /** Rows of (Sᵀ Pᴬ Z + D)⁻¹, three for each velocity. */
   private final double[] inverse;
 
-  /** What a change of the velocity exerts on the parent, 6 for each, in the parent's axes. */
+  /**
+   * Wrench that a change of the velocity exerts on the parent, 6 for each, in the parent's axes.
+   */
   private final double[] push;
 
   /** Pᴬ, 6 × 18 for each link. */

@@ -54,7 +54,7 @@ public final class LinkJacobian implements StepDerivatives {
   /** Whether a link has R or Q. */
   final boolean[] coupled;
 
-  /** What couples links that are not neighbours, or coordinates of different joints. */
+  /** Couplings of links that are not neighbours, or of coordinates of different joints. */
   final FarBlocks far;
 
   /** Columns of K and of C. */
