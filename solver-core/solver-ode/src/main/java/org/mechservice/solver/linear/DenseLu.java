@@ -124,8 +124,19 @@ public final class DenseLu extends LuFactors {
     for (; i < n; i++) {
       x[i] = lessProduct(b[rowOf[i]], i * n, 0, i, x);
     }
-    for (i = n - 1; i >= 0; i--) {
-      b[i] = lessProduct(x[i], i * n, i + 1, n, b) * inversePivot[i];
+    solveUpper(b, x);
+  }
+
+  /**
+   * Solves U b = x from below. Each row needs the unknown just found first: taken from the array it
+   * would come later by the time of a store.
+   */
+  private void solveUpper(double[] b, double[] x) {
+    double found = 0;
+    for (int i = n - 1; i >= 0; i--) {
+      double start = i == n - 1 ? x[i] : x[i] - lu[i * n + i + 1] * found;
+      found = lessProduct(start, i * n, i + 2, n, b) * inversePivot[i];
+      b[i] = found;
     }
   }
 

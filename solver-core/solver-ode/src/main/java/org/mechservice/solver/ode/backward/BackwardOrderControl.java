@@ -187,11 +187,11 @@ public final class BackwardOrderControl {
       double errorBelow =
           formulas.errorConstant(order - 1)
               * norm.ofSum(differences.tried(order), differences.correction);
-      double retry = outsideUnstable(RETRY_BELOW * passing(errorBelow, order - 1), order - 1);
-      double below = Math.max(SMALLEST_RETRY, retry);
+      double retry = Math.min(1, RETRY_BELOW * passing(errorBelow, order - 1));
+      double below = Math.max(SMALLEST_RETRY, outsideUnstable(retry, order - 1));
       if (below > factor) {
         order--;
-        return Math.min(1, below);
+        return below;
       }
     }
     return factor;
