@@ -31,7 +31,7 @@ class BackwardOrderControlTest {
   private void fail(int order, double errorBelow) {
     differences.correction[0] = 1e6;
     differences.tried(order)[0] = errorBelow / NDF.errorConstant(order - 1) - 1e6;
-    control.estimate(differences.correction, norm);
+    control.estimate(norm.of(differences.correction));
     control.beginStep();
   }
 
@@ -41,7 +41,7 @@ class BackwardOrderControlTest {
     differences.correction[0] = 1;
     for (int i = 0; i < 10 && control.order() < order; i++) {
       int k = control.order();
-      control.estimate(differences.correction, norm);
+      control.estimate(norm.of(differences.correction));
       differences.accepted(k)[0] = 1e3;
       differences.accepted(k + 2)[0] = 1e-9;
       control.accept(differences, norm);
