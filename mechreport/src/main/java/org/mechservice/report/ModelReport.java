@@ -24,6 +24,7 @@ import org.mechservice.report.measure.MethodRunner;
 import org.mechservice.report.measure.Point;
 import org.mechservice.report.measure.ReportBudget;
 import org.mechservice.report.measure.ReportProgress;
+import org.mechservice.report.measure.ReportedScene;
 import org.mechservice.report.measure.SceneFindings;
 import org.mechservice.report.measure.Spectrum;
 import org.mechservice.report.measure.TimeShares;
@@ -63,7 +64,7 @@ public final class ModelReport {
   /** Part of the time that is left: looks at the loops in the first runs of all points. */
   private static final double OF_LOOPS = 0.1;
 
-  /** What eigenvalues may take of the time that is left for the report. */
+  /** Part of the time left for the report that eigenvalues may take. */
   private static final double OF_SPECTRUM = 0.15;
 
   private final MethodBuilds builds;
@@ -94,15 +95,11 @@ public final class ModelReport {
   public Path write(Path file) throws IOException, InterruptedException {
     Files.createDirectories(folder);
     SceneFindings found = measure(String.valueOf(file.getFileName()));
-    Path page = folder.resolve(baseName(found.file()) + ".html");
+    Path page = folder.resolve(ReportedScene.named(found.scene().file(), ".html"));
     Files.writeString(page, ScenePage.of(found), StandardCharsets.UTF_8);
-    Path diagram = folder.resolve(baseName(found.file()) + ".svg");
+    Path diagram = folder.resolve(ReportedScene.named(found.scene().file(), ".svg"));
     Files.writeString(diagram, ScenePage.diagram(found), StandardCharsets.UTF_8);
     return page;
-  }
-
-  private static String baseName(String file) {
-    return file.replaceFirst("\\.xml$", "");
   }
 
   private SceneFindings measure(String file) throws IOException, InterruptedException {
@@ -112,21 +109,23 @@ public final class ModelReport {
     List<Candidate> candidates = methods.candidates();
     ExplicitModel model = candidates.get(0).equations();
     RunSettings settings = model.description().defaults();
+    ModelProblem problem = new ModelProblem(model);
+    ReportedScene scene =
+        new ReportedScene(
+            model.description().name(), file, freedoms(problem, model), settings.tEnd());
     StateDistance distance = new StateDistance(model.description());
     progress.at("making the reference", 0, Double.NaN);
     ReferenceFile kept =
-        new ReferenceFile(
-            folder.resolve(baseName(file) + "-reference.csv"), purpose(file), model.description());
+        new ReferenceFile(folder.resolve(scene.reference()), purpose(file), model.description());
     Judge judge = judge(candidates, model, settings, distance, kept, budget);
     Optional<Spectrum> spectrum = spectrum(judge, model, budget);
-    String csv = baseName(file) + ".csv";
     Map<String, TimeShares> shares = new LinkedHashMap<>();
     List<Point> points = List.of();
     if (judge.reference().isPresent()) {
       Reference reference = judge.reference().get();
       try (MeasurementFile journal =
               MeasurementFile.open(
-                  folder.resolve(csv), purpose(file) + "; " + code(candidates.get(0)));
+                  folder.resolve(scene.runs()), purpose(file) + "; " + code(candidates.get(0)));
           MethodRunner runner =
               new MethodRunner(
                   reference, distance, judge.grid(), loops(candidates, reference, budget))) {
@@ -137,13 +136,8 @@ public final class ModelReport {
       }
     }
     Map<String, ColdRunTimes> fresh = freshStarts(candidates, points, judge, budget);
-    ModelProblem problem = new ModelProblem(model);
     return new SceneFindings(
-        model.description().name(),
-        file,
-        problem.dimension(),
-        freedoms(problem, model),
-        settings.tEnd(),
+        scene,
         candidates.stream().map(Candidate::method).toList(),
         methods.leftOut(),
         judge,
@@ -152,7 +146,6 @@ public final class ModelReport {
         shares,
         fresh,
         effort,
-        csv,
         Machine.facts(),
         budget.savings());
   }

@@ -23,14 +23,14 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
 /**
- * Where a command puts what a run gives, and what it does when the run has come to its end: it
- * keeps the rows, prints the report and tells the shell.
+ * The destinations of the results of a run, and the end of the run: the rows are kept, the report
+ * is printed, and the exit status is set.
  */
 final class ResultOptions {
   /** Lines of the report without {@code --verbose}. */
   static final int LINES = 10;
 
-  /** What most users look for in a report. */
+  /** The first entries of a printed report. */
   private static final List<String> FIRST =
       List.of(
           "scene",

@@ -10,7 +10,7 @@ import org.mechservice.client.MechConnection;
 import org.mechservice.client.MechSession;
 import org.mechservice.client.failure.ServiceException;
 import org.mechservice.orb.GuardedServant;
-import org.mechservice.orb.http.Refused;
+import org.mechservice.orb.http.RefusedRequestException;
 import org.mechservice.orb.http.Request;
 import org.mechservice.solver.catalogue.MessageCode;
 
@@ -88,7 +88,7 @@ final class UserReport {
     return !thread.isAlive();
   }
 
-  /** Ends the measurement; pages hear of it at once. */
+  /** Ends the measurement and tells the pages at once. */
   void cancel() {
     cancelled = true;
     thread.interrupt();
@@ -121,7 +121,7 @@ final class UserReport {
             ? "text/html; charset=utf-8"
             : name.endsWith(".csv") ? "text/csv; charset=utf-8" : "image/svg+xml";
     if (!name.matches("[\\w-]+\\.(html|csv|svg)") || !Files.isRegularFile(file)) {
-      throw new Refused(
+      throw new RefusedRequestException(
           404,
           MessageCode.REQUEST_UNUSABLE
               + " the request cannot be used: the report has no file "

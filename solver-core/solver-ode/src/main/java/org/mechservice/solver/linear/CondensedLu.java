@@ -44,7 +44,7 @@ public final class CondensedLu implements LinearSolver {
   private boolean condensed;
   private DenseLu reduced = new DenseLu(0);
 
-  /** What is left of the matrix, row after row, and of the right-hand side. */
+  /** The condensed matrix, row after row, and right-hand side. */
   private double[] small = {};
 
   private double[] right = {};
