@@ -157,11 +157,12 @@ public final class BackwardDifferences implements Manifold.History {
     double share5 = formulas.share(5, k);
     for (int l = 0; l < predicted.length; l++) {
       double start = 0 + d1[l] + d2[l] + d3[l] + d4[l] + d5[l] + state[l];
+      double shares =
+          0 + share1 * d1[l] + share2 * d2[l] + share3 * d3[l] + share4 * d4[l] + share5 * d5[l];
       predicted[l] = start;
       corrected[l] = start;
       correction[l] = 0;
-      psi[l] =
-          0 + share1 * d1[l] + share2 * d2[l] + share3 * d3[l] + share4 * d4[l] + share5 * d5[l];
+      psi[l] = shares;
     }
   }
 
@@ -235,9 +236,10 @@ public final class BackwardDifferences implements Manifold.History {
   /** Forms the differences of orders k + 2, k + 1 and k in one pass. */
   private void takeUpCorrection(double[] afterNext, double[] next, double[] difference) {
     for (int l = 0; l < correction.length; l++) {
-      afterNext[l] = correction[l] - next[l];
-      next[l] = correction[l];
-      difference[l] += correction[l];
+      double newest = correction[l];
+      afterNext[l] = newest - next[l];
+      next[l] = newest;
+      difference[l] += newest;
     }
   }
 
