@@ -144,13 +144,27 @@ public final class ExplicitEquations extends StepEquations {
       return 1;
     }
     double[] slope = probe.slope();
-    for (int l = 0; l < slope.length; l++) {
-      slope[l] = (differences.psi[l] + differences.correction[l]) / hGamma;
-    }
+    writeSlope(h, hGamma, differences, slope);
     probe.place(h, differences.state(), differences.corrected(), norm);
     return probe.straight(h, slope, norm)
         ? probe.partToPulse(rightHandSide, t, h, differences.state(), norm)
         : 1;
+  }
+
+  /**
+   * Writes the derivative by which a step that passed may be told from a straight line: that at its
+   * end, or the one that predicted it where the formula is y_{n+1} − y_n = h y'_{n+1}, which makes
+   * every step look straight.
+   */
+  private static void writeSlope(
+      double h, double hGamma, BackwardDifferences differences, double[] slope) {
+    boolean chord = hGamma == h;
+    for (int l = 0; l < slope.length; l++) {
+      slope[l] =
+          chord
+              ? (differences.predicted[l] - differences.state()[l]) / h
+              : (differences.psi[l] + differences.correction[l]) / hGamma;
+    }
   }
 
   @Override
