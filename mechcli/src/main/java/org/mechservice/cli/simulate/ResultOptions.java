@@ -16,6 +16,7 @@ import org.mechservice.cli.shell.UsageException;
 import org.mechservice.client.run.RunResult;
 import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.text.JsonText;
 import org.mechservice.solver.text.ReportText;
 import picocli.CommandLine.Model.CommandSpec;
@@ -43,6 +44,10 @@ final class ResultOptions {
           "rows",
           "wallTime",
           "energyDrift");
+
+  /** Lines that say nothing of statics, kinematics and other analyses without an integrator. */
+  private static final Set<String> OF_INTEGRATORS =
+      Set.of("integrator", "relativeTolerance", "absoluteTolerance");
 
   private static final Set<String> NEVER_LEFT_OUT = Set.of("stiffness", "notes");
 
@@ -157,6 +162,9 @@ final class ResultOptions {
             .collect(Collectors.toSet());
     Map<String, Object> brief = new LinkedHashMap<>(report);
     brief.keySet().removeIf(key -> !told.contains(key) && !NEVER_LEFT_OUT.contains(key));
+    if (MethodNames.NONE.equals(report.get("integrator"))) {
+      brief.keySet().removeAll(OF_INTEGRATORS);
+    }
     return brief;
   }
 
