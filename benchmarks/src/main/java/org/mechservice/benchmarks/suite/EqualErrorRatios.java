@@ -79,7 +79,7 @@ public final class EqualErrorRatios {
   }
 
   /**
-   * What a set of problems gives.
+   * The results of a set of problems.
    *
    * @param lines rows of the table
    * @param means of each problem by peer

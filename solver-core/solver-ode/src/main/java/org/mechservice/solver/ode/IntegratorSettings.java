@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.function.BooleanSupplier;
 
 /**
- * How accurately and within which bounds to integrate.
+ * Tolerances, bounds and mode of an integration.
  *
  * @param relativeTolerance local error allowed relative to the state, at least {@link
  *     #SMALLEST_RELATIVE_TOLERANCE} and below 1
@@ -51,7 +51,7 @@ public record IntegratorSettings(
         Mode.STANDARD);
   }
 
-  /** The method's own bounds, one absolute tolerance for all components, nobody to stop it. */
+  /** The method's own bounds, one absolute tolerance for all components, no stop signal. */
   public IntegratorSettings(double relativeTolerance, double absoluteTolerance) {
     this(
         relativeTolerance,
@@ -63,7 +63,7 @@ public record IntegratorSettings(
         () -> false);
   }
 
-  /** What an integrator does beyond the program it is named after. */
+  /** The extensions of an integrator beyond the program it is named after. */
   public enum Mode {
     /** Nothing: the same decisions, so the same steps but for rounding. */
     FAITHFUL,

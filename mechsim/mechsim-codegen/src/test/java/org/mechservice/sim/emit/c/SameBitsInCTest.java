@@ -195,7 +195,7 @@ class SameBitsInCTest {
     CCode.compiler();
     Count count = new Count();
     for (int seed = 1; seed <= FEW_SCENES; seed++) {
-      compare(seed, 20, CCode.FAST, count);
+      compare(seed, 20, seed % 2 == 0 ? CCode.FAST : CCode.PLAIN, count);
     }
     assertThat(count.found).isEmpty();
   }

@@ -100,8 +100,8 @@ public final class ExplicitEquations extends StepEquations {
       return IterationMatrix.solverFor(system, dimension);
     }
     return IterationMatrix.blocks(system, dimension)
-        .<LinearSolver>map(blocks -> new BlockLu(blocks, CondensedLu::new))
-        .orElseGet(() -> new CondensedLu(dimension));
+        .<LinearSolver>map(blocks -> new BlockLu(blocks, CondensedLu::solverFor))
+        .orElseGet(() -> CondensedLu.solverFor(dimension));
   }
 
   @Override
@@ -143,28 +143,29 @@ public final class ExplicitEquations extends StepEquations {
     if (manifold().completes()) {
       return 1;
     }
-    double[] slope = probe.slope();
-    writeSlope(h, hGamma, differences, slope);
     probe.place(h, differences.state(), differences.corrected(), norm);
+    double[] slope = probe.slope();
+    for (int l = 0; l < slope.length; l++) {
+      slope[l] = slopeOfStep(l, h, hGamma, differences);
+      if (!probe.straight(l, slope[l], norm)) {
+        return 1;
+      }
+    }
     return probe.straight(h, slope, norm)
         ? probe.partToPulse(rightHandSide, t, h, differences.state(), norm)
         : 1;
   }
 
   /**
-   * Writes the derivative by which a step that passed may be told from a straight line: that at its
-   * end, or the one that predicted it where the formula is y_{n+1} − y_n = h y'_{n+1}, which makes
-   * every step look straight.
+   * Returns an element of the derivative by which a step that passed may be told from a straight
+   * line: that at its end, or the one that predicted it where the formula is y_{n+1} − y_n = h
+   * y'_{n+1}, which makes every step look straight.
    */
-  private static void writeSlope(
-      double h, double hGamma, BackwardDifferences differences, double[] slope) {
-    boolean chord = hGamma == h;
-    for (int l = 0; l < slope.length; l++) {
-      slope[l] =
-          chord
-              ? (differences.predicted[l] - differences.state()[l]) / h
-              : (differences.psi[l] + differences.correction[l]) / hGamma;
-    }
+  private static double slopeOfStep(
+      int l, double h, double hGamma, BackwardDifferences differences) {
+    return hGamma == h
+        ? (differences.predicted[l] - differences.state()[l]) / h
+        : (differences.psi[l] + differences.correction[l]) / hGamma;
   }
 
   @Override
@@ -439,6 +440,9 @@ public final class ExplicitEquations extends StepEquations {
 
     @Override
     public boolean evaluate(double[] x, double[] value) {
+      if (!manifold().completes()) {
+        return rightHandSide.evaluate(t, x, value);
+      }
       if (rightHandSide.stopped()) {
         return false;
       }
