@@ -78,8 +78,8 @@ final class ServerLocation {
   /**
    * Requests the info of the server.
    *
-   * @throws ServiceUnreachableException if nobody answers in time, or not a MechService that speaks
-   *     this API
+   * @throws ServiceUnreachableException if no process answers in time, or not a MechService that
+   *     speaks this API
    */
   ServerInfo requireService() {
     ServerInfo info = ask();

@@ -28,8 +28,8 @@ import org.omg.CORBA.TIMEOUT;
 import org.omg.CORBA.UserException;
 
 /**
- * Calls to servers, each in a thread of its own, so that whoever waits for one can stop waiting
- * whatever the server does. A call nobody waits for any more ends by the ORB's own timeout.
+ * Calls to servers, each in a thread of its own, so that a caller can stop waiting at any time. An
+ * abandoned call ends by the ORB's own timeout.
  */
 final class ServerCalls implements AutoCloseable {
   /** A call to a server. */

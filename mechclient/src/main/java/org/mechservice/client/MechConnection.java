@@ -84,7 +84,7 @@ public final class MechConnection implements AutoCloseable {
    * @param address {@code host:port} or a URL such as {@code
    *     corbaloc:iiop:1.2@host:port/MechServer}; several, separated by commas, where the next is
    *     used when one is gone
-   * @throws ServerLostException if nobody answers there, or something else than a MechService
+   * @throws ServerLostException if no MechService answers there
    * @throws InvalidOptionException if the address is none
    */
   public static MechConnection open(String address) {
@@ -96,7 +96,7 @@ public final class MechConnection implements AutoCloseable {
    *
    * @param address {@code host:port} or a URL, or several
    * @param cache keeps fetched JARs
-   * @throws ServerLostException if nobody answers there, or something else than a MechService
+   * @throws ServerLostException if no MechService answers there
    * @throws InvalidOptionException if the address is none
    */
   public static MechConnection open(String address, JarCache cache) {
@@ -110,7 +110,7 @@ public final class MechConnection implements AutoCloseable {
    * @param cache keeps fetched JARs
    * @param identity identity of the client for TLS; JARs are then accepted only with the server's
    *     signature. Empty for a connection without encryption
-   * @throws ServerLostException if nobody answers there, or something else than a MechService
+   * @throws ServerLostException if no MechService answers there
    * @throws InvalidOptionException if the address is none
    */
   public static MechConnection open(
@@ -282,7 +282,7 @@ public final class MechConnection implements AutoCloseable {
   }
 
   /**
-   * Lets the server translate a model of another format into MechML.
+   * Translates a model of another format into MechML at the server.
    *
    * @param file a robot in URDF, SDF or MJCF
    * @throws IOException if the file cannot be read

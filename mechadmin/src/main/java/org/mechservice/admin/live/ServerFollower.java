@@ -8,8 +8,8 @@ import org.mechservice.admin.ServerReading;
 import org.mechservice.idl.ServiceEvent;
 
 /**
- * Follows one server: reads how it is whenever something happened there, at most five times and at
- * least twice a second.
+ * Follows one server: reads its state after each event, at most five times and at least twice a
+ * second.
  */
 final class ServerFollower implements Runnable {
   private static final int EVENT_WAIT_MILLIS = 400;

@@ -24,7 +24,7 @@ import org.mechservice.admin.live.LiveView;
 
 /**
  * Shows servers, hosts and simulations as they are, over the whole screen of a terminal, until the
- * operator has seen enough. What is asked of a server is asked aside, so that keys always answer.
+ * operator quits. What is asked of a server is asked aside, so that keys always answer.
  */
 public final class Watch {
   private static final long REFRESH_MILLIS = 250;

@@ -6,8 +6,8 @@ import org.mechservice.admin.KnownSimulation;
 import org.mechservice.admin.ServerReading;
 
 /**
- * What an operator has chosen to see: keys change it, the screen shows it. The choice stays with
- * its simulation when others come and go.
+ * The selection of the operator in the full screen: keys change it, the screen shows it. The choice
+ * stays with its simulation when others come and go.
  */
 final class WatchState {
   /** An action of a key that concerns more than the screen. */

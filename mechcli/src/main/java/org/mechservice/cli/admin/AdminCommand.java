@@ -16,8 +16,8 @@ import org.mechservice.admin.AdminTarget;
 import org.mechservice.admin.DetailJson;
 import org.mechservice.admin.DetailText;
 import org.mechservice.admin.KnownSimulation;
-import org.mechservice.admin.Measures;
 import org.mechservice.admin.PlainText;
+import org.mechservice.admin.QuantityText;
 import org.mechservice.admin.ServerReading;
 import org.mechservice.admin.StatusText;
 import org.mechservice.admin.TextTable;
@@ -315,7 +315,8 @@ public final class AdminCommand implements Callable<Integer> {
   private static TextTable table(List<LogLine> lines) {
     TextTable table = new TextTable("AT", "LEVEL", "OF", "LINE");
     lines.forEach(
-        line -> table.add(Measures.instant(line.writtenAt), line.level, line.source, line.text));
+        line ->
+            table.add(QuantityText.instant(line.writtenAt), line.level, line.source, line.text));
     return table;
   }
 }

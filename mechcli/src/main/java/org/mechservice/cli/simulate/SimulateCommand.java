@@ -48,7 +48,7 @@ import picocli.CommandLine.Spec;
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class SimulateCommand implements Callable<Integer> {
-  /** Where a run takes place. */
+  /** The place where a run is computed. */
   enum Mode {
     REMOTE,
     LOCAL
@@ -194,7 +194,7 @@ public final class SimulateCommand implements Callable<Integer> {
     return animations;
   }
 
-  /** Where animated scenes are all that is written, nobody asks for other columns than theirs. */
+  /** If animated scenes alone are written, the columns are theirs. */
   private SimulationOptions options() {
     boolean poses =
         !results.files().isEmpty() && results.animated().size() == results.files().size();

@@ -166,7 +166,7 @@ public final class RemoteRun implements PreparedRun {
   /** {@inheritDoc} Starts the run if necessary and passes on all rows not taken yet. */
   @Override
   public RunResult toEnd(ResultSink sink, CheckpointStore store) throws IOException {
-    RowsOnce rows = new RowsOnce(sink, takenElsewhere + place.rows().taken());
+    RowDeduplication rows = new RowDeduplication(sink, takenElsewhere + place.rows().taken());
     rows.begin(columns());
     CheckpointSchedule clock = new CheckpointSchedule(store);
     if (!started) {
@@ -437,7 +437,7 @@ public final class RemoteRun implements PreparedRun {
     steer(IMechSimRemoteOperations::pause, false, until);
   }
 
-  /** Lets a paused run continue to its end. */
+  /** Continues a paused run to its end. */
   public synchronized void resume() {
     steer(IMechSimRemoteOperations::resume, true, Double.POSITIVE_INFINITY);
   }
@@ -448,7 +448,7 @@ public final class RemoteRun implements PreparedRun {
   }
 
   /**
-   * Lets the run continue until a step reaches a time, then pauses it.
+   * Continues the run until a step reaches a time, then pauses it.
    *
    * @param time simulated time, s
    */

@@ -51,7 +51,7 @@ public final class SuiteTimeBudget {
     return Math.min(limitSeconds, Math.max(0, (endOfCase - elapsed()) / runsLeft));
   }
 
-  /** Says when runs were stopped. */
+  /** Returns a sentence about stopped runs. */
   String said() {
     return Double.isFinite(totalSeconds)
         ? String.format(

@@ -33,7 +33,10 @@ import org.mechservice.sim.service.contract.Journal;
 import org.mechservice.sim.service.contract.JournalEntry;
 import org.omg.CORBA.IntHolder;
 
-/** What administrators ask. Every answer comes in time: silent hosts are left out of it. */
+/**
+ * The servant of the interface for administrators. Every answer comes in time: silent hosts are
+ * left out of it.
+ */
 public final class MechAdminServant implements MechAdminOperations {
   /** Ends the server. */
   public interface Shutdown {
@@ -151,7 +154,7 @@ public final class MechAdminServant implements MechAdminOperations {
     return last;
   }
 
-  /** Asks the host that has a run; if it is not known which one has, all that answer. */
+  /** Calls the host that has a run, or all hosts if that host is not known. */
   private <T> Optional<T> askHostOf(String simId, HostCalls.Question<T> question)
       throws NotAuthorized {
     Optional<RegisteredHost> known = directory.runs().hostOf(simId).flatMap(directory::find);

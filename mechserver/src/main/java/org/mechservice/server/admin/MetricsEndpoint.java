@@ -18,7 +18,7 @@ public final class MetricsEndpoint implements AutoCloseable {
   private static final String TEXT = "text/plain; version=0.0.4; charset=utf-8";
 
   /**
-   * How the service is.
+   * The health of the service.
    *
    * @param good whether it works
    * @param text why, for people

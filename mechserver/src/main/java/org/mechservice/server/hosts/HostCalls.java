@@ -65,7 +65,7 @@ public final class HostCalls implements AutoCloseable {
     };
   }
 
-  /** Asks one host. */
+  /** Calls one host. */
   public <T> Answer<T> ask(MechSimHostOperations host, Question<T> question) {
     Future<T> answer = threads.submit(() -> question.ask(host));
     try {
@@ -111,7 +111,7 @@ public final class HostCalls implements AutoCloseable {
   private record Answered<T>(RegisteredHost host, Answer<T> answer) {}
 
   /**
-   * Asks many hosts at once until one has an answer.
+   * Calls many hosts at once until one has an answer.
    *
    * @param failed receives the hosts that gave no answer
    * @throws NotAuthorized if none has, and one refuses it to the user

@@ -38,7 +38,7 @@ public final class HostDirectory implements AutoCloseable {
   private static final int EVENTS_AT_ONCE = 1000;
   private static final int READ_AT_ONCE = 8;
 
-  /** How old what is known of runs that go on may become. */
+  /** Largest age of the kept state of running runs, ns. */
   private static final long LIST_AGE_NANOS = TimeUnit.SECONDS.toNanos(2);
 
   private final ServerTuning tuning;
@@ -204,7 +204,7 @@ public final class HostDirectory implements AutoCloseable {
   }
 
   /**
-   * Asks all hosts that are not silent at once, until one has an answer.
+   * Calls all hosts that are not silent at once, until one has an answer.
    *
    * @throws NotAuthorized if none has, and one refuses it to the user
    */

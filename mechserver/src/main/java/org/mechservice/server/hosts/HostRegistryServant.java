@@ -29,7 +29,7 @@ import org.omg.CORBA.OBJECT_NOT_EXIST;
  * only hosts of the server's own machine are accepted, because others are not identified.
  */
 public final class HostRegistryServant implements HostRegistryOperations {
-  /** How often a host that registers is called before it is taken for silent. */
+  /** Number of calls to a host that registers before it counts as silent. */
   private static final int FIRST_CALLS = 5;
 
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9._-]{1,64}");

@@ -24,7 +24,7 @@ import org.mechservice.sim.service.contract.ContractErrors;
 import org.mechservice.sim.service.library.ModelImport;
 import org.mechservice.sim.service.limits.CurrentLimits;
 
-/** Where clients connect. */
+/** The servant of the interface for clients. */
 public final class MechServerServant implements MechServerOperations {
   private static final String[] CAPABILITIES = {
     "formulation=DTR",

@@ -51,7 +51,7 @@ public final class RegisteredHost {
     this.endpoint = endpoint;
   }
 
-  /** Has something done when the host is known no longer. */
+  /** Sets an action for the time when the host is removed. */
   void whenGone(Runnable last) {
     farewell = last;
   }

@@ -59,7 +59,7 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
 
   private final MachineLoad processors = MachineLoad.ofThisMachine();
 
-  /** What operators read about classes of users; the wall is known after the warm-up. */
+  /** Text for operators about user classes; the sandbox is known after the warm-up. */
   private volatile String userCode;
 
   /**

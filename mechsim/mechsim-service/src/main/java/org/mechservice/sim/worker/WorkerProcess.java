@@ -21,7 +21,7 @@ import org.mechservice.solver.api.run.Checkpoints;
 import org.mechservice.solver.api.run.RunControl;
 import org.mechservice.solver.catalogue.MessageCode;
 
-/** A worker as its host sees it. Runs once. */
+/** A worker process, as its host controls it. Runs once. */
 public final class WorkerProcess {
   /** Exit status of a Java process that runs out of memory, with {@code ExitOnOutOfMemoryError}. */
   private static final int EXIT_OUT_OF_MEMORY = 3;
@@ -149,8 +149,8 @@ public final class WorkerProcess {
   }
 
   /**
-   * Says why a worker is gone that has closed its end. It may take its time to die: its memory goes
-   * back to the system first.
+   * Returns the reason why a worker that has closed its end is gone. It may take its time to die:
+   * its memory goes back to the system first.
    */
   static WorkerLostException lost(Process gone, long memoryBytes) {
     try {
@@ -205,7 +205,7 @@ public final class WorkerProcess {
     }
   }
 
-  /** What host and worker say to each other. */
+  /** The dialogue between host and worker. */
   private static final class Dialogue {
     private final DataInputStream in;
     private final DataOutputStream out;

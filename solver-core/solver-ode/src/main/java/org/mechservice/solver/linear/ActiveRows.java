@@ -115,7 +115,7 @@ final class ActiveRows {
     return largest;
   }
 
-  /** Lets all rows that are left be chosen. */
+  /** Permits the choice of all rows that are left. */
   void waken() {
     for (int i = m - 1; i >= 0; i--) {
       if (!removed[i] && !listed[i]) {

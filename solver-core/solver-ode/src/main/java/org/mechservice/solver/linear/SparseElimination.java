@@ -11,7 +11,7 @@ import java.util.Arrays;
  * <p>A pivot is at least half of the largest element that its row has left, so that what is found
  * from other columns is never found from much larger changes of them. Rows wait while all that they
  * have left is small beside what others have: those that repeat others come last, and what is left
- * of them is rounding. Pivots depend on the scaling of rows and columns; whoever calls scales to
+ * of them is rounding. Pivots depend on the scaling of rows and columns; the caller scales them to
  * what is comparable.
  *
  * <p>For setting up and for a choice made anew now and then: allocates.

@@ -26,7 +26,7 @@ final class FailureText {
   /** Spacing of floating-point times, s, above which steps cannot be short. */
   private static final double COARSE = 1e-10;
 
-  /** How an implicit step on the residual closes loops. */
+  /** The way in which an implicit step on the residual closes loops. */
   enum ImplicitLoops {
     /** There are none, or the equations are explicit. */
     NONE,

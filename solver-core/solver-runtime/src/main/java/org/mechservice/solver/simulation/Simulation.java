@@ -340,7 +340,7 @@ public final class Simulation implements Solver {
           : Optional.of(new Outcome.Completed());
     }
 
-    /** Lets steps end exactly at the rows. */
+    /** Makes steps end exactly at the rows. */
     void breakAtRows() {
       List<Double> times = new ArrayList<>();
       for (long row = 1; row < outputTimes.count(); row++) {

@@ -65,7 +65,7 @@ public class RunControl {
     notifyAll();
   }
 
-  /** Lets the run continue to its end. */
+  /** Continues the run to its end. */
   public synchronized void resume() {
     stepsAllowed = Long.MAX_VALUE;
     holdAt = Double.POSITIVE_INFINITY;
@@ -73,7 +73,7 @@ public class RunControl {
   }
 
   /**
-   * Lets the run continue until a step reaches a time, then pauses it.
+   * Continues the run until a step reaches a time, then pauses it.
    *
    * @param until simulated time, s
    */
@@ -83,7 +83,7 @@ public class RunControl {
     letGo();
   }
 
-  /** Lets the run take one accepted step, then pauses it. */
+  /** Continues the run for one accepted step, then pauses it. */
   public synchronized void step() {
     holdAt = Double.POSITIVE_INFINITY;
     stepsAllowed = steps + 1;

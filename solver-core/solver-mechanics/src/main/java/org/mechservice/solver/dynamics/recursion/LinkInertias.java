@@ -62,6 +62,20 @@ public final class LinkInertias {
     }
   }
 
+  /** Returns the mean radius of the links about their joints, m; 1 m if none has mass. */
+  public double meanRadius() {
+    double sum = 0;
+    int counted = 0;
+    for (int link = 0; link < mass.length; link++) {
+      double trace = second[9 * link] + second[9 * link + 4] + second[9 * link + 8];
+      if (mass[link] > 0 && trace > 0) {
+        sum += Math.sqrt(trace / (2 * mass[link]));
+        counted++;
+      }
+    }
+    return counted == 0 ? 1 : sum / counted;
+  }
+
   /**
    * Writes the momentum I V of a link: [J ω + h × u; m u − h × ω] with h = m c.
    *

@@ -178,7 +178,7 @@ final class IntegrationRun {
     return solution;
   }
 
-  /** Tells the last step to all who want to know it. */
+  /** Passes the last step to all its receivers. */
   private void tellStep() {
     double end = integrator.time();
     step.place(reached, end);
