@@ -336,8 +336,25 @@ def exudyn_drives(steps):
     return {"setUp": set_up, "run": run, "angle": float(height), "drift": drift}
 
 
-def mujoco(scene, steps):
+def mujoco_solve(mechanism, end, steps, closing):
+    """Runs the classical Runge-Kutta method on the elements of a mechanism. Returns the data at the
+    end, and figures: processor times, and the largest gap of the pairs of sites that close loops."""
     import mujoco as mj
+    h = end / steps
+    begun = time.process_time()
+    model = mj.MjModel.from_xml_string(
+        f'<mujoco><option timestep="{h}" gravity="0 0 {-GRAVITY}" integrator="RK4"/>'
+        f'<default><equality solref="{2.5 * h} 1"/></default>{mechanism}</mujoco>')
+    data = mj.MjData(model)
+    set_up = time.process_time()
+    mj.mj_step(model, data, steps)
+    done = time.process_time()
+    mj.mj_kinematics(model, data)
+    drift = max(math.dist(data.site(a).xpos, data.site(b).xpos) for a, b in closing)
+    return data, {"setUp": set_up - begun, "run": done - set_up, "drift": drift}
+
+
+def mujoco(scene, steps):
     tree, closing = scene.split()
     children = {body: [] for body in range(-1, len(scene.bodies))}
     for body, pin in tree.items():
@@ -375,22 +392,11 @@ def mujoco(scene, steps):
              for number, (first, p, second, q) in enumerate(closing)
              for name, owner, point in (("f", first, p), ("s", second, q)) if owner < 0]
     equal = "".join(f'<connect site1="f{i}" site2="s{i}"/>' for i in range(len(closing)))
-    h = scene.end / steps
-    begun = time.process_time()
-    model = mj.MjModel.from_xml_string(
-        f'<mujoco><option timestep="{h}" gravity="0 0 {-GRAVITY}" integrator="RK4"/>'
-        f'<default><equality solref="{2.5 * h} 1"/></default>'
-        f'<worldbody>{"".join(fixed)}{"".join(text)}</worldbody><equality>{equal}</equality></mujoco>')
-    data = mj.MjData(model)
-    set_up = time.process_time()
-    mj.mj_step(model, data, steps)
-    done = time.process_time()
-    mj.mj_kinematics(model, data)
-    sites = [[data.site(f"{name}{i}").xpos for name in "fs"] for i in range(len(closing))]
+    data, figures = mujoco_solve(
+        f'<worldbody>{"".join(fixed)}{"".join(text)}</worldbody><equality>{equal}</equality>',
+        scene.end, steps, [(f"f{i}", f"s{i}") for i in range(len(closing))])
     first = data.joint("j0").qpos[0]
-    return {"setUp": set_up - begun, "run": done - set_up,
-            "angle": float(first) - scene.bodies[0][2],
-            "drift": max(math.dist(f, s) for f, s in sites)}
+    return {**figures, "angle": float(first) - scene.bodies[0][2]}
 
 
 def mujoco_vehicle():
@@ -438,22 +444,10 @@ def mujoco_vehicle():
 
 def mujoco_drives(steps):
     """The vehicle in MuJoCo: height of its chassis after 1 s."""
-    import mujoco as mj
-    h = 1 / steps
-    begun = time.process_time()
-    model = mj.MjModel.from_xml_string(
-        f'<mujoco><option timestep="{h}" gravity="0 0 {-GRAVITY}" integrator="RK4"/>'
-        f'<default><equality solref="{2.5 * h} 1"/><geom contype="0"/></default>'
-        f'{mujoco_vehicle()}</mujoco>')
-    data = mj.MjData(model)
-    set_up = time.process_time()
-    mj.mj_step(model, data, steps)
-    done = time.process_time()
-    mj.mj_kinematics(model, data)
-    drift = max(math.dist(data.site(a).xpos, data.site(b).xpos) for c in range(len(CORNERS))
-                for a, b in ((f"topwish{c}", f"topup{c}"), (f"rack{c}", f"rackrod{c}")))
-    return {"setUp": set_up - begun, "run": done - set_up, "angle": float(data.qpos[2]),
-            "drift": drift}
+    data, figures = mujoco_solve(
+        mujoco_vehicle(), 1.0, steps, [ends for c in range(len(CORNERS)) for ends in (
+            (f"topwish{c}", f"topup{c}"), (f"rack{c}", f"rackrod{c}"))])
+    return {**figures, "angle": float(data.qpos[2])}
 
 
 class Clock:

@@ -26,8 +26,8 @@ import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.capability.ExplicitModel;
 
 /**
- * What the first evaluations cost in a virtual machine that has done nothing else, generated code
- * beside data, and what it takes to generate and compile. Every run is a process of its own.
+ * Cost of the first evaluations in a fresh virtual machine, by generated code and from data, and
+ * cost of generating and compiling the code. Every run is a process of its own.
  */
 public final class FirstEvaluations {
   private static final List<String> SCENES = List.of("pend5", "pend5s", "driver41", "spatial200");

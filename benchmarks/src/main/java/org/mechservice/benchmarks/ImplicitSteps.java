@@ -12,7 +12,7 @@ import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 
 /**
- * What implicit steps take besides evaluations, of generated code: Jacobian and factorisation along
+ * Cost of implicit steps of generated code besides evaluations: Jacobian and factorisation along
  * the tree in RR-JF, and by differences of y' and in a dense matrix, as DTR and DSR have them.
  */
 @State(Scope.Benchmark)

@@ -9,7 +9,7 @@ import org.openjdk.jmh.annotations.OutputTimeUnit;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * How everything here is measured: nanoseconds per call, in a process of its own, warm. The process
+ * The settings of all benchmarks: nanoseconds per call, in a process of its own, warm. The process
  * waits for its compilers: beside the measurement on one core they take seconds for large models,
  * and what is then measured is half compiled.
  */

@@ -24,7 +24,7 @@ public class StepMemory extends Measured {
    */
   private static final double NEVER = 1e9;
 
-  /** What integrates. */
+  /** The integrator. */
   @Param({"ODE113", "DE", "ODE15S", "SWITCHING"})
   public String method = "";
 

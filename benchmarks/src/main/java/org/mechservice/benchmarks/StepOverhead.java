@@ -21,7 +21,7 @@ public class StepOverhead extends Measured {
   @Param({"VanDerPol", "EulerRigidBody", "Kepler", "Hires"})
   public String problem = "";
 
-  /** What integrates it. */
+  /** The integrator. */
   @Param public ComparedIntegrator method = ComparedIntegrator.ODE113;
 
   private SuiteProblem equations = SuiteProblem.named("VanDerPol");

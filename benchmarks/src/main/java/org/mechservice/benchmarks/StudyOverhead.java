@@ -26,9 +26,9 @@ import org.mechservice.study.run.StudyPlan;
 import org.mechservice.study.run.StudyReader;
 
 /**
- * What the engine of a study costs beside the runs of its points: parts of a study in one thread,
- * with journal and table, against a bare loop over the generated model at the same points, which
- * throws the rows away. Both are measured in turns as processor time of the process, which has the
+ * Cost of the engine of a study beside the runs of its points: parts of a study in one thread, with
+ * journal and table, against a bare loop over the generated model at the same points, which throws
+ * the rows away. Both are measured in turns as processor time of the process, which has the
  * compiler's and the collector's in it; after a warm-up the median of the ratios counts.
  *
  * <p>Models with settled values are made by the bare loop as the study makes them; what that costs

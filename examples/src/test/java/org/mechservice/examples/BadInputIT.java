@@ -59,16 +59,21 @@ class BadInputIT {
       throws IOException {
     int line = writeSpoilt(part, replacement);
 
-    Terminal.Ended run = terminal.mech("simulate", "bad.xml", "--out", "r.csv");
+    Mechanic.Done run = inThisProcess("simulate bad.xml --out r.csv");
 
     assertOneMessage(run, 2);
-    assertThat(run.stderr()).contains("bad.xml:" + line + ":").containsPattern("\\bM-\\d{3}\\b");
+    assertThat(run.err()).contains("bad.xml:" + line + ":").containsPattern("\\bM-\\d{3}\\b");
     assertOnlyFilesAre("bad.xml");
   }
 
   @ParameterizedTest
   @ValueSource(
-      strings = {"check bad.xml", "build bad.xml -o p.jar", "build bad.xml -o p.jar --standalone"})
+      strings = {
+        "simulate bad.xml --out r.csv",
+        "check bad.xml",
+        "build bad.xml -o p.jar",
+        "build bad.xml -o p.jar --standalone"
+      })
   void everyCommandThatReadsAModelRefusesABadOne(String command) throws IOException {
     int line = writeSpoilt("<body1 name=\"bar4\"", "<body1 name=\"bar44\"");
 
@@ -83,7 +88,6 @@ class BadInputIT {
   @CsvSource({
     "simulate nowhere.xml, nowhere.xml",
     "simulate MODEL --rtoll 1e-5, --rtoll",
-    "simulate MODEL --rtol abc, abc",
     "simulate MODEL --rtol -1, -1",
     "simulate MODEL --mode sideways, sideways",
     "simulate MODEL --integrator euler, euler",
@@ -92,16 +96,36 @@ class BadInputIT {
     "simulate MODEL --out r.xyz, r.xyz",
     "simulate MODEL --columns colours, colours",
     "simulate MODEL --server http://x/y --out r.csv, http://x/y",
-    "simulte MODEL, simulte",
     "build MODEL -o nodir/p.jar, nodir"
   })
   void usageErrorNamesWhatWasWrong(String command, String named) throws IOException {
+    Mechanic.Done run = inThisProcess(command);
+
+    assertOneMessage(run, 2);
+    assertThat(run.err()).contains(named);
+    assertOnlyFilesAre();
+  }
+
+  @ParameterizedTest
+  @CsvSource({"simulate MODEL --rtol abc, abc", "simulte MODEL, simulte"})
+  void usageErrorIsAllThatTheProcessSays(String command, String named) throws IOException {
     Terminal.Ended run =
         terminal.mech(command.replace("MODEL", WorkingTree.PENDULUM.toString()).split(" "));
 
     assertOneMessage(run, 2);
     assertThat(run.stderr()).contains(named);
     assertOnlyFilesAre();
+  }
+
+  /** Runs a command whose files are in the test's folder. */
+  private Mechanic.Done inThisProcess(String command) {
+    return Mechanic.mech(
+        Stream.of(command.split(" "))
+            .map(
+                word ->
+                    word.matches("[\\w/]+\\.\\w{3}") ? directory.resolve(word).toString() : word)
+            .map(word -> word.equals("MODEL") ? WorkingTree.PENDULUM.toString() : word)
+            .toArray(String[]::new));
   }
 
   @Test
@@ -182,10 +206,14 @@ class BadInputIT {
   }
 
   private static void assertOneMessage(Terminal.Ended run, int exitStatus) {
-    assertThat(run.exitStatus()).as(run.toString()).isEqualTo(exitStatus);
-    assertThat(run.stdout()).isEmpty();
-    assertThat(run.stderr()).doesNotContain("\tat ", "Exception", "null");
-    assertThat(CODE.matcher(run.stderr()).results().count()).as(run.stderr()).isEqualTo(1);
+    assertOneMessage(new Mechanic.Done(run.exitStatus(), run.stdout(), run.stderr()), exitStatus);
+  }
+
+  private static void assertOneMessage(Mechanic.Done run, int exitStatus) {
+    assertThat(run.status()).as(run.toString()).isEqualTo(exitStatus);
+    assertThat(run.out()).isEmpty();
+    assertThat(run.err()).doesNotContain("\tat ", "Exception", "null");
+    assertThat(CODE.matcher(run.err()).results().count()).as(run.err()).isEqualTo(1);
   }
 
   private void assertOnlyFilesAre(String... names) throws IOException {

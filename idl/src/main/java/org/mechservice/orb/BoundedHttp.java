@@ -17,8 +17,8 @@ import org.mechservice.solver.catalogue.MessageCode;
 /**
  * An HTTP server that no caller can hold up, on the loopback interface unless said otherwise. A
  * request whose head or body does not arrive within {@value #REQUEST_SECONDS} s costs its own
- * connection and nobody else's: each is read by a thread of its own, and beyond {@value
- * #MOST_REQUESTS} at once a connection is closed at its first byte.
+ * connection alone: each is read by a thread of its own, and beyond {@value #MOST_REQUESTS} at once
+ * a connection is closed at its first byte.
  */
 public final class BoundedHttp implements AutoCloseable {
   /** Longest time for a request to arrive, s. */

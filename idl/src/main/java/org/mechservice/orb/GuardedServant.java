@@ -86,7 +86,7 @@ public final class GuardedServant implements InvocationHandler {
 
           @Override
           public void refused(Method operation, Object[] arguments, NotAuthorized refusal) {
-            // A oneway call: nobody waits for its result.
+            // A oneway call: its result is not read.
           }
         });
   }

@@ -6,8 +6,8 @@ import ch.qos.logback.classic.LoggerContext;
 import org.slf4j.LoggerFactory;
 
 /**
- * What the ORB writes to the log of a program. Logback without configuration prints everything: a
- * hundred lines for each connection.
+ * The level of messages of the ORB in the log of a program. Logback without configuration prints
+ * everything: a hundred lines for each connection.
  */
 final class OrbLog {
   private static final String ORB = "org.jacorb";

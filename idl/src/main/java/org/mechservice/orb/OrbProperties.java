@@ -127,9 +127,8 @@ final class OrbProperties {
   }
 
   /**
-   * Lets an ORB speak over TLS and in no other way, and take calls only from callers with a
-   * certificate. The ORB writes the options into its references; what it does is up to its socket
-   * factories.
+   * Restricts an ORB to TLS, and to calls from callers with a certificate. The ORB writes the
+   * options into its references; what it does is up to its socket factories.
    *
    * @param port where it listens; 0: on any free port
    */

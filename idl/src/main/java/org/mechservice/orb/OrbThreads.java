@@ -55,7 +55,7 @@ final class OrbThreads extends ThreadGroup {
         });
   }
 
-  /** Says that the ORB is being closed: a late message then finds its adapter gone. */
+  /** Records that the ORB is being closed: a late message then finds its adapter gone. */
   void closing() {
     closing = true;
   }

@@ -2,11 +2,11 @@ package org.mechservice.orb;
 
 /** The objects of a server that are found by name instead of by reference. */
 public enum ServiceKey {
-  /** Where clients connect. */
+  /** The interface for clients. */
   SERVER("MechServer"),
-  /** Where hosts register. */
+  /** The registry of hosts. */
   REGISTRY("HostRegistry"),
-  /** What administrators ask. */
+  /** The interface for administrators. */
   ADMIN("MechAdmin");
 
   private final String key;

@@ -148,9 +148,9 @@ public final class ServiceOrb implements AutoCloseable {
    * @param url {@code host:port}, {@code corbaloc:iiop:1.2@host:port/MechServer}, {@code
    *     corbaname:iiop:1.2@host:port#MechServer}, {@code IOR:...} or the name of a file that holds
    *     an IOR; without a port, 15000 is meant
-   * @throws ServiceUnreachableException if nobody answers there within seconds (S-002) or something
-   *     that is not a MechService of this API version (S-005), or the naming service does not know
-   *     (S-020)
+   * @throws ServiceUnreachableException if no process answers there within seconds (S-002) or
+   *     something that is not a MechService of this API version (S-005), or the naming service does
+   *     not know (S-020)
    * @throws IllegalArgumentException with code S-006 if the URL is none
    */
   public MechServer connect(String url) {

@@ -2,7 +2,7 @@ package org.mechservice.orb;
 
 import org.jspecify.annotations.Nullable;
 
-/** Nothing answers at an address, or something that is not a MechService. */
+/** No MechService answers at an address. */
 public final class ServiceUnreachableException extends RuntimeException {
   private static final long serialVersionUID = 1L;
 

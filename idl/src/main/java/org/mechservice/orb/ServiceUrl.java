@@ -13,7 +13,7 @@ import org.mechservice.orb.connection.Endpoint;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * Where a server is, as a user writes it: {@code host:port}, {@code host}, {@code
+ * The address of a server, as a user writes it: {@code host:port}, {@code host}, {@code
  * corbaloc:iiop:1.2@host:port/MechServer}, the same with {@code ssliop} over TLS, {@code
  * corbaname:iiop:1.2@host:port#MechServer}, {@code IOR:...}, or the name of a file that holds one
  * of these.

@@ -22,9 +22,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A servant as its object adapter has it. It answers requests that were too large with {@link
- * LimitExceeded}, before arguments are read, and tells their connections which peers use objects
- * that live as long as they are called.
+ * A servant in its object adapter that watches requests. It answers requests that were too large
+ * with {@link LimitExceeded}, before arguments are read, and tells their connections which peers
+ * use objects that live as long as they are called.
  */
 final class WatchedServant extends Servant implements InvokeHandler {
   private static final Logger LOG = LoggerFactory.getLogger(WatchedServant.class);

@@ -13,8 +13,8 @@ import org.omg.CORBA.TRANSIENT;
 import org.omg.CORBA.UserException;
 
 /**
- * Something an operator has a server do. Each is one call of the administration interface, and each
- * has a command line that does the same.
+ * An administrative action on a server, a host or a simulation. Each is one call of the
+ * administration interface, and each has a command line that does the same.
  */
 public sealed interface AdminAction {
   /** Calls the server. */
@@ -69,7 +69,7 @@ public sealed interface AdminAction {
   }
 
   /**
-   * Lets running simulations continue and admits no new one.
+   * Admits no new simulation; running ones continue.
    *
    * @param host which host; empty: the whole server
    */
@@ -91,7 +91,7 @@ public sealed interface AdminAction {
   }
 
   /**
-   * Lets new things begin again.
+   * Admits new sessions and simulations again.
    *
    * @param host which host; empty: the whole server
    */

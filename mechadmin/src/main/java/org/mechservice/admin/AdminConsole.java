@@ -22,15 +22,15 @@ import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.IntHolder;
 
 /**
- * Sees and steers a fixed set of servers. Everything the terminal and the page show or do goes
- * through here, and from here through the administration interface of the servers. No call waits
- * longer than the patience, whatever the servers do. Thread-safe.
+ * Monitors and controls a fixed set of servers. Everything the terminal and the page show or do
+ * goes through here, and from here through the administration interface of the servers. No call
+ * waits longer than the patience, whatever the servers do. Thread-safe.
  */
 public final class AdminConsole implements AutoCloseable {
   /** A server asks its hosts for two seconds at most before it answers. */
   public static final Duration PATIENCE = Duration.ofSeconds(4);
 
-  /** So many in one answer that a busy farm is listed in one or two. */
+  /** Simulations in one answer; one or two answers list a busy farm. */
   private static final int PAGE = 2000;
 
   private final List<String> servers;
@@ -63,13 +63,13 @@ public final class AdminConsole implements AutoCloseable {
     return servers;
   }
 
-  /** Asks all servers at the same time how they are; one reading each, in their order. */
+  /** Reads the state of all servers at the same time; one reading each, in their order. */
   public List<ServerReading> read() {
     List<Questions> asked = servers.stream().map(Questions::new).toList();
     return asked.stream().map(Questions::await).toList();
   }
 
-  /** Asks one server how it is. */
+  /** Reads the state of one server. */
   public ServerReading read(String server) {
     return new Questions(require(server)).await();
   }
@@ -167,7 +167,7 @@ public final class AdminConsole implements AutoCloseable {
   }
 
   /**
-   * Has a server do something, once.
+   * Performs an action on a server, once.
    *
    * @throws AdminFailure if the server does not answer, refuses, or what it is about is not there
    */
@@ -183,7 +183,7 @@ public final class AdminConsole implements AutoCloseable {
             .await();
   }
 
-  /** Only servers the operator named are ever connected to. */
+  /** Returns the address of a server that the operator named; no other server is connected to. */
   private String require(String server) {
     if (!servers.contains(server)) {
       throw new AdminFailure(

@@ -10,7 +10,7 @@ public final class AdminFailure extends RuntimeException {
     NO_ANSWER,
     /** The server refuses this to the caller. */
     NOT_ALLOWED,
-    /** There is no server, host or simulation of that name. */
+    /** No server, host or simulation has that name. */
     NOT_FOUND,
     /** The request is not valid. */
     NOT_USABLE

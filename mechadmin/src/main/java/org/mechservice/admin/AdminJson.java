@@ -21,8 +21,8 @@ import org.mechservice.idl.Severity;
 import org.mechservice.idl.SimSummary;
 
 /**
- * What the console knows, as JSON: for scripts and for the page, by the same names. Times are ISO
- * 8601 in UTC, sizes in bytes; a number that is not finite is null.
+ * The console's data as JSON, under the same names for scripts and for the page. Times are ISO 8601
+ * in UTC, sizes in bytes; a number that is not finite is null.
  */
 public final class AdminJson {
   private static final Gson PRETTY =
@@ -52,7 +52,9 @@ public final class AdminJson {
         List<KnownSimulation> all = KnownSimulation.all(List.of(reading));
         server.add(
             "simulations",
-            list(all.stream().filter(KnownSimulation::goesOn).toList(), AdminJson::simulation));
+            list(
+                all.stream().filter(KnownSimulation::isUnfinished).toList(),
+                AdminJson::simulation));
       }
       servers.add(server);
     }
@@ -103,7 +105,7 @@ public final class AdminJson {
     server.addProperty("name", status.info.serverName);
     server.addProperty("version", status.info.serverVersion);
     server.addProperty("apiVersion", status.info.apiVersion);
-    server.addProperty("startedAt", Measures.instant(status.info.startedAt));
+    server.addProperty("startedAt", QuantityText.instant(status.info.startedAt));
     server.addProperty("draining", status.draining);
     server.addProperty("hostCount", status.hosts);
     server.addProperty("sessions", status.sessions);
@@ -130,8 +132,8 @@ public final class AdminJson {
     host.addProperty("state", HostState.of(status).label());
     host.addProperty("reachable", status.reachable);
     host.addProperty("problem", status.text);
-    host.addProperty("startedAt", Measures.instant(status.info.startedAt));
-    host.addProperty("lastSeen", Measures.instant(status.lastSeen));
+    host.addProperty("startedAt", QuantityText.instant(status.info.startedAt));
+    host.addProperty("lastSeen", QuantityText.instant(status.lastSeen));
     host.addProperty("draining", status.load.draining);
     host.addProperty("cores", status.info.cores);
     host.addProperty("capacity", status.info.capacity);
@@ -159,9 +161,9 @@ public final class AdminJson {
     simulation.addProperty("message", summary.text);
     simulation.add("progress", number(known.progress()));
     addProgress(simulation, summary.info);
-    simulation.addProperty("createdAt", Measures.instant(summary.createdAt));
-    simulation.addProperty("startedAt", Measures.instant(summary.startedAt));
-    simulation.addProperty("endedAt", Measures.instant(summary.endedAt));
+    simulation.addProperty("createdAt", QuantityText.instant(summary.createdAt));
+    simulation.addProperty("startedAt", QuantityText.instant(summary.startedAt));
+    simulation.addProperty("endedAt", QuantityText.instant(summary.endedAt));
     return simulation;
   }
 
@@ -187,7 +189,7 @@ public final class AdminJson {
     JsonObject json = new JsonObject();
     json.addProperty("server", server);
     json.addProperty("number", event.seqNo);
-    json.addProperty("at", Measures.instant(event.happenedAt));
+    json.addProperty("at", QuantityText.instant(event.happenedAt));
     json.addProperty("kind", event.kind);
     json.addProperty("level", level(event.level));
     json.addProperty("code", event.code);
@@ -210,7 +212,7 @@ public final class AdminJson {
   /** Returns a log line. */
   public static JsonObject logLine(LogLine line) {
     JsonObject json = new JsonObject();
-    json.addProperty("at", Measures.instant(line.writtenAt));
+    json.addProperty("at", QuantityText.instant(line.writtenAt));
     json.addProperty("level", line.level);
     json.addProperty("source", line.source);
     json.addProperty("text", line.text);

@@ -77,7 +77,7 @@ public final class DetailJson {
   private static JsonObject event(SimEvent event) {
     JsonObject json = new JsonObject();
     json.addProperty("number", event.seqNo);
-    json.addProperty("at", Measures.instant(event.happenedAt));
+    json.addProperty("at", QuantityText.instant(event.happenedAt));
     json.addProperty("state", KnownSimulation.label(event.info.state));
     json.add("time", AdminJson.number(event.info.simTime));
     json.addProperty("text", event.text);

@@ -47,18 +47,22 @@ public final class DetailText {
     table.add(
         "state", known.state() + (info.queuePosition > 0 ? ", number " + info.queuePosition : ""));
     table.add(
-        "simulated", Measures.time(info) + Measures.format(", %.0f %%", 100 * known.progress()));
-    table.add("x real time", Measures.number(info.realTimeFactor));
+        "simulated",
+        QuantityText.time(info) + QuantityText.format(", %.0f %%", 100 * known.progress()));
+    table.add("x real time", QuantityText.number(info.realTimeFactor));
     table.add(
         "steps",
-        Measures.format(
+        QuantityText.format(
             "%d, the last of %s s, order %d",
-            info.stepsDone, Measures.number(info.stepSize), info.stepOrder));
+            info.stepsDone, QuantityText.number(info.stepSize), info.stepOrder));
     table.add("rows", Long.toString(info.rowsReady));
     table.add(
         "created",
-        Measures.instant(summary.createdAt) + ", " + Measures.age(summary.createdAt, now) + " ago");
-    table.add("ended", Measures.instant(summary.endedAt));
+        QuantityText.instant(summary.createdAt)
+            + ", "
+            + QuantityText.age(summary.createdAt, now)
+            + " ago");
+    table.add("ended", QuantityText.instant(summary.endedAt));
     table.add("last message", summary.text);
     return table.toString();
   }
@@ -75,10 +79,10 @@ public final class DetailText {
     TextTable steps = new TextTable("TIME", "STEP SIZE", "ORDER", "ERROR RATIO");
     for (StepTried tried : failed.lastSteps) {
       steps.add(
-          Measures.number(tried.simTime),
-          Measures.number(tried.stepSize),
+          QuantityText.number(tried.simTime),
+          QuantityText.number(tried.stepSize),
           Integer.toString(tried.stepOrder),
-          Measures.number(tried.errorRatio));
+          QuantityText.number(tried.errorRatio));
     }
     return steps.isEmpty() ? text.toString() : text.append(steps).toString();
   }
@@ -92,7 +96,7 @@ public final class DetailText {
   }
 
   private static void addEvent(TextTable table, SimEvent event) {
-    String at = Measures.instant(event.happenedAt);
+    String at = QuantityText.instant(event.happenedAt);
     if (!event.text.isEmpty()) {
       table.add(at, KnownSimulation.label(event.info.state), event.text);
     }

@@ -6,7 +6,7 @@ import org.mechservice.idl.HostStatus;
 public enum HostState {
   UP("up"),
   DRAINING("draining"),
-  /** Not heard of lately. */
+  /** It has not answered lately. */
   SILENT("no answer"),
   /** Given up by its server, with its simulations. */
   LOST("lost");

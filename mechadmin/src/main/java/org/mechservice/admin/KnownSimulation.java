@@ -11,7 +11,7 @@ import org.mechservice.idl.SimSummary;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * A simulation and the server it is known by.
+ * A simulation and the server that lists it.
  *
  * @param server address of the server
  * @param summary the server's summary of it
@@ -40,7 +40,7 @@ public record KnownSimulation(String server, SimSummary summary) {
   }
 
   /** Returns whether it has not ended. */
-  public boolean goesOn() {
+  public boolean isUnfinished() {
     return summary.info.state.value() < SimState._SIM_DONE;
   }
 

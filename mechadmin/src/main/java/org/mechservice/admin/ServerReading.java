@@ -5,7 +5,7 @@ import org.mechservice.idl.HostStatus;
 import org.mechservice.idl.ServerStatus;
 import org.mechservice.idl.SimSummary;
 
-/** What asking one server gave. */
+/** The answer of one server to a request for its state, or its failure. */
 public sealed interface ServerReading {
   /** Returns the address of the server. */
   String address();

@@ -25,7 +25,7 @@ public final class StatusText {
     TextTable hosts = hosts(readings);
     TextTable simulations =
         simulations(
-            KnownSimulation.all(readings).stream().filter(KnownSimulation::goesOn).toList());
+            KnownSimulation.all(readings).stream().filter(KnownSimulation::isUnfinished).toList());
     for (TextTable table : List.of(hosts, simulations)) {
       if (!table.isEmpty()) {
         text.append('\n').append(table);
@@ -64,13 +64,13 @@ public final class StatusText {
         status.info.serverName,
         reading.address(),
         status.draining ? "draining" : "up",
-        Measures.age(status.info.startedAt, now),
+        QuantityText.age(status.info.startedAt, now),
         Integer.toString(status.hosts),
         Integer.toString(status.sessions),
         Integer.toString(status.running),
         Integer.toString(status.queued),
         status.info.serverVersion,
-        Measures.certificate(status.statistics, now));
+        QuantityText.certificate(status.statistics, now));
   }
 
   /** Returns the hosts of all servers that answered. */
@@ -107,10 +107,10 @@ public final class StatusText {
         Integer.toString(host.info.cores),
         load.running + " of " + host.info.capacity,
         Integer.toString(load.queued),
-        Measures.load(load.cpuLoad),
-        Measures.memory(load.memoryUsed),
+        QuantityText.load(load.cpuLoad),
+        QuantityText.memory(load.memoryUsed),
         userCode(load),
-        Measures.certificate(load.statistics, now),
+        QuantityText.certificate(load.statistics, now),
         host.text);
   }
 
@@ -146,11 +146,11 @@ public final class StatusText {
           summary.modelName,
           summary.owner,
           known.state(),
-          Measures.time(summary.info),
+          QuantityText.time(summary.info),
           Long.toString(summary.info.stepsDone),
-          Measures.number(summary.info.stepSize),
-          Measures.number(summary.info.realTimeFactor),
-          Measures.age(summary.createdAt, now),
+          QuantityText.number(summary.info.stepSize),
+          QuantityText.number(summary.info.realTimeFactor),
+          QuantityText.age(summary.createdAt, now),
           summary.text);
     }
     return table;

@@ -114,7 +114,7 @@ class LostHostTest {
 
   @Test
   void runWhoseWorkerIsKilledIsComputedAgainToTheSameBits() throws Exception {
-    SimulationOptions options = SimulationOptions.asInFile().endTime(200).outputStep(0.01);
+    SimulationOptions options = SimulationOptions.asInFile().endTime(80).outputStep(0.01);
     HostOptions host =
         new HostOptions("s", 1, HostLimits.DEFAULT, Optional.empty(), UserCodePolicy.UNCONFINED);
     try (MechServerProcess server =
@@ -131,7 +131,7 @@ class LostHostTest {
       try (RemoteRun run = session.prepareRemoteRun(options, keptIn(told))) {
         assertThat(run.toEnd(taken).outcome()).isInstanceOf(Outcome.Completed.class);
       }
-      assertThat(taken.rows).isEqualTo(undisturbed.rows).isEqualTo(20_001);
+      assertThat(taken.rows).isEqualTo(undisturbed.rows).isEqualTo(8001);
       assertThat(taken.bits).isEqualTo(undisturbed.bits);
       assertThat(told).anyMatch(text -> text.contains("S-118"));
     }

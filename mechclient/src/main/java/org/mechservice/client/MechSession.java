@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -179,11 +178,9 @@ public final class MechSession implements AutoCloseable {
     return warnings;
   }
 
-  private void heed(NameValue[] facts) {
+  private void keepWarnings(SetUpFacts said) {
     warnings =
-        SetUpWarnings.in(facts)
-            .map(said -> said.stream().map(locating).toList())
-            .orElse(warningsOfFile);
+        said.warnings().map(those -> those.stream().map(locating).toList()).orElse(warningsOfFile);
   }
 
   private List<ModelMessage> load(ModelFile model, ModelFile[] classes) {
@@ -272,7 +269,7 @@ public final class MechSession implements AutoCloseable {
   }
 
   /**
-   * Lets the server read the model with options, which it checks.
+   * Reads the model at the server with options, which it checks.
    *
    * @throws InvalidModelException if the model cannot be used so
    * @throws InvalidOptionException if an option cannot be used
@@ -319,7 +316,7 @@ public final class MechSession implements AutoCloseable {
    */
   public RemoteRun prepareRemoteRun(SimulationOptions options, RunListener listener) {
     ListenerCallbacks callbacks = new ListenerCallbacks(listener);
-    return createRun(options, connection.export(callbacks), callbacks::say);
+    return createRun(options, connection.export(callbacks), callbacks::passOn);
   }
 
   private RemoteRun createRun(
@@ -384,17 +381,18 @@ public final class MechSession implements AutoCloseable {
         setUp.get(patient -> patient.prepareSimulation(options.toNameValues(), callback));
     double seconds = watch.lap();
     LeaseRenewal leases = connection.leases();
-    heed(answer.facts);
-    ServerTimes times = timesOfRun(answer.facts);
+    SetUpFacts said = new SetUpFacts(answer.facts);
+    keepWarnings(said);
+    ServerTimes times = timesOfRun(said);
     Map<String, Object> facts = new LinkedHashMap<>();
-    String host = factOf(answer.facts, "hostName");
-    facts.put("where", "remote, host " + host);
-    facts.putAll(knownFacts(answer.facts));
+    facts.put("where", "remote, host " + said.hostName());
+    facts.putAll(said.ofModel());
+    facts.put("serverVersion", service.version());
     facts.putAll(
         SetUpReport.remote(loadSeconds, seconds, times, openSeconds + loadSeconds + seconds));
     return new HostedRun(
         calls,
-        host,
+        said.hostName(),
         session,
         answer.simulation,
         leases.hold(answer.simulation),
@@ -404,31 +402,11 @@ public final class MechSession implements AutoCloseable {
   }
 
   /** Returns the server times since the last call. */
-  private ServerTimes timesOfRun(NameValue[] facts) {
-    ServerTimes now =
-        ServerTimes.of(
-            Arrays.stream(facts)
-                .filter(fact -> fact.key.matches("t\\dc?s?|tcc"))
-                .toArray(NameValue[]::new));
+  private ServerTimes timesOfRun(SetUpFacts said) {
+    ServerTimes now = said.times();
     ServerTimes ofRun = now.since(soFar);
     soFar = now;
     return ofRun;
-  }
-
-  private static String factOf(NameValue[] facts, String name) {
-    return Arrays.stream(facts)
-        .filter(fact -> fact.key.equals(name))
-        .map(fact -> fact.text)
-        .findFirst()
-        .orElse("");
-  }
-
-  private Map<String, Object> knownFacts(NameValue[] said) {
-    Map<String, Object> facts = new LinkedHashMap<>();
-    facts.put("modelSha256", factOf(said, "modelSha256"));
-    facts.put("formulationReason", factOf(said, "formulationReason"));
-    facts.put("serverVersion", service.version());
-    return facts;
   }
 
   /**
@@ -440,29 +418,27 @@ public final class MechSession implements AutoCloseable {
    */
   public LocalRun prepareLocalRun(SimulationOptions options) {
     Stopwatch watch = new Stopwatch();
-    NameValueSeqHolder said = new NameValueSeqHolder(new NameValue[0]);
+    NameValueSeqHolder answer = new NameValueSeqHolder(new NameValue[0]);
     JarFetch jars = jars();
-    BuiltJar modelJar = jars.model(options.toNameValues(), said);
-    heed(said.value);
+    BuiltJar modelJar = jars.model(options.toNameValues(), answer);
+    SetUpFacts said = new SetUpFacts(answer.value);
+    keepWarnings(said);
     byte[] runtimeJar = jars.runtime(modelJar);
     double fetchSeconds = watch.lap();
     FetchedModel fetched = FetchedModel.load(modelJar, runtimeJar);
     double total = openSeconds + loadSeconds + fetchSeconds + watch.lap();
     Map<String, Object> facts = new LinkedHashMap<>();
-    facts.put("where", "local, compiled by host " + factOf(said.value, "hostName"));
+    facts.put("where", "local, compiled by host " + said.hostName());
     fetched.formulationReason().ifPresent(reason -> facts.put("formulationReason", reason));
-    knownFacts(said.value).forEach(facts::putIfAbsent);
-    ServerTimes ofRun = timesOfRun(said.value);
+    said.ofModel().forEach(facts::putIfAbsent);
+    facts.put("serverVersion", service.version());
+    ServerTimes ofRun = timesOfRun(said);
     facts.putAll(SetUpReport.local(loadSeconds, fetchSeconds, ofRun, total));
     facts.put("modelJarBytes", (long) modelJar.bytes().length);
     facts.put("modelClassBytes", modelJar.modelClassBytes());
     facts.put("runtimeJarBytes", (long) runtimeJar.length);
     return fetched.prepare(
-        options.columnGroups(),
-        options.isStrict(),
-        options.driftBound(),
-        SetUpWarnings.silenced(said.value),
-        facts);
+        options.columnGroups(), options.isStrict(), options.driftBound(), said.silenced(), facts);
   }
 
   /**

@@ -36,7 +36,6 @@ import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.Checkpoints;
-import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.api.run.RunControl;
 import org.mechservice.solver.api.run.RunReport;
 import org.mechservice.solver.api.run.RunRequest;
@@ -280,7 +279,7 @@ public final class RemoteModel {
    * Runs the simulation that the file describes, under control.
    *
    * @param control stops the run, which then returns the rows up to there, pauses it and shows its
-   *     progress to other threads; the server hears of it within 0.1 s
+   *     progress to other threads; the server learns it within 0.1 s
    * @throws RunFailedException if it could not go on to its end; has the rows up to there
    */
   public Trajectory simulate(RunControl control) {
@@ -292,9 +291,7 @@ public final class RemoteModel {
     try {
       RunReport report = run(asked, rows, control, CheckpointStore.NONE);
       Trajectory trajectory = new Trajectory(rows, report);
-      if (report.outcome() instanceof Outcome.Failed failed) {
-        throw new RunFailedException(failed.failure(), report, Optional.of(trajectory));
-      }
+      RunFailedException.throwIfFailed(report, Optional.of(trajectory));
       return trajectory;
     } catch (IOException e) {
       throw new IllegalStateException("rows in memory are not written", e);
@@ -334,9 +331,7 @@ public final class RemoteModel {
   }
 
   private static RunReport completed(RunReport report) {
-    if (report.outcome() instanceof Outcome.Failed failed) {
-      throw new RunFailedException(failed.failure(), report, Optional.empty());
-    }
+    RunFailedException.throwIfFailed(report, Optional.empty());
     return report;
   }
 

@@ -14,7 +14,7 @@ import org.mechservice.solver.catalogue.MessageCode;
  * @param packing making JARs (t2s), s
  */
 record ServerTimes(double treating, double compiling, double packing) {
-  /** Nothing has been done yet. */
+  /** The times before the first call. */
   static final ServerTimes NONE = new ServerTimes(0, 0, 0);
 
   /**

@@ -21,7 +21,7 @@ import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.catalogue.MethodNames;
 
 /**
- * Has a server build the model of a session with any method, for a report that runs all of them in
+ * Builds the model of a session at a server with any method, for a report that runs all of them in
  * this process. Every refusal that is none of a method is the server's {@link ServiceException}.
  */
 public final class SessionBuilds implements MethodBuilds {

@@ -5,7 +5,9 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** What stands around the text of a page: head, search, chapters, headings, way on. */
+/**
+ * The frame around the text of a page: head, search, chapters, headings, links to the next pages.
+ */
 final class Frame {
   private static final int CONTENTS = 3;
 

@@ -10,8 +10,9 @@ import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 
 /**
- * What the search field finds: sections of the guide, types of the Java reference, functions of the
- * Python reference. A script and not JSON: browsers read no data beside a page that is a file.
+ * The entries that the search field finds: sections of the guide, types of the Java reference,
+ * functions of the Python reference. A script and not JSON: browsers read no data beside a page
+ * that is a file.
  */
 final class SearchIndex {
   /** Longest text kept of a section; its beginning says what it is about. */

@@ -1,6 +1,7 @@
 package org.mechservice.mechml;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.mechservice.mechml.SimulationTask.Linearization;
@@ -25,8 +26,9 @@ public final class MechmlModel {
   private final List<String> unused;
   private final List<Diagnostic> warnings;
   private final Set<MessageCode> silenced;
+  private final Map<String, List<Solid>> solids;
 
-  /** Kept because all who ask for it ask for the same one, and it takes long to compute. */
+  /** Kept, since it takes long to compute and all callers use the same one. */
   private Optional<ClosedStart> closedStart = Optional.empty();
 
   /**
@@ -41,7 +43,8 @@ public final class MechmlModel {
    * @param unused points, vectors and parameters that nothing refers to, such as {@code point "p3"
    *     of body "bar"}
    * @param warnings diagnostics below errors, in file order, without the silenced ones
-   * @param silenced warnings that nobody is to hear
+   * @param silenced warnings that are silenced
+   * @param solids what the bodies consist of, by their names, in file order
    */
   public MechmlModel(
       Mechanism mechanism,
@@ -52,7 +55,8 @@ public final class MechmlModel {
       List<Output> outputs,
       List<String> unused,
       List<Diagnostic> warnings,
-      Set<MessageCode> silenced) {
+      Set<MessageCode> silenced,
+      Map<String, List<Solid>> solids) {
     this.mechanism = mechanism;
     this.inputCount = inputCount;
     this.settings = settings;
@@ -62,6 +66,31 @@ public final class MechmlModel {
     this.unused = List.copyOf(unused);
     this.warnings = List.copyOf(warnings);
     this.silenced = Set.copyOf(silenced);
+    this.solids = Map.copyOf(solids);
+  }
+
+  /** Creates a model of whose bodies masses alone are known. */
+  public MechmlModel(
+      Mechanism mechanism,
+      int inputCount,
+      SimulationSettings settings,
+      List<SimulationSettings> simulations,
+      List<ModelParameter> parameters,
+      List<Output> outputs,
+      List<String> unused,
+      List<Diagnostic> warnings,
+      Set<MessageCode> silenced) {
+    this(
+        mechanism,
+        inputCount,
+        settings,
+        simulations,
+        parameters,
+        outputs,
+        unused,
+        warnings,
+        silenced,
+        Map.of());
   }
 
   /** Creates a model none of whose parameters is an input. */
@@ -124,9 +153,17 @@ public final class MechmlModel {
     return warnings;
   }
 
-  /** Returns the warnings that nobody is to hear, by the file or the options of its reading. */
+  /** Returns the warnings that are silenced, by the file or the options of its reading. */
   public Set<MessageCode> silenced() {
     return silenced;
+  }
+
+  /**
+   * Returns the solids that a body, or the root, consists of, in file order; none if its mass is
+   * given by numbers.
+   */
+  public List<Solid> solids(String body) {
+    return solids.getOrDefault(body, List.of());
   }
 
   /** Returns the model with an analysis in place of its chosen simulation. */
@@ -152,7 +189,16 @@ public final class MechmlModel {
             settings.columns(),
             settings.events());
     return new MechmlModel(
-        mechanism, inputCount, other, simulations, parameters, outputs, unused, warnings, silenced);
+        mechanism,
+        inputCount,
+        other,
+        simulations,
+        parameters,
+        outputs,
+        unused,
+        warnings,
+        silenced,
+        solids);
   }
 
   /** Returns the mechanism with the events of the chosen simulation. */

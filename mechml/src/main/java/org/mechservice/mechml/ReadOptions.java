@@ -39,7 +39,7 @@ public record ReadOptions(
     this(simulation, values, tunable, Inputs.AS_IN_FILE, Optional.empty(), Set.of());
   }
 
-  /** What becomes of the inputs of a model. */
+  /** The treatment of the inputs of a model. */
   public enum Inputs {
     /** Those with a table follow it, the others are states that keep their start values. */
     AS_IN_FILE,

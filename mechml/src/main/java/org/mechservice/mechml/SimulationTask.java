@@ -83,7 +83,7 @@ public sealed interface SimulationTask {
       return new Linearization(atEquilibrium, gives, from, to, points, state);
     }
 
-    /** What a linearisation gives. */
+    /** The result of a linearisation. */
     public enum Result {
       /** Frequencies, dampings and shapes. */
       MODES,

@@ -2,6 +2,7 @@ package org.mechservice.report;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -24,6 +25,7 @@ import org.mechservice.report.measure.MethodRunner;
 import org.mechservice.report.measure.Point;
 import org.mechservice.report.measure.ReportBudget;
 import org.mechservice.report.measure.ReportProgress;
+import org.mechservice.report.measure.ReportedScene;
 import org.mechservice.report.measure.SceneFindings;
 import org.mechservice.report.measure.Spectrum;
 import org.mechservice.report.measure.TimeShares;
@@ -43,6 +45,7 @@ import org.mechservice.report.solution.StateDistance;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.api.run.Stiffness;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.catalogue.MethodNames;
 
 /** Error against run time of one model: measures it and writes its page. */
@@ -63,7 +66,7 @@ public final class ModelReport {
   /** Part of the time that is left: looks at the loops in the first runs of all points. */
   private static final double OF_LOOPS = 0.1;
 
-  /** What eigenvalues may take of the time that is left for the report. */
+  /** Part of the time left for the report that eigenvalues may take. */
   private static final double OF_SPECTRUM = 0.15;
 
   private final MethodBuilds builds;
@@ -93,16 +96,25 @@ public final class ModelReport {
    */
   public Path write(Path file) throws IOException, InterruptedException {
     Files.createDirectories(folder);
-    SceneFindings found = measure(String.valueOf(file.getFileName()));
-    Path page = folder.resolve(baseName(found.file()) + ".html");
-    Files.writeString(page, ScenePage.of(found), StandardCharsets.UTF_8);
-    Path diagram = folder.resolve(baseName(found.file()) + ".svg");
-    Files.writeString(diagram, ScenePage.diagram(found), StandardCharsets.UTF_8);
-    return page;
+    try {
+      return measureAndWrite(file);
+    } catch (FileSystemException e) {
+      throw e;
+    } catch (IOException e) {
+      // such as a full disk, of which Java does not say where
+      throw new IOException(
+          MessageCode.FILE_UNUSABLE + " cannot write in folder " + folder + ": " + e.getMessage(),
+          e);
+    }
   }
 
-  private static String baseName(String file) {
-    return file.replaceFirst("\\.xml$", "");
+  private Path measureAndWrite(Path file) throws IOException, InterruptedException {
+    SceneFindings found = measure(String.valueOf(file.getFileName()));
+    Path page = folder.resolve(ReportedScene.named(found.scene().file(), ".html"));
+    Files.writeString(page, ScenePage.of(found), StandardCharsets.UTF_8);
+    Path diagram = folder.resolve(ReportedScene.named(found.scene().file(), ".svg"));
+    Files.writeString(diagram, ScenePage.diagram(found), StandardCharsets.UTF_8);
+    return page;
   }
 
   private SceneFindings measure(String file) throws IOException, InterruptedException {
@@ -112,21 +124,23 @@ public final class ModelReport {
     List<Candidate> candidates = methods.candidates();
     ExplicitModel model = candidates.get(0).equations();
     RunSettings settings = model.description().defaults();
+    ModelProblem problem = new ModelProblem(model);
+    ReportedScene scene =
+        new ReportedScene(
+            model.description().name(), file, freedoms(problem, model), settings.tEnd());
     StateDistance distance = new StateDistance(model.description());
     progress.at("making the reference", 0, Double.NaN);
     ReferenceFile kept =
-        new ReferenceFile(
-            folder.resolve(baseName(file) + "-reference.csv"), purpose(file), model.description());
+        new ReferenceFile(folder.resolve(scene.reference()), purpose(file), model.description());
     Judge judge = judge(candidates, model, settings, distance, kept, budget);
     Optional<Spectrum> spectrum = spectrum(judge, model, budget);
-    String csv = baseName(file) + ".csv";
     Map<String, TimeShares> shares = new LinkedHashMap<>();
     List<Point> points = List.of();
     if (judge.reference().isPresent()) {
       Reference reference = judge.reference().get();
       try (MeasurementFile journal =
               MeasurementFile.open(
-                  folder.resolve(csv), purpose(file) + "; " + code(candidates.get(0)));
+                  folder.resolve(scene.runs()), purpose(file) + "; " + code(candidates.get(0)));
           MethodRunner runner =
               new MethodRunner(
                   reference, distance, judge.grid(), loops(candidates, reference, budget))) {
@@ -137,13 +151,8 @@ public final class ModelReport {
       }
     }
     Map<String, ColdRunTimes> fresh = freshStarts(candidates, points, judge, budget);
-    ModelProblem problem = new ModelProblem(model);
     return new SceneFindings(
-        model.description().name(),
-        file,
-        problem.dimension(),
-        freedoms(problem, model),
-        settings.tEnd(),
+        scene,
         candidates.stream().map(Candidate::method).toList(),
         methods.leftOut(),
         judge,
@@ -152,7 +161,6 @@ public final class ModelReport {
         shares,
         fresh,
         effort,
-        csv,
         Machine.facts(),
         budget.savings());
   }

@@ -7,19 +7,13 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.function.DoubleFunction;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.mechservice.report.measure.Campaign;
-import org.mechservice.report.measure.Effort;
 import org.mechservice.report.measure.MeasuredRun;
-import org.mechservice.report.measure.MeasurementFile;
 import org.mechservice.report.measure.MethodRunner;
-import org.mechservice.report.measure.Point;
-import org.mechservice.report.measure.ReportBudget;
-import org.mechservice.report.measure.ReportProgress;
+import org.mechservice.report.measure.ReportedScene;
 import org.mechservice.report.measure.SceneFindings;
 import org.mechservice.report.method.Candidate;
 import org.mechservice.report.method.SimulationMethod;
@@ -38,10 +32,9 @@ import org.mechservice.solver.simulation.RuntimeSolver;
 
 /** Reports on scenes whose state jumps on the way, judged by what their closed forms say. */
 class EventReportTest {
-  private static final Effort SHORT =
-      new Effort("test", new double[] {1e-3, 1e-5, 1e-7, 1e-9}, 20, 3, 0.1, 20, 0, 0, 60);
   private static final Mechanism BALL = EventScenes.ball(EventScenes.bounce());
   private static final double BALL_END = 12;
+  private static final ReportedScene SCENE = new ReportedScene("Ball", "ball.xml", 1, BALL_END);
   private static final int INTERVALS = 50;
 
   @TempDir Path folder;
@@ -239,33 +232,8 @@ class EventReportTest {
   }
 
   private SceneFindings findings(Candidate candidate) throws IOException {
-    Judge judge = judge(BALL, BALL_END);
-    List<Point> points;
-    Path runs = folder.resolve(candidate.method().integrator() + ".csv");
-    try (MeasurementFile journal = MeasurementFile.open(runs, "test");
-        MethodRunner runner =
-            new MethodRunner(judge.reference().orElseThrow(), distance(BALL), judge.grid())) {
-      new Campaign(runner, journal, SHORT, new ReportBudget(60), ReportProgress.SILENT)
-          .run(List.of(candidate));
-      points = Point.of(journal.runs());
-    }
-    return new SceneFindings(
-        "Ball",
-        "ball.xml",
-        2,
-        1,
-        BALL_END,
-        List.of(candidate.method()),
-        List.of(),
-        judge,
-        points,
-        Optional.empty(),
-        Map.of(),
-        Map.of(),
-        SHORT,
-        "ball.csv",
-        List.of("2000-01-01"),
-        List.of());
+    return MeasuredFindings.of(
+        SCENE, candidate, judge(BALL, BALL_END), distance(BALL), Optional.empty(), folder);
   }
 
   private SceneFindings findings(Mechanism mechanism, Solver solver, String name)

@@ -1,12 +1,12 @@
 package org.mechservice.report;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.mechservice.report.MeasuredFindings.SHORT;
 
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -15,12 +15,12 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.report.RungeKuttaSolver.Fault;
 import org.mechservice.report.measure.Campaign;
-import org.mechservice.report.measure.Effort;
 import org.mechservice.report.measure.MeasurementFile;
 import org.mechservice.report.measure.MethodRunner;
 import org.mechservice.report.measure.Point;
 import org.mechservice.report.measure.ReportBudget;
 import org.mechservice.report.measure.ReportProgress;
+import org.mechservice.report.measure.ReportedScene;
 import org.mechservice.report.measure.SceneFindings;
 import org.mechservice.report.measure.Spectrum;
 import org.mechservice.report.method.Candidate;
@@ -39,8 +39,8 @@ import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.simulation.RuntimeSolver;
 
 class ReportTest {
-  private static final Effort SHORT =
-      new Effort("test", new double[] {1e-3, 1e-5, 1e-7, 1e-9}, 20, 3, 0.1, 20, 0, 0, 60);
+  private static final ReportedScene SCENE =
+      new ReportedScene("PlanarPendulum", "planar.xml", 1, 2);
   private static final RunGrid GRID = RunGrid.uniform(0, 2, 20);
   private static final StateDistance DISTANCE =
       new StateDistance(new PlanarPendulum(0).description());
@@ -63,33 +63,9 @@ class ReportTest {
       throws IOException {
     SimulationMethod method = new SimulationMethod("DTR", MethodNames.NONE, integrator);
     Candidate candidate = new Candidate(method, () -> new PlanarPendulum(damping), solver);
-    Reference reference = judge.reference().orElseThrow();
-    List<Point> points;
-    try (MeasurementFile journal =
-            MeasurementFile.open(folder.resolve(integrator + ".csv"), "test");
-        MethodRunner runner = new MethodRunner(reference, DISTANCE, judge.grid())) {
-      new Campaign(runner, journal, SHORT, new ReportBudget(60), ReportProgress.SILENT)
-          .run(List.of(candidate));
-      points = Point.of(journal.runs());
-    }
     ModelProblem problem = new ModelProblem(new PlanarPendulum(damping));
-    return new SceneFindings(
-        "PlanarPendulum",
-        "planar.xml",
-        2,
-        1,
-        2,
-        List.of(method),
-        List.of(),
-        judge,
-        points,
-        Optional.of(Spectrum.along(reference, problem, 3)),
-        Map.of(),
-        Map.of(),
-        SHORT,
-        "planar.csv",
-        List.of("2000-01-01"),
-        List.of());
+    Spectrum spectrum = Spectrum.along(judge.reference().orElseThrow(), problem, 3);
+    return MeasuredFindings.of(SCENE, candidate, judge, DISTANCE, Optional.of(spectrum), folder);
   }
 
   @Test
@@ -147,22 +123,11 @@ class ReportTest {
     }
     String page =
         ScenePage.of(
-            new SceneFindings(
-                measured.model(),
-                measured.file(),
-                measured.states(),
-                measured.freedoms(),
-                measured.endOfFile(),
+            MeasuredFindings.with(
+                measured,
                 List.of(measured.methods().get(0), method),
-                List.of(),
-                judge,
                 points,
-                measured.spectrum(),
-                Map.of(),
-                Map.of(),
                 SHORT.withBudget(600),
-                measured.csv(),
-                measured.versions(),
                 List.of("Rounds to warm up were left out.")));
 
     assertThat(points).hasSize(8);
@@ -178,25 +143,7 @@ class ReportTest {
   void pageOfSingleRunsSaysSoAndShowsNoSpread() throws IOException {
     SceneFindings measured = findings(goodJudge(), "ode113", new RuntimeSolver(), 0);
     List<Point> single = Point.of(measured.points().stream().map(Point::first).toList());
-    String page =
-        ScenePage.of(
-            new SceneFindings(
-                measured.model(),
-                measured.file(),
-                measured.states(),
-                measured.freedoms(),
-                measured.endOfFile(),
-                measured.methods(),
-                measured.leftOut(),
-                measured.judge(),
-                single,
-                measured.spectrum(),
-                measured.shares(),
-                measured.freshStarts(),
-                measured.effort(),
-                measured.csv(),
-                measured.versions(),
-                List.of()));
+    String page = ScenePage.of(MeasuredFindings.with(measured, measured.methods(), single));
 
     assertThat(single).isNotEmpty().noneMatch(point -> point.overlaps(point));
     assertThat(page)
@@ -212,24 +159,7 @@ class ReportTest {
     List<SimulationMethod> methods = List.of(one.methods().get(0), other.methods().get(0));
     List<Point> points = new ArrayList<>(one.points());
     points.addAll(other.points());
-    SceneFindings both =
-        new SceneFindings(
-            one.model(),
-            one.file(),
-            one.states(),
-            one.freedoms(),
-            one.endOfFile(),
-            methods,
-            one.leftOut(),
-            one.judge(),
-            points,
-            one.spectrum(),
-            one.shares(),
-            one.freshStarts(),
-            one.effort(),
-            one.csv(),
-            one.versions(),
-            List.of());
+    SceneFindings both = MeasuredFindings.with(one, methods, points);
 
     assertThat(ReliabilityWarnings.of(both))
         .singleElement()

@@ -36,7 +36,7 @@ public final class ParquetTable {
   private static final int GROUP_BYTES = 1 << 26;
   private static final int FIRST_ROWS = 256;
 
-  /** What a column has. */
+  /** The kind of values in a column. */
   public enum Kind {
     /** 64-bit numbers. */
     NUMBER,

@@ -1,7 +1,7 @@
 package org.mechservice.result;
 
 /**
- * How far one signal of two results differs.
+ * The difference of one signal between two results.
  *
  * @param name the column
  * @param unit of its values, as the first result tells it

@@ -8,7 +8,7 @@ import org.mechservice.server.hosts.PlacementPolicy;
 import org.mechservice.sim.host.HostOptions;
 
 /**
- * How a server process runs.
+ * Settings of a server process.
  *
  * @param listenAddress address to listen on
  * @param port port to listen on; 0: any free one

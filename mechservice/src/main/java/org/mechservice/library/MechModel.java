@@ -49,7 +49,6 @@ import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.Checkpoints;
-import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.api.run.RunControl;
 import org.mechservice.solver.api.run.RunReport;
 import org.mechservice.solver.api.run.RunRequest;
@@ -82,11 +81,26 @@ import org.mechservice.solver.text.Sha256;
  * Path page = car.report(Path.of("pages"), Effort.QUICK, ReportProgress.SILENT);
  * }</pre>
  *
+ * <ul>
+ *   <li>It is made by {@link #read}, {@link #of} and {@link #importRobot}.
+ *   <li>Values and settings are changed by {@link #set}, {@link #tunable}, {@link #simulation},
+ *       {@link #until}, {@link #every}, {@link #integrator}, {@link #tolerances}, {@link
+ *       #formulation}, {@link #closure}, {@link #accuracy} and {@link #columns(ColumnGroup...)};
+ *       what ends a run and which warnings it gives by {@link #strict}, {@link #maxDrift} and
+ *       {@link #silence}.
+ *   <li>It is checked by {@link #check} and run by {@link #simulate()} and {@link
+ *       #stepped(double)}; programs that run it themselves take {@link #instances()} and {@link
+ *       #request}.
+ *   <li>Analyses are {@link #equilibrium}, {@link #modes}, {@link #linearise}, {@link
+ *       #linearSystem}, {@link #kinematics} and {@link #inverseDynamics}.
+ *   <li>Files are written by {@link #report(Path)}, {@link #writeJar} and {@link #writeUrdf}.
+ * </ul>
+ *
  * <p>Immutable: each change returns another model. Code is generated once, when it is first needed.
  * May be used by several threads.
  */
 public final class MechModel {
-  /** What the program asked for beyond the file. */
+  /** Settings of the program beyond those of the file. */
   private record Choices(
       ReadOptions reading,
       UnaryOperator<SimulationSettings> changes,
@@ -217,6 +231,11 @@ public final class MechModel {
   /** Returns the names of the simulations of the file, in its order; empty where one has none. */
   public List<String> simulations() {
     return model.simulations().stream().map(SimulationSettings::name).toList();
+  }
+
+  /** Returns the groups of columns that runs put out. */
+  public Set<ColumnGroup> columns() {
+    return EnumSet.copyOf(ModelColumns.shown(code.settings()));
   }
 
   /**
@@ -414,9 +433,7 @@ public final class MechModel {
     try {
       RunReport report = run(rows, control, Checkpoints.NONE);
       Trajectory trajectory = new Trajectory(rows, report);
-      if (report.outcome() instanceof Outcome.Failed failed) {
-        throw new RunFailedException(failed.failure(), report, Optional.of(trajectory));
-      }
+      RunFailedException.throwIfFailed(report, Optional.of(trajectory));
       return trajectory;
     } catch (IOException e) {
       throw new IllegalStateException("rows in memory are not written", e);
@@ -504,9 +521,7 @@ public final class MechModel {
   }
 
   private static RunReport completed(RunReport report) {
-    if (report.outcome() instanceof Outcome.Failed failed) {
-      throw new RunFailedException(failed.failure(), report, Optional.empty());
-    }
+    RunFailedException.throwIfFailed(report, Optional.empty());
     return report;
   }
 
@@ -712,11 +727,6 @@ public final class MechModel {
    */
   public RobotExport urdf() throws MechmlException {
     return RobotExport.of(file.name(), model, file());
-  }
-
-  /** Returns the groups of columns that runs put out. */
-  public Set<ColumnGroup> columns() {
-    return EnumSet.copyOf(ModelColumns.shown(code.settings()));
   }
 
   @Override

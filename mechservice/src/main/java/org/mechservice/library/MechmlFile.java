@@ -22,15 +22,15 @@ import org.mechservice.solver.text.ModelFiles;
 import org.mechservice.solver.text.Sha256;
 
 /**
- * What a model is read from: the text of a file, of a program or of a translated robot. It is kept,
- * so that a model with other values of its parameters is read from the same bytes.
+ * The source of a model: the text of a file, of a program or of a translated robot. It is kept, so
+ * that a model with other values of its parameters is read from the same bytes.
  */
 final class MechmlFile {
   private final String name;
   private final byte[] content;
   private final List<Path> folders;
 
-  /** What was validated of the content, as long as memory suffices. */
+  /** The validated content, kept as long as memory suffices. */
   private final AtomicReference<SoftReference<ValidatedFile>> validated = new AtomicReference<>();
 
   private MechmlFile(String name, byte[] content, List<Path> folders) {

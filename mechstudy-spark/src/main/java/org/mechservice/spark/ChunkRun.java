@@ -17,7 +17,7 @@ final class ChunkRun implements Function<Chunk, ChunkRun.Speed> {
   private final String folder;
 
   /**
-   * How fast it was.
+   * The speed of a chunk.
    *
    * @param points how many were run
    * @param seconds how long they took

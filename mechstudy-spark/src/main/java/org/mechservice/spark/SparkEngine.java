@@ -40,7 +40,7 @@ final class SparkEngine {
   private final StudyFiles files;
   private final org.apache.hadoop.fs.Path table;
 
-  /** How far a study is. */
+  /** Receives the progress of a study. */
   interface Progress {
     /**
      * Is told after each wave.

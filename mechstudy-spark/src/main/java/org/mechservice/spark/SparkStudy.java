@@ -23,14 +23,14 @@ public final class SparkStudy {
   private SparkStudy() {}
 
   /**
-   * What is asked for.
+   * The arguments of the command line.
    *
    * @param study on the driver's machine
    * @param table in a file system that driver and executors share
    * @param quiet whether nothing but errors is printed
    */
-  private record Asked(Path study, String table, boolean quiet) {
-    static Asked of(String... words) {
+  private record Arguments(Path study, String table, boolean quiet) {
+    static Arguments of(String... words) {
       Optional<String> study = Optional.empty();
       Optional<String> table = Optional.empty();
       boolean quiet = false;
@@ -47,13 +47,15 @@ public final class SparkStudy {
       }
       Path file = Path.of(study.orElseThrow(() -> refused("no study is named; " + USAGE)));
       String name = String.valueOf(file.getFileName()).replaceFirst("\\.[^.]*$", "") + ".csv";
-      Asked asked = new Asked(file, table.orElse(name), quiet);
-      String ending = asked.table.toLowerCase(Locale.ROOT);
+      Arguments arguments = new Arguments(file, table.orElse(name), quiet);
+      String ending = arguments.table.toLowerCase(Locale.ROOT);
       if (!ending.endsWith(".csv") && !ending.endsWith(".parquet")) {
         throw refused(
-            "-o " + asked.table + ": the table of a study is written to a .csv or a .parquet file");
+            "-o "
+                + arguments.table
+                + ": the table of a study is written to a .csv or a .parquet file");
       }
-      return asked;
+      return arguments;
     }
 
     private static IllegalArgumentException refused(String why) {
@@ -85,20 +87,20 @@ public final class SparkStudy {
   @SuppressWarnings("SystemOut") // a program of the command line
   private static void run(String... words)
       throws IOException, MechmlException, InterruptedException {
-    Asked asked = Asked.of(words);
-    StudyPlan plan = StudyReader.read(asked.study);
+    Arguments arguments = Arguments.of(words);
+    StudyPlan plan = StudyReader.read(arguments.study);
     SparkConf settings = new SparkConf();
     if (!settings.contains("spark.app.name")) {
-      settings.setAppName("mech study " + asked.study.getFileName());
+      settings.setAppName("mech study " + arguments.study.getFileName());
     }
     try (JavaSparkContext spark = new JavaSparkContext(settings)) {
       StudyRows rows =
-          new SparkEngine(spark, asked.study, plan, asked.table)
-              .run(new Words(asked.quiet, plan.points()));
-      if (!asked.quiet) {
+          new SparkEngine(spark, arguments.study, plan, arguments.table)
+              .run(new ProgressLog(arguments.quiet, plan.points()));
+      if (!arguments.quiet) {
         int failed = rows.statistics().failed();
         System.out.println(
-            asked.table
+            arguments.table
                 + ": "
                 + rows.taken()
                 + " points"
@@ -109,13 +111,13 @@ public final class SparkStudy {
     }
   }
 
-  /** Says now and again how far the study is; what the first wave has found took no time. */
-  private static final class Words implements SparkEngine.Progress {
+  /** Prints the progress of the study; what the first wave has found took no time. */
+  private static final class ProgressLog implements SparkEngine.Progress {
     private final boolean quiet;
     private final StudyForecast forecast;
     private int before = -1;
 
-    Words(boolean quiet, int all) {
+    ProgressLog(boolean quiet, int all) {
       this.quiet = quiet;
       forecast = new StudyForecast(() -> System.nanoTime() * 1e-9, all);
     }

@@ -73,7 +73,7 @@ public final class PointModel implements PointEvaluation {
         }
       };
 
-  /** What a thread keeps between points. */
+  /** The objects that a thread keeps between points. */
   private final class Workplace {
     final Reducer reducer = reducer();
     final ReusedCode code = new ReusedCode();

@@ -4,7 +4,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.mechservice.solver.api.run.Failure;
 
-/** How the run of one point ended. */
+/** The outcome of the run of one point. */
 public sealed interface PointOutcome {
   /**
    * The run reached its end.

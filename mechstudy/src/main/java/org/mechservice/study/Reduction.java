@@ -10,9 +10,9 @@ import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.solver.text.ShortestDecimal;
 
 /**
- * What is kept of a column of a run: {@code last(x)}, {@code at(x,2.5)}, {@code min(x)}, {@code
- * max(x)}, {@code mean(x)}, {@code rms(x)}, {@code integral(x)}, {@code crossing(x,0)}, {@code
- * series(x)}, {@code series(x,0.1)}.
+ * A number or series that is kept of a column of a run: {@code last(x)}, {@code at(x,2.5)}, {@code
+ * min(x)}, {@code max(x)}, {@code mean(x)}, {@code rms(x)}, {@code integral(x)}, {@code
+ * crossing(x,0)}, {@code series(x)}, {@code series(x,0.1)}.
  *
  * <p>Between two rows a column is taken as a straight line; extremes are those of the rows.
  *

@@ -2,7 +2,7 @@ package org.mechservice.benchmarks.paper;
 
 import java.util.List;
 
-/** What the paper printed: Pentium II and III at 400 to 500 MHz, JDK 1.2.2. */
+/** The figures of the paper: Pentium II and III at 400 to 500 MHz, JDK 1.2.2. */
 final class PaperFigures {
   private PaperFigures() {}
 

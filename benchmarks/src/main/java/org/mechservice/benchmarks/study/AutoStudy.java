@@ -165,7 +165,10 @@ final class AutoStudy implements MethodStudy {
     return timed(runner, near, REPEATS);
   }
 
-  /** What costs several times another of at most its error need not be timed well. */
+  /**
+   * Returns whether a method may be the best one; one that costs several times another of at most
+   * its error needs no exact timing.
+   */
   private static boolean mayBeBest(Cost cost, List<Cost> all, Candidate auto) {
     double error = cost.first().errors().largest();
     double least =

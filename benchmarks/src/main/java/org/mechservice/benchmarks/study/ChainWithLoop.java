@@ -18,10 +18,10 @@ import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.run.RunSettings;
 
 /**
- * What an evaluation of a chain with a loop costs beside that of the same chain open, by code and
- * from data: processor time of the thread, warm, the least of several rounds. With a loop it
- * includes the dependent positions and velocities, from predictions that miss the loops by some
- * 1e-6 for each coordinate. Called by benchmarks/peers/loops.py.
+ * Cost of an evaluation of a chain with a loop beside that of the same chain open, by code and from
+ * data: processor time of the thread, warm, the least of several rounds. With a loop it includes
+ * the dependent positions and velocities, from predictions that miss the loops by some 1e-6 for
+ * each coordinate. Called by benchmarks/peers/loops.py.
  */
 public final class ChainWithLoop {
   private static final RunSettings SETTINGS = new RunSettings(0, 1, 0.1, "ode113", 1e-6, 1e-6);

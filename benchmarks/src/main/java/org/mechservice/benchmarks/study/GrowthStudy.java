@@ -35,7 +35,7 @@ final class GrowthStudy implements MethodStudy {
   }
 
   /**
-   * What became of the amplitude.
+   * The growth of the amplitude.
    *
    * @param perPeriod factor per period
    * @param order used at the end

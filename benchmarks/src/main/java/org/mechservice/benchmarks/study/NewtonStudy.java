@@ -49,7 +49,7 @@ final class NewtonStudy implements MethodStudy {
     return "newton";
   }
 
-  /** Where the iteration matrix is taken from. */
+  /** The source of the iteration matrix. */
   private enum Kind {
     FULL("full"),
     FORCES("forces only"),

@@ -17,7 +17,7 @@ import org.mechservice.solver.ode.adams.Ode113;
 import org.mechservice.solver.ode.stiff.Ode15s;
 import org.mechservice.solver.ode.stiff.Ode15sR;
 
-/** What rounding noise in forces does to the sequence of steps. */
+/** The effect of rounding noise in forces on the sequence of steps. */
 final class NoiseStudy implements MethodStudy {
   private static final double[] NOISE = {0, 1e-16, 1e-14, 1e-12, 1e-10, 1e-8, 1e-6, 1e-4};
   private static final double[] TOLERANCES = {1e-4, 1e-6, 1e-8, 1e-10};

@@ -48,7 +48,7 @@ final class PeriodsStudy implements MethodStudy {
   }
 
   /**
-   * Something that should stay what it is.
+   * A quantity that should be constant.
    *
    * @param name for the page
    * @param of a row of time and state

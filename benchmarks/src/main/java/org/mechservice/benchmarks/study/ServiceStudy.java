@@ -34,7 +34,7 @@ final class ServiceStudy implements MethodStudy {
     return "service";
   }
 
-  /** What came of a run: its numbers, and how it ended or, if it was refused, why. */
+  /** The result of a run: its numbers, and its end or the reason of its refusal. */
   private record Ended(List<double[]> rows, String words, boolean begun) {
     boolean sameBits(Ended other) {
       boolean same = rows.size() == other.rows.size();

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.Locale;
 import org.mechservice.benchmarks.LinkChain;
 import org.mechservice.solver.dynamics.derivative.ArticulatedIteration;
+import org.mechservice.solver.dynamics.derivative.LinkJacobian;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.dynamics.derivative.StepDerivatives;
 import org.mechservice.solver.dynamics.derivative.StepReduction;
@@ -14,7 +15,7 @@ import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 
 /**
- * What the equations of an implicit step of a chain with stiff joints cost, eliminated from link to
+ * Cost of the equations of an implicit step of a chain with stiff joints, eliminated from link to
  * link and with their matrix formed: processor time of the thread, warm, the least of several
  * rounds. Called by benchmarks/peers/loops.py.
  */
@@ -55,8 +56,8 @@ public final class StepsOfChains {
     Arrays.fill(y, 0.1);
     motion.sweep(0, y);
     motion.accelerationSweep(new double[links]);
-    ArticulatedIteration fromLinkToLink = new ArticulatedIteration(motion);
-    String costs = costs(fromLinkToLink, fromLinkToLink, y);
+    LinkJacobian byLinks = new LinkJacobian(motion);
+    String costs = costs(byLinks, new ArticulatedIteration(byLinks), y);
     if (links > MOST_FORMED) {
       return costs + " 0 0 0";
     }

@@ -8,7 +8,7 @@ import org.jacorb.orb.giop.ReplyPlaceholder;
 import org.omg.ETF.Profile;
 
 /**
- * A connection for calls that forgets no call when it is closed.
+ * A connection for calls that ends each pending call when it is closed.
  *
  * <p>A closing connection first wakes the threads that wait for a reply and then closes. A call
  * sent between the two is not woken: its bytes may still leave, or open the connection anew without

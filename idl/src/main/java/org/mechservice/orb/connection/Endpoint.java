@@ -8,7 +8,7 @@ import org.omg.CORBA.ORB;
 import org.omg.ETF.Profile;
 
 /**
- * Where an object is reached.
+ * The network address of an object.
  *
  * @param host numeric address
  * @param port TCP port

@@ -46,8 +46,8 @@ public final class InboundCall {
   }
 
   /**
-   * Says whether the caller has an object here that lives as long as it is called: its connection
-   * is then kept while others are closed to make room.
+   * Records whether the caller has an object here that lives as long as it is called: its
+   * connection is then kept while others are closed to make room.
    */
   public static void leased(boolean leased) {
     CURRENT.get().ifPresent(call -> call.connection.setLeased(leased));

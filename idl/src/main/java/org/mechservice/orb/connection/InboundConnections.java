@@ -23,13 +23,13 @@ import org.slf4j.LoggerFactory;
  * while it closes; they would stay open unread, and their peers would wait for an answer. Here all
  * of them are closed.
  *
- * <p>Connections that are of no use keep nobody out. One that is late with its first message, or
- * with the rest of a message, is closed. Where there are as many as are allowed, a new one takes
- * the place of another, of the address that has most of them: of the oldest that has not sent a
- * message yet, if these have more than a quarter of the places; else of the one that has been
- * silent longest, among those whose peers have no session here and wait for no answer; else of one
- * that has been silent for longer than any lease. A peer whose connection is closed connects anew
- * with its next call. No other machine may have more than three quarters of the places.
+ * <p>Useless connections do not keep others out. One that is late with its first message, or with
+ * the rest of a message, is closed. Where there are as many as are allowed, a new one takes the
+ * place of another, of the address that has most of them: of the oldest that has not sent a message
+ * yet, if these have more than a quarter of the places; else of the one that has been silent
+ * longest, among those whose peers have no session here and wait for no answer; else of one that
+ * has been silent for longer than any lease. A peer whose connection is closed connects anew with
+ * its next call. No other machine may have more than three quarters of the places.
  */
 public final class InboundConnections {
   private static final Logger LOG = LoggerFactory.getLogger(InboundConnections.class);

@@ -75,7 +75,7 @@ public class InboundSocketFactory implements ServerSocketFactory, Configurable {
     }
   }
 
-  /** A connection somebody else has opened. */
+  /** An inbound connection. */
   protected static final class Accepted extends Socket {
     private final InboundConnections connections;
     private @Nullable ReplyQueue replies;

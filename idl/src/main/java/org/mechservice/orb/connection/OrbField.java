@@ -4,8 +4,8 @@ import java.lang.reflect.Field;
 import org.omg.CORBA.INITIALIZE;
 
 /**
- * A field of the ORB that it neither shows nor lets be set, and that has to be. Should another
- * version of the ORB have no such field, no ORB starts.
+ * A private field of the ORB that has no setting and must be read or set. Should another version of
+ * the ORB have no such field, no ORB starts.
  */
 public final class OrbField<T> {
   private final Field field;

@@ -4,8 +4,6 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.net.Socket;
 import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Map;
@@ -27,29 +25,19 @@ import org.slf4j.LoggerFactory;
  */
 final class RequestStream extends InputStream {
   private static final Logger LOG = LoggerFactory.getLogger(RequestStream.class);
-  private static final int HEADER_BYTES = 12;
-  private static final byte[] MAGIC = {'G', 'I', 'O', 'P'};
-  private static final int MAJOR = 4;
-  private static final int MINOR = 5;
-  private static final int FLAGS = 6;
-  private static final int MORE_FRAGMENTS = 2;
-  private static final int TYPE = 7;
-  private static final int REQUEST = 0;
-  private static final int FRAGMENT = 7;
-  private static final int LENGTH = 8;
 
-  /** A fragment and a message of version 1.2 begin with the id of their request. */
-  private static final int ID_BYTES = 4;
-
-  /** Where the body of a request says who answers it, and what it may say (section 15.4.2.1). */
-  private static final int RESPONSE_FLAGS = ID_BYTES;
+  /** Place of the response flags in the body of a request (section 15.4.2.1). */
+  private static final int RESPONSE_FLAGS = MessageHead.ID_BYTES;
 
   private static final Set<Byte> KNOWN_RESPONSES = Set.of((byte) 0, (byte) 1, (byte) 3);
 
   /** Fragmented messages, or refused requests that are not answered yet, of one connection. */
   private static final int MOST_FRAGMENTED = 100;
 
-  /** What the ORB gets of a request that is too large: enough for whom and what it asks, B. */
+  /**
+   * Beginning of a request that is too large that the ORB gets: with the object and the operation,
+   * B.
+   */
   private static final int BEGINNING_BYTES = 1 << 14;
 
   /** Most that is thrown away of a request that is too large, B; a larger one gets no answer. */
@@ -66,20 +54,10 @@ final class RequestStream extends InputStream {
 
   private final Socket socket;
   private final InputStream in;
-  private final RequestMemory room;
+  private final ConnectionRoom room;
+  private final MessageHead head = new MessageHead();
 
-  /** The header of a message, and the id after it where a decision needs both. */
-  private final byte[] head = new byte[HEADER_BYTES + ID_BYTES];
-
-  private int headBytes;
-  private int headWanted = HEADER_BYTES;
-
-  /** How much of the head the ORB is to get, and has got. */
-  private int headPassing;
-
-  private int headPassed;
-
-  /** What the ORB has got of the body, and is still to get. */
+  /** Bytes of the body that the ORB has got, and is still to get. */
   private long bodyPassed;
 
   private long bodyBytes;
@@ -87,10 +65,10 @@ final class RequestStream extends InputStream {
   /** The thread that reads; it dies of messages that the ORB cannot read. */
   private volatile @Nullable Thread reader;
 
-  /** What is thrown away after that. */
+  /** Bytes that are thrown away after that. */
   private long droppedBytes;
 
-  private final ByteBuffer id = ByteBuffer.allocate(ID_BYTES);
+  private final ByteBuffer id = ByteBuffer.allocate(MessageHead.ID_BYTES);
 
   /** Bytes so far of each message whose fragments arrive, by the id of its request. */
   private final Map<Integer, Long> fragmented = new HashMap<>();
@@ -119,17 +97,15 @@ final class RequestStream extends InputStream {
   /** Whether fragments of a message are missing. */
   private volatile boolean assembles;
 
-  /** Room of the message that arrives, and of all of this connection. */
+  /** Room of the message that arrives, B. */
   private long takenForMessage;
 
-  private long taken;
-  private boolean closed;
   private volatile long movedAt = System.nanoTime();
 
-  RequestStream(Socket socket, InputStream in, RequestMemory room) {
+  RequestStream(Socket socket, InputStream in, RequestMemory memory) {
     this.socket = socket;
     this.in = in;
-    this.room = room;
+    room = new ConnectionRoom(memory, this);
   }
 
   @Override
@@ -143,12 +119,12 @@ final class RequestStream extends InputStream {
     if (length == 0) {
       return 0;
     }
-    while (headPassed == headPassing && bodyBytes == 0) {
+    while (!head.isPassing() && bodyBytes == 0) {
       if (droppedBytes > 0 ? !drop() : !readHead()) {
         return -1;
       }
     }
-    return headPassed < headPassing ? passHead(bytes, start, length) : pass(bytes, start, length);
+    return head.isPassing() ? head.pass(bytes, start, length) : pass(bytes, start, length);
   }
 
   private int receive(byte[] bytes, int start, int length) throws IOException {
@@ -160,25 +136,18 @@ final class RequestStream extends InputStream {
 
   /** Reads some of a head, and decides about the message if that is enough; false: at the end. */
   private boolean readHead() throws IOException {
-    int count = receive(head, headBytes, headWanted - headBytes);
+    int count = receive(head.bytes, head.count(), head.missing());
     if (count < 0) {
       return false;
     }
-    if (headBytes == 0) {
+    if (head.count() == 0) {
       begunAt = movedAt;
     }
-    headBytes += count;
-    if (headBytes == headWanted) {
+    head.arrived(count);
+    if (head.missing() == 0) {
       begin();
     }
     return true;
-  }
-
-  private int passHead(byte[] bytes, int start, int length) {
-    int count = Math.min(headPassing - headPassed, length);
-    System.arraycopy(head, headPassed, bytes, start, count);
-    headPassed += count;
-    return count;
   }
 
   private int pass(byte[] bytes, int start, int length) throws IOException {
@@ -198,7 +167,7 @@ final class RequestStream extends InputStream {
 
   /** The ORB would lose a thread to a request that asks for an answer it does not know. */
   private void requireKnownResponse(byte flags) throws IOException {
-    if (isCurrent() && head[TYPE] == REQUEST && !KNOWN_RESPONSES.contains(flags)) {
+    if (head.isCurrent() && head.isRequest() && !KNOWN_RESPONSES.contains(flags)) {
       throw new IOException("a request with the response flags " + flags);
     }
   }
@@ -225,87 +194,67 @@ final class RequestStream extends InputStream {
     }
   }
 
-  private ByteOrder order() {
-    return (head[FLAGS] & 1) == 0 ? ByteOrder.BIG_ENDIAN : ByteOrder.LITTLE_ENDIAN;
-  }
-
-  private boolean hasMore() {
-    return (head[FLAGS] & MORE_FRAGMENTS) != 0;
-  }
-
   private void begin() throws IOException {
-    long length = ByteBuffer.wrap(head).order(order()).getInt(LENGTH);
+    long length = head.length();
     if (length < 0) {
       throw new IOException("a message whose length is negative");
     }
-    if (headBytes == HEADER_BYTES && concernsRefused(length)) {
-      headWanted = head.length;
+    if (!head.hasId() && concernsRefused(length)) {
+      head.awaitId();
       return;
     }
     announced = length;
-    bodyPassed = (long) headBytes - HEADER_BYTES;
-    id.clear().order(order());
-    if (headBytes == head.length) {
+    bodyPassed = (long) head.count() - MessageHead.HEADER_BYTES;
+    id.clear().order(head.order());
+    if (head.hasId()) {
       beginWithId(length);
     } else {
-      headPassing = HEADER_BYTES;
+      head.letPass(MessageHead.HEADER_BYTES);
       bodyBytes = length;
       takeIfLarge(length);
     }
-    headPassed = 0;
-    headBytes = 0;
-    headWanted = HEADER_BYTES;
+    head.end();
     endIfComplete();
   }
 
   /** Returns whether a message belongs to a request that is, or has been found to be, too large. */
   private boolean concernsRefused(long length) {
-    if (!isCurrent() || length < ID_BYTES || length > MOST_DROPPED_BYTES) {
+    if (!head.isCurrent() || length < MessageHead.ID_BYTES || length > MOST_DROPPED_BYTES) {
       return false;
     }
-    return switch (head[TYPE]) {
-      case REQUEST -> length + (hasMore() ? together() : 0) > LimitedBuffers.MAX_MESSAGE_BYTES;
-      case FRAGMENT ->
-          !unfinished.isEmpty()
-              || (!fragmentedRequests.isEmpty()
-                  && length + together() > LimitedBuffers.MAX_MESSAGE_BYTES);
-      default -> false;
-    };
+    if (head.isRequest()) {
+      return length + (head.hasMore() ? together() : 0) > LimitedBuffers.MAX_MESSAGE_BYTES;
+    }
+    return head.isFragment()
+        && (!unfinished.isEmpty()
+            || (!fragmentedRequests.isEmpty()
+                && length + together() > LimitedBuffers.MAX_MESSAGE_BYTES));
   }
 
   private long together() {
     return fragmented.values().stream().mapToLong(Long::longValue).sum();
   }
 
-  /** Returns whether it is a message whose body begins with the id of its request. */
-  private boolean isCurrent() {
-    return isMessage() && head[MAJOR] == 1 && head[MINOR] >= 2;
-  }
-
-  private boolean isMessage() {
-    return Arrays.equals(head, 0, MAGIC.length, MAGIC, 0, MAGIC.length);
-  }
-
   private void beginWithId(long length) throws IOException {
-    int request = ByteBuffer.wrap(head).order(order()).getInt(HEADER_BYTES);
-    if (head[TYPE] == FRAGMENT && unfinished.contains(request)) {
-      headPassing = 0;
-      droppedBytes = length - ID_BYTES;
-      if (!hasMore()) {
+    int request = head.requestId();
+    if (head.isFragment() && unfinished.contains(request)) {
+      head.letPass(0);
+      droppedBytes = length - MessageHead.ID_BYTES;
+      if (!head.hasMore()) {
         unfinished.remove(request);
         assembles = isAssembling();
       }
-    } else if (head[TYPE] == REQUEST || fragmentedRequests.contains(request)) {
+    } else if (head.isRequest() || fragmentedRequests.contains(request)) {
       refuse(request, length);
     } else {
       id.putInt(request);
-      headPassing = head.length;
-      bodyBytes = length - ID_BYTES;
+      head.letPass(head.bytes.length);
+      bodyBytes = length - MessageHead.ID_BYTES;
       takeIfLarge(length);
     }
   }
 
-  /** Lets the ORB have the beginning of a request that is too large, as if it were all. */
+  /** Passes the beginning of a request that is too large to the ORB, as if it were all. */
   private void refuse(int request, long length) throws IOException {
     long size = length + fragmented.getOrDefault(request, 0L);
     if (refused.size() >= MOST_FRAGMENTED) {
@@ -315,16 +264,15 @@ final class RequestStream extends InputStream {
     if (unfinished.isEmpty()) {
       droppedInAll = 0;
     }
-    if (hasMore()) {
+    if (head.hasMore()) {
       unfinished.add(request);
       assembles = true;
     }
-    int passed = head[TYPE] == REQUEST ? (int) Math.min(length, BEGINNING_BYTES) : ID_BYTES;
-    head[FLAGS] = (byte) (head[FLAGS] & ~MORE_FRAGMENTS);
-    ByteBuffer.wrap(head).order(order()).putInt(LENGTH, passed);
+    int passed = head.isRequest() ? (int) Math.min(length, BEGINNING_BYTES) : MessageHead.ID_BYTES;
+    head.cutTo(passed);
     id.putInt(request);
-    headPassing = head.length;
-    bodyBytes = (long) passed - ID_BYTES;
+    head.letPass(head.bytes.length);
+    bodyBytes = (long) passed - MessageHead.ID_BYTES;
     droppedBytes = length - passed;
   }
 
@@ -342,21 +290,21 @@ final class RequestStream extends InputStream {
   private void takeIfLarge(long bytes) throws IOException {
     // LimitedBuffers refuses messages above the largest size.
     if (bytes > LARGE_BYTES && bytes <= LimitedBuffers.MAX_MESSAGE_BYTES) {
-      take(bytes);
+      room.take(bytes);
       takenForMessage = bytes;
     }
   }
 
   /** A message is complete. */
   private void end() throws IOException {
-    giveBack(takenForMessage);
+    room.giveBack(takenForMessage);
     takenForMessage = 0;
-    if (isMessage()) {
+    if (head.isMessage()) {
       used = true;
     }
     begunAt = 0;
-    if (!id.hasRemaining() && (hasMore() || head[TYPE] == FRAGMENT)) {
-      addFragment(id.getInt(0), hasMore());
+    if (!id.hasRemaining() && (head.hasMore() || head.isFragment())) {
+      addFragment(id.getInt(0), head.hasMore());
     }
   }
 
@@ -365,13 +313,13 @@ final class RequestStream extends InputStream {
     if (!more) {
       Long together = fragmented.remove(request);
       fragmentedRequests.remove(request);
-      giveBack(together == null ? 0 : together);
+      room.giveBack(together == null ? 0 : together);
       assembles = isAssembling();
       return;
     }
     assembles = true;
-    take(announced);
-    if (head[TYPE] == REQUEST) {
+    room.take(announced);
+    if (head.isRequest()) {
       fragmentedRequests.add(request);
     }
     fragmented.merge(request, announced, Long::sum);
@@ -394,31 +342,6 @@ final class RequestStream extends InputStream {
     return !fragmented.isEmpty() || !unfinished.isEmpty();
   }
 
-  private void take(long bytes) throws IOException {
-    if (!room.take(this, bytes)) {
-      throw new IOException("no room for a message of " + bytes + " bytes");
-    }
-    boolean tooLate;
-    synchronized (this) {
-      tooLate = closed;
-      taken += tooLate ? 0 : bytes;
-    }
-    if (tooLate) {
-      room.giveBack(this, bytes);
-    }
-  }
-
-  private void giveBack(long most) {
-    long bytes;
-    synchronized (this) {
-      bytes = Math.min(most, taken);
-      taken -= bytes;
-    }
-    if (bytes > 0) {
-      room.giveBack(this, bytes);
-    }
-  }
-
   /** Returns how long nothing has come, ns. */
   long stalledNanos() {
     return System.nanoTime() - movedAt;
@@ -431,8 +354,8 @@ final class RequestStream extends InputStream {
 
   /**
    * Returns whether the peer is late: with its first message, or with the rest of one that has
-   * begun. Bytes that have arrived and are not read yet are no fault of the peer. A connection that
-   * nobody reads any more counts as late, too.
+   * begun. Bytes that have arrived and are not read yet are no fault of the peer. A connection
+   * whose reading thread has ended counts as late, too.
    *
    * @param now the time, ns, as {@link System#nanoTime}
    */
@@ -471,10 +394,7 @@ final class RequestStream extends InputStream {
 
   /** Called when the connection is closed. */
   void ended() {
-    synchronized (this) {
-      closed = true;
-    }
-    giveBack(Long.MAX_VALUE);
+    room.end();
   }
 
   @Override

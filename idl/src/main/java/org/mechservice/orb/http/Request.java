@@ -65,7 +65,7 @@ public final class Request {
     try {
       return URLDecoder.decode(text, StandardCharsets.UTF_8);
     } catch (IllegalArgumentException e) {
-      throw Refused.notUnderstood("its address is not encoded as it should be");
+      throw RefusedRequestException.notUnderstood("its address is not encoded as it should be");
     }
   }
 
@@ -130,16 +130,16 @@ public final class Request {
    */
   public JsonObject body(int longest) throws IOException {
     if (!header("Content-Type").startsWith("application/json")) {
-      throw Refused.notUnderstood("it must be application/json");
+      throw RefusedRequestException.notUnderstood("it must be application/json");
     }
     byte[] bytes = exchange.getRequestBody().readNBytes(longest + 1);
     if (bytes.length > longest) {
-      throw Refused.notUnderstood("it is longer than " + longest + " bytes");
+      throw RefusedRequestException.notUnderstood("it is longer than " + longest + " bytes");
     }
     try {
       return JsonParser.parseString(new String(bytes, StandardCharsets.UTF_8)).getAsJsonObject();
     } catch (JsonParseException | IllegalStateException e) {
-      throw Refused.notUnderstood("it is no JSON object");
+      throw RefusedRequestException.notUnderstood("it is no JSON object");
     }
   }
 
@@ -170,7 +170,7 @@ public final class Request {
     }
   }
 
-  /** Lets the page show pictures that its own scripts have made. */
+  /** Permits the page to show pictures that its own scripts have made. */
   public void allowOwnPictures() {
     exchange
         .getResponseHeaders()

@@ -9,7 +9,7 @@
  *
  * <p>Who may ask is known by an {@link org.mechservice.orb.http.AccessToken}, which travels in a
  * header that no other site can make a browser send. What cannot be answered is {@link
- * org.mechservice.orb.http.Refused}. Pages are kept up to date by an {@link
+ * org.mechservice.orb.http.RefusedRequestException}. Pages are kept up to date by an {@link
  * org.mechservice.orb.http.EventStream}; their {@link org.mechservice.orb.http.PageFiles} are in
  * the program's own JAR.
  */

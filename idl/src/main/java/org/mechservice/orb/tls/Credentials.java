@@ -21,11 +21,11 @@ import javax.net.ssl.TrustManagerFactory;
 import javax.net.ssl.X509ExtendedTrustManager;
 
 /**
- * What the folder of an identity held when it was read.
+ * The content of the folder of an identity when it was read.
  *
  * @param key own key
  * @param certificate own certificate
- * @param context makes connections with them, to those whom the authority has signed
+ * @param context makes connections with them, to peers whose certificate the authority has signed
  * @param revoked certificates that the authority has taken back
  */
 record Credentials(
@@ -33,7 +33,7 @@ record Credentials(
   private static final String STORE_TYPE = "PKCS12";
   private static final String ALGORITHM = "PKIX";
 
-  /** What shows that a file is another one than before: a missing file has no size. */
+  /** Times and sizes of files, by which changes are noticed; a missing file has no size. */
   record Stamp(List<FileTime> times, List<Long> sizes) {
     static Stamp of(Path folder) {
       List<FileTime> times = new ArrayList<>();

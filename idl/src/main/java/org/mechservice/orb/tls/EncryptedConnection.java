@@ -10,8 +10,8 @@ import javax.net.ssl.SSLSession;
 import javax.net.ssl.SSLSocket;
 
 /**
- * An encrypted connection that somebody else has opened, with its decrypted messages watched. The
- * ORB uses it as an ordinary socket.
+ * An inbound encrypted connection whose decrypted messages are watched. The ORB uses it as an
+ * ordinary socket.
  */
 final class EncryptedConnection extends Socket {
   private final Socket accepted;

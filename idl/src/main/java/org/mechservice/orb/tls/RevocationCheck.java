@@ -6,9 +6,9 @@ import java.security.cert.X509Certificate;
 import javax.net.ssl.SSLEngine;
 import javax.net.ssl.X509ExtendedTrustManager;
 
-/** Trusts whom another trusts, but none whose certificate has been taken back. */
+/** Trusts the certificates that another trust manager trusts, except revoked ones. */
 final class RevocationCheck extends X509ExtendedTrustManager {
-  /** A certificate has been taken back. */
+  /** A certificate has been revoked. */
   static final class RevokedException extends CertificateException {
     private static final long serialVersionUID = 1L;
 

@@ -20,9 +20,9 @@ import javax.security.auth.x500.X500Principal;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The certificates that authorities have taken back before their end, RFC 5280: one or several
- * lists in a file, PEM or DER. A list goes on to count after the time of its next update, since
- * what is revoked stays revoked.
+ * The certificates that authorities have revoked, RFC 5280: one or several lists in a file, PEM or
+ * DER. A list goes on to count after the time of its next update, since what is revoked stays
+ * revoked.
  */
 final class RevocationList {
   /** A certificate by its issuer and number. */

@@ -3,7 +3,10 @@ package org.mechservice.orb.tls;
 import java.security.cert.X509Certificate;
 import java.util.Arrays;
 
-/** What a caller may do. Certificates name it as the organisational unit of their subject. */
+/**
+ * The role of a caller, which decides its rights. Certificates name it as the organisational unit
+ * of their subject.
+ */
 public enum Role {
   /** Loads models and runs them. */
   CLIENT("client"),

@@ -14,8 +14,8 @@ import org.mechservice.idl.HostStatus;
 import org.mechservice.idl.ServiceEvent;
 
 /**
- * The servers of a console as they are now: each is followed by a thread of its own, so that one
- * that hangs delays nothing but its own line. Thread-safe.
+ * The present state of the servers of a console. Each server is followed by a thread of its own, so
+ * that one that hangs delays nothing but its own line. Thread-safe.
  */
 public final class LiveView implements AutoCloseable {
   private static final int EVENTS_KEPT = 500;
@@ -27,11 +27,11 @@ public final class LiveView implements AutoCloseable {
 
   private final List<ServerFollower> followers;
   private final Map<String, ServerReading> readings = new LinkedHashMap<>();
-  private final Deque<SeenEvent> events = new ArrayDeque<>();
+  private final Deque<ReceivedEvent> events = new ArrayDeque<>();
   private final Map<AdminTarget, Deque<LoadSample>> loads = new HashMap<>();
   private long lastEvent;
 
-  /** That nothing is heard yet is the first news. */
+  /** The first version: no server has answered yet. */
   private long version = 1;
 
   private boolean closed;
@@ -58,7 +58,7 @@ public final class LiveView implements AutoCloseable {
   }
 
   /** Returns the latest events of all servers, oldest first. */
-  public synchronized List<SeenEvent> events() {
+  public synchronized List<ReceivedEvent> events() {
     return List.copyOf(events);
   }
 
@@ -67,13 +67,13 @@ public final class LiveView implements AutoCloseable {
     return List.copyOf(loads.getOrDefault(host, new ArrayDeque<>()));
   }
 
-  /** Returns a number that grows whenever something is heard. */
+  /** Returns a number that grows with each change. */
   public synchronized long version() {
     return version;
   }
 
   /**
-   * Waits until something was heard after a version, the time is over, or the view is closed.
+   * Waits for a change after a version, the end of the time, or the end of the view.
    *
    * @return the version now
    */
@@ -89,7 +89,7 @@ public final class LiveView implements AutoCloseable {
     return version;
   }
 
-  /** Returns whether nothing will be heard any more. */
+  /** Returns whether the view is closed, so that no change follows. */
   public synchronized boolean isClosed() {
     return closed;
   }
@@ -125,10 +125,10 @@ public final class LiveView implements AutoCloseable {
     }
   }
 
-  synchronized void heard(String server, List<ServiceEvent> happened) {
+  synchronized void record(String server, List<ServiceEvent> happened) {
     for (ServiceEvent event : happened) {
       lastEvent++;
-      events.addLast(new SeenEvent(lastEvent, server, event));
+      events.addLast(new ReceivedEvent(lastEvent, server, event));
       if (events.size() > EVENTS_KEPT) {
         events.removeFirst();
       }

@@ -3,7 +3,7 @@ package org.mechservice.admin.live;
 import org.mechservice.idl.HostLoad;
 
 /**
- * How busy a host was.
+ * The load of a host at one time.
  *
  * @param at when; UTC, ms since 1970-01-01
  * @param cpuLoad share of the machine's processors in use, 0 to 1

@@ -4,7 +4,7 @@ import java.util.Comparator;
 import java.util.List;
 import org.mechservice.admin.KnownSimulation;
 
-/** What simulations are sorted by. */
+/** The sort order of simulations. */
 enum SortOrder {
   AGE("age"),
   STATE("state"),

@@ -4,7 +4,7 @@ import org.jline.keymap.KeyMap;
 import org.jline.terminal.Terminal;
 import org.jline.utils.InfoCmp.Capability;
 
-/** What an operator can press. */
+/** The keys of the full screen. */
 enum WatchKey {
   UP,
   DOWN,

@@ -10,8 +10,8 @@ import org.jline.utils.AttributedStringBuilder;
 import org.jline.utils.AttributedStyle;
 import org.mechservice.admin.HostState;
 import org.mechservice.admin.KnownSimulation;
-import org.mechservice.admin.Measures;
 import org.mechservice.admin.PlainText;
+import org.mechservice.admin.QuantityText;
 import org.mechservice.admin.ServerReading;
 import org.mechservice.idl.HostStatus;
 import org.mechservice.idl.Progress;
@@ -138,7 +138,7 @@ final class WatchScreen {
                 "  "
                     + reading.address()
                     + "  up "
-                    + Measures.age(reading.status().info.startedAt, now)
+                    + QuantityText.age(reading.status().info.startedAt, now)
                     + "  sessions "
                     + reading.status().sessions
                     + "  queued "
@@ -157,8 +157,8 @@ final class WatchScreen {
     }
     return line.append("CPU ")
         .append(bar(host.load.cpuLoad), host.load.cpuLoad > 0.9 ? WARN : COOL)
-        .append(cell(" %5s  ", Measures.load(host.load.cpuLoad)))
-        .append(cell("memory %10s  ", Measures.memory(host.load.memoryUsed)))
+        .append(cell(" %5s  ", QuantityText.load(host.load.cpuLoad)))
+        .append(cell("memory %10s  ", QuantityText.memory(host.load.memoryUsed)))
         .append(
             "running "
                 + host.load.running
@@ -225,9 +225,9 @@ final class WatchScreen {
             shortened(summary.hostName, 10),
             shortened(summary.owner, 10),
             known.state(),
-            bar(known.progress()) + Measures.load(known.progress()).replace(" %", "%"),
-            Measures.number(info.realTimeFactor),
-            Measures.number(info.stepSize),
+            bar(known.progress()) + QuantityText.load(known.progress()).replace(" %", "%"),
+            QuantityText.number(info.realTimeFactor),
+            QuantityText.number(info.stepSize),
             PlainText.of(summary.text));
     return new AttributedString(
         chosen ? padded(text) : text, chosen ? style(known).inverse() : style(known));

@@ -6,8 +6,8 @@ import org.mechservice.admin.KnownSimulation;
 import org.mechservice.admin.ServerReading;
 
 /**
- * What an operator has chosen to see: keys change it, the screen shows it. The choice stays with
- * its simulation when others come and go.
+ * The selection of the operator in the full screen: keys change it, the screen shows it. The choice
+ * stays with its simulation when others come and go.
  */
 final class WatchState {
   /** An action of a key that concerns more than the screen. */
@@ -48,7 +48,7 @@ final class WatchState {
     return news;
   }
 
-  void tell(String text) {
+  void notice(String text) {
     news = text;
   }
 
@@ -66,7 +66,7 @@ final class WatchState {
   /** Returns the simulations listed, in order. */
   List<KnownSimulation> listed(List<ServerReading> readings) {
     return KnownSimulation.all(readings).stream()
-        .filter(filter::lets)
+        .filter(filter::accepts)
         .sorted(sort.order(reversed))
         .toList();
   }
@@ -136,7 +136,7 @@ final class WatchState {
         return keep(listed) ? Wish.INSPECT : Wish.NOTHING;
       }
       case CANCEL ->
-          asking = keep(listed) && chosen(listed).filter(KnownSimulation::goesOn).isPresent();
+          asking = keep(listed) && chosen(listed).filter(KnownSimulation::isUnfinished).isPresent();
       case QUIT -> {
         return Wish.QUIT;
       }

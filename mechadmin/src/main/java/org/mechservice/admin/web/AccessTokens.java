@@ -13,8 +13,8 @@ import org.mechservice.orb.http.AccessToken;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * The secrets that open the page: one to look, one to act. They travel in a header that no other
- * site can make a browser send, never in a cookie or in the address of a request.
+ * The access tokens of the page: one for reading, one for actions. They travel in a header that no
+ * other site can make a browser send, never in a cookie or in the address of a request.
  *
  * @param monitor lets its bearer see everything
  * @param admin lets its bearer do everything
@@ -25,7 +25,7 @@ public record AccessTokens(String monitor, String admin) {
   private static final String ADMIN = "admin";
 
   /**
-   * @throws IllegalArgumentException with code S-136 if they can be guessed or told apart by nobody
+   * @throws IllegalArgumentException with code S-136 if they can be guessed, or are equal
    */
   public AccessTokens {
     if (monitor.length() < SHORTEST || admin.length() < SHORTEST || monitor.equals(admin)) {

@@ -6,7 +6,7 @@ import java.math.BigDecimal;
 import java.util.Map;
 import java.util.TreeMap;
 import org.mechservice.admin.AdminAction;
-import org.mechservice.orb.http.Refused;
+import org.mechservice.orb.http.RefusedRequestException;
 
 /**
  * The action that a button requests.
@@ -18,13 +18,13 @@ record ActionRequest(String server, AdminAction action) {
   /**
    * Reads a request.
    *
-   * @throws Refused with code S-135 if it cannot be understood
+   * @throws RefusedRequestException with code S-135 if it cannot be understood
    */
   static ActionRequest read(JsonObject json) {
     try {
       return new ActionRequest(text(json, "server"), action(json));
     } catch (IllegalArgumentException e) {
-      throw new Refused(400, String.valueOf(e.getMessage()));
+      throw new RefusedRequestException(400, String.valueOf(e.getMessage()));
     }
   }
 
@@ -38,14 +38,14 @@ record ActionRequest(String server, AdminAction action) {
           new AdminAction.Shutdown(Math.toIntExact(number("grace", json.get("grace"))));
       case "limits" -> new AdminAction.SetLimits(text(json, "host"), limits(json.get("limits")));
       case "placement" -> new AdminAction.SetPlacement(text(json, "policy"));
-      default -> throw Refused.notUnderstood("there is no action \"" + name + "\"");
+      default -> throw RefusedRequestException.notUnderstood("there is no action \"" + name + "\"");
     };
   }
 
   private static String text(JsonObject json, String name) {
     JsonElement member = json.get(name);
     if (member == null || !member.isJsonPrimitive()) {
-      throw Refused.notUnderstood("it lacks \"" + name + "\"");
+      throw RefusedRequestException.notUnderstood("it lacks \"" + name + "\"");
     }
     return member.getAsString();
   }
@@ -58,13 +58,14 @@ record ActionRequest(String server, AdminAction action) {
           element != null && element.isJsonPrimitive()
               ? element.getAsString()
               : String.valueOf(element);
-      throw Refused.notUnderstood(name + " takes a whole number, not \"" + written + "\"");
+      throw RefusedRequestException.notUnderstood(
+          name + " takes a whole number, not \"" + written + "\"");
     }
   }
 
   private static Map<String, Long> limits(JsonElement element) {
     if (element == null || !element.isJsonObject() || element.getAsJsonObject().isEmpty()) {
-      throw Refused.notUnderstood("it lacks \"limits\"");
+      throw RefusedRequestException.notUnderstood("it lacks \"limits\"");
     }
     Map<String, Long> limits = new TreeMap<>();
     element

@@ -19,8 +19,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Who did what on the page, and who was refused: one JSON object per line in a file, if there is
- * one, and the latest on the page itself. Refusals are warned of in the log, too. Thread-safe.
+ * The audit log of the page: actions and refusals with their callers, one JSON object per line in a
+ * file, if there is one, and the latest entries on the page itself. Refusals are warned of in the
+ * log, too. Thread-safe.
  */
 final class AdminAuditLog implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(AdminAuditLog.class);

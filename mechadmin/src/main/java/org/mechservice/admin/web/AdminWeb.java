@@ -12,7 +12,7 @@ import org.mechservice.admin.live.LiveView;
 import org.mechservice.orb.BoundedHttp;
 import org.mechservice.orb.GuardedServant;
 import org.mechservice.orb.http.PageFiles;
-import org.mechservice.orb.http.Refused;
+import org.mechservice.orb.http.RefusedRequestException;
 import org.mechservice.orb.http.Request;
 import org.mechservice.solver.catalogue.MessageCode;
 
@@ -57,7 +57,7 @@ public final class AdminWeb implements AutoCloseable {
 
   /**
    * Returns the address that opens the page. The token stands behind the number sign, which a
-   * browser sends to nobody.
+   * browser does not send.
    *
    * @param token one of the tokens
    */
@@ -71,24 +71,24 @@ public final class AdminWeb implements AutoCloseable {
       try {
         requireOwnSite(request);
         answer(request);
-      } catch (Refused refusal) {
-        tell(request, refusal);
+      } catch (RefusedRequestException refusal) {
+        answer(request, refusal);
       } catch (AdminFailure failure) {
-        tell(request, Api.refusal(failure));
+        answer(request, Api.refusal(failure));
       } catch (InterruptedException e) {
         Thread.currentThread().interrupt();
       } catch (RuntimeException e) {
         String incident = GuardedServant.record(request.path(), e);
-        tell(
+        answer(
             request,
-            new Refused(
+            new RefusedRequestException(
                 500,
                 MessageCode.INTERNAL_SERVER_ERROR + " the console failed, incident " + incident));
       }
     }
   }
 
-  private static void tell(Request request, Refused refusal) throws IOException {
+  private static void answer(Request request, RefusedRequestException refusal) throws IOException {
     JsonObject json = new JsonObject();
     json.addProperty("error", refusal.text());
     request.answer(refusal.status(), json);
@@ -98,7 +98,7 @@ public final class AdminWeb implements AutoCloseable {
     if (!request.isFromOwnSite(port())) {
       String why = MessageCode.CROSS_SITE_REQUEST + " the request came from another site";
       audit.refused(request, tokens.rightOf(request.token()), "", request.path(), why);
-      throw new Refused(403, why);
+      throw new RefusedRequestException(403, why);
     }
   }
 
@@ -117,8 +117,8 @@ public final class AdminWeb implements AutoCloseable {
     }
   }
 
-  private static Refused nothingAt(String path) {
-    return new Refused(
+  private static RefusedRequestException nothingAt(String path) {
+    return new RefusedRequestException(
         404,
         MessageCode.REQUEST_UNUSABLE + " the request cannot be used: there is nothing at " + path);
   }

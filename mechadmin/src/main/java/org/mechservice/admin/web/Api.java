@@ -9,7 +9,7 @@ import org.mechservice.admin.AdminFailure;
 import org.mechservice.admin.AdminJson;
 import org.mechservice.admin.AdminTarget;
 import org.mechservice.orb.http.EventStream;
-import org.mechservice.orb.http.Refused;
+import org.mechservice.orb.http.RefusedRequestException;
 import org.mechservice.orb.http.Request;
 import org.mechservice.solver.catalogue.MessageCode;
 
@@ -40,13 +40,13 @@ final class Api {
           MessageCode.TOKEN_NEEDED
               + " the token is missing or wrong; open the address that mech admin web has printed";
       audit.refused(request, right, "", what, why);
-      throw new Refused(401, why);
+      throw new RefusedRequestException(401, why);
     } else if (request.isGet()) {
       look(request, right, what);
     } else if (request.isPost()) {
       act(request, right, what);
     } else {
-      throw new Refused(
+      throw new RefusedRequestException(
           405,
           MessageCode.REQUEST_UNUSABLE + " the request cannot be used: it is neither GET nor POST");
     }
@@ -67,7 +67,7 @@ final class Api {
       case "limits" -> request.answer(200, limits(place(request)));
       case "audit" -> request.answer(200, AdminJson.named("entries", audit.latest()));
       default ->
-          throw new Refused(
+          throw new RefusedRequestException(
               404,
               MessageCode.REQUEST_UNUSABLE + " the request cannot be used: there is no " + what);
     }
@@ -87,7 +87,7 @@ final class Api {
 
   private void stream(Request request, Writing writing) throws IOException, InterruptedException {
     if (!freeStreams.tryAcquire()) {
-      throw new Refused(
+      throw new RefusedRequestException(
           503,
           MessageCode.TOO_MANY_PAGES
               + " more than "
@@ -127,13 +127,13 @@ final class Api {
           MessageCode.TOKEN_READ_ONLY
               + " this token may look, but not act; it takes the admin token";
       audit.refused(request, right, asked.server(), asked.action().summary(), why);
-      throw new Refused(403, why);
+      throw new RefusedRequestException(403, why);
     }
     switch (what) {
       case "preview" -> request.answer(200, asked.preview());
       case "actions" -> request.answer(200, perform(request, right, asked));
       default ->
-          throw new Refused(
+          throw new RefusedRequestException(
               404,
               MessageCode.REQUEST_UNUSABLE + " the request cannot be used: there is no " + what);
     }
@@ -152,7 +152,7 @@ final class Api {
   }
 
   /** Returns the refusal that reports a failure. */
-  static Refused refusal(AdminFailure failure) {
+  static RefusedRequestException refusal(AdminFailure failure) {
     int status =
         switch (failure.reason()) {
           case NO_ANSWER -> 504;
@@ -160,6 +160,6 @@ final class Api {
           case NOT_FOUND -> 404;
           case NOT_USABLE -> 400;
         };
-    return new Refused(status, failure.text());
+    return new RefusedRequestException(status, failure.text());
   }
 }

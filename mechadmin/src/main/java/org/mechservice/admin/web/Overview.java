@@ -11,8 +11,8 @@ import org.mechservice.admin.ServerReading;
 import org.mechservice.admin.live.LiveView;
 
 /**
- * Servers, hosts, simulations and events as pages know them: a page gets everything once, and then
- * only what changed. The work is done once for all pages. Thread-safe.
+ * Servers, hosts, simulations and events as pages receive them: everything once, and then only
+ * changes. The work is done once for all pages. Thread-safe.
  */
 final class Overview {
   private final LiveView view;

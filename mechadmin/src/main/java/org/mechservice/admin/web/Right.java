@@ -1,6 +1,6 @@
 package org.mechservice.admin.web;
 
-/** What somebody may do, each more than the one before. */
+/** The rights of a user of the page; each includes those before it. */
 enum Right {
   NONE("nobody"),
   MONITOR("monitor"),

@@ -24,11 +24,11 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.ParentCommand;
 
-/** What an operator does with {@code mech admin}; the page's buttons do the same. */
+/** The commands of {@code mech admin} that change something; the page's buttons do the same. */
 final class AdminActions {
   private AdminActions() {}
 
-  /** Something done to servers. */
+  /** An action on servers. */
   abstract static class Acting implements Callable<Integer> {
     @ParentCommand private AdminCommand admin = new AdminCommand();
 
@@ -36,7 +36,7 @@ final class AdminActions {
       return admin;
     }
 
-    /** Has a server do something and says that it did. */
+    /** Performs an action on a server and prints that it was done. */
     int perform(AdminConsole console, String server, AdminAction action) {
       console.perform(server, action);
       if (admin.asJson()) {
@@ -98,7 +98,7 @@ final class AdminActions {
     }
   }
 
-  /** Something done to a host or a server. */
+  /** An action on a host or a server. */
   abstract static class ActingAtPlace extends Acting {
     @Parameters(
         arity = "0..1",

@@ -16,8 +16,8 @@ import org.mechservice.admin.AdminTarget;
 import org.mechservice.admin.DetailJson;
 import org.mechservice.admin.DetailText;
 import org.mechservice.admin.KnownSimulation;
-import org.mechservice.admin.Measures;
 import org.mechservice.admin.PlainText;
+import org.mechservice.admin.QuantityText;
 import org.mechservice.admin.ServerReading;
 import org.mechservice.admin.StatusText;
 import org.mechservice.admin.TextTable;
@@ -132,7 +132,7 @@ public final class AdminCommand implements Callable<Integer> {
   }
 
   /** Names the servers that do not answer; the others are shown all the same. */
-  int tellSilent(List<ServerReading> readings) {
+  int printSilent(List<ServerReading> readings) {
     int status = ExitStatus.DONE;
     for (ServerReading reading : readings) {
       if (reading instanceof ServerReading.Silent silent) {
@@ -160,7 +160,7 @@ public final class AdminCommand implements Callable<Integer> {
           } else if (anyAnswers(readings)) {
             out.print(asText.apply(readings));
           }
-          return tellSilent(readings);
+          return printSilent(readings);
         });
   }
 
@@ -226,7 +226,8 @@ public final class AdminCommand implements Callable<Integer> {
         readings ->
             KnownSimulation.all(readings).stream()
                 .filter(
-                    known -> state == null ? all || known.goesOn() : known.state().equals(state))
+                    known ->
+                        state == null ? all || known.isUnfinished() : known.state().equals(state))
                 .toList();
     return show(
         readings ->
@@ -315,7 +316,8 @@ public final class AdminCommand implements Callable<Integer> {
   private static TextTable table(List<LogLine> lines) {
     TextTable table = new TextTable("AT", "LEVEL", "OF", "LINE");
     lines.forEach(
-        line -> table.add(Measures.instant(line.writtenAt), line.level, line.source, line.text));
+        line ->
+            table.add(QuantityText.instant(line.writtenAt), line.level, line.source, line.text));
     return table;
   }
 }

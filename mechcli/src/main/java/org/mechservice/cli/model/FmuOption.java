@@ -14,7 +14,7 @@ import org.mechservice.sim.fmu.FmuPlatform;
 import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Option;
 
-/** How a model is written as an FMU: {@code mech build -o FILE.fmu}. */
+/** Options of a model written as an FMU: {@code mech build -o FILE.fmu}. */
 public final class FmuOption {
   private static final String ENDING = ".fmu";
 

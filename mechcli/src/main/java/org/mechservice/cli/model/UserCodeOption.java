@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import picocli.CommandLine.Option;
 
-/** Where classes of users are. */
+/** The folder of user classes. */
 public final class UserCodeOption {
   @Option(
       names = "--user-code",

@@ -20,7 +20,7 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** The model, and which of its parameters may be changed between which bounds. */
+/** The model and its variables, parameters that may be changed between bounds. */
 final class VariableOptions {
   @Parameters(paramLabel = "MODEL.xml", description = "Model in MechML.")
   private Path file = Path.of("");
@@ -65,13 +65,13 @@ final class VariableOptions {
     return step;
   }
 
-  /** Something that is made with exact derivatives or without. */
+  /** A calculation that is made with exact derivatives or without. */
   interface Made<T> {
     T made(boolean exact) throws MechmlException;
   }
 
   /**
-   * What was made, and how.
+   * The result of the calculation, and the kind of its derivatives.
    *
    * @param derivatives how derivatives are found, for the answer
    */

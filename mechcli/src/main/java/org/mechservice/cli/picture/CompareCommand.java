@@ -22,6 +22,7 @@ import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.text.ShortestDecimal;
 import org.mechservice.view.plot.DifferencePlot;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -89,12 +90,7 @@ public final class CompareCommand implements Callable<Integer> {
           "Draw the signals that differ most: both results over each other, and their difference.")
   private Optional<Path> picture = Optional.empty();
 
-  @Option(
-      names = "--dark",
-      description =
-          "Light lines on black. Without it PNG files are light, SVG and HTML files as their reader"
-              + " prefers.")
-  private boolean dark;
+  @Mixin private DarkOption theme = new DarkOption();
 
   @Spec private CommandSpec spec = CommandSpec.create();
 
@@ -111,7 +107,7 @@ public final class CompareCommand implements Callable<Integer> {
     if (picture.isPresent() && format.isPresent()) {
       List<String> names = List.of(first.toString(), second.toString());
       PictureFile.write(
-          picture.get(), format.get(), DifferencePlot.of(names, a, b, comparison), dark);
+          picture.get(), format.get(), DifferencePlot.of(names, a, b, comparison), theme.isDark());
     }
     PrintWriter out = spec.commandLine().getOut();
     if (json) {

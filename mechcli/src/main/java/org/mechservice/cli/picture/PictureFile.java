@@ -22,7 +22,7 @@ final class PictureFile {
   static final String PNG = "png";
   static final String HTML = "html";
 
-  /** What a diagram can be written as. */
+  /** The formats of diagrams. */
   private static final List<String> OF_DIAGRAMS = List.of(SVG, PNG, HTML);
 
   private PictureFile() {}

@@ -16,6 +16,7 @@ import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.view.plot.Plot;
 import org.mechservice.view.plot.PlotRequest;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -53,12 +54,7 @@ public final class PlotCommand implements Callable<Integer> {
       description = "Column of the horizontal axis instead of the time, for phase plots.")
   private Optional<String> x = Optional.empty();
 
-  @Option(
-      names = "--dark",
-      description =
-          "Light lines on black. Without it PNG files are light, SVG and HTML files as their reader"
-              + " prefers.")
-  private boolean dark;
+  @Mixin private DarkOption theme = new DarkOption();
 
   @Spec private CommandSpec spec = CommandSpec.create();
 
@@ -78,7 +74,7 @@ public final class PlotCommand implements Callable<Integer> {
           MessageCode.OPTION_UNUSABLE + " no result file is named, such as r.csv");
     }
     Plot plot = new PlotRequest(distinct(files), columns, x).read();
-    PictureFile.write(target, format, plot, dark);
+    PictureFile.write(target, format, plot, theme.isDark());
     plot.notes().forEach(spec.commandLine().getErr()::println);
     return ExitStatus.DONE;
   }

@@ -67,7 +67,7 @@ public final class ViewCommand implements Callable<Integer> {
       Pattern.compile(
           "(?m)^" + MessageCode.EVENT_OCCURRED + " t=([-+0-9.eE]+) s: Event \"(.*?)\" ");
 
-  /** What a picture and its curves are made from. */
+  /** The columns that a picture and its curves are made from. */
   private static final Set<ColumnGroup> COLUMNS =
       EnumSet.complementOf(EnumSet.of(ColumnGroup.MOMENTUM, ColumnGroup.ACCELERATIONS));
 
@@ -120,8 +120,8 @@ public final class ViewCommand implements Callable<Integer> {
 
   @Spec private CommandSpec spec = CommandSpec.create();
 
-  /** What the player tells about a run beside its rows. */
-  private record Told(Map<String, String> facts, List<PlayerPage.Event> events, int status) {}
+  /** The facts and events of a run that the player shows beside its rows. */
+  private record RunFacts(Map<String, String> facts, List<PlayerPage.Event> events, int status) {}
 
   @Override
   public Integer call() throws IOException {
@@ -144,7 +144,8 @@ public final class ViewCommand implements Callable<Integer> {
                         MessageCode.OPTION_UNUSABLE
                             + " "
                             + input
-                            + " has no bodies: name the model it is of by --model MODEL.xml"))
+                            + " does not say what the bodies look like and how they are joined: name the model it is"
+                            + " of by --model MODEL.xml"))
             : input;
     if (live.isPresent()) {
       ReadOptions reading = new ReadOptions(simulation, parameters.values(), Set.copyOf(tunable));
@@ -159,7 +160,7 @@ public final class ViewCommand implements Callable<Integer> {
     Stage stage = new Stage(scene, new MeshFolder(folder));
     stage.warnings().forEach(warning -> err().println(warning));
     Recording recording = new Recording();
-    Told told = results ? read(scene, file, recording) : run(recording);
+    RunFacts told = results ? read(scene, file, recording) : run(recording);
     if (recording.frameCount() > 0) {
       for (Path target : targets) {
         OutputFile.write(target, content(target, scene, stage, recording, told));
@@ -207,14 +208,14 @@ public final class ViewCommand implements Callable<Integer> {
   }
 
   private static byte[] content(
-      Path target, SceneDescription scene, Stage stage, Recording recording, Told told) {
+      Path target, SceneDescription scene, Stage stage, Recording recording, RunFacts told) {
     return ending(target).endsWith(GLTF)
         ? AnimatedScene.write(scene, stage, recording)
         : PlayerPage.write(scene, stage, recording, told.facts(), told.events());
   }
 
   /** Takes the rows of a result file. */
-  private Told read(SceneDescription scene, Path file, Recording recording) throws IOException {
+  private RunFacts read(SceneDescription scene, Path file, Recording recording) throws IOException {
     StoredResult csv;
     try {
       csv = StoredResult.open(input);
@@ -238,12 +239,12 @@ public final class ViewCommand implements Callable<Integer> {
     } catch (IllegalArgumentException e) {
       throw new UsageException(String.valueOf(e.getMessage()));
     }
-    return new Told(
+    return new RunFacts(
         Map.of("results", String.valueOf(input.getFileName())), List.of(), ExitStatus.DONE);
   }
 
   /** Runs the model. */
-  private Told run(Recording recording) throws IOException {
+  private RunFacts run(Recording recording) throws IOException {
     try (CancelOnInterrupt interrupt = new CancelOnInterrupt();
         ServiceConnection service = ServiceConnection.open(server);
         MechSession session = service.connection().openSession()) {
@@ -251,7 +252,8 @@ public final class ViewCommand implements Callable<Integer> {
       try (PreparedRun run = session.prepareRemoteRun(options())) {
         interrupt.cancels(run::cancel);
         RunResult result = run.toEnd(recording);
-        return new Told(facts(result.report()), events(result.report()), status(result.outcome()));
+        return new RunFacts(
+            facts(result.report()), events(result.report()), status(result.outcome()));
       }
     }
   }

@@ -9,7 +9,7 @@ import org.mechservice.cli.shell.UsageException;
 import org.mechservice.client.MechSession;
 import org.mechservice.client.SessionBuilds;
 import org.mechservice.mechml.ReadOptions;
-import org.mechservice.orb.http.Refused;
+import org.mechservice.orb.http.RefusedRequestException;
 import org.mechservice.report.ModelReport;
 import org.mechservice.report.measure.Effort;
 import org.mechservice.report.page.PageFrame;
@@ -18,9 +18,7 @@ import org.mechservice.sim.fmu.FmuArchive;
 import org.mechservice.view.web.ModelExports;
 import org.mechservice.view.web.ModelReader;
 
-/**
- * What {@code mech build -o FILE.fmu} and {@code mech report --quick} make, for {@code mech web}.
- */
+/** The exports of {@code mech web}: FMUs as {@code mech build} makes them, and quick reports. */
 final class WebExports implements ModelExports {
   @Override
   public byte[] unit(String text, ModelReader.Choice choice) throws IOException {
@@ -32,7 +30,7 @@ final class WebExports implements ModelExports {
       ModelToExport model = ModelToExport.read(content, reading);
       return FmuArchive.build(model.inC(Set.of()), FmiVersion.FMI_2).bytes();
     } catch (UsageException e) {
-      throw new Refused(400, String.valueOf(e.getMessage()));
+      throw new RefusedRequestException(400, String.valueOf(e.getMessage()));
     }
   }
 

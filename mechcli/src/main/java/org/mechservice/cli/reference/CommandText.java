@@ -13,7 +13,7 @@ import picocli.CommandLine.Model.OptionSpec;
 import picocli.CommandLine.Model.UsageMessageSpec;
 
 /**
- * What is told of one command.
+ * The reference text of one command.
  *
  * @param name its words, such as {@code mech admin stop}
  * @param usage how it is called

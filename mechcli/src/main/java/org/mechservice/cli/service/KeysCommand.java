@@ -102,7 +102,7 @@ public final class KeysCommand implements Callable<Integer> {
     clients.forEach(name -> keys.user(name, Role.CLIENT));
     monitors.forEach(name -> keys.user(name, Role.MONITOR));
     admins.forEach(name -> keys.user(name, Role.ADMIN));
-    // First back, then new: who renews a stolen identity names it twice.
+    // Revocation comes first: a stolen identity is named in both options.
     revoked.forEach(name -> spec.commandLine().getOut().println(keys.revoke(name)));
     renewed.forEach(keys::renew);
     keys.made().forEach(spec.commandLine().getOut()::println);

@@ -7,7 +7,7 @@ import org.mechservice.cli.shell.UsageException;
 import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Option;
 
-/** Where a process listens. */
+/** The address on which a process listens. */
 public final class ListenOptions {
   private static final Pattern WITH_PORT = Pattern.compile("(\\[.*]|[^:]*):(\\d{1,9})");
   private static final int HIGHEST_PORT = 65535;

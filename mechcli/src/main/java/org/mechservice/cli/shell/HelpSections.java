@@ -4,7 +4,7 @@ import java.util.Arrays;
 import picocli.CommandLine;
 import picocli.CommandLine.Model.UsageMessageSpec;
 
-/** Sections that the help of all commands has alike. */
+/** Sections that the help of all commands shares. */
 public final class HelpSections {
   private HelpSections() {}
 

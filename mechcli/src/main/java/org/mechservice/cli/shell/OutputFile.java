@@ -8,7 +8,7 @@ import java.nio.file.StandardCopyOption;
 import java.util.UUID;
 import org.mechservice.solver.catalogue.MessageCode;
 
-/** Writes whole files; one that cannot be completed is not seen under its name. */
+/** Writes whole files: a file gets its name when it is complete. */
 public final class OutputFile {
   private OutputFile() {}
 

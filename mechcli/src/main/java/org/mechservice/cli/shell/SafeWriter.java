@@ -7,9 +7,9 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Writes text that steers no terminal, whoever has written it: names and messages come from models,
- * user classes and servers. Control characters, also those that turn the direction of writing,
- * become question marks, but for ends of lines, tabs and the colours of the help.
+ * Writes text without control sequences of terminals: names and messages come from models, user
+ * classes and servers. Control characters, also those that turn the direction of writing, become
+ * question marks, but for ends of lines, tabs and the colours of the help.
  */
 public final class SafeWriter extends PrintWriter {
   private static final Pattern COLOUR_OR_CONTROL =
@@ -45,7 +45,7 @@ public final class SafeWriter extends PrintWriter {
     return found.replaceAll(match -> match.group().length() > 1 ? match.group() : "?");
   }
 
-  /** Returns text that nobody gives a colour to, with question marks for what steers a terminal. */
+  /** Returns text without colours, with question marks in place of control sequences. */
   static String withoutColours(String text) {
     return safe(text.replace('\u001b', '?'));
   }

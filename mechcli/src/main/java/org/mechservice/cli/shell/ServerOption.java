@@ -6,7 +6,7 @@ import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
-/** Which service to ask. */
+/** The service that a command uses. */
 public final class ServerOption {
   @Option(
       names = "--server",

@@ -38,7 +38,7 @@ public final class CancelOnInterrupt implements AutoCloseable {
     return interrupted && !setUp;
   }
 
-  /** Says how to cancel. */
+  /** Sets the action that cancels. */
   public void cancels(Runnable how) {
     cancel = Optional.of(how);
   }
@@ -61,7 +61,7 @@ public final class CancelOnInterrupt implements AutoCloseable {
     }
   }
 
-  /** Lets the process end: the rows are complete. */
+  /** Permits the end of the process: the rows are complete. */
   @Override
   public void close() {
     finished.countDown();

@@ -16,6 +16,7 @@ import org.mechservice.cli.shell.UsageException;
 import org.mechservice.client.run.RunResult;
 import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.text.JsonText;
 import org.mechservice.solver.text.ReportText;
 import picocli.CommandLine.Model.CommandSpec;
@@ -23,14 +24,14 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
 /**
- * Where a command puts what a run gives, and what it does when the run has come to its end: it
- * keeps the rows, prints the report and tells the shell.
+ * The destinations of the results of a run, and the end of the run: the rows are kept, the report
+ * is printed, and the exit status is set.
  */
 final class ResultOptions {
   /** Lines of the report without {@code --verbose}. */
   static final int LINES = 10;
 
-  /** What most users look for in a report. */
+  /** The first entries of a printed report. */
   private static final List<String> FIRST =
       List.of(
           "scene",
@@ -43,6 +44,10 @@ final class ResultOptions {
           "rows",
           "wallTime",
           "energyDrift");
+
+  /** Lines that say nothing of statics, kinematics and other analyses without an integrator. */
+  private static final Set<String> OF_INTEGRATORS =
+      Set.of("integrator", "relativeTolerance", "absoluteTolerance");
 
   private static final Set<String> NEVER_LEFT_OUT = Set.of("stiffness", "notes");
 
@@ -125,7 +130,7 @@ final class ResultOptions {
    *
    * @return exit status
    */
-  int tell(RunResult result, ResultFiles files) throws IOException {
+  int report(RunResult result, ResultFiles files) throws IOException {
     Map<String, Object> report = new LinkedHashMap<>(result.report());
     if (files.rows() > 0) {
       files.keep().ifPresent(hash -> report.put("resultsSha256", hash));
@@ -157,13 +162,16 @@ final class ResultOptions {
             .collect(Collectors.toSet());
     Map<String, Object> brief = new LinkedHashMap<>(report);
     brief.keySet().removeIf(key -> !told.contains(key) && !NEVER_LEFT_OUT.contains(key));
+    if (MethodNames.NONE.equals(report.get("integrator"))) {
+      brief.keySet().removeAll(OF_INTEGRATORS);
+    }
     return brief;
   }
 
   private int status(Outcome outcome, ResultFiles files) {
     PrintWriter err = command.commandLine().getErr();
     if (outcome instanceof Outcome.Failed failed) {
-      err.println(failed.failure().message() + files.whereRowsAre());
+      err.println(failed.failure().message() + files.filesOfRows());
       return ExitStatus.SIMULATION_FAILED;
     } else if (outcome instanceof Outcome.Stopped) {
       err.println(
@@ -171,7 +179,7 @@ final class ResultOptions {
               + " the run was stopped at "
               + files.reached()
               + "."
-              + files.whereRowsAre());
+              + files.filesOfRows());
       return ExitStatus.INTERRUPTED;
     }
     return ExitStatus.DONE;

@@ -4,7 +4,7 @@ import java.util.Optional;
 import org.mechservice.client.SimulationOptions;
 import picocli.CommandLine.Option;
 
-/** How accurately a run is computed, and for how long. */
+/** Tolerances, interval and steps of a run. */
 public final class ToleranceOptions {
   @Option(
       names = "--rtol",

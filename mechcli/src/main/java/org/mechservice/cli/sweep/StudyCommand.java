@@ -41,7 +41,7 @@ import picocli.CommandLine.Spec;
     mixinStandardHelpOptions = true,
     versionProvider = MechVersion.class)
 public final class StudyCommand implements Callable<Integer> {
-  /** Where points run; the constants are the words of the option. */
+  /** The place where points run; the constants are the words of the option. */
   @SuppressWarnings("checkstyle:ConstantName")
   private enum Engine {
     threads,

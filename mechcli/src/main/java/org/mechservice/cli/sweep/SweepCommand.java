@@ -182,7 +182,7 @@ public final class SweepCommand implements Callable<Integer> {
     }
   }
 
-  /** Lines of a study that nobody has written say nothing. */
+  /** Positions in a generated study file mean nothing to users and are left out. */
   private static String message(Diagnostic diagnostic) {
     return diagnostic.file().equals(STUDY)
         ? diagnostic.code() + " " + diagnostic.message()

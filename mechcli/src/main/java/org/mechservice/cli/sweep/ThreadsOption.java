@@ -5,7 +5,7 @@ import org.mechservice.cli.shell.UsageException;
 import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Option;
 
-/** How many runs there are at once. */
+/** The number of runs at the same time. */
 final class ThreadsOption {
   @Option(
       names = "--threads",

@@ -25,7 +25,7 @@ public record JarFetch(
     RemoteCalls calls, SetUpCalls setUp, MechSim session, JarCache cache, JarOrigin origin) {
 
   /**
-   * Lets the host build a JAR of the model.
+   * Builds a JAR of the model at the host.
    *
    * @param options of the model and its solver; not modified
    * @param facts overwritten with what the server reports of the set-up

@@ -6,9 +6,9 @@ import java.util.Set;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 
 /**
- * What the grammar of MechML allows, for a program that writes a document element by element: it
- * learns at each step what the reader would say about the whole file. What is still missing is no
- * fault here.
+ * The choices that the grammar of MechML allows to a program that writes a document element by
+ * element: at each step they are those that the reader of the whole file would accept. What is
+ * still missing is no fault here.
  */
 public final class Vocabulary {
   private static final Grammar GRAMMAR = DocumentReader.grammar();

@@ -13,7 +13,7 @@ import java.util.regex.Pattern;
  * other name is one of the including file already.
  */
 final class Renaming {
-  /** What a name can stand for. */
+  /** The kinds of names. */
   enum Kind {
     BODY,
     JOINT,

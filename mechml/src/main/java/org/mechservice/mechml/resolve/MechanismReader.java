@@ -1,11 +1,14 @@
 package org.mechservice.mechml.resolve;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.mechservice.mechml.ReadOptions;
 import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.SimulationTask;
+import org.mechservice.mechml.Solid;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.document.Element;
@@ -113,6 +116,17 @@ final class MechanismReader {
             root,
             new BodyIndex(bodies, rootBody.get()),
             inputs));
+  }
+
+  /** Returns the solids of the bodies that have some, by the bodies' names. */
+  Map<String, List<Solid>> solids() {
+    Map<String, List<Solid>> solids = new HashMap<>();
+    for (BodyDefinition body : names.bodies()) {
+      if (!body.solids().isEmpty()) {
+        solids.put(body.name(), body.solids());
+      }
+    }
+    return solids;
   }
 
   private static List<BodyDefinition> bodies(

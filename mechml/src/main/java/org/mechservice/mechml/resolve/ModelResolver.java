@@ -85,7 +85,8 @@ public final class ModelResolver {
         diagnostics.inFileOrder().stream()
             .filter(said -> said.severity() == Severity.ERROR || !silenced.contains(said.code()))
             .toList(),
-        silenced);
+        silenced,
+        reader.get().solids());
   }
 
   /** Returns what becomes of inputs: a linearisation varies them, also those with a table. */

@@ -10,8 +10,8 @@ import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * How numbers of an MJCF file are meant: the unit of angles, the order of Euler angles, and the
- * five ways to write an orientation. Source: MuJoCo documentation, XML reference, "Frame
+ * Conventions of the numbers in an MJCF file: the unit of angles, the order of Euler angles, and
+ * the five ways to write an orientation. Source: MuJoCo documentation, XML reference, "Frame
  * orientations" and {@code compiler}.
  */
 final class MjcfCompiler {

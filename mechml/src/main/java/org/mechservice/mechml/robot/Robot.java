@@ -155,7 +155,7 @@ record Robot(
       Coordinate coordinate) {}
 
   /**
-   * Where a joint is.
+   * The place of a joint.
    *
    * @param frame the child's frame at zero, in the parent's
    * @param point a point on the axis, in the child's axes from the child's origin, m
@@ -194,7 +194,7 @@ record Robot(
   }
 
   /**
-   * What acts along the coordinate of a joint, rad or m.
+   * Limits and forces along the coordinate of a joint, rad or m.
    *
    * @param limits lowest and highest position
    * @param stiffness of a spring, N/m or N·m/rad

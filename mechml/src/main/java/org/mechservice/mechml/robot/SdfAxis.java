@@ -5,7 +5,7 @@ import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.robot.Robot.Coordinate;
 import org.mechservice.mechml.robot.Robot.Range;
 
-/** What acts along an axis of a joint in SDF: limits, a spring, damping, friction. */
+/** Properties of an axis of a joint in SDF: limits, a spring, damping, friction. */
 final class SdfAxis {
   /** SDF writes no limit as a very large one, by default 1e16, in newer files as inf. */
   private static final double NO_LIMIT = 1e15;

@@ -73,7 +73,7 @@ final class UrdfCoordinate {
     return true;
   }
 
-  /** Lets the coordinate follow that of another joint; returns whether it followed none. */
+  /** Makes the coordinate follow that of another joint; returns whether it followed none. */
   boolean follow(String other, double multiplier, double offset) {
     if (mimicry.isPresent()) {
       return false;

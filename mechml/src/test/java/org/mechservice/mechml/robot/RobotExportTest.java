@@ -351,6 +351,23 @@ class RobotExportTest {
   }
 
   @Test
+  void sizesAreShownWhateverTheyAreWrittenAs() throws MechmlException {
+    String mechml =
+        model(
+            "<body name='g'><point name='o' x='0' y='0' z='0'/><vector name='z' vx='0' vy='0'"
+                + " vz='1'/></body><body name='b'><point name='o' x='0' y='0' z='0'/><vector"
+                + " name='z' vx='0' vy='0' vz='1'/><point name='e' x='0' y='0' z='-2*1'/><cylinder"
+                + " radius='0.2/2' from='0;0;0' to='e' mass='1'/></body>",
+            "<joint name='j' type='R'><body1 name='g' point='o' vector='z'/>"
+                + "<body2 name='b' point='o' vector='z'/></joint>",
+            "<gravity gx='0' gy='0' gz='-9.81'/>",
+            "<root name='g'/>");
+    RobotExport robot = exported(mechml);
+    assertThat(robot.text()).contains("<cylinder radius=\"0.1\" length=\"2\"/>");
+    assertThat(robot.losses()).isEmpty();
+  }
+
+  @Test
   void shapesAreShown() throws MechmlException {
     String mechml =
         model(
@@ -372,6 +389,8 @@ class RobotExportTest {
             "<origin xyz=\"0 0 -2\"/>",
             "<sphere radius=\"0.5\"/>");
     assertThat(robot.losses()).hasSize(1);
-    assertThat(robot.losses().get(0).toString()).contains("cone of body \"b\"");
+    assertThat(robot.losses().get(0).toString())
+        .startsWith("model.xml:")
+        .contains("cone of body \"b\"");
   }
 }

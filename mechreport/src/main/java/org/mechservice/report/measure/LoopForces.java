@@ -13,10 +13,7 @@ import org.mechservice.solver.api.capability.ResultColumns;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.result.Variable;
 
-/**
- * What states say of the closed loops of a model: how far they are open, and the forces that close
- * them.
- */
+/** Residuals of the closed loops of a model at given states, and the forces that close them. */
 public final class LoopForces {
   /** The first evaluation is slow because the program is not compiled yet. */
   private static final int TRIALS = 3;

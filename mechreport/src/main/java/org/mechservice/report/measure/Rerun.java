@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Two reports of one scene beside each other. What does not depend on the machine, outcome, error
+ * The comparison of two reports of one scene. What does not depend on the machine, outcome, error
  * and counts, must be the same to the last digit; times must lie within the spread that the reports
  * state.
  *

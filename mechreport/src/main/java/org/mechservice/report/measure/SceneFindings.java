@@ -12,11 +12,7 @@ import org.mechservice.report.solution.Reference;
 /**
  * All findings of a report about a scene, from which its page is written.
  *
- * @param model the model's name
- * @param file its file's name
- * @param states number of states
- * @param freedoms number of independent velocities
- * @param endOfFile end of the run in the file, s
+ * @param scene that the report is about
  * @param methods methods that fit, in order
  * @param leftOut methods that do not fit
  * @param judge reference of the errors
@@ -25,16 +21,11 @@ import org.mechservice.report.solution.Reference;
  * @param shares of time, by method name
  * @param freshStarts times of first runs in machines of their own, by method name
  * @param effort how much was measured
- * @param csv name of the file with every run
  * @param versions versions of the product and of Java, and the machine
  * @param savings what was left out to keep the time for the report, one sentence each
  */
 public record SceneFindings(
-    String model,
-    String file,
-    int states,
-    int freedoms,
-    double endOfFile,
+    ReportedScene scene,
     List<SimulationMethod> methods,
     List<OmittedMethod> leftOut,
     Judge judge,
@@ -43,7 +34,6 @@ public record SceneFindings(
     Map<String, TimeShares> shares,
     Map<String, ColdRunTimes> freshStarts,
     Effort effort,
-    String csv,
     List<String> versions,
     List<String> savings) {
   public SceneFindings {

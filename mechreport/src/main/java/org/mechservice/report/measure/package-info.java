@@ -14,8 +14,8 @@
  * org.mechservice.report.measure.TimeShares} how a run's time divides, {@link
  * org.mechservice.report.measure.ColdRunTiming} the times of first runs, {@link
  * org.mechservice.report.measure.Rerun} the comparison of two reports. {@link
- * org.mechservice.report.measure.SceneFindings} puts together all that was found of a scene, for
- * the pages.
+ * org.mechservice.report.measure.SceneFindings} puts together all that was found of a {@linkplain
+ * org.mechservice.report.measure.ReportedScene scene}, for the pages.
  */
 @NullMarked
 package org.mechservice.report.measure;

@@ -3,7 +3,7 @@ package org.mechservice.report.method;
 import org.mechservice.solver.catalogue.MethodNames;
 
 /**
- * How a scene is simulated.
+ * A method of simulating a scene: formulation, closure and integrator.
  *
  * @param formulation {@code DTR}, {@code DSR}, {@code RR} or {@code RR-JF}
  * @param closure {@code none}, {@code projection} or {@code penalty}

@@ -3,8 +3,8 @@ package org.mechservice.report.page;
 import java.util.Locale;
 
 /**
- * How a method is drawn: the colour stands for formulation and closure, the mark for the
- * integrator.
+ * The style of the curve of a method: the colour stands for formulation and closure, the mark for
+ * the integrator.
  *
  * @param colour index of a CSS colour
  * @param mark which of the outlines

@@ -10,9 +10,7 @@ import org.mechservice.report.measure.SceneFindings;
 import org.mechservice.report.solution.Judge;
 import org.mechservice.report.solution.Reference;
 
-/**
- * How the figures were measured, for a reader who checks them: reference, rules, warm-up, spread.
- */
+/** The section of the page on the measurement: reference, rules, warm-up, spread. */
 final class HowMeasured {
   /** Relative change of times that counts as warm; times scatter by a few per cent. */
   private static final double WARM = 0.05;
@@ -49,9 +47,9 @@ final class HowMeasured {
     }
     html.append("\n<li>");
     html.append(String.join(" · ", found.versions().stream().map(Html::escape).toList()));
-    html.append("\n<li>Every single run: ").append(link(found.csv()));
+    html.append("\n<li>Every single run: ").append(link(found.scene().runs()));
     if (judge.reference().flatMap(Reference::amplification).isPresent()) {
-      String kept = found.csv().replaceFirst("\\.csv$", "-reference.csv");
+      String kept = found.scene().reference();
       html.append("; what the codes of this report made, to every digit: ").append(link(kept));
     }
     return html.append("</ul></details>").toString();

@@ -7,7 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Base64;
 import org.mechservice.solver.text.Sha256;
 
-/** What all pages have around their content: style and script, inside the page itself. */
+/** The frame that all pages have around their content: style and script, inside the page itself. */
 public final class PageFrame {
   private PageFrame() {}
 

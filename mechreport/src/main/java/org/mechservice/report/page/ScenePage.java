@@ -38,7 +38,7 @@ public final class ScenePage {
   public static String of(SceneFindings found) {
     ScenePage scene = new ScenePage(found);
     scene.write();
-    return PageFrame.of(found.model() + ": error against run time", scene.page.toString());
+    return PageFrame.of(found.scene().model() + ": error against run time", scene.page.toString());
   }
 
   private void write() {
@@ -68,20 +68,20 @@ public final class ScenePage {
   }
 
   private void head() {
-    double end = found.judge().reference().map(Reference::end).orElse(found.endOfFile());
+    double end = found.judge().reference().map(Reference::end).orElse(found.scene().end());
     // what was left out counts too: all methods of one closure may have been
     boolean closes =
         Stream.concat(found.methods().stream(), found.leftOut().stream().map(OmittedMethod::method))
             .anyMatch(method -> !method.closure().equals(MethodNames.NONE));
     String loops = closes ? "closed loops" : "open chain";
-    add("<h1>" + Html.escape(found.model()) + "</h1>");
+    add("<h1>" + Html.escape(found.scene().model()) + "</h1>");
     add(
         String.format(
             Locale.ROOT,
             "<p class=\"sub\">%s · %d degree%s of freedom · %s · %s%s · %d methods%s · %s</p>",
-            Html.escape(found.file()),
-            found.freedoms(),
-            found.freedoms() == 1 ? "" : "s",
+            Html.escape(found.scene().file()),
+            found.scene().freedoms(),
+            found.scene().freedoms() == 1 ? "" : "s",
             loops,
             interval(end),
             jumps(),
@@ -98,8 +98,8 @@ public final class ScenePage {
   /** Returns the interval, with a remark if only its beginning can be judged. */
   private String interval(double end) {
     String judged = Html.number(end) + " s";
-    return end < found.endOfFile()
-        ? "the first " + judged + " of " + Html.number(found.endOfFile()) + " s (see below)"
+    return end < found.scene().end()
+        ? "the first " + judged + " of " + Html.number(found.scene().end()) + " s (see below)"
         : judged;
   }
 

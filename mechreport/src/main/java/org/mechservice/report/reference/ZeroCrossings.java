@@ -10,7 +10,7 @@ import java.util.Arrays;
  * passage.
  */
 final class ZeroCrossings {
-  /** What rounding makes of a function, in units of its largest value. */
+  /** Rounding error of a function, in units of its largest value. */
   private static final double ROUNDING = 16 * Math.ulp(1.0);
 
   /** Uncertainty of a value at a zero, in units of the difference from one side to the other. */

@@ -39,7 +39,7 @@ public final class ReferenceMaker {
   private static final int DENSE_LIMIT = 120;
 
   /**
-   * Something that may be solved.
+   * A problem that may be solved.
    *
    * @param name formulation, for the page
    * @param fresh makes the problem, for one solution
@@ -234,7 +234,7 @@ public final class ReferenceMaker {
   }
 
   /**
-   * How far a run can be judged.
+   * The part of a run that can be judged.
    *
    * @param grid output times
    * @param why it is not the whole of it, in a sentence; empty if it is
@@ -402,7 +402,7 @@ public final class ReferenceMaker {
         .map(moved -> distances(moved.states(), solved.states()));
   }
 
-  /** Where one of them has ended before, nothing is known. */
+  /** Distances are unknown where one of them has ended before. */
   private double[] distances(double[][] moved, double[][] states) {
     double[] apart = new double[states.length];
     Arrays.setAll(

@@ -21,7 +21,7 @@ final class ToleranceLadder<S> {
   /** The loosest tolerance that tells eight digits. */
   private static final double LOOSEST = 1e-9;
 
-  /** What the next tolerance takes at least, in times of the one before. */
+  /** Smallest time of the next tolerance, in times of the one before. */
   private static final double GROWTH = 1.5;
 
   private final DoubleSupplier clock;

@@ -28,7 +28,7 @@ public record ExtremeCase(
   private static final String FOLDER = "/org/mechservice/report/extremes/";
   private static final int FIELDS = 6;
 
-  /** What must happen. */
+  /** The expected outcome. */
   public enum Expectation {
     /** At least one method moves it within the bound; none is silently wrong. */
     MOTION,

@@ -15,7 +15,7 @@ public record MethodOutcome(
     SimulationMethod method, Verdict verdict, double measured, MeasuredRun run) {
   private static final String CODED = "(?s).*\\b[MNS]-\\d{3}\\b.*";
 
-  /** How an outcome is judged. */
+  /** The verdict on an outcome. */
   public enum Verdict {
     /** The bound is met. */
     MET,

@@ -51,8 +51,8 @@ public final class SuiteTimeBudget {
     return Math.min(limitSeconds, Math.max(0, (endOfCase - elapsed()) / runsLeft));
   }
 
-  /** Says when runs were stopped. */
-  String said() {
+  /** Returns a sentence about stopped runs. */
+  String sentence() {
     return Double.isFinite(totalSeconds)
         ? String.format(
             Locale.ROOT,

@@ -29,7 +29,7 @@ import org.omg.CORBA.OBJECT_NOT_EXIST;
  * only hosts of the server's own machine are accepted, because others are not identified.
  */
 public final class HostRegistryServant implements HostRegistryOperations {
-  /** How often a host that registers is called before it is taken for silent. */
+  /** Number of calls to a host that registers before it counts as silent. */
   private static final int FIRST_CALLS = 5;
 
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9._-]{1,64}");
@@ -118,7 +118,7 @@ public final class HostRegistryServant implements HostRegistryOperations {
         present.get().own()
             || directory
                 .calls()
-                .ask(present.get().host(), MechSimHostOperations::getLoad)
+                .query(present.get().host(), MechSimHostOperations::getLoad)
                 .value()
                 .isPresent();
     if (alive) {
@@ -147,9 +147,10 @@ public final class HostRegistryServant implements HostRegistryOperations {
 
   /** A process that has just started, on a machine under load, may answer its first call late. */
   private HostCalls.Answer<HostInfo> answerOf(MechSimHost host) {
-    HostCalls.Answer<HostInfo> answer = directory.calls().ask(host, MechSimHostOperations::getInfo);
+    HostCalls.Answer<HostInfo> answer =
+        directory.calls().query(host, MechSimHostOperations::getInfo);
     for (int i = 1; i < FIRST_CALLS && isLate(answer); i++) {
-      answer = directory.calls().ask(host, MechSimHostOperations::getInfo);
+      answer = directory.calls().query(host, MechSimHostOperations::getInfo);
     }
     return answer;
   }
@@ -172,7 +173,7 @@ public final class HostRegistryServant implements HostRegistryOperations {
                     registration,
                     AccessRights.toServe(denials))));
     // A host that is killed never calls again; its registration must not stay for ever.
-    host.whenGone(object::close);
+    host.onRemoval(object::close);
     return HostRegistrationHelper.unchecked_narrow(object.reference());
   }
 

@@ -24,7 +24,7 @@ import org.mechservice.sim.service.contract.ContractErrors;
 import org.mechservice.sim.service.library.ModelImport;
 import org.mechservice.sim.service.limits.CurrentLimits;
 
-/** Where clients connect. */
+/** The servant of the interface for clients. */
 public final class MechServerServant implements MechServerOperations {
   private static final String[] CAPABILITIES = {
     "formulation=DTR",
@@ -112,10 +112,10 @@ public final class MechServerServant implements MechServerOperations {
     String user = Caller.current().confinedTo().orElse("");
     return directory
         .search(host -> host.findSimulation(simId, user))
-        .orElseThrow(() -> ContractErrors.notFound(whatBecameOf(simId)));
+        .orElseThrow(() -> ContractErrors.notFound(absence(simId)));
   }
 
-  private String whatBecameOf(String simId) {
+  private String absence(String simId) {
     return directory
         .runs()
         .endOf(simId)

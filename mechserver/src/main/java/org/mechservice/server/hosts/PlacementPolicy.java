@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
-/** How the host of a session is chosen where the client leaves it open. */
+/** The rule that chooses the host of a session if the client names none. */
 public enum PlacementPolicy {
   /** The hosts are filled one after the other, in the order in which they joined. */
   ORDER("order"),

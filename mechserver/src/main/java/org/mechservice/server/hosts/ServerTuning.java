@@ -3,7 +3,7 @@ package org.mechservice.server.hosts;
 import java.time.Duration;
 
 /**
- * What of a server only tests set otherwise.
+ * Settings of a server that only tests change.
  *
  * @param hostLease how long a host is kept without a renewal
  * @param hostCheck interval of requesting load and events of hosts

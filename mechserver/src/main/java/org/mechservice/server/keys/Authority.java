@@ -45,7 +45,7 @@ import org.mechservice.orb.tls.Role;
 final class Authority {
   private static final Duration OWN_LIFE = Duration.ofDays(3650);
 
-  /** How long certificates are valid unless said otherwise. */
+  /** Default validity of certificates. */
   static final Duration LIFE = Duration.ofDays(1095);
 
   /** Clocks of two machines may differ. */

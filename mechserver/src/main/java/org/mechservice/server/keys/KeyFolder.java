@@ -166,7 +166,7 @@ public final class KeyFolder {
   }
 
   /**
-   * Takes the certificate of an identity back: who has the new {@code revoked.crl} accepts it no
+   * Revokes the certificate of an identity: processes with the new {@code revoked.crl} accept it no
    * longer.
    *
    * @param child folder of the identity

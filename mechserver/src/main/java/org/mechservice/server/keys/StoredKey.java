@@ -26,7 +26,7 @@ import org.mechservice.orb.tls.TlsIdentity;
 /**
  * A key with its certificate, and its folder on disk, which only its owner may read.
  *
- * @param chain the certificate, and those of whom it was signed by
+ * @param chain the certificate, and those of its signers
  */
 record StoredKey(PrivateKey key, List<X509Certificate> chain) {
   private static final String STORE_TYPE = "PKCS12";
@@ -56,7 +56,7 @@ record StoredKey(PrivateKey key, List<X509Certificate> chain) {
   }
 
   /**
-   * Writes key, certificate and whom to trust.
+   * Writes key, certificate and trusted certificates.
    *
    * @param trusted the authority
    */

@@ -28,7 +28,7 @@ final class AdjointRun {
   private static final int PLACES = 64;
 
   private final GradientModel model;
-  private final List<Wanted> wanted;
+  private final List<GradientOutput> wanted;
   private final MotionProblem motion;
   private final long memory;
   private final int n;
@@ -42,7 +42,7 @@ final class AdjointRun {
   private final double[] byBoth;
   private final List<Observation> found = new ArrayList<>();
 
-  AdjointRun(GradientModel model, List<Wanted> wanted, RunSettings run, long memory) {
+  AdjointRun(GradientModel model, List<GradientOutput> wanted, RunSettings run, long memory) {
     this.model = model;
     this.wanted = wanted;
     this.memory = memory;
@@ -80,7 +80,7 @@ final class AdjointRun {
     double t0 = motion.run.tStart();
     double[] z0 = Arrays.copyOf(start, length);
     OdeOptions options = motion.watched(motion.options(tolerances()));
-    for (Wanted one : wanted) {
+    for (GradientOutput one : wanted) {
       if (one.isFound()) {
         Observation its =
             new Observation(model, one.column(), one.reduction(), length, (t, z, column) -> NONE);
@@ -104,7 +104,7 @@ final class AdjointRun {
     double[][] slopes = new double[wanted.size()][];
     int next = 0;
     for (int i = 0; i < wanted.size(); i++) {
-      Wanted one = wanted.get(i);
+      GradientOutput one = wanted.get(i);
       double at = way.end();
       Observation.Side side = Observation.Side.SMOOTH;
       if (one.isFound()) {
@@ -165,7 +165,7 @@ final class AdjointRun {
 
   /** One number's way back. */
   private final class Back {
-    final Wanted one;
+    final GradientOutput one;
     final SolutionSegments way;
 
     /** Weight of the integrand in the number; 0 for a number of one time. */
@@ -176,7 +176,7 @@ final class AdjointRun {
 
     double stretchEndTime = Double.NaN;
 
-    Back(Wanted one, SolutionSegments way, double share) {
+    Back(GradientOutput one, SolutionSegments way, double share) {
       this.one = one;
       this.way = way;
       this.share = share;
@@ -238,7 +238,7 @@ final class AdjointRun {
   /** Returns the derivatives of a number by all directions. */
   private double[] back(
       int number, double value, double at, Observation.Side side, SolutionSegments way) {
-    Wanted one = wanted.get(number);
+    GradientOutput one = wanted.get(number);
     double t0 = motion.run.tStart();
     double end = way.end();
     double[] last = way.endState();
@@ -308,7 +308,7 @@ final class AdjointRun {
     return slopes;
   }
 
-  private double jumpOfIntegrand(Wanted one, double t, Transition.Sides sides) {
+  private double jumpOfIntegrand(GradientOutput one, double t, Transition.Sides sides) {
     if (!one.isIntegral()) {
       return 0;
     }
@@ -339,7 +339,7 @@ final class AdjointRun {
     return way.events().stream().filter(event -> event.time() == t).findFirst().orElseThrow();
   }
 
-  private double columnRate(Wanted one, double t, double[] state, double[] stateRate) {
+  private double columnRate(GradientOutput one, double t, double[] state, double[] stateRate) {
     columns(t, state, stateRate);
     return model.columnRates(t, both.clone())[one.column()];
   }
@@ -354,7 +354,8 @@ final class AdjointRun {
   }
 
   /** Adds the derivatives of a column's value at one time. */
-  private void addPoint(Wanted one, double t, double[] state, double[] stateRate, double[] u) {
+  private void addPoint(
+      GradientOutput one, double t, double[] state, double[] stateRate, double[] u) {
     columns(t, state, stateRate);
     double[] at = both.clone();
     double weight =
@@ -372,7 +373,7 @@ final class AdjointRun {
 
   /** Adds what a number gains by a later end, at an event that ends the run. */
   private void addStop(
-      Wanted one, double integral, double share, double[] u, SolutionSegments way) {
+      GradientOutput one, double integral, double share, double[] u, SolutionSegments way) {
     double t = way.end();
     FoundEvent event = way.events().get(way.events().size() - 1);
     Transition stop = motion.transitions.get(event.index());
@@ -394,7 +395,7 @@ final class AdjointRun {
    * as an error of the size of the tolerances in the state, or in a parameter as a part of its
    * size, relative to the number's own scale.
    */
-  private double[] tolerancesBack(Wanted one, double number, SolutionSegments way) {
+  private double[] tolerancesBack(GradientOutput one, double number, SolutionSegments way) {
     double[] largest = new double[n];
     double scale = 0;
     double t0 = motion.run.tStart();

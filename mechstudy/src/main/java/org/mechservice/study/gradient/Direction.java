@@ -4,7 +4,7 @@ import java.util.List;
 import org.mechservice.sim.gradient.ModelFunctions;
 
 /**
- * What results are differentiated by.
+ * A parameter or start value by which results are differentiated.
  *
  * @param name of the parameter, or of the component of the start
  * @param unit of the values below

@@ -22,7 +22,7 @@ import org.mechservice.study.Reduction;
  */
 final class ForwardRun {
   private final GradientModel model;
-  private final List<Wanted> wanted;
+  private final List<GradientOutput> wanted;
   private final MotionProblem motion;
   private final int n;
   private final int p;
@@ -36,7 +36,7 @@ final class ForwardRun {
   private final double[] slopes;
   private final List<Observation> found = new ArrayList<>();
 
-  ForwardRun(GradientModel model, List<Wanted> wanted, RunSettings run) {
+  ForwardRun(GradientModel model, List<GradientOutput> wanted, RunSettings run) {
     this.model = model;
     this.wanted = wanted;
     n = model.n;
@@ -154,7 +154,7 @@ final class ForwardRun {
       columnsOf(t, z, out);
       for (int i = 0; i < wanted.size(); i++) {
         if (integralOf[i] >= 0) {
-          Wanted one = wanted.get(i);
+          GradientOutput one = wanted.get(i);
           double value = slopes[one.column()];
           int at = integralAt() + integralOf[i];
           out[at] = one.integrand(value);
@@ -289,7 +289,7 @@ final class ForwardRun {
     double time = end - motion.run.tStart();
     int next = 0;
     for (int i = 0; i < wanted.size(); i++) {
-      Wanted one = wanted.get(i);
+      GradientOutput one = wanted.get(i);
       if (one.kind() == Reduction.Kind.LAST) {
         take(i, values, derivatives);
         for (int k = 0; k < p; k++) {

@@ -4,7 +4,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Stream;
 
-/** How derivatives are computed. */
+/** The methods of computing derivatives. */
 public enum GradientMethod {
   /** The cheaper one. */
   AUTO,

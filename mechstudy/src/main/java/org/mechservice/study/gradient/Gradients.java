@@ -67,7 +67,7 @@ public final class Gradients {
   private final int[] chosen;
   private final List<List<ModelFunctions>> beside;
   private final List<String> columns;
-  private final List<Wanted> wanted;
+  private final List<GradientOutput> wanted;
   private final List<String> units;
   private final List<String> names;
   private long memory = MEMORY;
@@ -85,7 +85,10 @@ public final class Gradients {
         model.content().mechanism().parameters().stream().map(Parameter::name).toList();
     chosen = by.stream().filter(tunable::contains).mapToInt(inputs::indexOf).toArray();
     functions = new ModelFunctions(model.content(), run, columns, chosen);
-    wanted = this.reductions.stream().map(r -> new Wanted(columns.indexOf(r.column()), r)).toList();
+    wanted =
+        this.reductions.stream()
+            .map(r -> new GradientOutput(columns.indexOf(r.column()), r))
+            .toList();
     units = this.reductions.stream().map(r -> unit(r, functions.unit(r.column()))).toList();
     names = this.reductions.stream().map(Reduction::toString).toList();
     beside = new ArrayList<>();

@@ -26,7 +26,7 @@ final class MotionProblem {
   private final List<OdeEvent> events = new ArrayList<>();
   private final int stopsFrom;
 
-  /** What a transition does to all that is integrated. */
+  /** The change of all integrated values at a transition. */
   interface Change {
     void apply(Transition transition, double t, double[] z);
   }

@@ -22,8 +22,8 @@ final class Observation {
   /** Takes the derivatives of a column at a place of the motion. */
   interface Capture {
     /**
-     * Returns the derivatives of a column by all directions at a fixed time; empty if nobody wants
-     * them.
+     * Returns the derivatives of a column by all directions at a fixed time; empty if they are not
+     * requested.
      *
      * @param z everything that is integrated, the state first
      */
@@ -142,7 +142,8 @@ final class Observation {
   /**
    * Takes note of a state at an event.
    *
-   * @param timeSlopes derivatives of the event's time by the directions; empty if nobody wants them
+   * @param timeSlopes derivatives of the event's time by the directions; empty if they are not
+   *     requested
    */
   void corner(double t, double[] state, double[] timeSlopes, Side where) {
     if (kind == Reduction.Kind.CROSSING) {

@@ -26,7 +26,7 @@ public final class RowGradients {
   private final List<String> columns;
   private final ThreadLocal<Workplace> workplaces;
 
-  /** Where one thread computes: the equations at the latest values of settled parameters. */
+  /** The workspace of one thread: the equations at the latest values of settled parameters. */
   private static final class Workplace {
     private final MechModel model;
     private final List<String> by;

@@ -12,11 +12,11 @@ import org.mechservice.study.optimise.PointFailedException;
 import org.mechservice.study.optimise.Response;
 
 /**
- * What the data say of one parameter without the model being taken as linear: the parameter is held
- * at values beside the found one, and the others are fitted anew (Bates and Watts 1988, §6.1). With
- * the sum S of the squares, τ = ±√(S − S_min) / s; where the model is linear in its parameters, τ
- * is a straight line over the parameter and counts standard deviations. The interval ends where |τ|
- * is the quantile of Student's t.
+ * The likelihood profile of one parameter, without linearisation of the model: the parameter is
+ * held at values beside the found one, and the others are fitted anew (Bates and Watts 1988, §6.1).
+ * With the sum S of the squares, τ = ±√(S − S_min) / s; where the model is linear in its
+ * parameters, τ is a straight line over the parameter and counts standard deviations. The interval
+ * ends where |τ| is the quantile of Student's t.
  *
  * @param variable which parameter
  * @param points parameter and τ, ascending; among them the found value with 0

@@ -1,14 +1,14 @@
 package org.mechservice.study.optimise;
 
 /**
- * One quantity that a problem is about, and what is wanted of it.
+ * A quantity of a design problem with its purpose: objective, residual or constraint.
  *
- * @param kind what is wanted
+ * @param kind its purpose
  * @param text the expression, for people
  * @param scale size of the quantity that counts as 1 for tolerances; 0 for its size at the start
  */
 public record Aim(Kind kind, String text, double scale) {
-  /** What is wanted of a quantity. */
+  /** The purpose of a quantity. */
   public enum Kind {
     /** As small as possible. */
     MINIMISE,

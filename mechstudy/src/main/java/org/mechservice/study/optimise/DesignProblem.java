@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
- * What is to be optimised: variables with bounds, an objective or residuals, constraints.
+ * A problem of optimisation: variables with bounds, an objective or residuals, constraints.
  *
  * @param variables what may be changed; at least one
  * @param aims what is wanted: one objective, two for a {@linkplain Front front}, or any number of

@@ -30,7 +30,8 @@ public final class ModelDesign {
   private static final Pattern RELATION = Pattern.compile("<=|>=|==|<|>|=");
 
   /** A formula less another, and its aim. */
-  private record Wanted(Aim aim, ReductionExpression left, ReductionExpression right, double sign) {
+  private record AimFormula(
+      Aim aim, ReductionExpression left, ReductionExpression right, double sign) {
     double value(double[] reduced, Map<String, Double> parameters) {
       return sign * (left.value(reduced, parameters) - right.value(reduced, parameters));
     }
@@ -40,7 +41,7 @@ public final class ModelDesign {
   private final List<DesignVariable> variables;
   private final Map<String, Double> fixed;
   private final List<Reduction> reductions = new ArrayList<>();
-  private final List<Wanted> wanted = new ArrayList<>();
+  private final List<AimFormula> wanted = new ArrayList<>();
 
   /**
    * @param model the model, with the values of the parameters that are not changed
@@ -122,7 +123,7 @@ public final class ModelDesign {
     ReductionExpression a = ReductionExpression.parse(left, reductions, names);
     ReductionExpression b = ReductionExpression.parse(right, reductions, names);
     double scale = b.isConstant() ? Math.abs(b.value(new double[0], Map.of())) : 0;
-    wanted.add(new Wanted(new Aim(kind, text.strip(), scale), a, b, sign));
+    wanted.add(new AimFormula(new Aim(kind, text.strip(), scale), a, b, sign));
     return this;
   }
 
@@ -157,7 +158,7 @@ public final class ModelDesign {
     }
     return new DesignProblem(
         variables,
-        wanted.stream().map(Wanted::aim).toList(),
+        wanted.stream().map(AimFormula::aim).toList(),
         point -> values(points, point),
         slopes);
   }

@@ -3,7 +3,7 @@ package org.mechservice.study.optimise;
 import java.util.OptionalDouble;
 
 /**
- * How a problem is optimised.
+ * Settings of an optimisation.
  *
  * @param method how each start goes on
  * @param starts number of starts: the given one, then random ones

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What an optimisation has found.
+ * The result of an optimisation.
  *
  * @param problem what was asked
  * @param method the method that each start used

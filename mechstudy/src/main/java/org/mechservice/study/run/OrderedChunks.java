@@ -44,7 +44,7 @@ final class OrderedChunks<R> {
     this.piece = piece;
   }
 
-  /** Lets {@link #run} return soon; may be called from any thread. */
+  /** Makes {@link #run} return soon; may be called from any thread. */
   void stop() {
     stopped.set(true);
   }

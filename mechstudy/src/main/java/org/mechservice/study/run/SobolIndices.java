@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What part of an output's variance each factor causes, from the points of {@link
+ * The part of an output's variance that each factor causes, from the points of {@link
  * org.mechservice.study.design.Design#indices}: blocks of A, B and, for each factor, A with this
  * factor's value of B.
  *

@@ -1,7 +1,7 @@
 package org.mechservice.study.run;
 
 /**
- * When a study ends before its last point.
+ * The conditions that end a study before its last point.
  *
  * @param failures number of failing points; 0 if any number may fail
  * @param output index of the output whose mean is watched; -1 if none is

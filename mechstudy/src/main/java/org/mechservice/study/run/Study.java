@@ -10,7 +10,7 @@ public final class Study {
   private final StudyPart part;
   private final OrderedChunks<StudyRows.Row> chunks;
 
-  /** How far a study is. */
+  /** Receives the progress of a study. */
   public interface Progress {
     /**
      * Is told after each chunk.
@@ -23,7 +23,7 @@ public final class Study {
   }
 
   /**
-   * How a study ended.
+   * The result of a study.
    *
    * @param statistics over the finished points
    * @param points number of points of the study or its part
@@ -48,7 +48,7 @@ public final class Study {
     return table.resolveSibling(table.getFileName() + ".unfinished");
   }
 
-  /** Lets {@link #run} return soon, the finished rows in its journal. */
+  /** Makes {@link #run} return soon, with the finished rows in its journal. */
   public void stop() {
     chunks.stop();
   }

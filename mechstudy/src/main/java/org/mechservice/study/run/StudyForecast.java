@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.function.DoubleSupplier;
 
 /**
- * Says after a minute, and then every five, how long a study will take: by the time of the points
+ * Prints after a minute, and then every five, how long a study will take: by the time of the points
  * that this process has finished.
  *
  * <p>Thread-safe.

@@ -19,7 +19,7 @@ import org.mechservice.solver.catalogue.MessageCode;
 
 /** Puts the parts of a study together. */
 public final class StudyJoin {
-  /** What a part's file beside its table says. */
+  /** The content of the file beside a part's table. */
   private record Part(Path table, StudyPart part, JsonObject json) {}
 
   private StudyJoin() {}

@@ -3,7 +3,7 @@ package org.mechservice.study.run;
 import java.util.Optional;
 import org.mechservice.mechml.document.Element;
 
-/** What is wrong with an element of a study; the message says what to write. */
+/** An element of a study cannot be used; the message says what to write. */
 final class StudyRefusal extends Exception {
   private static final long serialVersionUID = 1L;
 

@@ -1,9 +1,9 @@
 package org.mechservice.view.drawing;
 
 /**
- * What a colour is for, with its value on light and on dark pages. The eight curve colours differ
- * in hue and have a contrast of at least 4.5 to 1 to the page (WCAG 2.2, 1.4.3), so that text in
- * them is legible too.
+ * The purposes of colours, each with its value on light and on dark pages. The eight curve colours
+ * differ in hue and have a contrast of at least 4.5 to 1 to the page (WCAG 2.2, 1.4.3), so that
+ * text in them is legible too.
  */
 public enum Ink {
   PAGE("#ffffff", "#14171c"),

@@ -2,7 +2,7 @@ package org.mechservice.view.drawing;
 
 import java.awt.Shape;
 
-/** What a picture consists of, in the order in which it is drawn. */
+/** An element of a picture; elements are drawn in their order. */
 sealed interface Mark {
   /** A line. */
   record Stroked(Shape shape, Pen pen) implements Mark {}

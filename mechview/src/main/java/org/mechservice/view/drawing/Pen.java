@@ -3,7 +3,7 @@ package org.mechservice.view.drawing;
 import java.util.List;
 
 /**
- * How a line is drawn.
+ * The style of a line.
  *
  * @param ink its colour
  * @param width px

@@ -1,6 +1,6 @@
 package org.mechservice.view.drawing;
 
-/** Whose colours a picture has. */
+/** The colours of a picture. */
 public enum Theme {
   /** Dark lines on white. */
   LIGHT,

@@ -69,7 +69,8 @@ final class GltfReader {
     this.file = file;
     JsonArray needed = array(file, "extensionsRequired");
     if (!needed.isEmpty()) {
-      throw new MeshException("it needs " + Words.quoted(needed.get(0).getAsString()) + " of glTF");
+      throw new MeshException(
+          "it needs " + MeshNumbers.quoted(needed.get(0).getAsString()) + " of glTF");
     }
     for (JsonElement one : array(file, "buffers")) {
       buffers.add(buffer(one.getAsJsonObject(), binary));

@@ -54,6 +54,15 @@ public final class Mesh {
     return new Mesh(moved, triangles, colour, opacity);
   }
 
+  /** Returns the surface larger or smaller about the origin of its axes. */
+  public Mesh scaled(double factor) {
+    float[] scaled = new float[corners.length];
+    for (int i = 0; i < corners.length; i++) {
+      scaled[i] = (float) (factor * corners[i]);
+    }
+    return new Mesh(scaled, triangles, colour, opacity);
+  }
+
   /** Returns the number of corners. */
   public int cornerCount() {
     return corners.length / 3;

@@ -46,7 +46,7 @@ public final class MeshFolder {
       throw new MeshException(
           "its name must end in .wrl (VRML 97), .stl, .obj, .glb or .gltf (glTF 2.0)");
     } catch (MeshException e) {
-      throw new MeshException("graphSrc " + Words.quoted(name) + ": " + e.getMessage());
+      throw new MeshException("graphSrc " + MeshNumbers.quoted(name) + ": " + e.getMessage());
     }
   }
 

@@ -29,7 +29,7 @@ final class ObjReader {
   }
 
   private static double number(StringTokenizer words) throws MeshException {
-    return Words.number(words.hasMoreTokens() ? words.nextToken() : "");
+    return MeshNumbers.number(words.hasMoreTokens() ? words.nextToken() : "");
   }
 
   private static void face(MeshBuilder mesh, StringTokenizer words, long corners)
@@ -37,7 +37,7 @@ final class ObjReader {
     long[] around = new long[words.countTokens()];
     for (int i = 0; i < around.length; i++) {
       // corner/texture/normal; negative numbers count from the last corner
-      long index = Words.index(words.nextToken().split("/", 2)[0]);
+      long index = MeshNumbers.index(words.nextToken().split("/", 2)[0]);
       around[i] = index < 0 ? corners + index : index - 1;
     }
     mesh.polygon(around, around.length);

@@ -44,6 +44,17 @@ public final class Solids {
     return turned(new double[][] {{0, -h}, {radius, -h}, {radius, h}, {0, h}});
   }
 
+  /**
+   * Returns a closed frustum of a cone about the z axis, m.
+   *
+   * @param radius at −height/2
+   * @param top radius at height/2; 0 for a tip
+   */
+  public static Mesh frustum(double radius, double top, double height) {
+    double h = height / 2;
+    return turned(new double[][] {{0, -h}, {radius, -h}, {top, h}, {0, h}});
+  }
+
   /** Returns a closed cone about the z axis, base at −height/2, tip at height/2, m. */
   public static Mesh cone(double radius, double height) {
     double h = height / 2;

@@ -61,6 +61,6 @@ final class StlReader {
   }
 
   private static double number(StringTokenizer words) throws MeshException {
-    return Words.number(words.hasMoreTokens() ? words.nextToken() : "");
+    return MeshNumbers.number(words.hasMoreTokens() ? words.nextToken() : "");
   }
 }

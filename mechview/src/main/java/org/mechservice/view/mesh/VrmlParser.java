@@ -59,7 +59,7 @@ final class VrmlParser {
       String name = take();
       VrmlNode known = named.get(name);
       if (known == null) {
-        throw wrong("USE " + Words.quoted(name) + " comes before its DEF");
+        throw wrong("USE " + MeshNumbers.quoted(name) + " comes before its DEF");
       }
       return known;
     }
@@ -127,7 +127,7 @@ final class VrmlParser {
       if (count == values.length) {
         values = Arrays.copyOf(values, 2 * count);
       }
-      values[count] = Words.number(take());
+      values[count] = MeshNumbers.number(take());
       count++;
     }
     return Arrays.copyOf(values, count);
@@ -136,7 +136,7 @@ final class VrmlParser {
   private void require(String wanted) throws MeshException {
     String found = take();
     if (!found.equals(wanted)) {
-      throw wrong(Words.quoted(found) + " stands where " + wanted + " is due");
+      throw wrong(MeshNumbers.quoted(found) + " stands where " + wanted + " is due");
     }
   }
 

@@ -113,7 +113,7 @@ final class VrmlReader {
       default ->
           throw new MeshException(
               "geometry "
-                  + Words.quoted(geometry.type)
+                  + MeshNumbers.quoted(geometry.type)
                   + " is not supported; save it as IndexedFaceSet");
     }
   }
@@ -146,7 +146,7 @@ final class VrmlReader {
     return mesh.mesh();
   }
 
-  /** Where the nodes below some Transforms are: x ↦ M x + d. */
+  /** The placement of the nodes below some Transforms: x ↦ M x + d. */
   private record Placement(Point3 x, Point3 y, Point3 z, Point3 d) {
     static final Placement NONE =
         new Placement(new Point3(1, 0, 0), new Point3(0, 1, 0), new Point3(0, 0, 1), Point3.ZERO);

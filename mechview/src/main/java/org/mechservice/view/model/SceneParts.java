@@ -5,6 +5,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import org.mechservice.mechml.MechmlModel;
+import org.mechservice.mechml.Solid;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
@@ -46,6 +48,7 @@ import org.mechservice.view.scene.SceneBody;
 import org.mechservice.view.scene.SceneConstraint;
 import org.mechservice.view.scene.SceneForce;
 import org.mechservice.view.scene.SceneJoint;
+import org.mechservice.view.scene.SceneSolid;
 
 /** Translates the parts of a mechanism in one position to the parts of a scene. */
 final class SceneParts {
@@ -95,7 +98,7 @@ final class SceneParts {
         body == Mechanism.ROOT ? 0 : 9 * link);
   }
 
-  List<SceneBody> bodies(Map<String, String> geometries) {
+  List<SceneBody> bodies(Map<String, String> geometries, MechmlModel model) {
     List<SceneBody> bodies = new ArrayList<>();
     for (Body body : mechanism.bodies()) {
       InertiaTensor i = body.inertia();
@@ -106,9 +109,28 @@ final class SceneParts {
               body.mass(),
               point(body.centerOfMass()),
               List.of(i.xx(), i.yy(), i.zz(), i.xy(), i.xz(), i.yz()),
-              geometries.getOrDefault(body.name(), "")));
+              geometries.getOrDefault(body.name(), ""),
+              solids(model.solids(body.name()))));
     }
     return bodies;
+  }
+
+  /** Translates the solids of a body. */
+  static List<SceneSolid> solids(List<Solid> solids) {
+    return solids.stream().map(SceneParts::solid).toList();
+  }
+
+  private static SceneSolid solid(Solid solid) {
+    if (solid instanceof Solid.Block block) {
+      return new SceneSolid.Block(point(block.center()), point(block.edges()));
+    } else if (solid instanceof Solid.Ball ball) {
+      return new SceneSolid.Ball(point(ball.center()), ball.radius());
+    } else if (solid instanceof Solid.Surface surface) {
+      return new SceneSolid.Surface(surface.file(), surface.scale(), point(surface.origin()));
+    }
+    Solid.Round round = (Solid.Round) solid;
+    return new SceneSolid.Round(
+        point(round.from()), point(round.to()), round.radius(), round.top(), round.inner());
   }
 
   List<SceneJoint> joints() {

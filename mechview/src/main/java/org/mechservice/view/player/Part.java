@@ -12,7 +12,7 @@ import org.mechservice.view.mesh.Mesh;
  * @param colour 0xRRGGBB
  */
 record Part(int body, Role role, String name, Mesh mesh, int colour) {
-  /** What a surface stands for; viewers can hide all of one role. */
+  /** The part that a surface shows; viewers can hide all of one role. */
   enum Role {
     BODY,
     JOINT,

@@ -33,7 +33,7 @@ public final class PlayerPage {
   private static final List<String> MODULES =
       List.of("space", "recording", "camera", "canvas3d", "curves", "player");
 
-  /** What begins the program: with a recorded run, or with a model in the page. */
+  /** The function that begins the program: with a recorded run, or with a model in the page. */
   private static final String RECORDED = "main";
 
   private static final String LIVE = "live";
@@ -103,7 +103,7 @@ public final class PlayerPage {
   }
 
   /**
-   * Something that happened in the run.
+   * An event of the run.
    *
    * @param time s
    * @param name what

@@ -18,14 +18,16 @@ import org.mechservice.view.scene.SceneConstraint;
 import org.mechservice.view.scene.SceneDescription;
 import org.mechservice.view.scene.SceneForce;
 import org.mechservice.view.scene.SceneJoint;
+import org.mechservice.view.scene.SceneSolid;
 
 /**
- * What a mechanism looks like: the surfaces of its bodies and joints, and the links between points
- * of bodies that rods and springs are drawn as.
+ * The shapes that show a mechanism: the surfaces of its bodies and joints, and the links between
+ * points of bodies that rods and springs are drawn as.
  *
- * <p>A body without a geometry file gets rods that join its joints, and the box or cylinder of even
- * density that has its inertia; a body in contact by a sphere or a tyre gets that. Sizes of symbols
- * follow from the extent of the mechanism at the start.
+ * <p>A body without a geometry file is drawn as its solids, with rods to those of its joints that
+ * are away from them. Without solids it gets rods that join its joints, and the box or cylinder of
+ * even density that has its inertia. A body in contact by a sphere or a tyre gets that. Sizes of
+ * symbols follow from the extent of the mechanism at the start.
  */
 public final class Stage {
   private static final int[] PALETTE = {
@@ -63,6 +65,7 @@ public final class Stage {
       addBody(body);
     }
     if (!addGeometry(Anchor.ROOT, scene.rootGeometry())) {
+      addSolids(Anchor.ROOT, scene.rootSolids());
       addFixedPoints();
     }
     scene.joints().forEach(this::addJoint);
@@ -113,7 +116,13 @@ public final class Stage {
 
   private void addBody(int index) {
     SceneBody body = scene.bodies().get(index);
-    if (!addGeometry(index, body.geometry())) {
+    if (addGeometry(index, body.geometry())) {
+      return;
+    }
+    if (addSolids(index, body.solids())) {
+      balls(index).forEach(mesh -> add(index, Part.Role.BODY, body.name(), mesh));
+      addRods(index, body);
+    } else {
       shapes(index, body).forEach(mesh -> add(index, Part.Role.BODY, body.name(), mesh));
     }
   }
@@ -130,6 +139,33 @@ public final class Stage {
     } catch (MeshException e) {
       warnings.add("body " + name + " is drawn as a simple shape: " + e.getMessage());
       return false;
+    }
+  }
+
+  /** Adds the solids of a body; returns whether there are any that can be shown. */
+  private boolean addSolids(int body, List<SceneSolid> solids) {
+    String name = scene.bodyName(body);
+    BodySurfaces surfacesOf = new BodySurfaces(folder, extent);
+    boolean shown = false;
+    for (SceneSolid solid : solids) {
+      try {
+        surfacesOf.of(solid).forEach(mesh -> add(body, Part.Role.BODY, name, mesh));
+        shown = true;
+      } catch (MeshException e) {
+        warnings.add("a solid of body " + name + " is not drawn: " + e.getMessage());
+      }
+    }
+    return shown;
+  }
+
+  /** Joins the points of a body that lie away from its solids to its centre of mass. */
+  private void addRods(int index, SceneBody body) {
+    double away = 0.03 * extent;
+    for (Point3 point : points(index)) {
+      if (body.solids().stream().allMatch(one -> BodySurfaces.distance(one, point) > away)) {
+        Solids.rod(point, body.centreOfMass(), 0.006 * extent)
+            .forEach(mesh -> add(index, Part.Role.BODY, body.name(), mesh));
+      }
     }
   }
 

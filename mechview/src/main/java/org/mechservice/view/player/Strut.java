@@ -3,7 +3,7 @@ package org.mechservice.view.player;
 import org.mechservice.view.scene.Anchor;
 
 /**
- * Something straight between points of two bodies: its ends move with them.
+ * A straight link between points of two bodies: its ends move with them.
  *
  * @param kind how it is drawn
  * @param name name in the model file
@@ -11,7 +11,7 @@ import org.mechservice.view.scene.Anchor;
  * @param to the other end
  */
 record Strut(Kind kind, String name, Anchor from, Anchor to) {
-  /** How a link is drawn. */
+  /** The way in which a link is drawn. */
   enum Kind {
     ROD(0xa7aeb6),
     SPRING(0x2f9e77),

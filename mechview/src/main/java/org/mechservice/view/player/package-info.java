@@ -4,8 +4,9 @@
  * <p>A {@link org.mechservice.view.player.Recording} takes the rows of a run, from a service or
  * from a file, and keeps as many frames as a picture needs. A {@link
  * org.mechservice.view.player.Stage} gives every body of a {@link
- * org.mechservice.view.scene.SceneDescription} its surfaces: those of its geometry file, or shapes
- * that follow from its joints and its inertia; joints get the symbol of their type. {@link
+ * org.mechservice.view.scene.SceneDescription} its surfaces: those of its geometry file, those of
+ * its solids ({@link org.mechservice.view.player.BodySurfaces}), or shapes that follow from its
+ * joints and its inertia; joints get the symbol of their type. {@link
  * org.mechservice.view.player.PlayerPage} writes both as one HTML page that needs no network,
  * {@link org.mechservice.view.player.AnimatedScene} as animated glTF 2.0.
  *

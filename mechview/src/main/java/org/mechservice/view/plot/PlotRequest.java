@@ -14,7 +14,7 @@ import java.util.regex.Pattern;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * What is to be plotted.
+ * A request for a diagram.
  *
  * @param files result files; their curves are drawn over each other
  * @param columns names of columns, or patterns in which {@code *} stands for any text and {@code ?}
@@ -40,7 +40,7 @@ public record PlotRequest(List<Path> files, List<String> columns, Optional<Strin
     columns = List.copyOf(columns);
   }
 
-  /** What is shown of all columns, and what is said about the rest. */
+  /** The columns shown of all, and notes about the rest. */
   private record Choice(List<String> columns, List<String> notes) {}
 
   /**

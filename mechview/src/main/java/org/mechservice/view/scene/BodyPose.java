@@ -1,7 +1,7 @@
 package org.mechservice.view.scene;
 
 /**
- * Where a body is in the world.
+ * The pose of a body in the world.
  *
  * @param position the body's origin from the world's origin, in world axes, m
  * @param e0 scalar part of the Euler parameters that turn body axes to world axes

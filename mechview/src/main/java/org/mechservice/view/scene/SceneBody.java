@@ -12,6 +12,7 @@ import java.util.List;
  * @param inertia about the centre of mass in body axes, kg·m²: xx, yy, zz, xy, xz, yz
  * @param geometry {@code graphSrc} of the model file: the name of a geometry file; empty if none is
  *     given
+ * @param solids what it consists of; none if the model has its mass as numbers
  */
 public record SceneBody(
     String name,
@@ -19,11 +20,24 @@ public record SceneBody(
     double mass,
     Point3 centreOfMass,
     List<Double> inertia,
-    String geometry) {
+    String geometry,
+    List<SceneSolid> solids) {
   public SceneBody {
+    solids = List.copyOf(solids);
     inertia = List.copyOf(inertia);
     if (inertia.size() != 6) {
       throw new IllegalArgumentException("inertia of body " + name + " needs 6 numbers");
     }
+  }
+
+  /** Describes a body whose mass is given by numbers. */
+  public SceneBody(
+      String name,
+      BodyPose pose,
+      double mass,
+      Point3 centreOfMass,
+      List<Double> inertia,
+      String geometry) {
+    this(name, pose, mass, centreOfMass, inertia, geometry, List.of());
   }
 }

@@ -35,7 +35,7 @@ public record SceneConstraint(
     }
   }
 
-  /** What a constraint says. */
+  /** The kinds of constraints. */
   public enum Kind {
     /** Two points keep their distance, by a rod without mass. */
     DISTANCE,

@@ -10,6 +10,7 @@ import java.util.List;
  * @param rootName name of the body at rest
  * @param root where the body at rest is
  * @param rootGeometry {@code graphSrc} of the body at rest; empty if none is given
+ * @param rootSolids what the body at rest consists of
  * @param gravity acceleration of free fall in world axes, m/s²
  * @param bodies the moving bodies in file order
  * @param joints joints of the tree in file order, then cut joints in file order
@@ -22,6 +23,7 @@ public record SceneDescription(
     String rootName,
     BodyPose root,
     String rootGeometry,
+    List<SceneSolid> rootSolids,
     Point3 gravity,
     List<SceneBody> bodies,
     List<SceneJoint> joints,
@@ -29,6 +31,7 @@ public record SceneDescription(
     List<SceneForce> forces,
     SceneVerdict verdict) {
   public SceneDescription {
+    rootSolids = List.copyOf(rootSolids);
     bodies = List.copyOf(bodies);
     joints = List.copyOf(joints);
     constraints = List.copyOf(constraints);

@@ -28,7 +28,7 @@ public record SceneForce(
     double radius,
     String joint,
     Point3 axle) {
-  /** What acts. */
+  /** The kinds of forces. */
   public enum Kind {
     /** A spring without damping between two points. */
     SPRING,

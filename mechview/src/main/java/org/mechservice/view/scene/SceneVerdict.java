@@ -3,7 +3,7 @@ package org.mechservice.view.scene;
 import java.util.List;
 
 /**
- * What {@code mech check} says of a model.
+ * The findings of {@code mech check} about a model.
  *
  * @param degreesOfFreedom by rank where it is known, else by count
  * @param equations number of equations that close the loops

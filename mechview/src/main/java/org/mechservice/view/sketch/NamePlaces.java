@@ -13,8 +13,8 @@ import org.mechservice.view.drawing.Label;
 import org.mechservice.view.drawing.Label.Anchoring;
 
 /**
- * Names of a drawing. They are written last, each near its thing where it covers nothing; a name
- * for which there is no place is left out and counted.
+ * Places for the names of a drawing. They are written last, each near its thing where it covers
+ * nothing; a name for which there is no place is left out and counted.
  */
 final class NamePlaces {
   private static final double FONT = 11.5;

@@ -11,8 +11,8 @@ import org.mechservice.view.scene.SceneForce;
 import org.mechservice.view.scene.SceneJoint;
 
 /**
- * Where the points of a scene are in its drawing: direction of view, scale and origin, chosen so
- * that everything is in the field and fills it. Lengths are in px, y points downwards.
+ * The places of the points of a scene in its drawing: direction of view, scale and origin, chosen
+ * so that everything is in the field and fills it. Lengths are in px, y points downwards.
  */
 final class SceneLayout {
   static final double WIDTH = 880;

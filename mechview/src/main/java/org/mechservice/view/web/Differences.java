@@ -4,7 +4,7 @@ import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
 import java.util.List;
 import java.util.OptionalDouble;
-import org.mechservice.orb.http.Refused;
+import org.mechservice.orb.http.RefusedRequestException;
 import org.mechservice.result.ResultComparison;
 import org.mechservice.result.SignalTable;
 import org.mechservice.view.drawing.Svg;
@@ -13,7 +13,7 @@ import org.mechservice.view.plot.DifferencePlot;
 import org.mechservice.view.plot.Plot;
 import org.mechservice.view.plot.PlotPicture;
 
-/** What differs between two runs, in words and as a picture, for the page. */
+/** The differences between two runs, in words and as a picture, for the page. */
 final class Differences {
   /** The tolerance that {@code mech compare} has by itself, relative to the size of a signal. */
   private static final double TOLERANCE = 1e-3;
@@ -24,7 +24,7 @@ final class Differences {
    * Compares two runs.
    *
    * @param names of the runs
-   * @throws Refused if they have no signal in common
+   * @throws RefusedRequestException if they have no signal in common
    */
   static JsonObject of(List<String> names, SignalTable first, SignalTable second) {
     ResultComparison comparison =
@@ -38,7 +38,7 @@ final class Differences {
       answer.add("notes", notes);
       answer.addProperty("picture", Svg.of(PlotPicture.draw(plot), Theme.AUTOMATIC));
     } catch (IllegalArgumentException e) {
-      throw new Refused(400, String.valueOf(e.getMessage()));
+      throw new RefusedRequestException(400, String.valueOf(e.getMessage()));
     }
     answer.addProperty("equal", comparison.isEqual());
     answer.addProperty("tolerance", TOLERANCE);

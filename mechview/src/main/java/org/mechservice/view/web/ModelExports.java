@@ -3,11 +3,11 @@ package org.mechservice.view.web;
 import java.io.IOException;
 import java.nio.file.Path;
 import org.mechservice.client.MechSession;
-import org.mechservice.orb.http.Refused;
+import org.mechservice.orb.http.RefusedRequestException;
 
 /**
- * What the page makes of a model beside its runs, which needs more than a client of the service
- * has: the program around the page does it. Called by several threads.
+ * Exports of a model that the page offers beside its runs. They need more than a client of the
+ * service has, so the program around the page makes them. Called by several threads.
  */
 public interface ModelExports {
   /**
@@ -16,7 +16,7 @@ public interface ModelExports {
    * @param text the model in MechML
    * @param choice simulation and values of parameters
    * @return the bytes of the file
-   * @throws Refused if the model cannot be such a unit; says why
+   * @throws RefusedRequestException if the model cannot be such a unit; says why
    * @throws IOException if it cannot be built here
    */
   byte[] unit(String text, ModelReader.Choice choice) throws IOException;

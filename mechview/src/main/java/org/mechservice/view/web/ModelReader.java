@@ -17,7 +17,7 @@ public interface ModelReader {
   ReadModel read(String text, Choice choice);
 
   /**
-   * What of a model is wanted.
+   * The choice of simulation and values in a model.
    *
    * @param simulation name or number, from 1, of a simulation; empty: the first
    * @param parameters values by the names of parameters

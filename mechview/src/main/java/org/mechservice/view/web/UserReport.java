@@ -10,7 +10,7 @@ import org.mechservice.client.MechConnection;
 import org.mechservice.client.MechSession;
 import org.mechservice.client.failure.ServiceException;
 import org.mechservice.orb.GuardedServant;
-import org.mechservice.orb.http.Refused;
+import org.mechservice.orb.http.RefusedRequestException;
 import org.mechservice.orb.http.Request;
 import org.mechservice.solver.catalogue.MessageCode;
 
@@ -56,7 +56,9 @@ final class UserReport {
     } catch (ServiceException e) {
       end(cancelled ? State.CANCELLED : State.FAILED, String.valueOf(e.getMessage()), "");
     } catch (IOException e) {
-      end(State.FAILED, MessageCode.FILE_UNUSABLE + " " + e.getMessage(), "");
+      String why = String.valueOf(e.getMessage());
+      String code = MessageCode.FILE_UNUSABLE.toString();
+      end(State.FAILED, why.startsWith(code) ? why : code + " " + why, "");
     } catch (RuntimeException e) {
       String incident = GuardedServant.record("report", e);
       end(
@@ -88,7 +90,7 @@ final class UserReport {
     return !thread.isAlive();
   }
 
-  /** Ends the measurement; pages hear of it at once. */
+  /** Ends the measurement and tells the pages at once. */
   void cancel() {
     cancelled = true;
     thread.interrupt();
@@ -121,7 +123,7 @@ final class UserReport {
             ? "text/html; charset=utf-8"
             : name.endsWith(".csv") ? "text/csv; charset=utf-8" : "image/svg+xml";
     if (!name.matches("[\\w-]+\\.(html|csv|svg)") || !Files.isRegularFile(file)) {
-      throw new Refused(
+      throw new RefusedRequestException(
           404,
           MessageCode.REQUEST_UNUSABLE
               + " the request cannot be used: the report has no file "

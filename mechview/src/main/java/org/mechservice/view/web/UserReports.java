@@ -6,12 +6,12 @@ import java.util.List;
 import java.util.Map;
 import org.mechservice.client.MechConnection;
 import org.mechservice.orb.http.AccessToken;
-import org.mechservice.orb.http.Refused;
+import org.mechservice.orb.http.RefusedRequestException;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * The latest reports of all users, by identities that nobody guesses. One is made at a time: two
- * would disturb each other's times.
+ * The latest reports of all users, by ids that cannot be guessed. One is made at a time: two would
+ * disturb each other's times.
  */
 final class UserReports implements AutoCloseable {
   private static final int MOST_KEPT = 20;
@@ -33,7 +33,7 @@ final class UserReports implements AutoCloseable {
    */
   synchronized String start(byte[] model) throws IOException {
     if (all.values().stream().anyMatch(one -> !one.hasEnded())) {
-      throw new Refused(
+      throw new RefusedRequestException(
           503,
           MessageCode.TOO_MANY_PAGES
               + " methods of another model are being measured, and two reports would disturb"
@@ -50,12 +50,12 @@ final class UserReports implements AutoCloseable {
   /**
    * Returns a measurement.
    *
-   * @throws Refused if there is none, or it is no longer kept
+   * @throws RefusedRequestException if there is none, or it is no longer kept
    */
   synchronized UserReport get(String id) {
     UserReport one = all.get(id);
     if (one == null) {
-      throw new Refused(
+      throw new RefusedRequestException(
           404,
           MessageCode.REQUEST_UNUSABLE
               + " the request cannot be used: the report is no longer kept; measure again");

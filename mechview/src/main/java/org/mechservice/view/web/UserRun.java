@@ -23,7 +23,7 @@ import org.mechservice.client.run.PreparedRun;
 import org.mechservice.client.run.RunProgress;
 import org.mechservice.client.run.RunResult;
 import org.mechservice.orb.http.EventStream;
-import org.mechservice.orb.http.Refused;
+import org.mechservice.orb.http.RefusedRequestException;
 import org.mechservice.result.ResultFormat;
 import org.mechservice.result.SignalTable;
 import org.mechservice.solver.api.result.ColumnGroup;
@@ -45,7 +45,7 @@ import org.slf4j.LoggerFactory;
 final class UserRun {
   private static final Logger LOG = LoggerFactory.getLogger(UserRun.class);
 
-  /** What players need, and curves that users ask for. */
+  /** The columns that players need, and curves that users request. */
   private static final Set<ColumnGroup> COLUMNS =
       EnumSet.complementOf(EnumSet.of(ColumnGroup.MOMENTUM, ColumnGroup.ACCELERATIONS));
 
@@ -102,7 +102,7 @@ final class UserRun {
       session.loadModel("model.xml", model);
       try (PreparedRun run = session.prepareRemoteRun(options.columns(COLUMNS))) {
         begin(run);
-        tell(end, run);
+        complete(end, run);
       } finally {
         over();
       }
@@ -126,7 +126,7 @@ final class UserRun {
     }
   }
 
-  private void tell(JsonObject end, PreparedRun run) throws IOException {
+  private void complete(JsonObject end, PreparedRun run) throws IOException {
     RunProgress interval = run.progress();
     RunFrames live = new RunFrames(interval.endTime() - interval.startTime());
     try (ResultFile csv = new ResultFile(file(ResultFormat.CSV), ResultFormat.CSV);
@@ -158,7 +158,7 @@ final class UserRun {
       JsonObject report = new JsonObject();
       result.report().forEach((key, value) -> report.addProperty(key, String.valueOf(value)));
       end.add("report", report);
-      // Pages hear of the end at once; their downloads wait for the files.
+      // Pages learn the end at once; their downloads wait for the files.
       ending = Optional.of(end);
       csv.keep();
       mat.keep();
@@ -187,7 +187,7 @@ final class UserRun {
   }
 
   /**
-   * Stops the run, if it has not ended. Pages hear of it at once; the rows that the server had
+   * Stops the run, if it has not ended. Pages learn it at once; the rows that the server had
    * computed ahead of the page still come into the files.
    */
   synchronized void cancel() {
@@ -286,33 +286,33 @@ final class UserRun {
       case "glb" -> Download.of("model/gltf-binary", AnimatedScene.write(scene, stage, recording));
       case "html" ->
           Download.of("text/html", PlayerPage.write(scene, stage, recording, facts(), List.of()));
-      default -> throw Refused.notUnderstood("there is no format " + format);
+      default -> throw RefusedRequestException.notUnderstood("there is no format " + format);
     };
   }
 
   private void awaitFiles() throws InterruptedException {
     if (ending.isEmpty()) {
-      throw Refused.notUnderstood("this run has no results yet");
+      throw RefusedRequestException.notUnderstood("this run has no results yet");
     }
     stored.await();
     if (!unstored.isEmpty()) {
-      throw new Refused(500, unstored);
+      throw new RefusedRequestException(500, unstored);
     }
     if (recording.frameCount() == 0) {
-      throw Refused.notUnderstood("this run has no rows");
+      throw RefusedRequestException.notUnderstood("this run has no rows");
     }
   }
 
   /**
    * Reads the rows of the run into memory.
    *
-   * @throws Refused if there are none, or more than the page compares
+   * @throws RefusedRequestException if there are none, or more than the page compares
    */
   SignalTable table() throws IOException, InterruptedException {
     awaitFiles();
     Path csv = file(ResultFormat.CSV);
     if (Files.size(csv) > MOST_COMPARED) {
-      throw Refused.notUnderstood(
+      throw RefusedRequestException.notUnderstood(
           "a run of "
               + Files.size(csv)
               + " bytes of CSV is too large to be compared here ("

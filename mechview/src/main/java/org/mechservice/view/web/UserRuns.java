@@ -8,11 +8,11 @@ import java.util.Map;
 import org.mechservice.client.MechConnection;
 import org.mechservice.client.SimulationOptions;
 import org.mechservice.orb.http.AccessToken;
-import org.mechservice.orb.http.Refused;
+import org.mechservice.orb.http.RefusedRequestException;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.view.scene.SceneDescription;
 
-/** The latest runs of all users, by identities that nobody guesses. */
+/** The latest runs of all users, by ids that cannot be guessed. */
 final class UserRuns implements AutoCloseable {
   private static final int MOST_ACTIVE = 32;
   private static final int MOST_KEPT = 100;
@@ -33,7 +33,7 @@ final class UserRuns implements AutoCloseable {
       byte[] model, ModelReader.Choice choice, SimulationOptions options, SceneDescription scene)
       throws IOException {
     if (runs.values().stream().filter(run -> !run.hasEnded()).count() >= MOST_ACTIVE) {
-      throw new Refused(
+      throw new RefusedRequestException(
           503,
           MessageCode.TOO_MANY_PAGES
               + " more than "
@@ -61,12 +61,12 @@ final class UserRuns implements AutoCloseable {
   /**
    * Returns a run.
    *
-   * @throws Refused if there is none, or it is no longer kept
+   * @throws RefusedRequestException if there is none, or it is no longer kept
    */
   synchronized UserRun get(String id) {
     UserRun run = runs.get(id);
     if (run == null) {
-      throw new Refused(
+      throw new RefusedRequestException(
           404,
           MessageCode.REQUEST_UNUSABLE
               + " the request cannot be used: the run is no longer kept; run it again");

@@ -26,7 +26,7 @@ import org.mechservice.orb.GuardedServant;
 import org.mechservice.orb.http.AccessToken;
 import org.mechservice.orb.http.EventStream;
 import org.mechservice.orb.http.PageFiles;
-import org.mechservice.orb.http.Refused;
+import org.mechservice.orb.http.RefusedRequestException;
 import org.mechservice.orb.http.Request;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.view.drawing.Svg;
@@ -100,7 +100,7 @@ public final class UserWeb implements AutoCloseable {
   }
 
   /**
-   * Returns the address that opens the page; the token behind the number sign is sent to nobody.
+   * Returns the address that opens the page; browsers do not send the token behind the number sign.
    */
   public String url() {
     return "http://127.0.0.1:" + port() + "/#token=" + token;
@@ -111,19 +111,19 @@ public final class UserWeb implements AutoCloseable {
       Request request = new Request(exchange);
       try {
         if (!request.isFromOwnSite(port())) {
-          throw new Refused(
+          throw new RefusedRequestException(
               403, MessageCode.CROSS_SITE_REQUEST + " the request came from another site");
         }
         answer(request);
-      } catch (Refused refusal) {
-        tell(request, refusal.status(), refusal.text());
+      } catch (RefusedRequestException refusal) {
+        answer(request, refusal.status(), refusal.text());
       } catch (ServiceException e) {
-        tell(request, 400, String.valueOf(e.getMessage()));
+        answer(request, 400, String.valueOf(e.getMessage()));
       } catch (InterruptedException e) {
         Thread.currentThread().interrupt();
       } catch (RuntimeException e) {
         String incident = GuardedServant.record(request.path(), e);
-        tell(
+        answer(
             request,
             500,
             MessageCode.INTERNAL_SERVER_ERROR + " the page's server failed, incident " + incident);
@@ -131,7 +131,7 @@ public final class UserWeb implements AutoCloseable {
     }
   }
 
-  private static void tell(Request request, int status, String text) throws IOException {
+  private static void answer(Request request, int status, String text) throws IOException {
     JsonObject json = new JsonObject();
     json.addProperty("error", text);
     request.answer(status, json);
@@ -141,7 +141,7 @@ public final class UserWeb implements AutoCloseable {
     String path = request.path();
     if (path.startsWith("/api/")) {
       if (!AccessToken.isSame(request.token(), token)) {
-        throw new Refused(
+        throw new RefusedRequestException(
             401,
             MessageCode.TOKEN_NEEDED
                 + " the token is missing or wrong; open the address that mech web has printed");
@@ -174,8 +174,8 @@ public final class UserWeb implements AutoCloseable {
         .answer(request, path.substring(slash + 1), exports.reportPolicy());
   }
 
-  private static Refused nothingAt(String path) {
-    return new Refused(
+  private static RefusedRequestException nothingAt(String path) {
+    return new RefusedRequestException(
         404,
         MessageCode.REQUEST_UNUSABLE + " the request cannot be used: there is nothing at " + path);
   }
@@ -209,7 +209,7 @@ public final class UserWeb implements AutoCloseable {
         default -> throw nothingAt(request.path());
       }
     } else {
-      throw new Refused(
+      throw new RefusedRequestException(
           405,
           MessageCode.REQUEST_UNUSABLE + " the request cannot be used: it is neither GET nor POST");
     }
@@ -234,7 +234,7 @@ public final class UserWeb implements AutoCloseable {
   private void watch(Request request) throws IOException, InterruptedException {
     UserRun run = runs.get(request.parameter("run"));
     if (!freeStreams.tryAcquire()) {
-      throw new Refused(
+      throw new RefusedRequestException(
           503,
           MessageCode.TOO_MANY_PAGES
               + " more than "
@@ -284,7 +284,7 @@ public final class UserWeb implements AutoCloseable {
   private static String text(JsonObject body, String name) {
     JsonElement value = body.get(name);
     if (value == null || !value.isJsonPrimitive()) {
-      throw Refused.notUnderstood("it has no text " + name);
+      throw RefusedRequestException.notUnderstood("it has no text " + name);
     }
     return value.getAsString();
   }
@@ -400,7 +400,8 @@ public final class UserWeb implements AutoCloseable {
     try {
       return chosen(body, name).map(Double::valueOf);
     } catch (NumberFormatException e) {
-      throw Refused.notUnderstood(name + " must be a number, not \"" + text(body, name) + "\"");
+      throw RefusedRequestException.notUnderstood(
+          name + " must be a number, not \"" + text(body, name) + "\"");
     }
   }
 

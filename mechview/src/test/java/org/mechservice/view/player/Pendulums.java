@@ -26,6 +26,7 @@ final class Pendulums {
         "Ground",
         BodyPose.WORLD,
         "",
+        List.of(),
         new Point3(0, 0, -9.81),
         List.of(
             new SceneBody(

@@ -127,6 +127,7 @@ class PlayerPageTest {
             still.rootName(),
             BodyPose.WORLD,
             "",
+            List.of(),
             still.gravity(),
             List.of(turned),
             still.joints(),

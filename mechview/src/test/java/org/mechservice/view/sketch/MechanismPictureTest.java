@@ -37,7 +37,17 @@ class MechanismPictureTest {
 
   private SceneDescription scene(SceneVerdict verdict) {
     return new SceneDescription(
-        "scene", "ground", BodyPose.WORLD, "", DOWN, bodies, joints, constraints, forces, verdict);
+        "scene",
+        "ground",
+        BodyPose.WORLD,
+        "",
+        List.of(),
+        DOWN,
+        bodies,
+        joints,
+        constraints,
+        forces,
+        verdict);
   }
 
   private SvgPicture picture(ViewPlane plane) throws Exception {

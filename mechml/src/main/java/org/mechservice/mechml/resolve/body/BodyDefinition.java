@@ -1,6 +1,8 @@
 package org.mechservice.mechml.resolve.body;
 
+import java.util.List;
 import java.util.Optional;
+import org.mechservice.mechml.Solid;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.resolve.value.NameTable;
 import org.mechservice.solver.mechanism.Body;
@@ -12,13 +14,18 @@ import org.mechservice.solver.spatial.Vector3;
  * @param element its element in the file
  * @param points from the body's origin, in body axes, m
  * @param directions unit vectors in body axes
+ * @param solids what gives it its mass, in file order; none if numbers do
  * @param body mass and inertia; empty if they could not be read
  */
 public record BodyDefinition(
     Element element,
     NameTable<Vector3> points,
     NameTable<Vector3> directions,
+    List<Solid> solids,
     Optional<Body> body) {
+  public BodyDefinition {
+    solids = List.copyOf(solids);
+  }
 
   /** Returns the body's name. */
   public String name() {

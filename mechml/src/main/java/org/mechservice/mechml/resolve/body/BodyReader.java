@@ -46,11 +46,21 @@ public final class BodyReader {
     for (Element vector : element.children("vector")) {
       vectors.add(vector, directions.read(vector));
     }
-    return new BodyDefinition(element, points, vectors, body(element, points));
+    List<Optional<WeighedSolid>> solids =
+        element.children().stream()
+            .filter(child -> SHAPES.contains(child.name()))
+            .map(solid -> shapes.read(solid, points))
+            .toList();
+    return new BodyDefinition(
+        element,
+        points,
+        vectors,
+        solids.stream().flatMap(Optional::stream).map(WeighedSolid::solid).toList(),
+        body(element, solids));
   }
 
-  private Optional<Body> body(Element element, NameTable<Vector3> points) {
-    return massProperties(element, points)
+  private Optional<Body> body(Element element, List<Optional<WeighedSolid>> solids) {
+    return massProperties(element, solids)
         .map(
             of ->
                 new Body(
@@ -62,16 +72,16 @@ public final class BodyReader {
   }
 
   /** The grammar allows shapes or numbers, not both. */
-  private Optional<MassProperties> massProperties(Element element, NameTable<Vector3> points) {
-    List<Element> solids =
-        element.children().stream().filter(child -> SHAPES.contains(child.name())).toList();
+  private Optional<MassProperties> massProperties(
+      Element element, List<Optional<WeighedSolid>> solids) {
     if (solids.isEmpty()) {
       return givenByNumbers(element);
     }
-    List<Optional<MassProperties>> parts =
-        solids.stream().map(solid -> shapes.read(solid, points)).toList();
-    return parts.stream().allMatch(Optional::isPresent)
-        ? parts.stream().flatMap(Optional::stream).reduce(MassProperties::plus)
+    return solids.stream().allMatch(Optional::isPresent)
+        ? solids.stream()
+            .flatMap(Optional::stream)
+            .map(WeighedSolid::properties)
+            .reduce(MassProperties::plus)
         : Optional.empty();
   }
 

@@ -4,6 +4,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.mechservice.mechml.Solid;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
@@ -34,11 +35,11 @@ final class ShapeReader {
   }
 
   /**
-   * Returns mass, centre and inertia of a solid; empty after a reported error.
+   * Returns a solid with its mass, centre and inertia; empty after a reported error.
    *
    * @param points of its body
    */
-  Optional<MassProperties> read(Element shape, NameTable<Vector3> points) {
+  Optional<WeighedSolid> read(Element shape, NameTable<Vector3> points) {
     return switch (shape.name()) {
       case "box" -> box(shape, points);
       case "cylinder" -> cylinder(shape, points);
@@ -48,7 +49,7 @@ final class ShapeReader {
     };
   }
 
-  private Optional<MassProperties> box(Element box, NameTable<Vector3> points) {
+  private Optional<WeighedSolid> box(Element box, NameTable<Vector3> points) {
     OptionalDouble x = positive(box, "x");
     OptionalDouble y = positive(box, "y");
     OptionalDouble z = positive(box, "z");
@@ -63,19 +64,22 @@ final class ShapeReader {
     return mass.isEmpty()
         ? Optional.empty()
         : Optional.of(
-            new MassProperties(
-                mass.getAsDouble(),
-                center.get(),
-                new InertiaTensor(
-                    mass.getAsDouble() * (yy + zz) / 12,
-                    mass.getAsDouble() * (xx + zz) / 12,
-                    mass.getAsDouble() * (xx + yy) / 12,
-                    0,
-                    0,
-                    0)));
+            new WeighedSolid(
+                new Solid.Block(
+                    center.get(), new Vector3(x.getAsDouble(), y.getAsDouble(), z.getAsDouble())),
+                new MassProperties(
+                    mass.getAsDouble(),
+                    center.get(),
+                    new InertiaTensor(
+                        mass.getAsDouble() * (yy + zz) / 12,
+                        mass.getAsDouble() * (xx + zz) / 12,
+                        mass.getAsDouble() * (xx + yy) / 12,
+                        0,
+                        0,
+                        0))));
   }
 
-  private Optional<MassProperties> sphere(Element sphere, NameTable<Vector3> points) {
+  private Optional<WeighedSolid> sphere(Element sphere, NameTable<Vector3> points) {
     OptionalDouble radius = positive(sphere, "radius");
     Optional<Vector3> center = point(sphere, points);
     if (radius.isEmpty() || center.isEmpty()) {
@@ -88,11 +92,15 @@ final class ShapeReader {
     }
     double moment = 0.4 * mass.getAsDouble() * r * r;
     return Optional.of(
-        new MassProperties(
-            mass.getAsDouble(), center.get(), new InertiaTensor(moment, moment, moment, 0, 0, 0)));
+        new WeighedSolid(
+            new Solid.Ball(center.get(), r),
+            new MassProperties(
+                mass.getAsDouble(),
+                center.get(),
+                new InertiaTensor(moment, moment, moment, 0, 0, 0))));
   }
 
-  private Optional<MassProperties> cylinder(Element cylinder, NameTable<Vector3> points) {
+  private Optional<WeighedSolid> cylinder(Element cylinder, NameTable<Vector3> points) {
     OptionalDouble radius = positive(cylinder, "radius");
     OptionalDouble inner = values.quantityOrZero(cylinder, "inner", Quantity.LENGTH);
     Optional<Vector3> from = place(cylinder, "from", points);
@@ -116,19 +124,21 @@ final class ShapeReader {
     }
     double square = r * r + hole * hole;
     return Optional.of(
-        MassProperties.about(
-            along.normalized(),
-            mass.getAsDouble(),
-            from.get().plus(along.times(0.5)),
-            mass.getAsDouble() * square / 2,
-            mass.getAsDouble() * (3 * square + length * length) / 12));
+        new WeighedSolid(
+            new Solid.Round(from.get(), to.get(), r, r, hole),
+            MassProperties.about(
+                along.normalized(),
+                mass.getAsDouble(),
+                from.get().plus(along.times(0.5)),
+                mass.getAsDouble() * square / 2,
+                mass.getAsDouble() * (3 * square + length * length) / 12)));
   }
 
   /**
    * A surface from a file, whose volume and moments at density 1 stand beside its name in the
    * file's unit, along the axes of the body.
    */
-  private Optional<MassProperties> mesh(Element mesh, NameTable<Vector3> points) {
+  private Optional<WeighedSolid> mesh(Element mesh, NameTable<Vector3> points) {
     if (mesh.attribute("volume").isEmpty()
         || mesh.attribute("center").isEmpty()
         || mesh.attribute("moments").isEmpty()) {
@@ -162,10 +172,12 @@ final class ShapeReader {
     double factor = mass.getAsDouble() / volume.getAsDouble() * scale * scale;
     List<Double> m = moments.get().stream().map(moment -> moment * factor).toList();
     return Optional.of(
-        new MassProperties(
-            mass.getAsDouble(),
-            origin.get().plus(new Vector3(c.get(0), c.get(1), c.get(2))),
-            new InertiaTensor(m.get(0), m.get(1), m.get(2), m.get(3), m.get(4), m.get(5))));
+        new WeighedSolid(
+            new Solid.Surface(mesh.required("file"), scale, origin.get()),
+            new MassProperties(
+                mass.getAsDouble(),
+                origin.get().plus(new Vector3(c.get(0), c.get(1), c.get(2))),
+                new InertiaTensor(m.get(0), m.get(1), m.get(2), m.get(3), m.get(4), m.get(5)))));
   }
 
   private Optional<Vector3> point(Element shape, NameTable<Vector3> points) {
@@ -188,7 +200,7 @@ final class ShapeReader {
    * moments are integrals over its discs, about the end of R and from there to the centre by
    * Steiner.
    */
-  private Optional<MassProperties> cone(Element cone, NameTable<Vector3> points) {
+  private Optional<WeighedSolid> cone(Element cone, NameTable<Vector3> points) {
     OptionalDouble radius = positive(cone, "radius");
     OptionalDouble top = values.quantityOrZero(cone, "top", Quantity.LENGTH);
     Optional<Vector3> from = place(cone, "from", points);
@@ -217,12 +229,14 @@ final class ShapeReader {
     double discs = 0.15 * m * fourth / square;
     double base = m * h * h * (a * a + 3 * a * b + 6 * b * b) / (10 * square);
     return Optional.of(
-        MassProperties.about(
-            along.normalized(),
-            m,
-            from.get().plus(along.times(center / h)),
-            2 * discs,
-            discs + base - m * center * center));
+        new WeighedSolid(
+            new Solid.Round(from.get(), to.get(), a, b, 0),
+            MassProperties.about(
+                along.normalized(),
+                m,
+                from.get().plus(along.times(center / h)),
+                2 * discs,
+                discs + base - m * center * center)));
   }
 
   /** Returns the mass, kg, of a volume, m³. */

@@ -101,7 +101,7 @@ final class CouplingSpringReader {
             .of(element.required("name"), Side.ABOVE, law.get().rest(), Expression.ZERO));
   }
 
-  /** What all springs of an element share. */
+  /** The attributes that all springs of an element share. */
   private final class Spring {
     private final Element element;
     private final Expression along;

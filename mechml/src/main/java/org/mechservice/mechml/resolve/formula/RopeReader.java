@@ -61,7 +61,7 @@ public final class RopeReader {
   }
 
   /**
-   * What a rope passes.
+   * An eye or a pulley on the way of a rope.
    *
    * @param centre of the pulley, or the eye
    * @param signedRadius s R, m; 0 for an eye

@@ -29,7 +29,7 @@ import org.mechservice.solver.catalogue.MessageCode;
  */
 public final class DimensionCheck {
   /**
-   * What is known of a part of an expression.
+   * The dimension of a part of an expression, as far as it is known.
    *
    * @param dimension with angles left out; empty if it may be anything
    * @param declared whether a parameter with a unit is in it

@@ -21,7 +21,7 @@ import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import org.mechservice.solver.text.Sha256;
 
-/** The file of an FMU, and what is to be told about it. */
+/** The file of an FMU, and the notes about it. */
 public final class FmuArchive {
   /** Date of all entries; see {@link org.mechservice.sim.packaging.ReproducibleJar}. */
   private static final LocalDateTime DATE = LocalDateTime.of(1980, 2, 1, 0, 0);

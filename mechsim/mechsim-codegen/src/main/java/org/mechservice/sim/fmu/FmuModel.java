@@ -11,7 +11,7 @@ import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.IntegrationMethod;
 
 /**
- * A model in C with what an FMU says about it.
+ * A model in C with its description in an FMU.
  *
  * <p>The sources have a header {@code IDENTIFIER.h} with the structure {@code IDENTIFIER_t} of an
  * instance, its numbers of states, parameters, inputs, outputs and event functions, and functions

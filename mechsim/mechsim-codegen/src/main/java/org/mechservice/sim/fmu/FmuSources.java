@@ -42,7 +42,7 @@ final class FmuSources {
           "directional",
           "failure");
 
-  /** What stands for a function that a model does not have. */
+  /** The substitute for a function that a model does not have. */
   private static final Map<String, String> WITHOUT =
       Map.ofEntries(
           Map.entry("event_values", "(m, t, x, g) 0"),

@@ -109,18 +109,7 @@ final class ClosedVariations extends VariationalEquations {
     }
     Scalar zero = program.expressions().zero();
     Program sums =
-        program.in(
-            program.sections().stream()
-                .map(
-                    section ->
-                        new Program.Section(
-                            section.title(),
-                            section.subject(),
-                            section.firstNode(),
-                            new ArrayList<>(),
-                            section.guards(),
-                            section.readsAnew()))
-                .toList());
+        program.in(program.sections().stream().map(Program.Section::withoutOutputs).toList());
     sums.section("M a + b + J' lambda, J a + gamma at given a and lambda.", "residual");
     for (int i = 0; i < nv; i++) {
       Scalar sum = outputs.getOrDefault(LoopTerms.biasAt(all, nv) + i, zero);

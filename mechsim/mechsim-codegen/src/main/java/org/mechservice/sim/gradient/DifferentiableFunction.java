@@ -246,17 +246,7 @@ public final class DifferentiableFunction {
 
   /** Returns the sections without their outputs: they hold values that the adjoint uses. */
   private List<Program.Section> guardsOnly() {
-    return program.sections().stream()
-        .map(
-            section ->
-                new Program.Section(
-                    section.title(),
-                    section.subject(),
-                    section.firstNode(),
-                    new ArrayList<>(),
-                    section.guards(),
-                    section.readsAnew()))
-        .toList();
+    return program.sections().stream().map(Program.Section::withoutOutputs).toList();
   }
 
   /** Returns the values of F in an array that the next call overwrites. */

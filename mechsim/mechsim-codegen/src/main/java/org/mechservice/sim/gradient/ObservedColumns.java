@@ -37,7 +37,7 @@ final class ObservedColumns {
   };
 
   /**
-   * Where a column comes from.
+   * The origin of a column.
    *
    * @param unit its SI unit
    * @param kind which program

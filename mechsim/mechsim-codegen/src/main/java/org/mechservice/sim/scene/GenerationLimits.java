@@ -203,7 +203,7 @@ public final class GenerationLimits {
       long factors = factors(mechanism);
       beyond.addAll(noFaster(choice.formulation(), factors, "its factors alone take " + factors));
     }
-    ForceWays ways = ForceWays.of(mechanism);
+    ForceReach ways = ForceReach.of(mechanism);
     if (ways.areTooMany()) {
       beyond.add(
           "forces between bodies far apart in the tree (their ways have "

@@ -37,7 +37,12 @@ public final class Program {
       int firstNode,
       List<Output> outputs,
       List<Guard> guards,
-      boolean readsAnew) {}
+      boolean readsAnew) {
+    /** Returns the section without its outputs. */
+    public Section withoutOutputs() {
+      return new Section(title, subject, firstNode, new ArrayList<>(), guards, readsAnew);
+    }
+  }
 
   /**
    * An output.

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.equations.RecursiveResidualEquations;
 import org.mechservice.sim.equations.links.Links;
-import org.mechservice.sim.scene.ForceWays;
+import org.mechservice.sim.scene.ForceReach;
 import org.mechservice.solver.api.capability.ResidualModel;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.run.RunSettings;
@@ -67,8 +67,8 @@ class FarForcesTest {
   @Test
   void placesThatManyForcesShareGiveTheForcesOfTheData() {
     Mechanism held = chain(70, i -> Mechanism.ROOT);
-    assertThat(ForceWays.of(held)).isEqualTo(new ForceWays(2482, 70, 70));
-    assertThat(ForceWays.of(held).areShared()).isTrue();
+    assertThat(ForceReach.of(held)).isEqualTo(new ForceReach(2482, 70, 70));
+    assertThat(ForceReach.of(held).areShared()).isTrue();
     MechmlModel file = Scenes.model(held);
     GeneratedModel generated = ModelFactory.generate(file, RESIDUAL);
     assertThat(generated.formulationReason()).doesNotContain("compact form");
@@ -102,7 +102,7 @@ class FarForcesTest {
   @Test
   void forcesToEverOtherBodiesFarAwayAreLeftToTheData() {
     Mechanism held = chain(200, i -> i / 2);
-    assertThat(ForceWays.of(held).areTooMany()).isTrue();
+    assertThat(ForceReach.of(held).areTooMany()).isTrue();
     assertThat(ModelFactory.generate(Scenes.model(held), RESIDUAL).formulationReason())
         .contains("no code is generated yet for forces between bodies far apart in the tree");
   }

@@ -6,14 +6,14 @@ import java.time.Duration;
 import java.util.function.LongSupplier;
 
 /**
- * How busy the processors are: those of the machine, and by this process. Both are means over an
+ * The load of the processors: of the whole machine, and by this process. Both are means over an
  * interval of at least {@value #INTERVAL_SECONDS} s, however often they are asked for; over shorter
  * ones the system counts nothing or one full tick.
  */
 final class MachineLoad {
   static final int INTERVAL_SECONDS = 2;
 
-  /** Where the counts come from. */
+  /** The source of the counts. */
   interface Source {
     /**
      * Returns the share of the machine's processors in use since this was last asked, 0 to 1;
@@ -92,7 +92,7 @@ final class MachineLoad {
     return new Estimated();
   }
 
-  /** What the system counts. */
+  /** The counts of the system. */
   private record Counted(OperatingSystemMXBean system) implements Source {
     @Override
     public double machineSinceLastAsked() {
@@ -105,7 +105,7 @@ final class MachineLoad {
     }
   }
 
-  /** What every Java knows: the number of waiting processes, and the time of this one. */
+  /** The figures that every Java has: the number of waiting processes, and the time of this one. */
   private static final class Estimated implements Source {
     @Override
     public double machineSinceLastAsked() {

@@ -14,7 +14,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 
 /**
- * The wall that the operating system puts around a worker: bubblewrap with a filter of system
+ * The sandbox that the operating system puts around a worker: bubblewrap with a filter of system
  * calls. A worker behind it has no network, sees no files but those of Java and its class path, can
  * write nowhere, starts no processes and has no rights; its address space and processor time are
  * bounded by the kernel. Behind it, Java's {@link JavaFiles} are all there is.
@@ -145,7 +145,7 @@ public final class Confinement {
   }
 
   /**
-   * Lets a probe try to get out.
+   * Runs a probe that tries to leave the sandbox.
    *
    * @return what it says, {@link ConfinementProbe#HELD} if it could not
    */

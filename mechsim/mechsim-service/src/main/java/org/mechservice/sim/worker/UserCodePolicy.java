@@ -1,6 +1,6 @@
 package org.mechservice.sim.worker;
 
-/** Where a host runs classes of users. */
+/** The place where a host runs user classes. */
 public enum UserCodePolicy {
   /** Nowhere: they are neither compiled nor run. */
   REFUSED,

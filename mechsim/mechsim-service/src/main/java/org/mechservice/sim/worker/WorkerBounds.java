@@ -1,7 +1,7 @@
 package org.mechservice.sim.worker;
 
 /**
- * What a worker may use at most.
+ * Limits of the memory and the processor time of a worker.
  *
  * @param heapBytes heap, B; negative: what Java takes by itself
  * @param cpuSeconds processor time of all its threads, s; negative: no bound

@@ -108,7 +108,10 @@ public final class WorkerMain implements ResultSink {
     }
   }
 
-  /** Asks the host after every step whether to go on, and waits for the answer. */
+  /**
+   * A control that asks the host after every step whether the run continues, and waits for the
+   * answer.
+   */
   private final class AskingControl extends RunControl {
     /** Whether the host has let the run go on from the present step already. */
     private boolean letGo;

@@ -11,7 +11,7 @@ import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * How a run ended.
+ * The result of a run in a worker.
  *
  * @param report the run report's entries: {@link String}, {@link Long}, {@link Double}
  * @param outcome how it ended

@@ -9,7 +9,7 @@ import java.util.stream.Collectors;
  * describes.
  */
 public enum AnalysisKind {
-  /** Where the mechanism comes to rest. */
+  /** The state in which the mechanism comes to rest. */
   EQUILIBRIUM("equilibrium"),
   /** Frequencies, dampings and shapes of small motions about the start. */
   MODES("modes"),

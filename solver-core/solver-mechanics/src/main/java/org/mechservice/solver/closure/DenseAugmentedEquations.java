@@ -10,7 +10,7 @@ import org.mechservice.solver.linear.SparseMatrix;
  * thread.
  */
 public final class DenseAugmentedEquations extends AugmentedEquations {
-  /** How the matrix A + α JᵀJ is factored and solved with. */
+  /** Factors of the matrix A + α JᵀJ. */
   private interface Factors {
     /** Factors a matrix; returns a negative number, or the row without a pivot. */
     int factor(double[] matrix);

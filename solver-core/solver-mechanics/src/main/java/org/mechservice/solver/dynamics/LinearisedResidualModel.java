@@ -6,13 +6,13 @@ import org.mechservice.solver.api.capability.LinearisedModel;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.dynamics.derivative.ArticulatedIteration;
-import org.mechservice.solver.dynamics.derivative.BorderedStep;
 import org.mechservice.solver.dynamics.derivative.FurtherDerivatives;
-import org.mechservice.solver.dynamics.derivative.LoopWrenches;
+import org.mechservice.solver.dynamics.derivative.LinkJacobian;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.dynamics.derivative.StepDerivatives;
 import org.mechservice.solver.dynamics.derivative.StepReduction;
 import org.mechservice.solver.dynamics.derivative.TreeIteration;
+import org.mechservice.solver.dynamics.derivative.TreeStep;
 import org.mechservice.solver.dynamics.tree.TreePattern;
 import org.mechservice.solver.force.ForceSet;
 import org.mechservice.solver.force.user.UserForceSource;
@@ -37,12 +37,8 @@ public final class LinearisedResidualModel extends RecursiveResidualModel
 
   private final Mode mode;
   private final StepDerivatives derivatives;
-  private final StepReduction iteration;
   private final FurtherDerivatives furtherDerivatives;
-  private final BorderedStep bordered;
-
-  /** Whether the last factorisation found pivots for all velocities. */
-  private boolean regular;
+  private final TreeStep step;
 
   /**
    * @param mechanism an open tree
@@ -59,13 +55,12 @@ public final class LinearisedResidualModel extends RecursiveResidualModel
     boolean local = loads.forces().isLocal();
     boolean pays =
         local ? ArticulatedIteration.pays(tree) : ArticulatedIteration.paysFarCouplings(tree);
+    StepReduction iteration;
     if (mode == Mode.FULL && pays) {
-      ArticulatedIteration byLinks =
-          local
-              ? new ArticulatedIteration(motion)
-              : new ArticulatedIteration(motion, coupledLinks(loads.forces()), LoopWrenches.NONE);
+      LinkJacobian byLinks =
+          local ? new LinkJacobian(motion) : new LinkJacobian(motion, coupledLinks(loads.forces()));
       derivatives = byLinks;
-      iteration = byLinks;
+      iteration = new ArticulatedIteration(byLinks);
     } else {
       TreePattern pattern = new TreePattern(tree, coupledLinks(loads.forces()));
       ResidualJacobian byElements = new ResidualJacobian(motion, pattern);
@@ -74,7 +69,7 @@ public final class LinearisedResidualModel extends RecursiveResidualModel
     }
     furtherDerivatives =
         new FurtherDerivatives(tree.statePositionCount, tree.stateVelocityCount, further.count());
-    bordered = new BorderedStep(coordinates, furtherDerivatives, iteration::solve);
+    step = new TreeStep(iteration, furtherDerivatives);
   }
 
   /** Returns the pairs of links that forces couple, two numbers each. */
@@ -104,37 +99,35 @@ public final class LinearisedResidualModel extends RecursiveResidualModel
       return false;
     }
     derivatives.finish();
-    iteration.setState(y);
-    bordered.setState(y);
+    step.setState(y);
     furtherDerivatives.evaluate(motion, loads.forces(), further, coordinates, t, y);
     return derivatives.isFinite() && furtherDerivatives.isFinite();
   }
 
   @Override
   public boolean factor(double hGamma) {
-    regular = iteration.factor(hGamma);
-    return regular && bordered.factor(hGamma);
+    return step.factor(hGamma);
   }
 
   @Override
   public void solve(double[] r) {
-    bordered.solve(r);
+    step.solve(r);
   }
 
   @Override
   public boolean solveForDerivative(double[] r) {
-    return iteration.solveForDerivative(r);
+    return step.solveForDerivative(r);
   }
 
   @Override
   public int singularUnknown() {
-    return regular ? bordered.singularUnknown() : iteration.singularUnknown();
+    return step.singularUnknown();
   }
 
   @Override
   public List<Note> notes() {
     List<Note> notes = new ArrayList<>(super.notes());
-    notes.addAll(iteration.notes());
+    notes.addAll(step.notes());
     return notes;
   }
 }

@@ -5,9 +5,9 @@ import java.util.List;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.api.capability.LinearisedModel;
 import org.mechservice.solver.api.run.RunNotes;
-import org.mechservice.solver.dynamics.derivative.BorderedStep;
 import org.mechservice.solver.dynamics.derivative.FurtherDerivatives;
 import org.mechservice.solver.dynamics.derivative.TreeIteration;
+import org.mechservice.solver.dynamics.derivative.TreeStep;
 import org.mechservice.solver.dynamics.tree.TreeMatrix;
 import org.mechservice.solver.dynamics.tree.TreePattern;
 import org.mechservice.solver.dynamics.tree.TreeSquare;
@@ -21,12 +21,8 @@ public abstract class TreeStepModel implements LinearisedModel, RunNotes {
   final TreeMatrix mass;
   final TreeSquare byVelocity;
   final TreeSquare byPosition;
-  private final TreeIteration iteration;
   private final FurtherDerivatives further;
-  private final BorderedStep bordered;
-
-  /** Whether the last factorisation found pivots for all velocities. */
-  private boolean regular;
+  private final TreeStep step;
 
   /** Argument of {@link #derivatives}; elements that are never written are zero. */
   private final double[] values;
@@ -62,11 +58,12 @@ public abstract class TreeStepModel implements LinearisedModel, RunNotes {
     byVelocity = new TreeSquare(pattern);
     byPosition = new TreeSquare(pattern);
     StateCoordinates coordinates = new StateCoordinates(typesOf(types));
-    iteration = new TreeIteration(coordinates, pattern, mass, byVelocity, byPosition);
     further =
         new FurtherDerivatives(
             coordinates.positionCount(), pattern.size, Integer.parseInt(furtherStates));
-    bordered = new BorderedStep(coordinates, further, iteration::solve);
+    step =
+        new TreeStep(
+            new TreeIteration(coordinates, pattern, mass, byVelocity, byPosition), further);
     parts =
         new double[][] {
           mass.diagonal(),
@@ -122,30 +119,28 @@ public abstract class TreeStepModel implements LinearisedModel, RunNotes {
       at += part.length;
     }
     further.take(values, at);
-    iteration.setState(y);
-    bordered.setState(y);
+    step.setState(y);
     return byPosition.isFinite() && byVelocity.isFinite() && further.isFinite();
   }
 
   @Override
   public final boolean factor(double hGamma) {
-    regular = iteration.factor(hGamma);
-    return regular && bordered.factor(hGamma);
+    return step.factor(hGamma);
   }
 
   @Override
   public final void solve(double[] r) {
-    bordered.solve(r);
+    step.solve(r);
   }
 
   @Override
   public final boolean solveForDerivative(double[] r) {
-    return iteration.solveForDerivative(r);
+    return step.solveForDerivative(r);
   }
 
   @Override
   public final int singularUnknown() {
-    return regular ? bordered.singularUnknown() : iteration.singularUnknown();
+    return step.singularUnknown();
   }
 
   /** Returns the derivatives of the last {@link #linearise} that further states add. */
@@ -155,6 +150,6 @@ public abstract class TreeStepModel implements LinearisedModel, RunNotes {
 
   @Override
   public List<Note> notes() {
-    return iteration.notes();
+    return step.notes();
   }
 }

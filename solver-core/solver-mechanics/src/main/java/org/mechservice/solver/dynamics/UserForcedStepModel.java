@@ -4,12 +4,11 @@ import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.solver.api.capability.LinearisedModel;
 import org.mechservice.solver.api.run.RunNotes;
-import org.mechservice.solver.dynamics.derivative.BorderedStep;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.dynamics.derivative.TreeIteration;
+import org.mechservice.solver.dynamics.derivative.TreeStep;
 import org.mechservice.solver.dynamics.tree.TreePattern;
 import org.mechservice.solver.dynamics.tree.TreeSquare;
-import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**
@@ -22,11 +21,7 @@ final class UserForcedStepModel extends UserForcedResidualModel
     implements LinearisedModel, RunNotes {
   private final TreeStepModel generated;
   private final ResidualJacobian jacobian;
-  private final TreeIteration iteration;
-  private final BorderedStep bordered;
-
-  /** Whether the last factorisation found pivots for all velocities. */
-  private boolean regular;
+  private final TreeStep step;
 
   /** Index of each element of the generated pattern in the pattern of this model. */
   private final int[] elementAt;
@@ -46,9 +41,9 @@ final class UserForcedStepModel extends UserForcedResidualModel
       }
     }
     jacobian = new ResidualJacobian(loads.motion(), pattern);
-    iteration = new TreeIteration(loads.motion().tree(), pattern, jacobian);
-    bordered =
-        new BorderedStep(new StateCoordinates(mechanism), generated.further(), iteration::solve);
+    step =
+        new TreeStep(
+            new TreeIteration(loads.motion().tree(), pattern, jacobian), generated.further());
   }
 
   @Override
@@ -62,8 +57,7 @@ final class UserForcedStepModel extends UserForcedResidualModel
     addElements(generated.mass.lower(), jacobian.mass().lower());
     add(generated.byVelocity, jacobian.byVelocity());
     add(generated.byPosition, jacobian.byPosition());
-    iteration.setState(y);
-    bordered.setState(y);
+    step.setState(y);
     return jacobian.isFinite();
   }
 
@@ -87,29 +81,28 @@ final class UserForcedStepModel extends UserForcedResidualModel
 
   @Override
   public boolean factor(double hGamma) {
-    regular = iteration.factor(hGamma);
-    return regular && bordered.factor(hGamma);
+    return step.factor(hGamma);
   }
 
   @Override
   public void solve(double[] r) {
-    bordered.solve(r);
+    step.solve(r);
   }
 
   @Override
   public boolean solveForDerivative(double[] r) {
-    return iteration.solveForDerivative(r);
+    return step.solveForDerivative(r);
   }
 
   @Override
   public int singularUnknown() {
-    return regular ? bordered.singularUnknown() : iteration.singularUnknown();
+    return step.singularUnknown();
   }
 
   @Override
   public List<Note> notes() {
     List<Note> notes = new ArrayList<>(generated.notes());
-    notes.addAll(iteration.notes());
+    notes.addAll(step.notes());
     return notes;
   }
 }

@@ -41,7 +41,7 @@ public record FurtherState(
     return new FurtherState(name, start, Expression.ZERO, unit, 0, role, origin);
   }
 
-  /** Where the value of a state comes from. */
+  /** The origin of the value of a state. */
   public enum Role {
     /** From its derivative. */
     INTEGRATED,

@@ -115,8 +115,8 @@ final class ActiveRows {
     return largest;
   }
 
-  /** Lets all rows that are left be chosen. */
-  void waken() {
+  /** Permits the choice of all rows that are left. */
+  void reactivate() {
     for (int i = m - 1; i >= 0; i--) {
       if (!removed[i] && !listed[i]) {
         list(i);

@@ -7,7 +7,7 @@ package org.mechservice.solver.linear;
  * <p>A workspace for one thread; its methods allocate nothing.
  */
 public final class Cholesky {
-  /** What {@link #factor} returns if the matrix is positive definite. */
+  /** Result of {@link #factor} if the matrix is positive definite. */
   public static final int POSITIVE_DEFINITE = -1;
 
   /** A pivot below this part of its diagonal element is rounding. */

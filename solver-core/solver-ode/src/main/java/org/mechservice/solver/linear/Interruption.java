@@ -3,8 +3,8 @@ package org.mechservice.solver.linear;
 import java.util.concurrent.CancellationException;
 
 /**
- * Lets long computations be stopped by an interrupt of their thread: they ask between their parts
- * whether they shall go on. The set-up of a large mechanism takes minutes.
+ * Stops long computations at an interrupt of their thread; they check for it between their parts.
+ * The set-up of a large mechanism takes minutes.
  */
 public final class Interruption {
   private Interruption() {}

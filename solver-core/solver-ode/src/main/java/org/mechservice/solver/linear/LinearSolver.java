@@ -12,7 +12,7 @@ package org.mechservice.solver.linear;
  * <p>A solver is a workspace for one thread; none of its methods allocates memory.
  */
 public interface LinearSolver {
-  /** What {@link #factor} returns if all pivots differ from zero. */
+  /** Result of {@link #factor} if all pivots differ from zero. */
   int NONSINGULAR = -1;
 
   /** Returns size and storage of the matrices. */

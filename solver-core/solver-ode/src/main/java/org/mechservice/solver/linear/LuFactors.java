@@ -1,8 +1,8 @@
 package org.mechservice.solver.linear;
 
 /**
- * What the factorisations P A = L U have in common: whether there are factors to solve with, and
- * the estimate of the condition from solutions with A and its transpose.
+ * Common part of the factorisations P A = L U: whether there are factors to solve with, and the
+ * estimate of the condition from solutions with A and its transpose.
  */
 abstract class LuFactors implements LinearSolver {
   private final MatrixLayout layout;

@@ -5,7 +5,7 @@ package org.mechservice.solver.linear;
  * the largest element left: which r columns are best found from the others, and by which r rows.
  * Golub and Van Loan, algorithm 3.4.3.
  *
- * <p>Pivots depend on the scaling of rows and columns; whoever calls scales to what is comparable.
+ * <p>Pivots depend on the scaling of rows and columns; the caller scales them to comparable sizes.
  * A workspace for one thread; its methods allocate nothing.
  */
 public final class PivotedElimination {

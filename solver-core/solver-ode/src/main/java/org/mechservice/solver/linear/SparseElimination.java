@@ -11,7 +11,7 @@ import java.util.Arrays;
  * <p>A pivot is at least half of the largest element that its row has left, so that what is found
  * from other columns is never found from much larger changes of them. Rows wait while all that they
  * have left is small beside what others have: those that repeat others come last, and what is left
- * of them is rounding. Pivots depend on the scaling of rows and columns; whoever calls scales to
+ * of them is rounding. Pivots depend on the scaling of rows and columns; the caller scales them to
  * what is comparable.
  *
  * <p>For setting up and for a choice made anew now and then: allocates.
@@ -85,7 +85,7 @@ public final class SparseElimination {
   }
 
   private void eliminateAbove(double least, int steps) {
-    active.waken();
+    active.reactivate();
     while (eliminated < steps) {
       Interruption.check();
       int found = active.choose(least, OF_ROW, CANDIDATES);
@@ -124,7 +124,7 @@ public final class SparseElimination {
     Arrays.fill(stepOfRow, -1);
     Arrays.fill(lowerCount, 0);
     eliminated = 0;
-    active.waken();
+    active.reactivate();
     for (int k = 0; k < rows.length; k++) {
       active.choose(rows[k], columns[k]);
       eliminate(rows[k], columns[k]);

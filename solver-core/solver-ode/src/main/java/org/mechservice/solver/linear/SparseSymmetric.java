@@ -12,7 +12,7 @@ import java.util.List;
  * thread; nothing allocates after construction.
  */
 public final class SparseSymmetric {
-  /** What {@link #factor} returns if the matrix is positive definite. */
+  /** Result of {@link #factor} if the matrix is positive definite. */
   public static final int POSITIVE_DEFINITE = -1;
 
   /** A pivot below this part of its diagonal element is rounding. */

@@ -3,7 +3,7 @@ package org.mechservice.solver.ode;
 import java.util.List;
 
 /**
- * Why an integration could not go on.
+ * The reason why an integration could not continue.
  *
  * @param cause what kind of failure
  * @param time where it stands; if the step became too small, where steps were last longer than the

@@ -3,7 +3,7 @@ package org.mechservice.solver.ode;
 import java.util.List;
 
 /**
- * What an integration cost so far.
+ * Counts of the work of an integration so far.
  *
  * @param steps accepted steps
  * @param rejectedSteps steps that failed the error test, met values that are not finite, or whose
@@ -34,7 +34,7 @@ public record IntegrationStatistics(
   }
 
   /**
-   * How often one component made a step be rejected.
+   * Number of steps rejected because of one component.
    *
    * @param component its index
    * @param inaccurate how often its error was the largest, relative to what is allowed

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.function.BooleanSupplier;
 
 /**
- * How accurately and within which bounds to integrate.
+ * Tolerances, bounds and mode of an integration.
  *
  * @param relativeTolerance local error allowed relative to the state, at least {@link
  *     #SMALLEST_RELATIVE_TOLERANCE} and below 1
@@ -51,7 +51,7 @@ public record IntegratorSettings(
         Mode.STANDARD);
   }
 
-  /** The method's own bounds, one absolute tolerance for all components, nobody to stop it. */
+  /** The method's own bounds, one absolute tolerance for all components, no stop signal. */
   public IntegratorSettings(double relativeTolerance, double absoluteTolerance) {
     this(
         relativeTolerance,
@@ -63,7 +63,7 @@ public record IntegratorSettings(
         () -> false);
   }
 
-  /** What an integrator does beyond the program it is named after. */
+  /** The extensions of an integrator beyond the program it is named after. */
   public enum Mode {
     /** Nothing: the same decisions, so the same steps but for rounding. */
     FAITHFUL,
@@ -136,7 +136,7 @@ public record IntegratorSettings(
 
   /**
    * Measured on the problems of the suite and on as many others: it costs 1.3 times the evaluations
-   * with Adams methods, 1.5 times with stiff ones. From 0.03 to 0.06 shares and costs go with the
+   * with Adams methods, 1.4 times with stiff ones. From 0.03 to 0.06 shares and costs go with the
    * factor, up to a few runs that change sides by chance.
    */
   private static final double STRICT_FACTOR = 0.05;

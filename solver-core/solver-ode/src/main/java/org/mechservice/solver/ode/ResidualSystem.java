@@ -35,7 +35,7 @@ public interface ResidualSystem extends SystemParts {
     return false;
   }
 
-  /** What a component of a residual system is to the error test and the convergence test. */
+  /** The kind of a component of a residual system, for the error test and the convergence test. */
   enum Component {
     /** Its derivative appears in F; it is held to the tolerance. */
     DIFFERENTIAL,

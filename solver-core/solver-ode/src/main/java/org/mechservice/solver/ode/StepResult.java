@@ -1,6 +1,6 @@
 package org.mechservice.solver.ode;
 
-/** How a step ended. */
+/** The outcome of a step. */
 public enum StepResult {
   /** A step was accepted; the end of the problem lies further on. */
   ADVANCED,

@@ -3,7 +3,7 @@ package org.mechservice.solver.ode;
 import java.util.Optional;
 
 /**
- * What a problem tells of itself beyond its equations: a {@link BandedSystem band}, a {@link
+ * Optional parts of a problem beyond its equations: a {@link BandedSystem band}, a {@link
  * SparseSystem pattern}, a {@link JacobianSystem Jacobian}, {@link PiecewiseSystem breakpoints} and
  * so on. Integrators ask for each part by {@link #part} and never by the class of the problem, so
  * that a problem wrapped around another keeps its parts:

@@ -2,7 +2,7 @@ package org.mechservice.solver.ode;
 
 import org.mechservice.solver.ode.IntegrationFailure.Cause;
 
-/** What a try of a step came to. */
+/** The outcome of a trial step. */
 public enum TrialOutcome {
   /** The step was accepted. */
   PASSED,
@@ -14,7 +14,7 @@ public enum TrialOutcome {
   SINGULAR_MATRIX,
   /** Components that follow from others could not be found, or there was no way to the manifold. */
   NOT_COMPLETED,
-  /** Something was not finite. */
+  /** A value was not finite. */
   NOT_FINITE,
   /** The stop signal was given; the try is taken up again. */
   STOPPED;

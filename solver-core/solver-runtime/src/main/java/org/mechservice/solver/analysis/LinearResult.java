@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * What a linearisation gives.
+ * The result of a linearisation.
  *
  * @param kind the table
  * @param from lowest frequency of a response, Hz

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import org.mechservice.solver.analysis.Trim.Condition;
 import org.mechservice.solver.analysis.equation.EquationsOfMotion;
 import org.mechservice.solver.api.capability.Defects;
@@ -20,7 +21,6 @@ import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.compact.DataDriven;
 import org.mechservice.solver.force.formula.ExpressionInputs;
 import org.mechservice.solver.force.user.UserForceSource;
-import org.mechservice.solver.linear.spectrum.SingularValues;
 import org.mechservice.solver.mechanism.FurtherState;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Output;
@@ -29,8 +29,7 @@ import org.mechservice.solver.mechanism.Output;
  * A state in which chosen quantities, accelerations, rates of further states and outputs, have
  * given values: r(x) = 0 for the chosen unknowns x, by Newton's method with a line search on |r|²
  * (Nocedal and Wright 2006, ch. 11). The derivatives are central differences of two steps,
- * extrapolated. Rows and columns are scaled by the derivatives; where they are dependent, the step
- * is the smallest one by singular values.
+ * extrapolated; {@link ScaledStep} solves the equations of a step.
  *
  * <p>Positions and velocities that loops tie to the unknowns follow by the least change. Everything
  * else keeps its value of the start.
@@ -52,12 +51,6 @@ final class TrimPoint {
 
   /** Difference for derivatives, in the scale of the unknown. */
   private static final double DIFFERENCE = 0x1p-14;
-
-  /** Singular value, as a fraction of the largest, below which equations are dependent. */
-  private static final double DEPENDENT = 1e-8;
-
-  /** Part of a unit vector outside the range above which a name belongs to a dependence. */
-  private static final double BELONGS = 0.1;
 
   /** Kinds of unknowns. */
   private enum Kind {
@@ -174,23 +167,24 @@ final class TrimPoint {
       return defect.isPresent() || notClosed();
     }
     double[] step = new double[unknowns.size()];
+    double[] values = conditions.stream().mapToDouble(Condition::value).toArray();
     for (iterations = 0; ; iterations++) {
       scaleUnknowns();
       Optional<double[]> slopes = slopes(t);
       if (slopes.isEmpty()) {
         return false;
       }
-      Scaled scaled = new Scaled(slopes.get(), r);
+      ScaledStep scaled = new ScaledStep(slopes.get(), r, values, scale);
       scaled.step(r, step);
       boolean arrived = scaled.residual(r) <= CLOSE;
       if (arrived && (longest(step) <= SHORT || iterations > 2)) {
         residual(t, y, r);
-        scaled.note(t);
+        note(scaled, t);
         return true;
       }
       double part = iterations < MOST_STEPS ? search(t, scaled, step, r) : 0;
       if (part == 0 && !arrived) {
-        return scaled.notFound(r);
+        return notFound(scaled, r);
       }
     }
   }
@@ -219,7 +213,7 @@ final class TrimPoint {
   }
 
   /** Moves along the step by the longest part tried that reduces the residual; 0 if none does. */
-  private double search(double t, Scaled scaled, double[] step, double[] r) {
+  private double search(double t, ScaledStep scaled, double[] step, double[] r) {
     double turn = 0;
     for (int j = 0; j < step.length; j++) {
       boolean turns = unknowns.get(j).kind() == Kind.POSITION;
@@ -359,149 +353,53 @@ final class TrimPoint {
     return atRest ? MessageCode.NO_EQUILIBRIUM : MessageCode.NO_TRIM;
   }
 
-  /** The linear equations of one step, with scaled rows and columns. */
-  private final class Scaled {
-    private final int n = unknowns.size();
-    private final int m = conditions.size();
+  /** States why no state was found; returns false. */
+  private boolean notFound(ScaledStep scaled, double[] r) {
+    int worst = scaled.worst(r);
+    Condition missed = conditions.get(worst);
+    List<String> dependent =
+        IntStream.of(scaled.dependent())
+            .mapToObj(i -> "\"" + conditions.get(i).name() + "\"")
+            .toList();
+    defect =
+        Optional.of(
+            new Defect(
+                code(),
+                "condition \"" + missed.name() + "\"",
+                String.format(
+                    Locale.ROOT,
+                    "The conditions cannot be met: after %d steps \"%s\" is %.6g, and %.6g is"
+                        + " asked.%s",
+                    iterations,
+                    missed.name(),
+                    missed.value() + r[worst],
+                    missed.value(),
+                    dependent.isEmpty()
+                        ? ""
+                        : " Near there no unknown changes "
+                            + (dependent.size() == 1 ? "" : "one of ")
+                            + String.join(", ", dependent)
+                            + (dependent.size() == 1 ? "." : " without the others.")),
+                "Add an unknown that this depends on, leave a condition out, or start nearer to"
+                    + " the state that is sought."));
+    return false;
+  }
 
-    /** Change of a condition that unknowns cause in their scales; that of its value if none do. */
-    private final double[] row = new double[m];
-
-    private final double[] column = new double[n];
-    private final double[] matrix;
-    private final SingularValues singular = new SingularValues(m, n);
-    private final int rank;
-
-    Scaled(double[] slopes, double[] r) {
-      matrix = slopes.clone();
-      for (int i = 0; i < m; i++) {
-        for (int j = 0; j < n; j++) {
-          row[i] = Math.max(row[i], Math.abs(slopes[i * n + j]) * scale[j]);
-        }
-        double rounding = 1e-10 * (Math.abs(r[i]) + Math.abs(conditions.get(i).value()));
-        row[i] = row[i] <= rounding ? Math.max(rounding, Double.MIN_NORMAL) : row[i];
-      }
-      for (int j = 0; j < n; j++) {
-        for (int i = 0; i < m; i++) {
-          matrix[i * n + j] *= scale[j] / row[i];
-          column[j] = Math.max(column[j], Math.abs(matrix[i * n + j]));
-        }
-        column[j] = column[j] <= DEPENDENT ? 1 : column[j];
-      }
-      for (int i = 0; i < m * n; i++) {
-        matrix[i] /= column[i % n];
-      }
-      singular.decompose(matrix);
-      int independent = 0;
-      while (independent < Math.min(m, n)
-          && singular.value(independent) > DEPENDENT * singular.value(0)) {
-        independent++;
-      }
-      rank = independent;
-    }
-
-    double residual(double[] r) {
-      double largest = 0;
-      for (int i = 0; i < m; i++) {
-        largest = Math.max(largest, Math.abs(r[i]) / row[i]);
-      }
-      return largest;
-    }
-
-    double square(double[] r) {
-      double sum = 0;
-      for (int i = 0; i < m; i++) {
-        sum += r[i] / row[i] * (r[i] / row[i]);
-      }
-      return sum;
-    }
-
-    void step(double[] r, double[] step) {
-      double[] right = new double[m];
-      for (int i = 0; i < m; i++) {
-        right[i] = -r[i] / row[i];
-      }
-      singular.solve(rank, right, step);
-      for (int j = 0; j < n; j++) {
-        step[j] *= scale[j] / column[j];
-      }
-    }
-
-    /** Notes unknowns that the conditions do not determine. */
-    void note(double t) {
-      List<String> open = new ArrayList<>();
-      double[] x = new double[n];
-      double[] right = new double[m];
-      for (int j = 0; j < n && rank < n; j++) {
-        for (int i = 0; i < m; i++) {
-          right[i] = matrix[i * n + j];
-        }
-        singular.solve(rank, right, x);
-        if (1 - x[j] > BELONGS) {
-          open.add("\"" + unknowns.get(j).name() + "\"");
-        }
-      }
-      if (!open.isEmpty()) {
-        notes.add(
-            new Note(
-                atRest ? MessageCode.EQUILIBRIUM_NOT_UNIQUE : MessageCode.TRIM_NOT_UNIQUE,
-                t,
-                true,
-                "The conditions do not determine "
-                    + String.join(", ", open)
-                    + "; the values nearest to the start were taken."));
-      }
-    }
-
-    /** States why no state was found; returns false. */
-    boolean notFound(double[] r) {
-      int worst = 0;
-      for (int i = 1; i < m; i++) {
-        worst = Math.abs(r[i]) / row[i] > Math.abs(r[worst]) / row[worst] ? i : worst;
-      }
-      Condition missed = conditions.get(worst);
-      List<String> dependent = dependent();
-      defect =
-          Optional.of(
-              new Defect(
-                  code(),
-                  "condition \"" + missed.name() + "\"",
-                  String.format(
-                      Locale.ROOT,
-                      "The conditions cannot be met: after %d steps \"%s\" is %.6g, and %.6g is"
-                          + " asked.%s",
-                      iterations,
-                      missed.name(),
-                      missed.value() + r[worst],
-                      missed.value(),
-                      dependent.isEmpty()
-                          ? ""
-                          : " Near there no unknown changes "
-                              + (dependent.size() == 1 ? "" : "one of ")
-                              + String.join(", ", dependent)
-                              + (dependent.size() == 1 ? "." : " without the others.")),
-                  "Add an unknown that this depends on, leave a condition out, or start nearer to"
-                      + " the state that is sought."));
-      return false;
-    }
-
-    /** Returns the conditions that depend on each other, or on no unknown. */
-    private List<String> dependent() {
-      List<String> dependent = new ArrayList<>();
-      double[] x = new double[n];
-      for (int i = 0; i < m && rank < m; i++) {
-        double[] unit = new double[m];
-        unit[i] = 1;
-        singular.solve(rank, unit, x);
-        double reached = 0;
-        for (int j = 0; j < n; j++) {
-          reached += matrix[i * n + j] * x[j];
-        }
-        if (1 - reached > BELONGS) {
-          dependent.add("\"" + conditions.get(i).name() + "\"");
-        }
-      }
-      return dependent;
+  /** Notes unknowns that the conditions do not determine. */
+  private void note(ScaledStep scaled, double t) {
+    List<String> open =
+        IntStream.of(scaled.undetermined())
+            .mapToObj(j -> "\"" + unknowns.get(j).name() + "\"")
+            .toList();
+    if (!open.isEmpty()) {
+      notes.add(
+          new Note(
+              atRest ? MessageCode.EQUILIBRIUM_NOT_UNIQUE : MessageCode.TRIM_NOT_UNIQUE,
+              t,
+              true,
+              "The conditions do not determine "
+                  + String.join(", ", open)
+                  + "; the values nearest to the start were taken."));
     }
   }
 }

@@ -25,6 +25,13 @@ import org.mechservice.solver.simulation.RuntimeSolver;
 
 /** A run with loops, taken up between any two steps, has the rows of one never interrupted. */
 class LoopCheckpointTest {
+  /**
+   * Steps from which runs of small and of large loops are taken up; the long tests do so at all.
+   */
+  private static final int PLACES = 8;
+
+  private static final int PLACES_OF_LARGE_LOOPS = 2;
+
   private static final class Rows implements ResultSink {
     final List<double[]> rows = new ArrayList<>();
 
@@ -82,10 +89,25 @@ class LoopCheckpointTest {
     "fps, DSR penalty, DE",
     "fps, RR-JF, ode15sR",
   })
-  void runTakenUpAnywhereHasTheSameRows(String name, String formulation, String integrator)
+  void runTakenUpAtSomeStepsHasTheSameRows(String name, String formulation, String integrator)
       throws IOException {
     RunSettings settings = SceneRun.settings(1.5, 0.05, integrator, 1e-6);
-    takeUp(SharedScene.named(name).mechanism(), formulation, settings, 11);
+    takeUp(SharedScene.named(name).mechanism(), formulation, settings, PLACES);
+  }
+
+  @Tag("soak")
+  @ParameterizedTest
+  @CsvSource({
+    "slider_crank_singular, DSR, ode15s",
+    "slider_crank_singular, RR-JF penalty, ode15sR",
+    "fps, DSR, ode113",
+    "fps, DSR penalty, DE",
+    "fps, RR-JF, ode15sR",
+  })
+  void runTakenUpEverywhereHasTheSameRows(String name, String formulation, String integrator)
+      throws IOException {
+    RunSettings settings = SceneRun.settings(1.5, 0.05, integrator, 1e-6);
+    takeUp(SharedScene.named(name).mechanism(), formulation, settings, Integer.MAX_VALUE);
   }
 
   /** Pivots of sparse factors are taken up in their order, on which the last bits depend. */
@@ -99,7 +121,7 @@ class LoopCheckpointTest {
   })
   void runOfALargeLoopTakenUpAtSomeStepsHasTheSameRows(String formulation, String integrator)
       throws IOException {
-    takeUpRing(formulation, integrator, 17);
+    takeUpRing(formulation, integrator, PLACES_OF_LARGE_LOOPS);
   }
 
   @Tag("soak")
@@ -113,22 +135,29 @@ class LoopCheckpointTest {
   })
   void runOfALargeLoopTakenUpAnywhereHasTheSameRows(String formulation, String integrator)
       throws IOException {
-    takeUpRing(formulation, integrator, 1);
+    takeUpRing(formulation, integrator, Integer.MAX_VALUE);
   }
 
-  private static void takeUpRing(String formulation, String integrator, int every)
+  private static void takeUpRing(String formulation, String integrator, int places)
       throws IOException {
     RunSettings settings = SceneRun.settings(0.2, 0.02, integrator, 1e-6);
-    takeUp(Linkages.ring(110), formulation, settings, every);
+    takeUp(Linkages.ring(110), formulation, settings, places);
   }
 
-  /** Takes up a run from every n-th of its checkpoints. */
+  /**
+   * Takes up a run from its checkpoints.
+   *
+   * @param places how many of them, in the middle of as many equal parts; all if it has no more
+   */
   private static void takeUp(
-      Mechanism mechanism, String formulation, RunSettings settings, int every) throws IOException {
+      Mechanism mechanism, String formulation, RunSettings settings, int places)
+      throws IOException {
     Rows all = new Rows();
     Kept everyStep = new Kept(new ArrayList<>(), 0, Optional.empty());
     RunReport whole = run(mechanism, formulation, settings, all, everyStep);
-    for (int i = 0; i < everyStep.all.size(); i += every) {
+    int count = Math.min(places, everyStep.all.size());
+    for (int place = 0; place < count; place++) {
+      int i = (int) ((2L * place + 1) * everyStep.all.size() / (2L * count));
       Rows rest = new Rows();
       Kept from =
           new Kept(new ArrayList<>(), Double.POSITIVE_INFINITY, Optional.of(everyStep.all.get(i)));

@@ -33,10 +33,13 @@ class UndeclaredJumpInLoopTest {
 
   private static final int ROWS = 50;
 
-  /** Loops in which runs went wrong before what is left of their equations was looked at. */
-  private static final long[] SLID = {34, 37, 44, 53};
+  /**
+   * Loops in which runs went wrong before what is left of their equations was looked at; 34 and 44,
+   * and likewise 35, 42 and 50, are in the long run.
+   */
+  private static final long[] SLID = {37, 53};
 
-  private static final long[] STUCK = {17, 35, 42, 50, 71, 118};
+  private static final long[] STUCK = {17, 71, 118};
 
   /** Likewise, before it was looked at how much of each equation an iteration had mended. */
   private static final long[] HELD = {20, 23, 31, 52};
@@ -44,8 +47,8 @@ class UndeclaredJumpInLoopTest {
   /** A loop on whose belt an explicit method bounced. */
   private static final long CREPT = 12;
 
-  /** Loops that stops lead far away from the exact motion. */
-  private static final long[] CARRIED_AWAY = {1, 8, 11, 19, 29, 34};
+  /** Loops that stops lead far away from the exact motion; 8, 19 and 29 are in the long run. */
+  private static final long[] CARRIED_AWAY = {1, 11, 34};
 
   /** Multipliers or not, loops stick and break loose when they should. */
   @ParameterizedTest
@@ -94,8 +97,8 @@ class UndeclaredJumpInLoopTest {
   @ParameterizedTest
   @CsvSource({"RR, ode15sR", "RR-JF, ode15sR", "RR penalty, ode15sR", "RR-JF penalty, ode15sR"})
   void jumpsInTimeAndInPlaceAreFollowed(String formulation, String integrator) {
-    assertThat(wrong(Law.BANG_BANG, formulation, integrator, LongStream.range(0, 4))).isEmpty();
-    assertThat(wrong(Law.STAIRS, formulation, integrator, LongStream.range(0, 4))).isEmpty();
+    assertThat(wrong(Law.BANG_BANG, formulation, integrator, LongStream.range(0, 2))).isEmpty();
+    assertThat(wrong(Law.STAIRS, formulation, integrator, LongStream.range(0, 2))).isEmpty();
   }
 
   /** They end 2 to 25 times as far away as the errors of their steps add up to. */

@@ -2,7 +2,7 @@ package org.mechservice.sim.emit.c;
 
 import org.mechservice.sim.symbolic.Program;
 
-/** What gives the derivative of the state of a model in C. */
+/** The functions that give the derivative of the state of a model in C. */
 public sealed interface CMotion permits CMotion.Tree, CLoops {
   /**
    * An open chain.

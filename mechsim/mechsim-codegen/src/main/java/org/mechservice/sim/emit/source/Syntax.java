@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Set;
 import org.mechservice.sim.symbolic.MathFunction;
 
-/** What differs between the languages that planned programs are printed in. */
+/** The differences between the languages that planned programs are printed in. */
 public interface Syntax {
   /** Java, as a method of the model's class. */
   Syntax JAVA = new JavaSyntax();

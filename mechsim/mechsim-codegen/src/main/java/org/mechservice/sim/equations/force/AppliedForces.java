@@ -17,7 +17,7 @@ import org.mechservice.sim.equations.kinematics.LinkKinematics;
 import org.mechservice.sim.equations.links.Labels;
 import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.equations.recursion.Loads;
-import org.mechservice.sim.scene.ForceWays;
+import org.mechservice.sim.scene.ForceReach;
 import org.mechservice.sim.symbolic.Differentiation;
 import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.Program;
@@ -64,7 +64,7 @@ public final class AppliedForces {
     this.mechanism = mechanism;
     this.points = new BodyPoints(expressions, mechanism);
     this.links = new JointLinks(expressions, mechanism, coordinates);
-    this.placed = ForceWays.of(mechanism.mechanism()).areShared();
+    this.placed = ForceReach.of(mechanism.mechanism()).areShared();
     this.kinematics = new LinkKinematics(program, mechanism, coordinates, placed);
     this.cuts = new CutCoordinateTerms(expressions, mechanism, points, kinematics);
     this.joints = new JointCoordinates(mechanism.mechanism(), links, cuts);

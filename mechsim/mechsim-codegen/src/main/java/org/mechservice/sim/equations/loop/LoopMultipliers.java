@@ -37,7 +37,7 @@ final class LoopMultipliers implements CarriedEquations {
    */
   private static final double SINGULAR = 64 * 0x1p-52;
 
-  /** What a program returns if an equation depends on others at the state. */
+  /** Result of a program if an equation depends on others at the state. */
   static final int LOCKED = 0;
 
   private final Program program;

@@ -85,7 +85,7 @@ final class EventBuffer<E> {
     return events.stream().filter(wanted).toList();
   }
 
-  /** Wakes all readers that wait; nobody waits from now on. */
+  /** Wakes all readers that wait; later calls do not wait. */
   synchronized void close() {
     closed = true;
     notifyAll();

@@ -131,7 +131,7 @@ public final class Journal {
     }
   }
 
-  /** Wakes all readers that wait for events; nobody waits from now on. */
+  /** Wakes all readers that wait for events; later calls do not wait. */
   public void close() {
     events.close();
   }

@@ -56,7 +56,7 @@ public final class SessionEvents {
     return events.matching(event -> event.info.simId.equals(simId));
   }
 
-  /** Wakes all clients that wait; nobody waits from now on. */
+  /** Wakes all clients that wait; later calls do not wait. */
   public void close() {
     events.close();
   }

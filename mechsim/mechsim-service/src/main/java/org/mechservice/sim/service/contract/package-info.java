@@ -13,7 +13,7 @@
  * All events are kept in an {@link org.mechservice.sim.service.contract.EventBuffer}.
  *
  * <p>{@link org.mechservice.sim.service.contract.AccessRights} says which role an operation of a
- * server or host requires, and {@link org.mechservice.sim.service.contract.OwnersOnly} guards what
+ * server or host requires, and {@link org.mechservice.sim.service.contract.OwnerGate} guards what
  * belongs to one user. {@link org.mechservice.sim.service.contract.DenialLog} records refusals.
  *
  * <p>Depends on the IDL stubs, mechml's diagnostics and the model builder's exceptions, on no other

@@ -48,7 +48,7 @@ final class BoundedCache<K, V> {
 
   /**
    * Returns a value; makes it if it is not in the cache. If the thread is interrupted it waits no
-   * longer; the making is stopped by an interrupt once nobody waits for it.
+   * longer; an interrupt stops the making once no caller waits for it.
    *
    * @param make runs in the executor; its exception is thrown here, and the next call makes it
    *     again

@@ -68,7 +68,7 @@ public enum HostLimit {
       0,
       MessageCode.DISK_FULL,
       "space on the disk of the rows that runs leave free"),
-  /** A day: a run that nobody waits for gives its place back. */
+  /** A day: an abandoned run then gives its place back. */
   WALL_TIME(
       "wallTime", "s", 86_400, 1, MessageCode.RUN_TOO_LONG, "time one run takes, without pauses"),
   CPU_TIME(

@@ -21,7 +21,7 @@ import org.mechservice.orb.GuardedServant;
 import org.mechservice.orb.connection.ReplyMemory;
 import org.mechservice.sim.service.contract.ContractErrors;
 import org.mechservice.sim.service.contract.ContractTypes;
-import org.mechservice.sim.service.contract.OwnersOnly;
+import org.mechservice.sim.service.contract.OwnerGate;
 import org.mechservice.sim.service.limits.HostLimit;
 import org.mechservice.sim.service.limits.HostLimits;
 import org.omg.CORBA.OBJECT_NOT_EXIST;
@@ -41,7 +41,7 @@ public final class ResultCursors {
     ActiveObject activate(Servant servant);
 
     /** Returns what decides who may call its objects. */
-    OwnersOnly gate();
+    OwnerGate gate();
   }
 
   private final Owner owner;

@@ -14,7 +14,7 @@ import org.mechservice.solver.api.run.RunControl;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * How a run ended, as the service sees it.
+ * The outcome of a run in the service.
  *
  * @param report entries of the solver's report; empty if the computation broke off
  * @param outcome of the run: one that was stopped at a limit has failed

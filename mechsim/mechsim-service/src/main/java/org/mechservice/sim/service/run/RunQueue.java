@@ -113,7 +113,7 @@ public final class RunQueue implements AutoCloseable {
     served.keySet().removeIf(any -> !active.containsKey(any) && !waiting.containsKey(any));
   }
 
-  /** Returns who is served next. */
+  /** Returns the user who is served next. */
   private static Optional<String> next(
       Map<String, Deque<Runnable>> waiting, Map<String, Integer> active, Map<String, Long> served) {
     return waiting.keySet().stream()

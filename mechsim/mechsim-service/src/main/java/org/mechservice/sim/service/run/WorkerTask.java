@@ -100,7 +100,7 @@ final class WorkerTask implements RunTask {
   }
 
   /**
-   * Has a process of its own put out the first row. If there is none, the reason is the same that
+   * Computes the first row in a process of its own. If there is none, the reason is the same that
    * will end the run, which reports it.
    */
   private Optional<List<Variable>> columnsWithValuesOfForces() {

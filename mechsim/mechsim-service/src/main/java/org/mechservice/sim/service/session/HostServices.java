@@ -9,7 +9,7 @@ import org.mechservice.sim.service.results.RunStore;
 import org.mechservice.sim.worker.UserCodePolicy;
 
 /**
- * What the sessions of a host share.
+ * Services that the sessions of a host share.
  *
  * @param orb serves their objects
  * @param hostName the host's name at its server

@@ -68,7 +68,7 @@ final class RunCreation {
    * Creates a simulation, which has not begun.
    *
    * @param source the model as the request reads it
-   * @param client hears of the run
+   * @param client receives events of the run
    * @throws NotAvailable if the host does not run classes of users, or lacks a method
    */
   Created create(LoadedModel source, SimulationRequest asked, @Nullable IMechClient client)
@@ -94,7 +94,7 @@ final class RunCreation {
             identity(task, source, asked), task, columns, setUp(source, compiled.generated()));
     SimulationRun run = runs.create(plan, session);
     IMechSimRemote reference = session.add(run, client);
-    session.said(run, messages(source, compiled.generated(), asked));
+    session.recordMessages(run, messages(source, compiled.generated(), asked));
     return new Created(
         run,
         reference,

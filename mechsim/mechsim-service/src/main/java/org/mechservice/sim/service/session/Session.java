@@ -26,7 +26,7 @@ import org.mechservice.orb.connection.ReplyMemory;
 import org.mechservice.sim.service.contract.ClientNotifier;
 import org.mechservice.sim.service.contract.ContractTypes;
 import org.mechservice.sim.service.contract.JournalEntry;
-import org.mechservice.sim.service.contract.OwnersOnly;
+import org.mechservice.sim.service.contract.OwnerGate;
 import org.mechservice.sim.service.contract.SessionEvents;
 import org.mechservice.sim.service.limits.HostLimit;
 import org.mechservice.sim.service.limits.HostLimits;
@@ -62,7 +62,7 @@ final class Session implements SimulationRun.Listener, ResultCursors.Owner {
   private final Map<SimulationRun, Hosted> simulations = new HashMap<>();
   private final List<ActiveObject> own = new ArrayList<>();
   private final List<EndedRunServant> reopened = new ArrayList<>();
-  private final OwnersOnly gate;
+  private final OwnerGate gate;
   private volatile long renewedAt = System.nanoTime();
   private Runnable stopCalls = () -> {};
   private boolean ended;
@@ -79,7 +79,7 @@ final class Session implements SimulationRun.Listener, ResultCursors.Owner {
     this.client = client;
     this.host = host;
     notifier = new ClientNotifier(host.callbacks());
-    gate = new OwnersOnly(owner, this::renew, host.denials());
+    gate = new OwnerGate(owner, this::renew, host.denials());
   }
 
   String id() {
@@ -104,7 +104,7 @@ final class Session implements SimulationRun.Listener, ResultCursors.Owner {
   }
 
   @Override
-  public OwnersOnly gate() {
+  public OwnerGate gate() {
     return gate;
   }
 
@@ -177,7 +177,7 @@ final class Session implements SimulationRun.Listener, ResultCursors.Owner {
     return IMechSimRemoteHelper.unchecked_narrow(object.reference());
   }
 
-  /** Says what stops the calls that are under way when the session ends. */
+  /** Sets the action that stops the pending calls when the session ends. */
   synchronized void endsWith(Runnable stop) {
     stopCalls = stop;
   }
@@ -247,7 +247,7 @@ final class Session implements SimulationRun.Listener, ResultCursors.Owner {
   }
 
   /** Records messages about a simulation as an event, and calls the client back. */
-  void said(SimulationRun run, Diagnostic[] messages) {
+  void recordMessages(SimulationRun run, Diagnostic[] messages) {
     events.messages(run.progress(), messages);
     IMechClient listener = listenerOf(run);
     if (listener != null) {
@@ -286,7 +286,7 @@ final class Session implements SimulationRun.Listener, ResultCursors.Owner {
 
   private void report(
       SimulationRun run, String kind, Severity weight, MessageCode code, String text) {
-    said(run, new Diagnostic[] {ContractTypes.diagnostic(weight, code, text)});
+    recordMessages(run, new Diagnostic[] {ContractTypes.diagnostic(weight, code, text)});
     host.journal()
         .add(
             new JournalEntry(

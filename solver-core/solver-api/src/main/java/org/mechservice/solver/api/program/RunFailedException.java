@@ -2,6 +2,7 @@ package org.mechservice.solver.api.program;
 
 import java.util.Optional;
 import org.mechservice.solver.api.run.Failure;
+import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.api.run.RunReport;
 
 /** A run or an analysis could not go on. The rows up to there are valid. */
@@ -20,6 +21,18 @@ public final class RunFailedException extends RuntimeException {
     this.failure = failure;
     this.report = report;
     this.rows = rows;
+  }
+
+  /**
+   * Throws if a run failed.
+   *
+   * @param rows those up to its end; empty if a sink or a file has taken them
+   * @throws RunFailedException if it did
+   */
+  public static void throwIfFailed(RunReport report, Optional<Trajectory> rows) {
+    if (report.outcome() instanceof Outcome.Failed failed) {
+      throw new RunFailedException(failed.failure(), report, rows);
+    }
   }
 
   /** Returns why: its code, when and where it happened, and what to do about it. */

@@ -1,6 +1,6 @@
 package org.mechservice.solver.api.run;
 
-/** How a run ended. */
+/** The outcome of a run. */
 public sealed interface Outcome {
   /** The end of the interval was reached. */
   record Completed() implements Outcome {}

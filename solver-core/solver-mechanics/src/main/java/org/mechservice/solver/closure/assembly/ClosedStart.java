@@ -69,8 +69,8 @@ public final class ClosedStart {
   }
 
   /**
-   * What closing the loops of a mechanism has found, in a form that travels with the model, so that
-   * a large mechanism is closed once and not again by everyone who runs it.
+   * The findings of closing the loops of a mechanism, in a form that travels with the model, so
+   * that a large mechanism is closed once and not again in each run.
    *
    * @param time s
    * @param state [q; v; s], SI units

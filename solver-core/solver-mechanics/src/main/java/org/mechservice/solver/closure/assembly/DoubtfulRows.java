@@ -20,7 +20,7 @@ final class DoubtfulRows {
   private final int[] names;
   private final int width;
 
-  /** What is left of the rows, without columns of zeros. */
+  /** The remaining elements of the rows, without columns of zeros. */
   private final double[] left;
 
   private final double[] values;

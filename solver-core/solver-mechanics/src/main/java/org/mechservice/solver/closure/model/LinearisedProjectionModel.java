@@ -94,7 +94,7 @@ public final class LinearisedProjectionModel extends ResidualProjectionModel
     if (fromLinkToLink) {
       SparseMatrix rows = work.loops.stateRows(work.nv, false);
       LinkedStep linked = LinkedStep.of(work, rows, PenaltySettings.DEFAULT.stiffness());
-      jacobian = linked.iteration();
+      jacobian = linked.jacobian();
       iteration = linked.iteration();
       differences = Optional.empty();
       step =

@@ -6,6 +6,7 @@ import org.mechservice.solver.closure.AugmentedEquations;
 import org.mechservice.solver.closure.ClosedTree;
 import org.mechservice.solver.closure.LinkedAugmentedEquations;
 import org.mechservice.solver.dynamics.derivative.ArticulatedIteration;
+import org.mechservice.solver.dynamics.derivative.LinkJacobian;
 import org.mechservice.solver.dynamics.derivative.LoopWrenches;
 import org.mechservice.solver.linear.SparseMatrix;
 
@@ -14,12 +15,16 @@ import org.mechservice.solver.linear.SparseMatrix;
  * of neighbours beside equations that are eliminated from link to link, or all in one sparse
  * system.
  *
+ * @param jacobian derivatives that A is made of
  * @param iteration keeps A
  * @param equations those of A with the loops
  * @param factors factors them for a step hγ; a negative number, or the velocity without a pivot
  */
 record LinkedStep(
-    ArticulatedIteration iteration, AugmentedEquations equations, DoubleToIntFunction factors) {
+    LinkJacobian jacobian,
+    ArticulatedIteration iteration,
+    AugmentedEquations equations,
+    DoubleToIntFunction factors) {
   /**
    * Makes workspaces.
    *
@@ -29,15 +34,16 @@ record LinkedStep(
   static LinkedStep of(ClosedTree work, SparseMatrix rows, double stiffness) {
     double[] units = work.units.velocities;
     if (work.hasFewLocalLoops()) {
-      ArticulatedIteration links = new ArticulatedIteration(work.motion);
-      ArticulatedAugmentedEquations few = new ArticulatedAugmentedEquations(rows, units, links);
-      return new LinkedStep(links, few, step -> few.factor(step, stiffness));
+      LinkJacobian jacobian = new LinkJacobian(work.motion);
+      ArticulatedIteration iteration = new ArticulatedIteration(jacobian);
+      ArticulatedAugmentedEquations few = new ArticulatedAugmentedEquations(rows, units, iteration);
+      return new LinkedStep(jacobian, iteration, few, step -> few.factor(step, stiffness));
     }
     LoopWrenches ofLinks = LinkedAugmentedEquations.rowsOf(work.loops, work.tree);
-    ArticulatedIteration links =
-        new ArticulatedIteration(work.motion, work.coupledLinks(), ofLinks);
+    LinkJacobian jacobian = new LinkJacobian(work.motion, work.coupledLinks());
+    ArticulatedIteration iteration = new ArticulatedIteration(jacobian, ofLinks);
     LinkedAugmentedEquations all =
-        new LinkedAugmentedEquations(rows, units, work.loops, work.tree, ofLinks, links);
-    return new LinkedStep(links, all, step -> all.factor(step, stiffness));
+        new LinkedAugmentedEquations(rows, units, work.loops, work.tree, ofLinks, iteration);
+    return new LinkedStep(jacobian, iteration, all, step -> all.factor(step, stiffness));
   }
 }

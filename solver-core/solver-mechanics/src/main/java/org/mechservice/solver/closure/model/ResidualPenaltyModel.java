@@ -140,7 +140,7 @@ public final class ResidualPenaltyModel extends PenaltyModel implements Linearis
     double[] units = work.units.velocities;
     if (derivatives == Derivatives.RECURSIVE && work.isEliminatedByLinks()) {
       LinkedStep linked = LinkedStep.of(work, linearisedRows, settings.stiffness());
-      jacobian = linked.iteration();
+      jacobian = linked.jacobian();
       iteration = linked.iteration();
       differences = Optional.empty();
       equations = linked.equations();

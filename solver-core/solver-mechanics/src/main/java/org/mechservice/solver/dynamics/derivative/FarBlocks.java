@@ -10,10 +10,9 @@ import java.util.stream.LongStream;
 import org.mechservice.solver.kinematics.TreeGeometry;
 
 /**
- * What forces between any links, or by coordinates of other joints, add to the equations of {@link
- * ArticulatedIteration}: for pairs of links, the change of the wrench on one and of the forces in
- * its joint by the motion of the other and by the coordinates of the other's joint. Workspace of
- * one thread.
+ * Terms of forces between any links, or by coordinates of other joints, in the equations of {@link
+ * LinkJacobian}: for pairs of links, the change of the wrench on one and of the forces in its joint
+ * by the motion of the other and by the coordinates of the other's joint. Workspace of one thread.
  */
 final class FarBlocks {
   /** Most velocities of a link. */
@@ -63,7 +62,7 @@ final class FarBlocks {
     }
 
     private double sum() {
-      return total(place) + total(velocity);
+      return PlacedLinks.sum(place) + PlacedLinks.sum(velocity);
     }
 
     /** Returns where column k of a pair begins. */
@@ -126,15 +125,7 @@ final class FarBlocks {
 
   /** Returns the sum of all derivatives, which is finite if they are. */
   double sum() {
-    return total(wrench) + total(force) + wrenchBy.sum() + forceBy.sum();
-  }
-
-  private static double total(double[] numbers) {
-    double sum = 0;
-    for (double number : numbers) {
-      sum += number;
-    }
-    return sum;
+    return PlacedLinks.sum(wrench) + PlacedLinks.sum(force) + wrenchBy.sum() + forceBy.sum();
   }
 
   /** Returns the number of velocities of a link that vary. */

@@ -8,7 +8,7 @@ import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 
 /**
- * What further states s, s' = f(t, q, v, s), add to the derivatives of the equations of motion: the
+ * Terms of further states s, s' = f(t, q, v, s), in the derivatives of the equations of motion: the
  * derivative of M v' + b − τ by s, and those of f by q (along the tangent), v and s. The
  * derivatives by s are analytic; those of f by q and v are central differences of two steps,
  * extrapolated, unless generated code has written them. Workspace of one thread.

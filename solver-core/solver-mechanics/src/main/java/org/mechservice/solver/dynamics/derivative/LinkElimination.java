@@ -18,14 +18,8 @@ final class LinkElimination {
   /** As in factors along the tree: at most three digits are lost beyond the condition. */
   private static final double GROWTH_ALLOWED = 1e3;
 
+  private final LinkJacobian jacobian;
   private final PlacedLinks links;
-
-  /** P, R and Q of the links, and whether a link has R or Q. */
-  private final double[] own;
-
-  private final double[] byParent;
-  private final double[] onParent;
-  private final boolean[] coupled;
 
   /** Z as eliminated. */
   private final double[] z;
@@ -36,7 +30,9 @@ final class LinkElimination {
   /** Rows of (Sᵀ Pᴬ Z + D)⁻¹, three for each velocity. */
   private final double[] inverse;
 
-  /** What a change of the velocity exerts on the parent, 6 for each, in the parent's axes. */
+  /**
+   * Wrench that a change of the velocity exerts on the parent, 6 for each, in the parent's axes.
+   */
   private final double[] push;
 
   /** Pᴬ, 6 × 18 for each link. */
@@ -54,22 +50,10 @@ final class LinkElimination {
   private final double[] wrench;
   private final double[] work = new double[WIDTH];
 
-  /**
-   * Makes a workspace.
-   *
-   * @param links where the links are; moved by the caller before each elimination
-   * @param own P, 6 × 18 for each link
-   * @param byParent R, 6 × 18 for each link
-   * @param onParent Q, 6 × 18 for each link
-   * @param coupled whether a link has R or Q
-   */
-  LinkElimination(
-      PlacedLinks links, double[] own, double[] byParent, double[] onParent, boolean[] coupled) {
-    this.links = links;
-    this.own = own;
-    this.byParent = byParent;
-    this.onParent = onParent;
-    this.coupled = coupled;
+  /** Makes a workspace for derivatives that are evaluated elsewhere, between neighbours alone. */
+  LinkElimination(LinkJacobian jacobian) {
+    this.jacobian = jacobian;
+    links = jacobian.links;
     z = new double[WIDTH * links.tree.velocityCount];
     row = new double[WIDTH * links.tree.velocityCount];
     inverse = new double[3 * links.tree.velocityCount];
@@ -80,18 +64,18 @@ final class LinkElimination {
   }
 
   /** Eliminates; returns false if a pivot vanishes or digits are lost. */
-  boolean eliminate(double[] columns, double[] g, double[] d) {
-    System.arraycopy(columns, 0, z, 0, z.length);
-    System.arraycopy(own, 0, articulated, 0, articulated.length);
+  boolean eliminate(LinkColumns columns) {
+    System.arraycopy(columns.motion, 0, z, 0, z.length);
+    System.arraycopy(jacobian.own, 0, articulated, 0, articulated.length);
     for (int link = links.tree.linkCount - 1; link >= 0; link--) {
-      if (!eliminate(link, g, d)) {
+      if (!eliminate(link, columns)) {
         return false;
       }
     }
     return true;
   }
 
-  private boolean eliminate(int link, double[] g, double[] d) {
+  private boolean eliminate(int link, LinkColumns columns) {
     int first = links.first(link);
     int count = links.end(link) - first;
     int parent = links.tree.parent[link];
@@ -99,9 +83,9 @@ final class LinkElimination {
       multiply(articulated, link, z, WIDTH * k, push, 6 * k);
       for (int j = 0; j < count; j++) {
         pivots[count * j + k - first] =
-            dot6(links.subspace, 6 * (first + j), push, 6 * k) + d[3 * k + j];
+            dot6(links.subspace, 6 * (first + j), push, 6 * k) + columns.force[3 * k + j];
       }
-      add(g, 6 * k, 1, push, 6 * k);
+      add(columns.wrench, 6 * k, 1, push, 6 * k);
     }
     if (!invert(count)) {
       return false;
@@ -113,9 +97,9 @@ final class LinkElimination {
       return true;
     }
     rowsToParent(link);
-    if (coupled[link]) {
+    if (jacobian.coupled[link]) {
       for (int i = BLOCK * link; i < BLOCK * (link + 1); i++) {
-        articulated[i] += byParent[i];
+        articulated[i] += jacobian.byParent[i];
       }
     }
     for (int j = first; j < first + count; j++) {
@@ -124,8 +108,8 @@ final class LinkElimination {
     columnsToParent(link);
     for (int k = first; k < first + count; k++) {
       links.toParent(link, push, 6 * k);
-      if (coupled[link]) {
-        multiply(onParent, link, z, WIDTH * k, work, 0);
+      if (jacobian.coupled[link]) {
+        multiply(jacobian.onParent, link, z, WIDTH * k, work, 0);
         add(work, 0, 1, push, 6 * k);
       }
     }
@@ -167,9 +151,9 @@ final class LinkElimination {
         articulated[BLOCK * link + WIDTH * r + c] = work[r];
       }
     }
-    if (coupled[link]) {
+    if (jacobian.coupled[link]) {
       for (int r = 0; r < 6; r++) {
-        System.arraycopy(onParent, BLOCK * link + WIDTH * r, work, 0, WIDTH);
+        System.arraycopy(jacobian.onParent, BLOCK * link + WIDTH * r, work, 0, WIDTH);
         for (int c = 0; c < WIDTH; c += 6) {
           links.toParent(link, work, c);
         }

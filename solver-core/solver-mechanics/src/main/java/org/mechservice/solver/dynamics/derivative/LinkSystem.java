@@ -1,27 +1,23 @@
 package org.mechservice.solver.dynamics.derivative;
 
+import static org.mechservice.solver.dynamics.derivative.LinkUnknowns.PLACE;
+import static org.mechservice.solver.dynamics.derivative.LinkUnknowns.SPEED;
+import static org.mechservice.solver.dynamics.derivative.LinkUnknowns.WRENCH;
 import static org.mechservice.solver.dynamics.derivative.PlacedLinks.BLOCK;
 import static org.mechservice.solver.dynamics.derivative.PlacedLinks.WIDTH;
 import static org.mechservice.solver.dynamics.derivative.PlacedLinks.dot6;
 import static org.mechservice.solver.spatial.Blocks.cross;
 
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.List;
-import java.util.SortedSet;
-import java.util.TreeSet;
-import java.util.stream.IntStream;
 import org.mechservice.solver.kinematics.LinkKind;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.linear.LinearSolver;
-import org.mechservice.solver.linear.MinimumDegree;
-import org.mechservice.solver.linear.SparseLayout;
 import org.mechservice.solver.linear.SparsePivotedLu;
 
 /**
- * The equations of {@link ArticulatedIteration}, whose symbols these are, as one sparse system in
- * the motions z of the links, the wrenches w in their joints, the velocities x and the multipliers
- * λ of loops. Workspace of one thread.
+ * The equations of {@link ArticulatedIteration} as one sparse system in the motions z of the links,
+ * the wrenches w in their joints, the velocities x and the multipliers λ of loops. Workspace of one
+ * thread.
  *
  * <pre>
  * z_i − X_i z_p − Z_i x_i = 0
@@ -39,42 +35,19 @@ import org.mechservice.solver.linear.SparsePivotedLu;
  * the inertias, lengths and powers of hγ that belong to them, so that pivots compare.
  */
 final class LinkSystem {
-  /** Where w and, if there is one, u of a link begin among its unknowns, and ξ in z. */
-  private static final int WRENCH = WIDTH;
-
-  private static final int SPEED = WRENCH + 6;
-  private static final int PLACE = 12;
-
   /** Inertia of a link without one, as a part of the largest. */
   private static final double LEAST_INERTIA = 1e-8;
 
+  private final LinkJacobian jacobian;
   private final PlacedLinks links;
-  private final double[] own;
-  private final double[] byParent;
-  private final double[] onParent;
-  private final boolean[] coupled;
   private final FarBlocks far;
   private final LoopWrenches rows;
+  private final LinkUnknowns unknowns;
 
-  /** Whether u are unknowns, and the number of unknowns of a link besides its velocities. */
-  private final boolean hasSpeeds;
-
-  private final int ofLink;
-
-  /** Index of the first unknown of each link, and of the first multiplier. */
+  /** Index of the first unknown of each link. */
   private final int[] at;
 
-  private final int firstMultiplier;
-
-  /** Places of the elements in the order in which {@link #assemble} puts them. */
-  private final int[] place;
-
-  private int[] seenRow = new int[64];
-  private int[] seenColumn = new int[64];
-  private boolean learning;
-  private int next;
-
-  private final double[] matrix;
+  private final SparseAssembly assembly;
   private final double[] scale;
   private final double[] right;
   private final SparsePivotedLu lu;
@@ -96,160 +69,46 @@ final class LinkSystem {
   private final double[] turned = new double[3];
 
   /**
-   * Makes a workspace; arrays as of {@link LinkElimination}.
+   * Makes a workspace.
    *
+   * @param jacobian evaluated before each factorisation
    * @param rows of loops, to be written before each factorisation
-   * @param length a length of the links, m
    */
-  LinkSystem(
-      PlacedLinks links,
-      double[] own,
-      double[] byParent,
-      double[] onParent,
-      boolean[] coupled,
-      FarBlocks far,
-      LoopWrenches rows,
-      double length) {
-    this.links = links;
-    this.own = own;
-    this.byParent = byParent;
-    this.onParent = onParent;
-    this.coupled = coupled;
-    this.far = far;
+  LinkSystem(LinkJacobian jacobian, LoopWrenches rows) {
+    this.jacobian = jacobian;
     this.rows = rows;
-    this.length = length;
-    int count = links.tree.linkCount;
-    hasSpeeds = rows.count() > 0 && hasBalls(links.tree);
-    ofLink = hasSpeeds ? SPEED + 6 : SPEED;
-    at = new int[count + 1];
-    for (int link = 0; link < count; link++) {
-      at[link + 1] = at[link] + ofLink + links.end(link) - links.first(link);
-    }
-    firstMultiplier = at[count];
-    int unknowns = firstMultiplier + rows.count();
-    scale = new double[unknowns];
-    right = new double[unknowns];
-    inertia = new double[count];
+    links = jacobian.links;
+    far = jacobian.far;
+    length = jacobian.inertias.meanRadius();
+    unknowns = new LinkUnknowns(links, far, rows);
+    at = unknowns.at;
+    scale = new double[unknowns.count];
+    right = new double[unknowns.count];
+    inertia = new double[links.tree.linkCount];
     compliance = new double[rows.count()];
-    int velocities = links.tree.velocityCount;
-    learning = true;
-    assemble(
-        new double[WIDTH * velocities], new double[6 * velocities], new double[3 * velocities]);
-    learning = false;
-    SparseLayout layout = SparseLayout.of(pattern(unknowns));
-    place = new int[next];
-    for (int e = 0; e < next; e++) {
-      place[e] = layout.index(seenRow[e], seenColumn[e]);
-    }
-    seenRow = new int[0];
-    seenColumn = new int[0];
-    matrix = new double[layout.length()];
-    lu = new SparsePivotedLu(layout, order());
-  }
-
-  private static boolean hasBalls(TreeGeometry tree) {
-    return IntStream.range(0, tree.linkCount)
-        .anyMatch(link -> tree.kind[link] == LinkKind.BALL && !tree.driven[link]);
-  }
-
-  /** Returns the rows of each column of what has been put. */
-  private int[][] pattern(int unknowns) {
-    int[] counts = new int[unknowns];
-    for (int e = 0; e < next; e++) {
-      counts[seenColumn[e]]++;
-    }
-    int[][] columns = new int[unknowns][];
-    Arrays.setAll(columns, j -> new int[counts[j]]);
-    for (int e = 0; e < next; e++) {
-      int j = seenColumn[e];
-      columns[j][--counts[j]] = seenRow[e];
-    }
-    Arrays.setAll(columns, j -> IntStream.of(columns[j]).sorted().distinct().toArray());
-    return columns;
-  }
-
-  /**
-   * Returns the unknowns in an order of least degree of the links; a loop follows its last link.
-   */
-  private int[] order() {
-    TreeGeometry tree = links.tree;
-    List<SortedSet<Integer>> neighbours = new ArrayList<>();
-    for (int link = 0; link < tree.linkCount; link++) {
-      neighbours.add(new TreeSet<>());
-    }
-    for (int link = 0; link < tree.linkCount; link++) {
-      if (tree.parent[link] != TreeGeometry.ROOT) {
-        neighbours.get(link).add(tree.parent[link]);
-      }
-    }
-    for (int pair = 0; pair < far.count(); pair++) {
-      neighbours.get(far.on[pair]).add(far.by[pair]);
-    }
-    for (int row = 0; row < rows.count(); row++) {
-      int[] touched = touched(row);
-      for (int link : touched) {
-        neighbours.get(link).add(touched[0]);
-      }
-    }
-    int[][] graph = new int[tree.linkCount][];
-    Arrays.setAll(
-        graph, link -> neighbours.get(link).stream().mapToInt(Integer::intValue).toArray());
-    int[] ofLinks = MinimumDegree.order(SparseLayout.of(graph));
-    int[] turn = new int[tree.linkCount];
-    for (int i = 0; i < ofLinks.length; i++) {
-      turn[ofLinks[i]] = i;
-    }
-    IntStream.Builder[] unknowns = new IntStream.Builder[tree.linkCount];
-    for (int i = 0; i < unknowns.length; i++) {
-      unknowns[i] = IntStream.builder();
-      IntStream.range(at[ofLinks[i]], at[ofLinks[i] + 1]).forEach(unknowns[i]::add);
-    }
-    for (int row = 0; row < rows.count(); row++) {
-      int last = IntStream.of(touched(row)).map(link -> turn[link]).max().orElse(0);
-      unknowns[last].add(firstMultiplier + row);
-    }
-    return Arrays.stream(unknowns).flatMapToInt(IntStream.Builder::build).toArray();
-  }
-
-  /** Returns the links of a row, with those of its velocities. */
-  private int[] touched(int row) {
-    return IntStream.concat(
-            IntStream.of(rows.links[row]),
-            IntStream.of(rows.velocities[row]).map(k -> links.tree.linkOfVelocity[k]))
-        .toArray();
+    assembly = new SparseAssembly(unknowns.count);
+    assemble(new LinkColumns(links.tree.velocityCount));
+    lu = new SparsePivotedLu(assembly.learn(), unknowns.order());
   }
 
   /**
    * Factors.
    *
-   * @param z Z, 18 for each velocity; not modified
-   * @param g G, 6 for each velocity; not modified
-   * @param d D, three for each velocity; not modified
+   * @param columns of A; not modified
    * @param step hγ that they belong to, s
    * @param penalties α of each row; not modified
    * @return a negative number, or a velocity without a pivot
    */
-  int factor(double[] z, double[] g, double[] d, double step, double[] penalties) {
+  int factor(LinkColumns columns, double step, double[] penalties) {
     hGamma = step;
-    weigh(d);
+    weigh(columns.force);
     for (int row = 0; row < rows.count(); row++) {
       compliance[row] = 1 / penalties[row];
     }
-    Arrays.fill(matrix, 0);
-    assemble(z, g, d);
-    int failed = lu.factor(matrix);
-    return failed == LinearSolver.NONSINGULAR ? failed : velocityOf(failed);
-  }
-
-  /** Returns the velocity nearest to an unknown. */
-  private int velocityOf(int unknown) {
-    if (unknown >= firstMultiplier) {
-      int[] touched = touched(unknown - firstMultiplier);
-      return touched.length == 0 ? 0 : links.first(touched[0]);
-    }
-    int found = Arrays.binarySearch(at, unknown);
-    int link = found >= 0 ? found : -found - 2;
-    return Math.min(links.first(link), Math.max(0, links.tree.stateVelocityCount - 1));
+    assembly.clear();
+    assemble(columns);
+    int failed = lu.factor(assembly.values());
+    return failed == LinearSolver.NONSINGULAR ? failed : unknowns.velocityOf(failed);
   }
 
   /** Finds the inertias that the rows are divided by, and their scales. */
@@ -275,7 +134,7 @@ final class LinkSystem {
       }
       scaleRows(link);
     }
-    Arrays.fill(scale, firstMultiplier, scale.length, 1);
+    Arrays.fill(scale, unknowns.firstMultiplier, scale.length, 1);
   }
 
   private void scaleRows(int link) {
@@ -289,13 +148,13 @@ final class LinkSystem {
     for (int r = 0; r < 6; r++) {
       scale[at[link] + WRENCH + r] = 1 / (r < 3 ? inertia[link] * length : inertia[link]);
     }
-    for (int r = SPEED; r < ofLink; r++) {
+    for (int r = SPEED; r < unknowns.ofLink; r++) {
       scale[at[link] + r] = r < SPEED + 3 ? length : 1;
     }
     boolean turns = links.tree.kind[link] != LinkKind.SLIDE;
     Arrays.fill(
         scale,
-        at[link] + ofLink,
+        at[link] + unknowns.ofLink,
         at[link + 1],
         1 / (turns ? inertia[link] * length : inertia[link]));
   }
@@ -312,16 +171,16 @@ final class LinkSystem {
 
   private double against(int link, int r) {
     int e = BLOCK * link + WIDTH * r + r;
-    return Math.abs(own[e]) + hGamma * (Math.abs(own[e + 6]) + hGamma * Math.abs(own[e + 12]));
+    return Math.abs(jacobian.own[e])
+        + hGamma * (Math.abs(jacobian.own[e + 6]) + hGamma * Math.abs(jacobian.own[e + 12]));
   }
 
   /** Puts all elements, always in the same order. */
-  private void assemble(double[] z, double[] g, double[] d) {
-    next = 0;
+  private void assemble(LinkColumns columns) {
     for (int link = 0; link < links.tree.linkCount; link++) {
-      putMotion(link, z);
-      putWrench(link, g);
-      putForces(link, g, d);
+      putMotion(link, columns.motion);
+      putWrench(link, columns.wrench);
+      putForces(link, columns.wrench, columns.force);
     }
     for (int pair = 0; pair < far.count(); pair++) {
       putPair(pair);
@@ -331,18 +190,9 @@ final class LinkSystem {
     }
   }
 
-  /** One element of the matrix, to be multiplied by the scale of its row. */
+  /** Adds to an element of the matrix, multiplied by the scale of its row. */
   private void put(int row, int column, double value) {
-    if (learning) {
-      if (next == seenRow.length) {
-        seenRow = Arrays.copyOf(seenRow, 2 * next);
-        seenColumn = Arrays.copyOf(seenColumn, 2 * next);
-      }
-      seenRow[next] = row;
-      seenColumn[next++] = column;
-    } else {
-      matrix[place[next++]] += scale[row] * value;
-    }
+    assembly.put(row, column, scale[row] * value);
   }
 
   /** z_i − X_i z_p − Z_i x_i. */
@@ -351,13 +201,13 @@ final class LinkSystem {
     for (int r = 0; r < WIDTH; r++) {
       put(from + r, from + r, 1);
       for (int k = links.first(link); k < links.end(link); k++) {
-        put(from + r, x(link, k), -z[WIDTH * k + r]);
+        put(from + r, unknowns.x(link, k), -z[WIDTH * k + r]);
       }
     }
-    for (int r = SPEED; r < ofLink; r++) {
+    for (int r = SPEED; r < unknowns.ofLink; r++) {
       put(from + r, from + r, 1);
       for (int k = links.first(link); k < links.end(link); k++) {
-        put(from + r, x(link, k), -links.subspace[6 * k + r - SPEED]);
+        put(from + r, unknowns.x(link, k), -links.subspace[6 * k + r - SPEED]);
       }
     }
     int parent = links.tree.parent[link];
@@ -366,7 +216,7 @@ final class LinkSystem {
       for (int block = 0; block < WIDTH; block += 6) {
         putCarried(from + block, at[parent] + block, link);
       }
-      if (hasSpeeds) {
+      if (unknowns.hasSpeeds) {
         putCarried(from + SPEED, at[parent] + SPEED, link);
       }
     }
@@ -407,10 +257,10 @@ final class LinkSystem {
       int row = at[link] + WRENCH + r;
       put(row, row, 1);
       for (int c = 0; c < WIDTH; c++) {
-        put(row, at[link] + c, -own[BLOCK * link + WIDTH * r + c]);
+        put(row, at[link] + c, -jacobian.own[BLOCK * link + WIDTH * r + c]);
       }
       for (int k = links.first(link); k < links.end(link); k++) {
-        put(row, x(link, k), -g[6 * k + r]);
+        put(row, unknowns.x(link, k), -g[6 * k + r]);
       }
     }
     if (parent == TreeGeometry.ROOT) {
@@ -442,8 +292,14 @@ final class LinkSystem {
     for (int r = 0; r < 6; r++) {
       for (int c = 0; c < WIDTH; c++) {
         int e = BLOCK * link + WIDTH * r + c;
-        put(at[link] + WRENCH + r, at[parent] + c, coupled[link] ? -byParent[e] : 0);
-        put(at[parent] + WRENCH + r, at[link] + c, coupled[link] ? -onParent[e] : 0);
+        put(
+            at[link] + WRENCH + r,
+            at[parent] + c,
+            jacobian.coupled[link] ? -jacobian.byParent[e] : 0);
+        put(
+            at[parent] + WRENCH + r,
+            at[link] + c,
+            jacobian.coupled[link] ? -jacobian.onParent[e] : 0);
       }
     }
   }
@@ -453,11 +309,11 @@ final class LinkSystem {
     int first = links.first(link);
     for (int j = first; j < links.end(link); j++) {
       for (int r = 0; r < 6; r++) {
-        put(x(link, j), at[link] + WRENCH + r, links.subspace[6 * j + r]);
+        put(unknowns.x(link, j), at[link] + WRENCH + r, links.subspace[6 * j + r]);
       }
       for (int k = first; k < links.end(link); k++) {
         double turning = dot6(links.subspace, 6 * j, g, 6 * k);
-        put(x(link, j), x(link, k), d[3 * k + j - first] - turning);
+        put(unknowns.x(link, j), unknowns.x(link, k), d[3 * k + j - first] - turning);
       }
     }
   }
@@ -473,45 +329,40 @@ final class LinkSystem {
         put(row, at[by] + c, -far.wrench[BLOCK * pair + WIDTH * r + c]);
       }
       for (int k = first; k < links.end(by); k++) {
-        put(row, x(by, k), -far.wrenchBy.combined[far.wrenchBy.at(pair, k - first) + r]);
+        put(row, unknowns.x(by, k), -far.wrenchBy.combined[far.wrenchBy.at(pair, k - first) + r]);
       }
     }
     for (int j = links.first(on); j < links.end(on); j++) {
       int line = FarBlocks.MOST * pair + j - links.first(on);
       for (int c = 0; c < WIDTH; c++) {
-        put(x(on, j), at[by] + c, far.force[WIDTH * line + c]);
+        put(unknowns.x(on, j), at[by] + c, far.force[WIDTH * line + c]);
       }
       for (int k = first; k < links.end(by); k++) {
         int e = far.forceBy.at(pair, k - first) + j - links.first(on);
-        put(x(on, j), x(by, k), far.forceBy.combined[e]);
+        put(unknowns.x(on, j), unknowns.x(by, k), far.forceBy.combined[e]);
       }
     }
   }
 
   /** J u − λ / α, and −Jᵀ λ in the wrenches, Jᵀ λ in the joints. */
   private void putRow(int row) {
-    int line = firstMultiplier + row;
-    double square = hasSpeeds ? 1 : hGamma * hGamma;
+    int line = unknowns.firstMultiplier + row;
+    double square = unknowns.hasSpeeds ? 1 : hGamma * hGamma;
     put(line, line, -compliance[row]);
     int from = rows.wrenchAt[row];
     for (int link : rows.links[row]) {
       for (int r = 0; r < 6; r++) {
         double push = rows.wrench[from++];
-        put(line, at[link] + (hasSpeeds ? SPEED : PLACE) + r, push / square);
+        put(line, at[link] + (unknowns.hasSpeeds ? SPEED : PLACE) + r, push / square);
         put(at[link] + WRENCH + r, line, -push);
       }
     }
     from = rows.forceAt[row];
     for (int k : rows.velocities[row]) {
-      int unknown = x(links.tree.linkOfVelocity[k], k);
+      int unknown = unknowns.x(links.tree.linkOfVelocity[k], k);
       put(line, unknown, rows.force[from]);
       put(unknown, line, rows.force[from++]);
     }
-  }
-
-  /** Returns the index of a velocity among the unknowns. */
-  private int x(int link, int velocity) {
-    return at[link] + ofLink + velocity - links.first(link);
   }
 
   /**
@@ -524,18 +375,18 @@ final class LinkSystem {
     Arrays.fill(right, 0);
     for (int link = 0; link < links.tree.linkCount; link++) {
       for (int k = links.first(link); k < links.end(link); k++) {
-        right[x(link, k)] = scale[x(link, k)] * b[k];
+        right[unknowns.x(link, k)] = scale[unknowns.x(link, k)] * b[k];
       }
     }
     for (int row = 0; row < rows.count(); row++) {
-      right[firstMultiplier + row] = -gap[row];
+      right[unknowns.firstMultiplier + row] = -gap[row];
     }
     lu.solve(right);
     for (int link = 0; link < links.tree.linkCount; link++) {
       for (int k = links.first(link); k < links.end(link); k++) {
-        b[k] = right[x(link, k)];
+        b[k] = right[unknowns.x(link, k)];
       }
     }
-    System.arraycopy(right, firstMultiplier, gap, 0, gap.length);
+    System.arraycopy(right, unknowns.firstMultiplier, gap, 0, gap.length);
   }
 }

@@ -97,10 +97,25 @@ final class PlacedLinks {
     }
   }
 
+  /** Writes the row [x y z] [ω]×. */
+  static void turn(double x, double y, double z, double[] omega, int at, double[] out) {
+    out[0] = y * omega[at + 2] - z * omega[at + 1];
+    out[1] = z * omega[at] - x * omega[at + 2];
+    out[2] = x * omega[at + 1] - y * omega[at];
+  }
+
   static void add(double[] x, int at, double factor, double[] sum, int to) {
     for (int i = 0; i < 6; i++) {
       sum[to + i] += factor * x[at + i];
     }
+  }
+
+  static double sum(double[] numbers) {
+    double sum = 0;
+    for (double number : numbers) {
+      sum += number;
+    }
+    return sum;
   }
 
   static double dot6(double[] a, int ia, double[] b, int ib) {

@@ -75,13 +75,12 @@ class ArticulatedIterationTest {
       addForces(seed, jacobian.forces());
       jacobian.finish();
       elements = new TreeIteration(at.tree, pattern, jacobian);
-      articulated =
-          far
-              ? new ArticulatedIteration(at.motion, coupled, rows)
-              : new ArticulatedIteration(at.motion);
-      articulated.evaluate(at.wrench);
-      addForces(seed, articulated.forces());
-      articulated.finish();
+      LinkJacobian byLinks =
+          far ? new LinkJacobian(at.motion, coupled) : new LinkJacobian(at.motion);
+      byLinks.evaluate(at.wrench);
+      addForces(seed, byLinks.forces());
+      byLinks.finish();
+      articulated = new ArticulatedIteration(byLinks, rows);
       at.motion.sweep(0, new double[at.y.length]); // the derivatives stay where they were formed
       for (StepReduction each : new StepReduction[] {elements, articulated}) {
         each.setState(at.y);
@@ -91,7 +90,7 @@ class ArticulatedIterationTest {
       double[] dense = new double[at.nv * at.nv];
       elements.matrix().toDense(dense);
       matrix = WholeStep.square(dense, at.nv);
-      assertThat(articulated.isFinite()).isTrue();
+      assertThat(byLinks.isFinite()).isTrue();
     }
 
     /** Each link and its parent, and from each link to another one. */
@@ -302,12 +301,13 @@ class ArticulatedIterationTest {
     assertThat(ArticulatedIteration.pays(at.tree)).isTrue();
     at.motion.sweep(0, at.y);
     at.motion.accelerationSweep(new Random(1).doubles(at.nv, -3, 3).toArray());
-    ArticulatedIteration articulated = new ArticulatedIteration(at.motion);
-    articulated.evaluate(at.wrench);
+    LinkJacobian byLinks = new LinkJacobian(at.motion);
+    byLinks.evaluate(at.wrench);
     for (int k = 0; k < at.nv; k++) {
-      articulated.forces().forceByCoordinate(k, k, -1e5, -1e3);
+      byLinks.forces().forceByCoordinate(k, k, -1e5, -1e3);
     }
-    articulated.finish();
+    byLinks.finish();
+    ArticulatedIteration articulated = new ArticulatedIteration(byLinks);
     articulated.setState(at.y);
     assertThat(articulated.factor(1e-3)).isTrue();
     assertThat(articulated.denseFactorizations()).isZero();

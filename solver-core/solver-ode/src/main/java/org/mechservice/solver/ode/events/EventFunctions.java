@@ -62,7 +62,7 @@ public interface EventFunctions {
     EITHER
   }
 
-  /** What follows an event. */
+  /** The reaction to an event. */
   enum Reaction {
     /** Nothing: the event was only looked for. */
     CONTINUE,

@@ -197,7 +197,7 @@ public final class EventIntegration implements ResidualIntegrator {
       return fail(Cause.EVENT_NOT_FINITE);
     }
     result = searchStep(result, PARTS_AFTER_RESTART);
-    values.tellOfZerosLeft();
+    values.reportZerosLeft();
     return result;
   }
 
@@ -239,7 +239,7 @@ public final class EventIntegration implements ResidualIntegrator {
     return result;
   }
 
-  /** Lets the functions' owner react to the event found. */
+  /** Calls the reaction of the functions' owner to the event found. */
   private Reaction react() {
     events++;
     values.determine(restarted);

@@ -11,7 +11,7 @@ import org.mechservice.solver.ode.step.RightHandSide;
 final class ComposedEvents implements EventFunctions, SavedSystem {
   private final List<OdeEvent> events;
 
-  /** How often each has happened. */
+  /** Number of times that each event has happened. */
   private final long[] counts;
 
   private final List<FoundEvent> found = new ArrayList<>();

@@ -1,6 +1,6 @@
 package org.mechservice.solver.ode.solve;
 
-/** Why an integration has ended. */
+/** The reason for the end of an integration. */
 public enum EndReason {
   /** The end asked for is reached. */
   REACHED_END,

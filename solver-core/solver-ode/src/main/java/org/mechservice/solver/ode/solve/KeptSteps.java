@@ -14,7 +14,7 @@ final class KeptSteps {
   private final double start;
   private final double direction;
 
-  /** Per step: its end, order, block, place in the block, and who evaluates it. */
+  /** Per step: its end, order, block, place in the block, and the integrator that evaluates it. */
   private double[] ends = new double[16];
 
   private byte[] orders = new byte[16];

@@ -54,7 +54,7 @@ public final class OdeEvent {
     double value(double t, double[] y);
   }
 
-  /** What happens at an event. */
+  /** The action at an event. */
   @FunctionalInterface
   public interface Action {
     /**

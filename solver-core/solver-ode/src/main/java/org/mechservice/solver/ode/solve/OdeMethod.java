@@ -10,7 +10,7 @@ import org.mechservice.solver.ode.stiff.Ode15sR;
 import org.mechservice.solver.ode.switching.Switching;
 
 /**
- * The methods to choose from. All keep the local error below max(rtol |y_i|, atol_i) in every
+ * The integration methods. All keep the local error below max(rtol |y_i|, atol_i) in every
  * component but {@link #DE}, and all integrate in either direction.
  *
  * <table>

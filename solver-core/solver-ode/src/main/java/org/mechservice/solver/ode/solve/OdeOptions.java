@@ -11,7 +11,8 @@ import org.mechservice.solver.ode.IntegratorSettings;
 import org.mechservice.solver.ode.IntegratorSettings.Mode;
 
 /**
- * How to integrate. Immutable: each method returns other options and leaves these as they are.
+ * Options of an integration. Immutable: each method returns other options and leaves these as they
+ * are.
  *
  * <pre>{@code
  * OdeOptions options = OdeOptions.standard().rtol(1e-8).atol(1e-10, 1e-6).method(OdeMethod.ODE15S);
@@ -183,13 +184,13 @@ public final class OdeOptions {
     return with(copy -> copy.events = appended(events, event));
   }
 
-  /** Adds someone who receives each accepted step. */
+  /** Adds a receiver of each accepted step. */
   public OdeOptions onStep(StepHandler handler) {
     return with(copy -> copy.stepHandlers = appended(stepHandlers, handler));
   }
 
   /**
-   * Adds someone who receives the solution at given times, in the course of the integration.
+   * Adds a receiver of the solution at given times, in the course of the integration.
    *
    * @param times in the order of integration, from its start to its end
    */
@@ -199,7 +200,7 @@ public final class OdeOptions {
   }
 
   /**
-   * Adds someone who receives the solution at equal distances, from the start on.
+   * Adds a receiver of the solution at equal distances, from the start on.
    *
    * @throws IllegalArgumentException if the distance is not positive and finite
    */
@@ -213,7 +214,7 @@ public final class OdeOptions {
   }
 
   /**
-   * Sets who receives a checkpoint after every so many accepted steps.
+   * Sets the receiver of a checkpoint after a number of accepted steps.
    *
    * @throws IllegalArgumentException if the count is not positive
    */

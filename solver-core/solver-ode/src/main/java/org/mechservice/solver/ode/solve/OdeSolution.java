@@ -9,7 +9,7 @@ import org.mechservice.solver.ode.IntegrationStatistics;
 import org.mechservice.solver.ode.Integrator.MethodChange;
 
 /**
- * What came of an integration: the solution from {@link #start} to {@link #end}, to be evaluated
+ * The result of an integration: the solution from {@link #start} to {@link #end}, to be evaluated
  * anywhere between, its events, its costs, and why it ended.
  *
  * <p>The solution is that of the method's own polynomials, to the order of each step and without

@@ -22,9 +22,12 @@ import org.mechservice.solver.ode.SparseSystem;
 import org.mechservice.solver.ode.SystemParts;
 import org.mechservice.solver.ode.UnitNormGroups;
 
-/** Parts given one by one, in front of those of a system that is wrapped. Immutable. */
+/**
+ * Parts of a problem that are given one by one; they take precedence over those of the wrapped
+ * system. Immutable.
+ */
 final class PartsOfProblem implements SystemParts {
-  /** What integrators ask every problem for. */
+  /** The parts that integrators ask every problem for. */
   private static final List<Class<?>> KINDS =
       List.of(
           BandedSystem.class,

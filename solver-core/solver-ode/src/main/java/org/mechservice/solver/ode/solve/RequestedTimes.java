@@ -2,7 +2,10 @@ package org.mechservice.solver.ode.solve;
 
 import org.mechservice.solver.ode.SavedState;
 
-/** Times at which the solution is asked for, in the direction of integration, and who asks. */
+/**
+ * Times at which the solution is asked for, in the direction of integration, and the receivers of
+ * the solution.
+ */
 final class RequestedTimes {
   /** Part of a distance by which the last of equal distances may miss the end. */
   private static final double ROUNDING = 1e-9;
@@ -19,7 +22,7 @@ final class RequestedTimes {
   }
 
   /**
-   * What was asked for.
+   * One request.
    *
    * @param times in the direction of integration; empty: equal distances
    * @param distance positive, of equal distances
@@ -79,8 +82,8 @@ final class RequestedTimes {
     return atEnd ? end : start + Math.copySign(distance, end - start);
   }
 
-  /** Tells the solution at the next time. */
-  void tell(double[] y) {
+  /** Passes the solution at the next time to its receiver. */
+  void pass(double[] y) {
     double t = next();
     next++;
     request.handler().accept(t, y);

@@ -9,7 +9,10 @@ import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.ode.StepResult;
 import org.mechservice.solver.ode.TrialOutcome;
 
-/** How far an integration has come, what it has tried, and why it cannot go on. */
+/**
+ * The progress of an integration: its time, the steps it has tried, and the reason why it cannot
+ * continue.
+ */
 public final class IntegrationProgress {
   /** Tries in a row with values that are not finite before the integrator gives up. */
   private static final int NOT_FINITE_TRIES = 10;
@@ -23,7 +26,7 @@ public final class IntegrationProgress {
   /** Tries after which is looked whether the end can be reached, a power of two. */
   private static final long LOOK = 1 << 20;
 
-  /** Steps that nobody waits for: days to months. */
+  /** Number of steps that would take days to months. */
   private static final double ENDLESS = 1e11;
 
   private final RecentSteps recentSteps = new RecentSteps();

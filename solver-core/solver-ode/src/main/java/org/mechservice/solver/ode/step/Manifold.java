@@ -10,10 +10,10 @@ import org.mechservice.solver.ode.SystemParts;
 import org.mechservice.solver.ode.UnitNormGroups;
 
 /**
- * What a problem knows about its states beyond its equations: components that follow from others
- * ({@link CompletedSystem}) or are algebraic ({@link ResidualSystem#component}), and so are not
- * tested for error; components that share a weight ({@link ErrorWeightGroups}); a manifold that the
- * solution stays on ({@link ProjectedSystem}); groups of norm one ({@link UnitNormGroups}). A
+ * The knowledge of a problem about its states beyond its equations: components that follow from
+ * others ({@link CompletedSystem}) or are algebraic ({@link ResidualSystem#component}), and so are
+ * not tested for error; components that share a weight ({@link ErrorWeightGroups}); a manifold that
+ * the solution stays on ({@link ProjectedSystem}); groups of norm one ({@link UnitNormGroups}). A
  * problem that knows nothing of that kind is left alone.
  */
 public final class Manifold {

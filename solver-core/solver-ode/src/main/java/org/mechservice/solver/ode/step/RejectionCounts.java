@@ -7,7 +7,7 @@ import org.mechservice.solver.ode.IntegrationStatistics;
 import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.ode.TrialOutcome;
 
-/** Counts which components made steps be tried again, shorter. */
+/** Counts the components that caused the rejection of steps. */
 final class RejectionCounts {
   private double[] inaccurate = {};
   private double[] unsolved = {};

@@ -5,7 +5,7 @@ import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.IntegratorSettings;
 import org.mechservice.solver.ode.StepResult;
 
-/** What the integrators of this package have in common: settings, and how far they have come. */
+/** Common part of the integrators: settings and progress. */
 public abstract class SteppingIntegrator implements Integrator {
   /** Settings with the tolerances of the error tests, and these relative to those asked for. */
   public final IntegratorSettings settings;

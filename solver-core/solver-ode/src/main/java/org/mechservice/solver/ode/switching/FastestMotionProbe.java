@@ -5,8 +5,8 @@ import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.ode.step.ErrorNorm;
 
 /**
- * Looks at the fastest motion of a problem by two evaluations of f: products of ∂f/∂y with a vector
- * in which that motion already prevails, by differences.
+ * Estimates the fastest motion of a problem by two evaluations of f: products of ∂f/∂y with a
+ * vector in which that motion already prevails, by differences.
  *
  * <p>At a start that is the change of f over the first step of an Adams method. On the slow
  * solution of a stiff problem its prediction is far off, and f there differs from f at the start

@@ -3,8 +3,8 @@ package org.mechservice.solver.ode.switching;
 import org.mechservice.solver.ode.SavedState;
 
 /**
- * Where an integration came to every few steps, as divided differences over the latest places. Time
- * is counted in units of about the interval, lest its powers overflow.
+ * The solution sampled every few steps, as divided differences over the latest places. Time is
+ * counted in units of about the interval, lest its powers overflow.
  */
 final class SampledHistory {
   /** Places that a difference goes back over, at most: those of order 5 take six. */

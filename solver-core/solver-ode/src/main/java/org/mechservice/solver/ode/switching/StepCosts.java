@@ -7,8 +7,8 @@ import org.mechservice.solver.ode.OdeSystem;
 import org.mechservice.solver.ode.SparseSystem;
 
 /**
- * What steps of an Adams method and of a backward formula cost: a model of the processor time and
- * not the time itself, for methods have to change at the same steps on every machine. Only ratios
+ * Cost of steps of an Adams method and of a backward formula: a model of the processor time and not
+ * the time itself, for methods have to change at the same steps on every machine. Only ratios
  * count; the unit is about a nanosecond of the machine it was measured on.
  *
  * <p>Measured on mechanisms of 2 to 40 unknowns, runs of 0.1 to 10 ms, warm. Beside its evaluations

@@ -53,7 +53,7 @@ final class StiffnessEvidence {
   private StepCosts costs = StepCosts.dense(0);
   private double tEnd;
 
-  /** Where a jump is looked for, and its derivative. */
+  /** State at which a jump is looked for, and its derivative. */
   private double[] y = {};
 
   private double[] yDot = {};

@@ -73,7 +73,7 @@ public final class Switching implements Integrator {
   private StepCosts costs = StepCosts.dense(0);
   private double tEnd;
 
-  /** Where the problem is handed over, and its derivative. */
+  /** State at which the problem is handed over, and its derivative. */
   private double[] y = {};
 
   private double[] yDot = {};
@@ -84,7 +84,7 @@ public final class Switching implements Integrator {
   private boolean backwardBegun;
   private boolean changeDue;
 
-  /** What was spent up to the start of the present phase. */
+  /** Cost up to the start of the present phase. */
   private double spentBefore;
 
   /** Times the usual loss that is allowed to ode15s. */

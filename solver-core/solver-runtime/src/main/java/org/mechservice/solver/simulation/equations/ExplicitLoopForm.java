@@ -4,7 +4,6 @@ import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.DependentStates;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.capability.ProjectedStates;
-import org.mechservice.solver.ode.ProjectedSystem;
 
 /** y' = f(t, y) of mechanisms with closed loops. */
 public final class ExplicitLoopForm implements EquationForm {
@@ -36,7 +35,8 @@ public final class ExplicitLoopForm implements EquationForm {
   }
 
   /** Loops kept closed by projection. */
-  private static final class OnManifold extends ExplicitModelEquations implements ProjectedSystem {
+  private static final class OnManifold extends ExplicitModelEquations
+      implements ManifoldProjection {
     private final ProjectedStates loops;
 
     OnManifold(ExplicitModel model, ProjectedStates loops) {
@@ -45,18 +45,8 @@ public final class ExplicitLoopForm implements EquationForm {
     }
 
     @Override
-    public boolean project(double t, double[] y) {
-      return loops.project(evaluationTime(t), y);
-    }
-
-    @Override
-    public boolean projectError(double t, double[] y, double[] error) {
-      return loops.projectError(evaluationTime(t), y, error);
-    }
-
-    @Override
-    public void projectionAccepted(double t, double[] y) {
-      loops.accepted(t, y);
+    public ProjectedStates loops() {
+      return loops;
     }
   }
 }

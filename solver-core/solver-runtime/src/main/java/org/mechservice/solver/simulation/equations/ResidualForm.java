@@ -7,7 +7,6 @@ import org.mechservice.solver.api.capability.ProjectedStates;
 import org.mechservice.solver.api.capability.ResidualModel;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.LinearisedSystem;
-import org.mechservice.solver.ode.ProjectedSystem;
 
 /** F(t, y, y') = 0 of open chains and closed loops, for ode15sR. */
 public final class ResidualForm implements EquationForm {
@@ -104,7 +103,7 @@ public final class ResidualForm implements EquationForm {
    * With the model's own linear algebra, loops among the equations. Residuals that the iteration
    * leaves would not decrease in the next step, so a projection removes them.
    */
-  private static final class OnManifold extends Linearised implements ProjectedSystem {
+  private static final class OnManifold extends Linearised implements ManifoldProjection {
     private final ProjectedStates loops;
 
     OnManifold(LinearisedModel model, ProjectedStates loops) {
@@ -113,18 +112,8 @@ public final class ResidualForm implements EquationForm {
     }
 
     @Override
-    public boolean project(double t, double[] y) {
-      return loops.project(evaluationTime(t), y);
-    }
-
-    @Override
-    public boolean projectError(double t, double[] y, double[] error) {
-      return loops.projectError(evaluationTime(t), y, error);
-    }
-
-    @Override
-    public void projectionAccepted(double t, double[] y) {
-      loops.accepted(t, y);
+    public ProjectedStates loops() {
+      return loops;
     }
   }
 }

@@ -8,11 +8,11 @@ import org.mechservice.idl.NameValue;
 import org.mechservice.idl.Progress;
 import org.mechservice.orb.tls.TlsIdentity;
 
-/** Numbers with their units as people read them. */
-public final class Measures {
+/** Writes numbers with their units for people. */
+public final class QuantityText {
   private static final double MEBIBYTE = 1024.0 * 1024.0;
 
-  private Measures() {}
+  private QuantityText() {}
 
   /** Returns a text in which numbers have a point, whatever the language of the system. */
   static String format(String pattern, Object... values) {

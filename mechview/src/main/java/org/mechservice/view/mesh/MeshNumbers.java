@@ -1,8 +1,8 @@
 package org.mechservice.view.mesh;
 
-/** Numbers in the text of geometry files. */
-final class Words {
-  private Words() {}
+/** Reads numbers in the text of geometry files. */
+final class MeshNumbers {
+  private MeshNumbers() {}
 
   static double number(String word) throws MeshException {
     try {

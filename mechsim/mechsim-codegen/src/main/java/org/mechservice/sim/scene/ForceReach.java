@@ -8,15 +8,15 @@ import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.ForceElement;
 
 /**
- * How far the forces of a mechanism reach through its tree. A force between two bodies needs the
- * way from each to their nearest common ancestor.
+ * The reach of the forces of a mechanism through its tree. A force between two bodies needs the way
+ * from each to their nearest common ancestor.
  *
  * @param steps links on all ways, those of several ways counted several times
  * @param places pairs of an ancestor and a link on a way from it, each counted once; not more than
  *     {@link #MOST_PLACES}
  * @param links links of the tree
  */
-public record ForceWays(long steps, int places, int links) {
+public record ForceReach(long steps, int places, int links) {
   /** Number of places beyond which they are not counted. */
   private static final int MOST_PLACES = 1_000_000;
 
@@ -30,7 +30,7 @@ public record ForceWays(long steps, int places, int links) {
   private static final int PLACES_PER_LINK = 4;
 
   /** Returns those of a mechanism. */
-  public static ForceWays of(Mechanism mechanism) {
+  public static ForceReach of(Mechanism mechanism) {
     TreeGeometry tree = new TreeGeometry(mechanism);
     Set<Long> places = new HashSet<>();
     long steps = 0;
@@ -49,7 +49,7 @@ public record ForceWays(long steps, int places, int links) {
         }
       }
     }
-    return new ForceWays(steps, places.size(), tree.linkCount);
+    return new ForceReach(steps, places.size(), tree.linkCount);
   }
 
   /**

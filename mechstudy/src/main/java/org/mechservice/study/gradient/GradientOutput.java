@@ -3,12 +3,12 @@ package org.mechservice.study.gradient;
 import org.mechservice.study.Reduction;
 
 /**
- * A number that is differentiated.
+ * An output that is differentiated: a number that a reduction takes of a column.
  *
  * @param column which observed column
  * @param reduction what is taken of it; no series
  */
-record Wanted(int column, Reduction reduction) {
+record GradientOutput(int column, Reduction reduction) {
   Reduction.Kind kind() {
     return reduction.kind();
   }

@@ -12,7 +12,7 @@ import org.mechservice.solver.catalogue.MessageCode;
  * Passes each row of a run to a sink once, also if the run is computed again from its start on
  * another host.
  */
-final class RowsOnce implements ResultSink {
+final class RowDeduplication implements ResultSink {
   private final ResultSink sink;
   private long known;
   private long toSkip;
@@ -21,7 +21,7 @@ final class RowsOnce implements ResultSink {
   /**
    * @param taken number of rows that the caller has taken before
    */
-  RowsOnce(ResultSink sink, long taken) {
+  RowDeduplication(ResultSink sink, long taken) {
     this.sink = sink;
     known = taken;
   }
@@ -31,7 +31,7 @@ final class RowsOnce implements ResultSink {
     sink.begin(columns);
   }
 
-  /** From now on rows come from the start of the run again. */
+  /** Prepares for rows that begin at the start of the run again. */
   void again() {
     toSkip = known;
   }

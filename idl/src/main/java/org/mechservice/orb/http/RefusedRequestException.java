@@ -2,8 +2,8 @@ package org.mechservice.orb.http;
 
 import org.mechservice.solver.catalogue.MessageCode;
 
-/** A request that is not answered as it was meant. */
-public final class Refused extends RuntimeException {
+/** A request is refused; the message says why, with its code. */
+public final class RefusedRequestException extends RuntimeException {
   private static final long serialVersionUID = 1L;
 
   private final int status;
@@ -12,14 +12,15 @@ public final class Refused extends RuntimeException {
    * @param status of the response, by HTTP
    * @param message code and text
    */
-  public Refused(int status, String message) {
+  public RefusedRequestException(int status, String message) {
     super(message);
     this.status = status;
   }
 
   /** The request cannot be read. */
-  public static Refused notUnderstood(String what) {
-    return new Refused(400, MessageCode.REQUEST_UNUSABLE + " the request cannot be used: " + what);
+  public static RefusedRequestException notUnderstood(String what) {
+    return new RefusedRequestException(
+        400, MessageCode.REQUEST_UNUSABLE + " the request cannot be used: " + what);
   }
 
   public int status() {

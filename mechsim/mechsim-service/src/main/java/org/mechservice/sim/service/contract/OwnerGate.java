@@ -7,10 +7,10 @@ import org.mechservice.orb.tls.Caller;
 
 /**
  * Guards the objects of one session. Its owner and administrators may call them, and every such
- * call renews the session's lease. Everybody else is refused and logged: to hold a reference is no
- * right.
+ * call renews the session's lease. Calls of all others are refused and logged, although they hold a
+ * reference.
  */
-public final class OwnersOnly implements GuardedServant.Gate {
+public final class OwnerGate implements GuardedServant.Gate {
   private final String owner;
   private final Runnable renewal;
   private final DenialLog denials;
@@ -19,7 +19,7 @@ public final class OwnersOnly implements GuardedServant.Gate {
    * @param owner the user who opened the session
    * @param renewal begins the session's lease anew
    */
-  public OwnersOnly(String owner, Runnable renewal, DenialLog denials) {
+  public OwnerGate(String owner, Runnable renewal, DenialLog denials) {
     this.owner = owner;
     this.renewal = renewal;
     this.denials = denials;
