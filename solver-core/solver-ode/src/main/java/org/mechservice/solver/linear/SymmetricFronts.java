@@ -67,13 +67,39 @@ public final class SymmetricFronts {
   private final int[] paired;
 
   /** Rows of L with the pivots first, its columns, and D: two numbers for each pivot. */
-  private record Factor(int[] rows, int pivots, double[] l, double[] d) {
+  private static final class Factor {
     static final Factor NONE = new Factor(new int[0], 0, new double[0], new double[0]);
+
+    final int[] rows;
+    final int pivots;
+    final double[] l;
+    final double[] d;
+
+    Factor(int[] rows, int pivots, double[] l, double[] d) {
+      this.rows = rows;
+      this.pivots = pivots;
+      this.l = l;
+      this.d = d;
+    }
   }
 
   /** Rows that are left, those without a pivot first, and their elements. */
-  private record Rest(int[] rows, int delayed, double[] matrix, double[] whole) {
+  private static final class Rest {
     static final Rest NONE = new Rest(new int[0], 0, new double[0], new double[0]);
+
+    final int[] rows;
+    final int delayed;
+    final double[] matrix;
+
+    /** Size of what each diagonal element was summed and subtracted from. */
+    final double[] whole;
+
+    Rest(int[] rows, int delayed, double[] matrix, double[] whole) {
+      this.rows = rows;
+      this.delayed = delayed;
+      this.matrix = matrix;
+      this.whole = whole;
+    }
   }
 
   /**

@@ -285,7 +285,7 @@ class LinkedEquilibriumTest {
   @ParameterizedTest
   @MethodSource("seeds")
   void verdictsAreThoseOfTheEigenvalues(int seed) throws Exception {
-    Mechanism mechanism = random(seed, 1 << 2 * (seed % 5), seed % 2 == 1);
+    Mechanism mechanism = random(seed, 1 << (2 * (seed % 5)), seed % 2 == 1);
     EquationsOfMotion equations = new EquationsOfMotion(mechanism, UserForceSource.NONE);
     double[] y = new double[mechanism.stateCount()];
     mechanism.initialState(y);

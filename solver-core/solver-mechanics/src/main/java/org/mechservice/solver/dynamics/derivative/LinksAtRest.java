@@ -255,7 +255,7 @@ public final class LinksAtRest {
         coupled.get(other).remove(link);
         boolean wasOnIt = tree.parent[link] == other;
         onIt[other] -= wasOnIt ? 1 : 0;
-        if (isReady || wasOnIt && onIt[other] == 0) {
+        if (isReady || (wasOnIt && onIt[other] == 0)) {
           ready.add(new long[] {coupled.get(other).size(), other});
         }
       }
