@@ -2,6 +2,7 @@ package org.mechservice.report;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -44,6 +45,7 @@ import org.mechservice.report.solution.StateDistance;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.api.run.Stiffness;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.catalogue.MethodNames;
 
 /** Error against run time of one model: measures it and writes its page. */
@@ -94,6 +96,19 @@ public final class ModelReport {
    */
   public Path write(Path file) throws IOException, InterruptedException {
     Files.createDirectories(folder);
+    try {
+      return measureAndWrite(file);
+    } catch (FileSystemException e) {
+      throw e;
+    } catch (IOException e) {
+      // such as a full disk, of which Java does not say where
+      throw new IOException(
+          MessageCode.FILE_UNUSABLE + " cannot write in folder " + folder + ": " + e.getMessage(),
+          e);
+    }
+  }
+
+  private Path measureAndWrite(Path file) throws IOException, InterruptedException {
     SceneFindings found = measure(String.valueOf(file.getFileName()));
     Path page = folder.resolve(ReportedScene.named(found.scene().file(), ".html"));
     Files.writeString(page, ScenePage.of(found), StandardCharsets.UTF_8);

@@ -2,7 +2,9 @@ package org.mechservice.library;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -39,6 +41,18 @@ class ReportOfModelTest {
     assertThatThrownBy(() -> model.report(folder, LEAST, ending))
         .isInstanceOf(CancellationException.class)
         .hasMessageStartingWith(work);
+  }
+
+  @Test
+  void fullDiskIsSaidOfTheFolder() throws Exception {
+    Path full = Path.of("/dev/full");
+    assumeTrue(Files.exists(full), "there is no /dev/full to write to");
+    Files.createSymbolicLink(folder.resolve("Parameters-reference.csv.new"), full);
+    MechModel model = read("elements/Parameters.xml").set("push", 3).until(0.2);
+
+    assertThatThrownBy(() -> model.report(folder, LEAST, ReportProgress.SILENT))
+        .isInstanceOf(IOException.class)
+        .hasMessageStartingWith("S-042 cannot write in folder " + folder + ": No space left");
   }
 
   @Test

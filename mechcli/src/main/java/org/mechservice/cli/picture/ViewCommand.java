@@ -144,7 +144,8 @@ public final class ViewCommand implements Callable<Integer> {
                         MessageCode.OPTION_UNUSABLE
                             + " "
                             + input
-                            + " has no bodies: name the model it is of by --model MODEL.xml"))
+                            + " does not say what the bodies look like and how they are joined: name the model it is"
+                            + " of by --model MODEL.xml"))
             : input;
     if (live.isPresent()) {
       ReadOptions reading = new ReadOptions(simulation, parameters.values(), Set.copyOf(tunable));

@@ -16,6 +16,7 @@ import org.mechservice.cli.shell.UsageException;
 import org.mechservice.client.run.RunResult;
 import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.text.JsonText;
 import org.mechservice.solver.text.ReportText;
 import picocli.CommandLine.Model.CommandSpec;
@@ -43,6 +44,10 @@ final class ResultOptions {
           "rows",
           "wallTime",
           "energyDrift");
+
+  /** Lines that say nothing of statics, kinematics and other analyses without an integrator. */
+  private static final Set<String> OF_INTEGRATORS =
+      Set.of("integrator", "relativeTolerance", "absoluteTolerance");
 
   private static final Set<String> NEVER_LEFT_OUT = Set.of("stiffness", "notes");
 
@@ -125,7 +130,7 @@ final class ResultOptions {
    *
    * @return exit status
    */
-  int tell(RunResult result, ResultFiles files) throws IOException {
+  int report(RunResult result, ResultFiles files) throws IOException {
     Map<String, Object> report = new LinkedHashMap<>(result.report());
     if (files.rows() > 0) {
       files.keep().ifPresent(hash -> report.put("resultsSha256", hash));
@@ -157,13 +162,16 @@ final class ResultOptions {
             .collect(Collectors.toSet());
     Map<String, Object> brief = new LinkedHashMap<>(report);
     brief.keySet().removeIf(key -> !told.contains(key) && !NEVER_LEFT_OUT.contains(key));
+    if (MethodNames.NONE.equals(report.get("integrator"))) {
+      brief.keySet().removeAll(OF_INTEGRATORS);
+    }
     return brief;
   }
 
   private int status(Outcome outcome, ResultFiles files) {
     PrintWriter err = command.commandLine().getErr();
     if (outcome instanceof Outcome.Failed failed) {
-      err.println(failed.failure().message() + files.whereRowsAre());
+      err.println(failed.failure().message() + files.filesOfRows());
       return ExitStatus.SIMULATION_FAILED;
     } else if (outcome instanceof Outcome.Stopped) {
       err.println(
@@ -171,7 +179,7 @@ final class ResultOptions {
               + " the run was stopped at "
               + files.reached()
               + "."
-              + files.whereRowsAre());
+              + files.filesOfRows());
       return ExitStatus.INTERRUPTED;
     }
     return ExitStatus.DONE;

@@ -58,6 +58,22 @@ class ResultOptionsTest {
   }
 
   @Test
+  void analysisWithoutAnIntegratorHasNoLinesOfOne() {
+    Map<String, Object> equilibrium =
+        report(
+            List.of(
+                "scene",
+                "formulation",
+                "integrator",
+                "relativeTolerance",
+                "absoluteTolerance",
+                "rows"));
+    equilibrium.put("integrator", "none");
+    assertThat(ResultOptions.brief(equilibrium).keySet())
+        .containsExactly("scene", "formulation", "rows");
+  }
+
+  @Test
   void notesOnTheRunAreNeverLeftOut() {
     List<String> all =
         List.of("scene", "outcome", "a", "b", "c", "d", "e", "f", "g", "h", "i", "notes");

@@ -4,6 +4,7 @@ import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.RandomAccessFile;
 import java.nio.ByteBuffer;
+import java.nio.channels.ClosedByInterruptException;
 import java.nio.channels.FileChannel;
 import java.nio.channels.FileLock;
 import java.nio.channels.OverlappingFileLockException;
@@ -115,8 +116,22 @@ final class StudyJournal implements AutoCloseable {
 
   void append(String lines) throws IOException {
     ByteBuffer bytes = ByteBuffer.wrap(lines.getBytes(StandardCharsets.UTF_8));
-    while (bytes.hasRemaining()) {
-      out.write(bytes);
+    try {
+      while (bytes.hasRemaining()) {
+        out.write(bytes);
+      }
+    } catch (ClosedByInterruptException e) {
+      throw e;
+    } catch (IOException e) {
+      // such as a full disk, of which Java does not say where
+      throw new IOException(
+          MessageCode.FILE_UNUSABLE
+              + " "
+              + file
+              + " cannot be written: "
+              + e.getMessage()
+              + "; the complete rows in it are kept, and the same command goes on from there",
+          e);
     }
   }
 

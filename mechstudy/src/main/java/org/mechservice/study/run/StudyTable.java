@@ -8,6 +8,7 @@ import java.io.BufferedWriter;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
@@ -16,6 +17,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.mechservice.result.ParquetTable;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /**
  * The table of a study, and the file beside it that says where it comes from. In a Parquet table
@@ -85,6 +87,18 @@ final class StudyTable {
    * @param header with its line break
    */
   void write(Path file, String header, String provenance, Rows rows) throws IOException {
+    try {
+      writeBoth(file, header, provenance, rows);
+    } catch (FileSystemException e) {
+      throw e;
+    } catch (IOException e) {
+      throw new IOException(
+          MessageCode.FILE_UNUSABLE + " " + file + " cannot be written: " + e.getMessage(), e);
+    }
+  }
+
+  private void writeBoth(Path file, String header, String provenance, Rows rows)
+      throws IOException {
     Path growing = file.resolveSibling("." + file.getFileName() + ".growing");
     if (isParquet(file)) {
       try (OutputStream out = new BufferedOutputStream(Files.newOutputStream(growing))) {

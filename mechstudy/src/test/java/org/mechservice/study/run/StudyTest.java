@@ -146,6 +146,22 @@ class StudyTest {
   }
 
   @Test
+  void fullDiskIsSaidOfItsFile() throws Exception {
+    Path full = Path.of("/dev/full");
+    assumeTrue(Files.exists(full), "there is no /dev/full to write to");
+    Path journal = folder.resolve("full.csv.unfinished");
+    Files.createSymbolicLink(journal, full);
+    StudyPlan plan = plan(POINTS);
+
+    assertThatThrownBy(
+            () ->
+                new Study(plan, StudyPart.WHOLE, plan.model())
+                    .run(folder.resolve("full.csv"), 1, (done, before, all) -> {}))
+        .isInstanceOf(IOException.class)
+        .hasMessageStartingWith("S-042 " + journal + " cannot be written: No space left");
+  }
+
+  @Test
   void journalOfAnotherStudyIsRefused() throws Exception {
     Path out = folder.resolve("a.csv");
     Files.writeString(folder.resolve("a.csv.unfinished"), "{\"other\":1}\n");

@@ -56,7 +56,9 @@ final class UserReport {
     } catch (ServiceException e) {
       end(cancelled ? State.CANCELLED : State.FAILED, String.valueOf(e.getMessage()), "");
     } catch (IOException e) {
-      end(State.FAILED, MessageCode.FILE_UNUSABLE + " " + e.getMessage(), "");
+      String why = String.valueOf(e.getMessage());
+      String code = MessageCode.FILE_UNUSABLE.toString();
+      end(State.FAILED, why.startsWith(code) ? why : code + " " + why, "");
     } catch (RuntimeException e) {
       String incident = GuardedServant.record("report", e);
       end(

@@ -32,15 +32,17 @@ public final class DriveReader {
     this.diagnostics = diagnostics;
   }
 
-  /** Returns the role of a joint's start in assembly: fixed, preferred or free. */
+  /** Returns the role of a joint's start in assembly: fixed, or by what of it is given. */
   public static StartRole role(JointLink link) {
     Optional<Element> start = link.start();
     if (start.flatMap(s -> s.attribute("fixed")).map("true"::equals).orElse(false)) {
       return StartRole.FIXED;
     }
-    return start.flatMap(s -> s.attribute("posVals")).isPresent()
-        ? StartRole.PREFERRED
-        : StartRole.FREE;
+    boolean velocities = start.flatMap(s -> s.attribute("velVals")).isPresent();
+    if (start.flatMap(s -> s.attribute("posVals")).isPresent()) {
+      return velocities ? StartRole.PREFERRED : StartRole.PREFERRED_POSITIONS;
+    }
+    return velocities ? StartRole.PREFERRED_VELOCITIES : StartRole.FREE;
   }
 
   /**

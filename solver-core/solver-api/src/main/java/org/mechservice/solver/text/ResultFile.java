@@ -5,6 +5,8 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
@@ -132,9 +134,19 @@ public final class ResultFile implements ResultSink, Closeable {
               + " cannot write in folder "
               + file.getParent()
               + ": "
-              + e,
+              + reason(e),
           e);
     }
+  }
+
+  /** Returns why a file cannot be opened; the file's name is that of the growing one. */
+  private static String reason(IOException failure) {
+    if (failure instanceof AccessDeniedException) {
+      return "permission denied";
+    }
+    return failure instanceof FileSystemException file && file.getReason() != null
+        ? file.getReason()
+        : failure.toString();
   }
 
   @Override

@@ -31,6 +31,15 @@ class ResultFileTest {
     }
   }
 
+  /** The file that grows has a longer name than the one asked for. */
+  @Test
+  @EnabledOnOs(OS.LINUX)
+  void folderThatRefusesTheFileIsNamedWithItsReason() {
+    Path target = folder.resolve("r".repeat(240) + ".csv");
+    assertThatThrownBy(() -> new ResultFile(target))
+        .hasMessage("S-064 cannot write in folder " + folder + ": File name too long");
+  }
+
   @Test
   void leavesNothingBehindWhenItIsNotKept() throws IOException {
     try (ResultFile file = new ResultFile(folder.resolve("r.csv"))) {

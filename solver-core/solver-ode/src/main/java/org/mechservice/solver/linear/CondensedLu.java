@@ -68,6 +68,15 @@ public final class CondensedLu implements LinearSolver {
     pivot = new double[n];
   }
 
+  /**
+   * Returns a solver that condenses matrices unless they are too small for that.
+   *
+   * @param dimension n, not negative
+   */
+  public static LinearSolver solverFor(int dimension) {
+    return dimension < LEAST ? new DenseLu(dimension) : new CondensedLu(dimension);
+  }
+
   @Override
   public MatrixLayout layout() {
     return whole.layout();
@@ -78,7 +87,7 @@ public final class CondensedLu implements LinearSolver {
     if (matrix.length != n * n) {
       return whole.factor(matrix);
     }
-    condensed = n >= LEAST && takesEnough(matrix);
+    condensed = takesEnough(matrix);
     if (!condensed) {
       return whole.factor(matrix);
     }

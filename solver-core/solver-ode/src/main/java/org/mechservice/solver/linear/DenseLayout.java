@@ -44,10 +44,10 @@ public record DenseLayout(int dimension) implements MatrixLayout {
   @Override
   public void addProduct(double[] matrix, double[] x, double[] sum) {
     int i = 0;
-    for (; i < dimension - 1; i += 2) {
-      addTwoProducts(matrix, x, sum, i);
+    for (; i < dimension - 3; i += 4) {
+      addFourProducts(matrix, x, sum, i);
     }
-    if (i < dimension) {
+    for (; i < dimension; i++) {
       double element = sum[i];
       for (int j = 0; j < dimension; j++) {
         element += matrix[i * dimension + j] * x[j];
@@ -56,17 +56,26 @@ public record DenseLayout(int dimension) implements MatrixLayout {
     }
   }
 
-  /** Rows i and i + 1: neither waits for the sums of the other. */
-  private void addTwoProducts(double[] matrix, double[] x, double[] sum, int i) {
-    int row = i * dimension;
-    int below = row + dimension;
-    double first = sum[i];
-    double second = sum[i + 1];
+  /** Rows i to i + 3: none waits for the sums of the others. */
+  private void addFourProducts(double[] matrix, double[] x, double[] sum, int i) {
+    int row1 = i * dimension;
+    int row2 = row1 + dimension;
+    int row3 = row2 + dimension;
+    int row4 = row3 + dimension;
+    double sum1 = sum[i];
+    double sum2 = sum[i + 1];
+    double sum3 = sum[i + 2];
+    double sum4 = sum[i + 3];
     for (int j = 0; j < dimension; j++) {
-      first += matrix[row + j] * x[j];
-      second += matrix[below + j] * x[j];
+      double factor = x[j];
+      sum1 += matrix[row1 + j] * factor;
+      sum2 += matrix[row2 + j] * factor;
+      sum3 += matrix[row3 + j] * factor;
+      sum4 += matrix[row4 + j] * factor;
     }
-    sum[i] = first;
-    sum[i + 1] = second;
+    sum[i] = sum1;
+    sum[i + 1] = sum2;
+    sum[i + 2] = sum3;
+    sum[i + 3] = sum4;
   }
 }

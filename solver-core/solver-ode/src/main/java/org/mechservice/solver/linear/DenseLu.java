@@ -34,24 +34,51 @@ public final class DenseLu extends LuFactors {
 
   @Override
   double load(double[] matrix) {
-    System.arraycopy(matrix, 0, lu, 0, lu.length);
     double norm = 0;
     int i = 0;
-    for (; i < n - 1; i += 2) {
-      norm = Math.max(norm, largerSum(i * n, i * n + n));
+    for (; i < n - 3; i += 4) {
+      norm = Math.max(norm, loadFour(matrix, i * n));
     }
-    return i < n ? Math.max(norm, largerSum(i * n, i * n)) : norm;
+    for (; i < n; i++) {
+      norm = Math.max(norm, loadRow(matrix, i * n));
+    }
+    return norm;
   }
 
-  /** Returns the larger of the sums of two rows: neither waits for the other. */
-  private double largerSum(int row1, int row2) {
+  /** Copies four rows; returns the largest of their sums, of which none waits for the others. */
+  private double loadFour(double[] matrix, int row1) {
+    int row2 = row1 + n;
+    int row3 = row2 + n;
+    int row4 = row3 + n;
     double sum1 = 0;
     double sum2 = 0;
+    double sum3 = 0;
+    double sum4 = 0;
     for (int j = 0; j < n; j++) {
-      sum1 += Math.abs(lu[row1 + j]);
-      sum2 += Math.abs(lu[row2 + j]);
+      double element1 = matrix[row1 + j];
+      double element2 = matrix[row2 + j];
+      double element3 = matrix[row3 + j];
+      double element4 = matrix[row4 + j];
+      sum1 += Math.abs(element1);
+      sum2 += Math.abs(element2);
+      sum3 += Math.abs(element3);
+      sum4 += Math.abs(element4);
+      lu[row1 + j] = element1;
+      lu[row2 + j] = element2;
+      lu[row3 + j] = element3;
+      lu[row4 + j] = element4;
     }
-    return Math.max(sum1, sum2);
+    return Math.max(Math.max(sum1, sum2), Math.max(sum3, sum4));
+  }
+
+  /** Copies a row; returns its sum. */
+  private double loadRow(double[] matrix, int row) {
+    double sum = 0;
+    for (int j = 0; j < n; j++) {
+      sum += Math.abs(matrix[row + j]);
+      lu[row + j] = matrix[row + j];
+    }
+    return sum;
   }
 
   @Override
@@ -124,8 +151,19 @@ public final class DenseLu extends LuFactors {
     for (; i < n; i++) {
       x[i] = lessProduct(b[rowOf[i]], i * n, 0, i, x);
     }
-    for (i = n - 1; i >= 0; i--) {
-      b[i] = lessProduct(x[i], i * n, i + 1, n, b) * inversePivot[i];
+    solveUpper(b, x);
+  }
+
+  /**
+   * Solves U b = x from below. Each row needs the unknown just found first: taken from the array it
+   * would come later by the time of a store.
+   */
+  private void solveUpper(double[] b, double[] x) {
+    double found = 0;
+    for (int i = n - 1; i >= 0; i--) {
+      double start = i == n - 1 ? x[i] : x[i] - lu[i * n + i + 1] * found;
+      found = lessProduct(start, i * n, i + 2, n, b) * inversePivot[i];
+      b[i] = found;
     }
   }
 

@@ -44,7 +44,12 @@ public final class Assembly {
   private final StateCoordinates coordinates;
   private final LoopRounding rounding;
   private final CoordinateUnits units;
-  private final StartRole[] role;
+  private final StartRole[] positionRoles;
+  private final StartRole[] velocityRoles;
+
+  /** Those of what is being assembled: positions or velocities. */
+  private StartRole[] role;
+
   private final LeastMoves least;
 
   /** J, rows divided by their sizes and columns multiplied by their weights. */
@@ -74,12 +79,16 @@ public final class Assembly {
     units = new CoordinateUnits(mechanism, loops.length());
     nq = mechanism.positionCount();
     nv = mechanism.velocityCount();
-    role = new StartRole[nv];
+    positionRoles = new StartRole[nv];
+    velocityRoles = new StartRole[nv];
+    role = positionRoles;
     for (int j = 0; j < mechanism.joints().size(); j++) {
       if (!mechanism.isDriven(j)) {
         int at = mechanism.velocityOffset(j);
         int count = mechanism.joints().get(j).type().velocityCount();
-        Arrays.fill(role, at, at + count, mechanism.startRoles().get(j));
+        StartRole given = mechanism.startRoles().get(j);
+        Arrays.fill(positionRoles, at, at + count, given.ofPositions());
+        Arrays.fill(velocityRoles, at, at + count, given.ofVelocities());
       }
     }
     matrix = loops.jacobian.sameShape();
@@ -136,6 +145,7 @@ public final class Assembly {
 
   /** Moves only free joints if that suffices, otherwise given ones too; then tries other starts. */
   private boolean closePositions(double t, double[] y) {
+    role = positionRoles;
     double[] best = y.clone();
     double least = residual(t, y);
     for (double kick : KICKS) {
@@ -265,10 +275,12 @@ public final class Assembly {
     LoopFinding changed =
         finding(LoopFinding.Kind.START_VELOCITY_CHANGED, worst, residual * loops.size(worst), t);
     double[] before = y.clone();
+    role = velocityRoles;
     for (StartRole last : new StartRole[] {StartRole.FREE, StartRole.PREFERRED}) {
       System.arraycopy(before, 0, y, 0, y.length);
       if (fitVelocities(t, y, last) <= NOTEWORTHY * speed) {
-        if (residual > NOTEWORTHY * speed) {
+        // velocities that nobody gave are chosen, not corrected
+        if (last == StartRole.PREFERRED && residual > NOTEWORTHY * speed) {
           findings.add(changed);
         }
         return;

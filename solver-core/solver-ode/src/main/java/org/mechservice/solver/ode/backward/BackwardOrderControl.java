@@ -162,10 +162,10 @@ public final class BackwardOrderControl {
   /**
    * Estimates the error.
    *
-   * @param correction of the step, or the part of it that is an error
+   * @param correction norm of that of the step, or of the part of it that is an error
    */
-  public void estimate(double[] correction, ErrorNorm norm) {
-    error = formulas.errorConstant(order) * norm.of(correction);
+  public void estimate(double correction) {
+    error = formulas.errorConstant(order) * correction;
   }
 
   /** Goes on with order 1: what lies further back is of no use. */
@@ -183,18 +183,24 @@ public final class BackwardOrderControl {
     failedBefore = true;
     caught |= heedsGrowth && grown;
     double factor = Math.max(SMALLEST_RETRY, RETRY_SAME * passing(error, order));
-    if (mayFall()) {
-      double errorBelow =
-          formulas.errorConstant(order - 1)
-              * norm.ofSum(differences.tried(order), differences.correction);
-      double retry = outsideUnstable(RETRY_BELOW * passing(errorBelow, order - 1), order - 1);
-      double below = Math.max(SMALLEST_RETRY, retry);
-      if (below > factor) {
-        order--;
-        return Math.min(1, below);
-      }
+    double below = mayFall() ? retryBelow(differences, norm) : 0;
+    if (below > factor) {
+      order--;
+      return below;
     }
     return factor;
+  }
+
+  /** Returns the factor for the order below; 0 if its error is larger, and its step the shorter. */
+  private double retryBelow(BackwardDifferences differences, ErrorNorm norm) {
+    int below = order - 1;
+    double correction = norm.ofSum(differences.tried(order), differences.correction);
+    double errorBelow = formulas.errorConstant(below) * correction;
+    if (errorBelow >= error) {
+      return 0;
+    }
+    double retry = Math.min(1, RETRY_BELOW * passing(errorBelow, below));
+    return Math.max(SMALLEST_RETRY, outsideUnstable(retry, below));
   }
 
   /** Chooses the order after an accepted step and returns the factor for the step. */

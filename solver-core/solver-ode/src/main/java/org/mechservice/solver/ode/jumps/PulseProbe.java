@@ -58,7 +58,16 @@ public final class PulseProbe {
   /** Change over half the step that counts as rounding, in allowed errors, where a step ends. */
   private double rounding;
 
+  /** The step, and the states at its ends. */
+  private double length;
+
+  private double[] from = {};
+
+  private double[] to = {};
+
+  /** Slope of the line between them, as far as it was compared, length n. */
   private final double[] chord;
+
   private final double[] state;
   private final double[] slope;
 
@@ -103,13 +112,19 @@ public final class PulseProbe {
     return line;
   }
 
-  /** Takes the straight line of a step. */
+  /**
+   * Takes the straight line of a step.
+   *
+   * @param h its size, signed
+   * @param from where it starts; kept, not modified
+   * @param to where it ends; kept, not modified
+   */
   public void place(double h, double[] from, double[] to, ErrorNorm norm) {
     line = false;
+    length = h;
     rounding = Math.max(ROUNDING, ROUNDING_OF_STATE * norm.of(to));
-    for (int l = 0; l < chord.length; l++) {
-      chord[l] = (to[l] - from[l]) / h;
-    }
+    this.from = from;
+    this.to = to;
   }
 
   /**
@@ -119,15 +134,23 @@ public final class PulseProbe {
    */
   public boolean straight(double h, double[] derivative, ErrorNorm norm) {
     line = false;
-    double half = 0.5 * Math.abs(h);
     for (int l = 0; l < chord.length; l++) {
-      double difference = Math.abs((derivative[l] - chord[l]) * norm.weight(l));
-      if (!(half * difference <= rounding)) {
+      if (!straight(l, derivative[l], norm)) {
         return false;
       }
     }
     line = difference(h, derivative, norm) <= rounding;
     return line;
+  }
+
+  /**
+   * Returns whether a component of a derivative is that of the line but for rounding. Of most steps
+   * the first one tells that they are not straight.
+   */
+  public boolean straight(int l, double derivative, ErrorNorm norm) {
+    chord[l] = (to[l] - from[l]) / length;
+    double difference = Math.abs((derivative - chord[l]) * norm.weight(l));
+    return 0.5 * Math.abs(length) * difference <= rounding;
   }
 
   /** Returns what half the step with a derivative instead of the line's would change. */

@@ -100,8 +100,8 @@ public final class ExplicitEquations extends StepEquations {
       return IterationMatrix.solverFor(system, dimension);
     }
     return IterationMatrix.blocks(system, dimension)
-        .<LinearSolver>map(blocks -> new BlockLu(blocks, CondensedLu::new))
-        .orElseGet(() -> new CondensedLu(dimension));
+        .<LinearSolver>map(blocks -> new BlockLu(blocks, CondensedLu::solverFor))
+        .orElseGet(() -> CondensedLu.solverFor(dimension));
   }
 
   @Override
@@ -143,14 +143,29 @@ public final class ExplicitEquations extends StepEquations {
     if (manifold().completes()) {
       return 1;
     }
+    probe.place(h, differences.state(), differences.corrected(), norm);
     double[] slope = probe.slope();
     for (int l = 0; l < slope.length; l++) {
-      slope[l] = (differences.psi[l] + differences.correction[l]) / hGamma;
+      slope[l] = slopeOfStep(l, h, hGamma, differences);
+      if (!probe.straight(l, slope[l], norm)) {
+        return 1;
+      }
     }
-    probe.place(h, differences.state(), differences.corrected(), norm);
     return probe.straight(h, slope, norm)
         ? probe.partToPulse(rightHandSide, t, h, differences.state(), norm)
         : 1;
+  }
+
+  /**
+   * Returns an element of the derivative by which a step that passed may be told from a straight
+   * line: that at its end, or the one that predicted it where the formula is y_{n+1} − y_n = h
+   * y'_{n+1}, which makes every step look straight.
+   */
+  private static double slopeOfStep(
+      int l, double h, double hGamma, BackwardDifferences differences) {
+    return hGamma == h
+        ? (differences.predicted[l] - differences.state()[l]) / h
+        : (differences.psi[l] + differences.correction[l]) / hGamma;
   }
 
   @Override
@@ -425,6 +440,9 @@ public final class ExplicitEquations extends StepEquations {
 
     @Override
     public boolean evaluate(double[] x, double[] value) {
+      if (!manifold().completes()) {
+        return rightHandSide.evaluate(t, x, value);
+      }
       if (rightHandSide.stopped()) {
         return false;
       }

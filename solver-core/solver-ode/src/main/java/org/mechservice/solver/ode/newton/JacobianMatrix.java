@@ -229,20 +229,23 @@ public final class JacobianMatrix {
   private double powerGrowth() {
     for (int l = 0; l < power.length; l++) {
       // Fractions of multiples of the golden ratio: no matrix met in practice annuls them.
-      power[l] = 0.5 + (l + 1) * GOLDEN_RATIO % 1;
+      double multiple = (l + 1) * GOLDEN_RATIO;
+      power[l] = 0.5 + (multiple - Math.floor(multiple));
     }
     double growth = 0;
     damping = 0;
     int followed = 0;
+    double[] before = power;
+    double[] next = product;
     for (int i = 1; i <= POWERS; i++) {
-      Arrays.fill(product, 0);
-      addProduct(power, product);
-      double size = largest(product);
+      Arrays.fill(next, 0);
+      addProduct(before, next);
+      double size = largest(next);
       if (size == 0) {
         return 0;
       }
-      for (int l = 0; l < power.length; l++) {
-        product[l] /= size;
+      for (int l = 0; l < next.length; l++) {
+        next[l] /= size;
       }
       if (i == POWERS - COMPARED) {
         offTurned = 0;
@@ -250,17 +253,19 @@ public final class JacobianMatrix {
         leastTurned = -1;
       }
       if (i >= POWERS - COMPARED) {
-        compareLastPowers();
+        compareLastPowers(before, next);
       }
-      System.arraycopy(product, 0, power, 0, power.length);
       double logSize = i > POWERS / 2 ? StrictMath.log(size) : 0;
       growth += logSize;
       int turn = i - 1 - (POWERS - TURNS);
-      followed = turn == 0 ? largestOfPower() : followed;
+      followed = turn == 0 ? placeOfLargest(next) : followed;
       if (turn >= 0) {
-        turns[turn] = power[followed];
+        turns[turn] = next[followed];
         sizes[turn] = logSize;
       }
+      double[] freed = before;
+      before = next;
+      next = freed;
     }
     growth /= POWERS / 2;
     damping = dampingOf(growth);
@@ -276,24 +281,24 @@ public final class JacobianMatrix {
     return Double.longBitsToDouble(largest);
   }
 
-  private void compareLastPowers() {
+  private void compareLastPowers(double[] before, double[] last) {
     double squareBefore = 0;
     double square = 0;
     double common = 0;
-    for (int l = 0; l < power.length; l++) {
-      offTurned = Math.max(offTurned, Math.abs(product[l] + power[l]));
-      offKept = Math.max(offKept, Math.abs(product[l] - power[l]));
-      squareBefore += power[l] * power[l];
-      square += product[l] * product[l];
-      common += product[l] * power[l];
+    for (int l = 0; l < last.length; l++) {
+      offTurned = Math.max(offTurned, Math.abs(last[l] + before[l]));
+      offKept = Math.max(offKept, Math.abs(last[l] - before[l]));
+      squareBefore += before[l] * before[l];
+      square += last[l] * last[l];
+      common += last[l] * before[l];
     }
     leastTurned = Math.max(leastTurned, common / Math.sqrt(squareBefore * square));
   }
 
-  private int largestOfPower() {
+  private static int placeOfLargest(double[] x) {
     int largest = 0;
-    for (int l = 1; l < power.length; l++) {
-      largest = Math.abs(power[l]) > Math.abs(power[largest]) ? l : largest;
+    for (int l = 1; l < x.length; l++) {
+      largest = Math.abs(x[l]) > Math.abs(x[largest]) ? l : largest;
     }
     return largest;
   }

@@ -73,6 +73,10 @@ final class NewtonIteration {
 
   private boolean begun;
   private int iteration;
+
+  /** Norms of the last change and of the one before it. */
+  private double size;
+
   private double lastSize;
 
   /** Rate seen in the present iteration; 0 before there is one. */
@@ -107,6 +111,11 @@ final class NewtonIteration {
   /** Returns how many changes the last iteration took. */
   int changes() {
     return iteration;
+  }
+
+  /** Returns the norm of the last change. */
+  double size() {
+    return size;
   }
 
   /** Forgets the rate: the matrix was factored anew. */
@@ -150,20 +159,20 @@ final class NewtonIteration {
       remainder.keep(change, iteration == 1);
       equations.factors().solve(hGamma, change);
       differences.correct(change);
-      double size = norm.of(change);
+      lastSize = size;
+      size = norm.of(change);
       if (!Double.isFinite(size) || !Double.isFinite(negligible)) {
         return end(TrialOutcome.NOT_FINITE);
       }
       if (!complete(equations, t, differences)) {
         return end(TrialOutcome.NOT_COMPLETED);
       }
-      if (converged(size, equations, hGamma, differences, norm)) {
+      if (converged(equations, hGamma, differences, norm)) {
         return end(TrialOutcome.PASSED);
       }
-      if (!takenBack(size, equations, differences, norm) && hopeless(size)) {
+      if (!takenBack(equations, differences, norm) && hopeless()) {
         return end(TrialOutcome.NOT_CONVERGING);
       }
-      lastSize = size;
     }
   }
 
@@ -185,31 +194,23 @@ final class NewtonIteration {
   }
 
   private boolean converged(
-      double size,
-      StepEquations equations,
-      double hGamma,
-      BackwardDifferences differences,
-      ErrorNorm norm) {
+      StepEquations equations, double hGamma, BackwardDifferences differences, ErrorNorm norm) {
     boolean small = size <= negligible;
     if (small && !rules.heedsRoundOff()) {
       return true;
     }
-    boolean passes = iteration == 1 ? firstPasses(size, small) : laterPasses(size, small);
+    boolean passes = iteration == 1 ? firstPasses(small) : laterPasses(small);
     if (!passes || !rules.heedsRoundOff()) {
       return passes;
     }
     return iteration == 1
-        ? believed(size, equations, hGamma, differences, norm)
+        ? believed(equations, hGamma, differences, norm)
         : reduced(equations, hGamma, differences, norm);
   }
 
   private boolean believed(
-      double size,
-      StepEquations equations,
-      double hGamma,
-      BackwardDifferences differences,
-      ErrorNorm norm) {
-    if (!familiar(size)) {
+      StepEquations equations, double hGamma, BackwardDifferences differences, ErrorNorm norm) {
+    if (!familiar()) {
       return remainder.negligible(equations, hGamma, differences, norm, ACCURACY);
     }
     boolean usual = remainder.usual(equations, hGamma, norm, rate);
@@ -228,21 +229,21 @@ final class NewtonIteration {
     return reduced;
   }
 
-  private boolean firstPasses(double size, boolean small) {
-    return small || convergedByOldRate(size);
+  private boolean firstPasses(boolean small) {
+    return small || convergedByOldRate();
   }
 
-  private boolean laterPasses(double size, boolean small) {
+  private boolean laterPasses(boolean small) {
     seen = size / lastSize;
-    if (diverges(size)) {
+    if (diverges()) {
       return rules.heedsRoundOff() && (small || Math.max(size, lastSize) <= standstill());
     }
-    learnRate(size);
-    return small || errorLeft(size) <= ACCURACY;
+    learnRate();
+    return small || errorLeft() <= ACCURACY;
   }
 
   /** Returns whether a first change is of a size that the rate was measured for. */
-  private boolean familiar(double size) {
+  private boolean familiar() {
     return rateKnown
         && size <= FAMILIAR_LARGER * measuredSize
         && size >= FAMILIAR_SMALLER * measuredSize;
@@ -252,16 +253,16 @@ final class NewtonIteration {
     return Math.min(STANDSTILL, NEGLIGIBLE_CHANGES * negligible);
   }
 
-  private boolean convergedByOldRate(double size) {
+  private boolean convergedByOldRate() {
     boolean converged =
         rateKnown
             && stepsByOldRate < rules.stepsByOldRate()
-            && errorLeft(size) <= rules.accuracyByOldRate();
+            && errorLeft() <= rules.accuracyByOldRate();
     stepsByOldRate += converged ? 1 : 0;
     return converged;
   }
 
-  private void learnRate(double size) {
+  private void learnRate() {
     rate = Math.max(rateKnown ? MEMORY * rate : 0, size / lastSize);
     rateKnown = true;
     measuredSize = lastSize;
@@ -274,32 +275,32 @@ final class NewtonIteration {
    * so the two changes say nothing about convergence.
    */
   private boolean takenBack(
-      double size, StepEquations equations, BackwardDifferences differences, ErrorNorm norm) {
+      StepEquations equations, BackwardDifferences differences, ErrorNorm norm) {
     return iteration == 2
         && rules.heedsRoundOff()
         && equations.manifold().anyAlgebraic()
         && norm.of(differences.correction) <= TAKEN_BACK * size;
   }
 
-  private boolean hopeless(double size) {
+  private boolean hopeless() {
     if (iteration == 1) {
       return false;
     }
-    if (diverges(size) || iteration == ITERATIONS) {
+    if (diverges() || iteration == ITERATIONS) {
       return true;
     }
-    double predicted = errorLeft(size);
+    double predicted = errorLeft();
     for (int i = iteration; i < ITERATIONS; i++) {
       predicted *= rate;
     }
     return predicted > ACCURACY;
   }
 
-  private boolean diverges(double size) {
+  private boolean diverges() {
     return size > SLOWEST_RATE * lastSize;
   }
 
-  private double errorLeft(double size) {
+  private double errorLeft() {
     return size * rate / (1 - rate);
   }
 

@@ -79,7 +79,10 @@ final class ResidualMonitor {
       before = nothing;
       last = first;
     }
-    System.arraycopy(left, 0, last, 0, left.length);
+    // In small systems a call of arraycopy costs twice the loop.
+    for (int l = 0; l < left.length; l++) {
+      last[l] = left[l];
+    }
   }
 
   /**

@@ -158,6 +158,13 @@ public final class StepSolver {
     return finite();
   }
 
+  /** Returns the norm of the correction found, which is often a single change. */
+  public double sizeOfCorrection(BackwardDifferences differences, ErrorNorm norm) {
+    boolean oneChange =
+        newton.changes() == 1 && !manifold.anyAlgebraic() && !manifold.changesStates();
+    return oneChange ? newton.size() : norm.of(differences.correction);
+  }
+
   private TrialOutcome finite() {
     return notFiniteComponent < 0 ? TrialOutcome.PASSED : TrialOutcome.NOT_FINITE;
   }

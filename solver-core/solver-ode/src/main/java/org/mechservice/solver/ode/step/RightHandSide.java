@@ -64,6 +64,14 @@ public final class RightHandSide {
 
   /** Returns the first component that is not finite; −1 if all are. */
   public static int firstNotFinite(double[] x) {
+    double zero = 0;
+    for (double component : x) {
+      zero += 0 * component; // NaN from one that is not finite on
+    }
+    return zero == 0 ? ALL_FINITE : searchNotFinite(x);
+  }
+
+  private static int searchNotFinite(double[] x) {
     for (int l = 0; l < x.length; l++) {
       if (!Double.isFinite(x[l])) {
         return l;

@@ -237,7 +237,7 @@ final class BackwardStep {
 
   private TrialOutcome test() {
     judgedAlongManifold = false;
-    control.estimate(differences.correction, norm);
+    control.estimate(solver.sizeOfCorrection(differences, norm));
     if (control.error() > 1) {
       leaveOutProjected();
     }
@@ -255,7 +255,7 @@ final class BackwardStep {
     System.arraycopy(differences.correction, 0, alongManifold, 0, alongManifold.length);
     if (equations.manifold().projectError(triedTime, differences.corrected(), alongManifold)) {
       judgedAlongManifold = true;
-      control.estimate(alongManifold, norm);
+      control.estimate(norm.of(alongManifold));
     }
   }
 

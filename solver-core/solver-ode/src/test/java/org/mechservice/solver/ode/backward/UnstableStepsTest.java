@@ -10,7 +10,7 @@ class UnstableStepsTest {
   private static final int STEPS = 4000;
 
   /** Degrees from the negative real axis as a damping ratio. */
-  private static double damping(double degrees) {
+  static double damping(double degrees) {
     return StrictMath.cos(StrictMath.toRadians(degrees));
   }
 
@@ -18,7 +18,7 @@ class UnstableStepsTest {
    * Growth per step of y' = λ y by the formula itself, in complex numbers, from one value of 1 and
    * k of 0; mean of the second half of the steps.
    */
-  private static double growth(BackwardFormulas formulas, int k, double size, double degrees) {
+  static double growth(BackwardFormulas formulas, int k, double size, double degrees) {
     double lambdaReal = -size * damping(degrees);
     double lambdaImaginary = size * StrictMath.sin(StrictMath.toRadians(degrees));
     // Coefficients of y_{n+1−i} in Σ ∇^m y_{n+1} / m − κ γ ∇^{k+1} y_{n+1}.
