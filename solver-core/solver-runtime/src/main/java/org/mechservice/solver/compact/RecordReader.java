@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.lang.reflect.Constructor;
 import java.lang.reflect.RecordComponent;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.solver.catalogue.MessageCode;
@@ -125,7 +126,11 @@ final class RecordReader {
   private String text() throws IOException {
     int number = count();
     if (number == 0) {
-      texts.add(in.readUTF());
+      int length = count();
+      if (length < 0 || length > in.available()) {
+        throw new IOException("a text of " + length + " bytes");
+      }
+      texts.add(new String(in.readNBytes(length), StandardCharsets.UTF_8));
       return texts.get(texts.size() - 1);
     }
     if (number > texts.size()) {

@@ -5,6 +5,7 @@ import java.io.DataOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.lang.reflect.RecordComponent;
+import java.nio.charset.StandardCharsets;
 import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
@@ -136,8 +137,10 @@ final class RecordWriter {
   private void putText(String text) throws IOException {
     Integer number = numbers.putIfAbsent(text, numbers.size() + 1);
     if (number == null) {
+      byte[] bytes = text.getBytes(StandardCharsets.UTF_8); // a note may name thousands of parts
       putCount(0);
-      out.writeUTF(text);
+      putCount(bytes.length);
+      out.write(bytes);
     } else {
       putCount(number);
     }

@@ -49,6 +49,15 @@ class CompactFormTest {
         .withMessageStartingWith("S-067");
   }
 
+  /** A note on thousands of redundant equations is longer than 65535 bytes. */
+  @Test
+  void longTextsAreKeptWhole() {
+    String text = "\u03a6 ".repeat(50_000);
+    RecordReader reader = new RecordReader(new RecordWriter().write(text).write(text).bytes());
+    assertThat(reader.read()).isEqualTo(text);
+    assertThat(reader.read()).isEqualTo(text);
+  }
+
   /** Twice itself sixty times: a tree of 2^60 sums, sixty objects. */
   @Test
   void sharedPartsOfFormulasAreWrittenOnce() {
