@@ -9,7 +9,9 @@ Own work per step: the time of a step less that of its evaluations, each at the 
 """
 import datetime
 import json
+import os
 import pathlib
+import platform
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -95,7 +97,8 @@ def main():
         "# What a step costs",
         "",
         f"Measured on {datetime.date.today()} with JMH {results[0]['jmhVersion']}, "
-        f"Java {results[0]['jdkVersion']}, all in one run, relative and absolute tolerance 1e-6. "
+        f"Java {results[0]['jdkVersion']}, {platform.system()} {platform.machine()}, "
+        f"{os.cpu_count()} processors, all in one run, relative and absolute tolerance 1e-6. "
         "Own work is a step less its evaluations of f, each at the time of f alone; starts, "
         "rejected steps, Jacobians and factorisations are shared among the accepted steps.",
         "",

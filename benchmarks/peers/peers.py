@@ -16,6 +16,7 @@ import shutil
 import subprocess
 import sys
 import venv
+from datetime import date
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
@@ -103,7 +104,7 @@ def pinocchio(python, site):
 
 def page(found, versions):
     lines = ["# Generated code beside its peers", "",
-             "Written by `benchmarks/peers/peers.py`; nanoseconds per evaluation, the least of all"
+             f"Written by `benchmarks/peers/peers.py` on {date.today()}; nanoseconds per evaluation, the least of all"
              " rounds, every figure from the same run on one machine.", ""]
     lines += [f"- {text}" for text in versions]
     lines += ["", "## Forward dynamics", "",

@@ -17,6 +17,7 @@ import sys
 import tempfile
 import venv
 import xml.etree.ElementTree as ElementTree
+from datetime import date
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
@@ -312,7 +313,7 @@ def write(rows, refused, states):
     if refused:
         lines += ["", "Not compared:", "", "| file | why |", "|---|---|"]
         lines += [f"| {n} | {w[:200].replace('|', '/')} |" for n, w in refused]
-    lines += ["", f"Machine: {platform.machine()}, Python {platform.python_version()}."]
+    lines += ["", f"Measured on {date.today()}: {platform.machine()}, Python {platform.python_version()}."]
     PAGE.write_text("\n".join(lines) + "\n")
 
 

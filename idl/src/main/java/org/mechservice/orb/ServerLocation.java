@@ -82,7 +82,7 @@ final class ServerLocation {
    *     speaks this API
    */
   ServerInfo requireService() {
-    ServerInfo info = ask();
+    ServerInfo info = requestInfo();
     if (!major(info.apiVersion).equals(major(API_VERSION.value))) {
       throw new ServiceUnreachableException(
           String.format(
@@ -99,9 +99,9 @@ final class ServerLocation {
     return info;
   }
 
-  private ServerInfo ask() {
+  private ServerInfo requestInfo() {
     try {
-      return askPatiently();
+      return requestInfoPatiently();
     } catch (COMM_FAILURE | TRANSIENT | NO_PERMISSION e) {
       throw noConnection(e);
     } catch (TIMEOUT e) {
@@ -181,7 +181,7 @@ final class ServerLocation {
    * whose other end has gone, or the server gave its place to another connection before this
    * process got a word in.
    */
-  private ServerInfo askPatiently() {
+  private ServerInfo requestInfoPatiently() {
     MechServer server = MechServerHelper.unchecked_narrow(CallTimeouts.inTime(orb, connect()));
     for (long pause : PAUSES_MILLIS) {
       try {

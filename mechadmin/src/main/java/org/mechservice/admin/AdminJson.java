@@ -52,7 +52,9 @@ public final class AdminJson {
         List<KnownSimulation> all = KnownSimulation.all(List.of(reading));
         server.add(
             "simulations",
-            list(all.stream().filter(KnownSimulation::goesOn).toList(), AdminJson::simulation));
+            list(
+                all.stream().filter(KnownSimulation::isUnfinished).toList(),
+                AdminJson::simulation));
       }
       servers.add(server);
     }

@@ -40,7 +40,7 @@ public record KnownSimulation(String server, SimSummary summary) {
   }
 
   /** Returns whether it has not ended. */
-  public boolean goesOn() {
+  public boolean isUnfinished() {
     return summary.info.state.value() < SimState._SIM_DONE;
   }
 

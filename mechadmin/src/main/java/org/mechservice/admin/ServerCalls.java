@@ -33,8 +33,8 @@ import org.omg.CORBA.UserException;
  */
 final class ServerCalls implements AutoCloseable {
   /** A call to a server. */
-  interface Question<T> {
-    T ask(MechAdmin admin) throws UserException;
+  interface Query<T> {
+    T query(MechAdmin admin) throws UserException;
   }
 
   private final ServiceOrb orb;
@@ -58,26 +58,26 @@ final class ServerCalls implements AutoCloseable {
   }
 
   /** Begins a call that may be repeated without harm. */
-  <T> Pending<T> begin(String address, Question<T> question) {
-    return new Pending<>(address, threads.submit(() -> askAgainIfLost(address, question)));
+  <T> Pending<T> begin(String address, Query<T> question) {
+    return new Pending<>(address, threads.submit(() -> queryAgainIfLost(address, question)));
   }
 
   /** Begins a call that is made once at most, over a connection that was found to work. */
-  <T> Pending<T> beginOnce(String address, Question<T> question) {
-    return new Pending<>(address, threads.submit(() -> question.ask(connect(address))));
+  <T> Pending<T> beginOnce(String address, Query<T> question) {
+    return new Pending<>(address, threads.submit(() -> question.query(connect(address))));
   }
 
-  private <T> T askAgainIfLost(String address, Question<T> question) throws UserException {
+  private <T> T queryAgainIfLost(String address, Query<T> question) throws UserException {
     MechAdmin known = connections.get(address);
     if (known != null) {
       try {
-        return question.ask(known);
+        return question.query(known);
       } catch (COMM_FAILURE e) {
         // Its other end was closed, while idle or because the server was started anew.
         connections.remove(address, known);
       }
     }
-    return question.ask(connect(address));
+    return question.query(connect(address));
   }
 
   private MechAdmin connect(String address) {

@@ -25,7 +25,7 @@ public final class StatusText {
     TextTable hosts = hosts(readings);
     TextTable simulations =
         simulations(
-            KnownSimulation.all(readings).stream().filter(KnownSimulation::goesOn).toList());
+            KnownSimulation.all(readings).stream().filter(KnownSimulation::isUnfinished).toList());
     for (TextTable table : List.of(hosts, simulations)) {
       if (!table.isEmpty()) {
         text.append('\n').append(table);

@@ -116,7 +116,7 @@ public final class Mech {
   public static int run(PrintWriter out, PrintWriter err, String... arguments) {
     String[] words = arguments.length == 0 ? new String[] {HELP} : arguments;
     CommandLine line = new CommandLine(new Mech());
-    asked(words[0]).forEach(line::addSubcommand);
+    commandsNamed(words[0]).forEach(line::addSubcommand);
     HelpSections.addTo(line);
     int status =
         line.setOut(out)
@@ -134,7 +134,7 @@ public final class Mech {
    * Returns the command that a word names, or all of them: to prepare the options of all takes as
    * long as a small simulation.
    */
-  private static List<Class<?>> asked(String word) {
+  private static List<Class<?>> commandsNamed(String word) {
     return COMMANDS.stream()
         .filter(type -> !ALL_COMMANDS.contains(word) && word.equals(nameOf(type)))
         .findFirst()

@@ -124,11 +124,11 @@ final class ReportCommand implements Callable<Integer> {
     try (MechSession session = service.connection().openSession();
         ProgressLine line = new ProgressLine(err)) {
       session.loadModel(model).forEach(err::println);
-      tell(new ModelReport(new SessionBuilds(session), folder, effort, line).write(model));
+      print(new ModelReport(new SessionBuilds(session), folder, effort, line).write(model));
     }
   }
 
-  private void tell(Path page) {
+  private void print(Path page) {
     spec.commandLine().getOut().println(page);
     spec.commandLine().getOut().flush();
   }

@@ -135,7 +135,7 @@ public final class MechConnection implements AutoCloseable {
    * @throws ServerLostException if the server is lost
    */
   public int places() {
-    return asked(server -> ServiceDescription.of(server.calls().get(server.server()::getInfo)))
+    return callServer(server -> ServiceDescription.of(server.calls().get(server.server()::getInfo)))
         .places();
   }
 
@@ -157,7 +157,7 @@ public final class MechConnection implements AutoCloseable {
    */
   public MechSession openSession(String hostName) {
     Stopwatch watch = new Stopwatch();
-    return asked(
+    return callServer(
         server -> {
           MechSim session = createSession(server, hostName);
           return opened(server, session, connectSeconds + watch.lap());
@@ -197,7 +197,7 @@ public final class MechConnection implements AutoCloseable {
   }
 
   /** Calls the server in use, or the next one if that server is lost. */
-  private <T> T asked(Function<ServerSelection.Chosen, T> question) {
+  private <T> T callServer(Function<ServerSelection.Chosen, T> question) {
     ServerSelection.Chosen server = servers.chosen();
     try {
       return question.apply(server);
@@ -252,7 +252,7 @@ public final class MechConnection implements AutoCloseable {
    * @throws LimitExceededException if the host takes no more sessions
    */
   public ReattachedRun reattach(String simId) {
-    Found found = asked(server -> findAnywhere(server, simId));
+    Found found = callServer(server -> findAnywhere(server, simId));
     return new ReattachedRun(callsTo(found.run(), found.by()), leases, found.run());
   }
 
@@ -295,7 +295,8 @@ public final class MechConnection implements AutoCloseable {
     DiagnosticSeqHolder losses = new DiagnosticSeqHolder();
     try {
       ModelFile model =
-          asked(server -> server.calls().get(() -> server.server().importModel(foreign, losses)));
+          callServer(
+              server -> server.calls().get(() -> server.server().importModel(foreign, losses)));
       return new ImportedModel(
           new String(model.content, StandardCharsets.UTF_8),
           located(ModelMessage.listOf(losses.value), name, file));

@@ -316,7 +316,7 @@ public final class MechSession implements AutoCloseable {
    */
   public RemoteRun prepareRemoteRun(SimulationOptions options, RunListener listener) {
     ListenerCallbacks callbacks = new ListenerCallbacks(listener);
-    return createRun(options, connection.export(callbacks), callbacks::say);
+    return createRun(options, connection.export(callbacks), callbacks::passOn);
   }
 
   private RemoteRun createRun(

@@ -2,14 +2,9 @@ package org.mechservice.server;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.lang.reflect.Proxy;
 import java.util.Arrays;
 import java.util.List;
-import java.util.concurrent.BlockingQueue;
-import java.util.concurrent.LinkedBlockingQueue;
-import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
-import org.mechservice.idl.IMechClientOperations;
 import org.mechservice.idl.IMechSimRemote;
 import org.mechservice.idl.MechServer;
 import org.mechservice.idl.MechSim;
@@ -65,28 +60,17 @@ class RowsOverCorbaTest {
 
   @Test
   void hostCallsTheClientBackThatTheServerSentToIt() throws Exception {
-    BlockingQueue<String> heard = new LinkedBlockingQueue<>();
-    IMechClientOperations listener =
-        (IMechClientOperations)
-            Proxy.newProxyInstance(
-                IMechClientOperations.class.getClassLoader(),
-                new Class<?>[] {IMechClientOperations.class},
-                (proxy, method, arguments) -> {
-                  heard.add(String.valueOf(arguments[arguments.length - 1]));
-                  return null;
-                });
+    RecordedCallbacks callbacks = new RecordedCallbacks();
     try (MechServerProcess server =
             MechServerProcess.start(new ServerSettings("s", "127.0.0.1", 0, 2));
         SimHostProcess host =
             SimHostProcess.start(new HostSettings(server.url(), "h", "127.0.0.1", 0, 2));
         ServiceOrb orb = ServiceOrb.client()) {
-      MechSim session = orb.connect(server.url()).createSession("test", "h", orb.export(listener));
+      MechSim session =
+          orb.connect(server.url()).createSession("test", "h", orb.export(callbacks.client()));
       assertThat(orb.endpointOf(session).toString()).isEqualTo(host.address());
       assertThat(run(session)).hasSize(Pendulum.ROWS);
-      String said = "";
-      while (!said.equals("done")) {
-        said = String.valueOf(heard.poll(1, TimeUnit.MINUTES));
-      }
+      callbacks.awaitDone();
     }
   }
 

@@ -3,7 +3,6 @@ package org.mechservice.server;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import java.lang.reflect.Proxy;
 import java.net.Inet4Address;
 import java.net.InetAddress;
 import java.net.NetworkInterface;
@@ -15,14 +14,10 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.BlockingQueue;
-import java.util.concurrent.LinkedBlockingQueue;
-import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.mechservice.idl.IMechClientOperations;
 import org.mechservice.idl.IMechSimRemote;
 import org.mechservice.idl.JarInfoHolder;
 import org.mechservice.idl.MechSim;
@@ -121,23 +116,12 @@ class TlsTest {
 
   @Test
   void clientIsCalledBackOverItsOwnConnection() throws Exception {
-    BlockingQueue<String> heard = new LinkedBlockingQueue<>();
-    IMechClientOperations listener =
-        (IMechClientOperations)
-            Proxy.newProxyInstance(
-                IMechClientOperations.class.getClassLoader(),
-                new Class<?>[] {IMechClientOperations.class},
-                (proxy, method, arguments) -> {
-                  heard.add(String.valueOf(arguments[arguments.length - 1]));
-                  return null;
-                });
+    RecordedCallbacks callbacks = new RecordedCallbacks();
     try (ServiceOrb alice = ServiceOrb.client(identity("alice"))) {
-      MechSim session = alice.connect(server.url()).createSession("", "h", alice.export(listener));
+      MechSim session =
+          alice.connect(server.url()).createSession("", "h", alice.export(callbacks.client()));
       run(session);
-      String said = "";
-      while (!said.equals("done")) {
-        said = String.valueOf(heard.poll(1, TimeUnit.MINUTES));
-      }
+      callbacks.awaitDone();
     }
   }
 

@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.LocalDate;
+import java.time.ZoneOffset;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -85,12 +87,18 @@ class RandomElementsTest {
                 + " rolling wheel with its redundant equations and a rope of fixed length, over 0.15 s at tolerances of 1e-10:"
                 + " states, a filter, controllers, samples, an input, a table, a map, a driven ball, gravity over time, couplings with"
                 + " backlash, an elastic rope over a pulley, a contact of spheres whose friction"
-                + " sticks, a tyre on those without loops. Written by `RandomElementsTest` under"
-                + " `mvn verify -Psoak`; every build runs two of them. The largest difference of"
+                + " sticks, a tyre on those without loops. Seeds 1 to %d. Written on %s by"
+                + " `RandomElementsTest` under `mvn verify -Psoak`, %s %s, Java %s;"
+                + " every build runs two of them. The largest difference of"
                 + " the last row from DSR with ode113, relative to the largest number in"
                 + " it.%n%n| models | formulation | largest difference | bound |%n|---|---|---|---|%n",
             SOAKED,
-            SOAKED));
+            SOAKED,
+            SOAKED,
+            LocalDate.now(ZoneOffset.UTC),
+            System.getProperty("os.name"),
+            System.getProperty("os.arch"),
+            System.getProperty("java.version")));
     for (boolean closed : new boolean[] {false, true}) {
       Map<String, Double> largest = new LinkedHashMap<>();
       for (int seed = 1; seed <= SOAKED; seed++) {

@@ -125,7 +125,7 @@ public final class LiveView implements AutoCloseable {
     }
   }
 
-  synchronized void heard(String server, List<ServiceEvent> happened) {
+  synchronized void record(String server, List<ServiceEvent> happened) {
     for (ServiceEvent event : happened) {
       lastEvent++;
       events.addLast(new ReceivedEvent(lastEvent, server, event));

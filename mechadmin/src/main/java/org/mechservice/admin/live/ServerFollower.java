@@ -43,7 +43,8 @@ final class ServerFollower implements Runnable {
         long began = System.nanoTime();
         ServerReading reading = console.read(server);
         view.took(reading);
-        boolean answers = reading instanceof ServerReading.Answering answering && hear(answering);
+        boolean answers =
+            reading instanceof ServerReading.Answering answering && awaitEvent(answering);
         long period = answers ? SHORTEST_PERIOD_NANOS : SILENT_PAUSE_NANOS;
         TimeUnit.NANOSECONDS.sleep(period - (System.nanoTime() - began));
       }
@@ -53,7 +54,7 @@ final class ServerFollower implements Runnable {
   }
 
   /** Waits a moment for something to happen; returns whether the server answered. */
-  private boolean hear(ServerReading.Answering reading) {
+  private boolean awaitEvent(ServerReading.Answering reading) {
     if (reading.status().info.startedAt != startedAt) {
       startedAt = reading.status().info.startedAt;
       lastEvent = 0; // a server that was started anew counts from one again
@@ -63,7 +64,7 @@ final class ServerFollower implements Runnable {
       int wait = EVENT_WAIT_MILLIS;
       do {
         happened = console.events(server, lastEvent, EVENTS_AT_ONCE, wait);
-        view.heard(server, happened);
+        view.record(server, happened);
         wait = 0;
         if (!happened.isEmpty()) {
           lastEvent = happened.get(happened.size() - 1).seqNo;

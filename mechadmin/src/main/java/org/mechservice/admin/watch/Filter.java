@@ -21,9 +21,9 @@ enum Filter {
     return label;
   }
 
-  boolean lets(KnownSimulation known) {
+  boolean accepts(KnownSimulation known) {
     return switch (this) {
-      case GOING_ON -> known.goesOn();
+      case GOING_ON -> known.isUnfinished();
       case FAILED -> known.state().equals("failed");
       case ALL -> true;
     };

@@ -133,24 +133,24 @@ public final class Watch {
     aside(
         () -> {
           console.perform(chosen.server(), action);
-          return () -> state.tell("done: " + action.summary());
+          return () -> state.notice("done: " + action.summary());
         });
   }
 
   /** Asks a server something; the answer changes the screen when it is there. */
-  private interface Question {
-    Runnable ask();
+  private interface Query {
+    Runnable query();
   }
 
-  private void aside(Question question) {
-    state.tell("…");
+  private void aside(Query question) {
+    state.notice("…");
     Future<?> unused =
         aside.submit(
             () -> {
               try {
-                answers.add(question.ask());
+                answers.add(question.query());
               } catch (AdminFailure failure) {
-                answers.add(() -> state.tell(failure.text()));
+                answers.add(() -> state.notice(failure.text()));
               }
             });
   }

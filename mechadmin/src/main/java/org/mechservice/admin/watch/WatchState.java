@@ -48,7 +48,7 @@ final class WatchState {
     return news;
   }
 
-  void tell(String text) {
+  void notice(String text) {
     news = text;
   }
 
@@ -66,7 +66,7 @@ final class WatchState {
   /** Returns the simulations listed, in order. */
   List<KnownSimulation> listed(List<ServerReading> readings) {
     return KnownSimulation.all(readings).stream()
-        .filter(filter::lets)
+        .filter(filter::accepts)
         .sorted(sort.order(reversed))
         .toList();
   }
@@ -136,7 +136,7 @@ final class WatchState {
         return keep(listed) ? Wish.INSPECT : Wish.NOTHING;
       }
       case CANCEL ->
-          asking = keep(listed) && chosen(listed).filter(KnownSimulation::goesOn).isPresent();
+          asking = keep(listed) && chosen(listed).filter(KnownSimulation::isUnfinished).isPresent();
       case QUIT -> {
         return Wish.QUIT;
       }

@@ -72,14 +72,14 @@ public final class AdminWeb implements AutoCloseable {
         requireOwnSite(request);
         answer(request);
       } catch (RefusedRequestException refusal) {
-        tell(request, refusal);
+        answer(request, refusal);
       } catch (AdminFailure failure) {
-        tell(request, Api.refusal(failure));
+        answer(request, Api.refusal(failure));
       } catch (InterruptedException e) {
         Thread.currentThread().interrupt();
       } catch (RuntimeException e) {
         String incident = GuardedServant.record(request.path(), e);
-        tell(
+        answer(
             request,
             new RefusedRequestException(
                 500,
@@ -88,7 +88,7 @@ public final class AdminWeb implements AutoCloseable {
     }
   }
 
-  private static void tell(Request request, RefusedRequestException refusal) throws IOException {
+  private static void answer(Request request, RefusedRequestException refusal) throws IOException {
     JsonObject json = new JsonObject();
     json.addProperty("error", refusal.text());
     request.answer(refusal.status(), json);

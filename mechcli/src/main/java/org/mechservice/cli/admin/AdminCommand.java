@@ -132,7 +132,7 @@ public final class AdminCommand implements Callable<Integer> {
   }
 
   /** Names the servers that do not answer; the others are shown all the same. */
-  int tellSilent(List<ServerReading> readings) {
+  int printSilent(List<ServerReading> readings) {
     int status = ExitStatus.DONE;
     for (ServerReading reading : readings) {
       if (reading instanceof ServerReading.Silent silent) {
@@ -160,7 +160,7 @@ public final class AdminCommand implements Callable<Integer> {
           } else if (anyAnswers(readings)) {
             out.print(asText.apply(readings));
           }
-          return tellSilent(readings);
+          return printSilent(readings);
         });
   }
 
@@ -226,7 +226,8 @@ public final class AdminCommand implements Callable<Integer> {
         readings ->
             KnownSimulation.all(readings).stream()
                 .filter(
-                    known -> state == null ? all || known.goesOn() : known.state().equals(state))
+                    known ->
+                        state == null ? all || known.isUnfinished() : known.state().equals(state))
                 .toList();
     return show(
         readings ->

@@ -52,14 +52,14 @@ final class AdminWebCommand implements Callable<Integer> {
     AccessTokens tokens = tokenFile == null ? AccessTokens.random() : AccessTokens.kept(tokenFile);
     try (AdminConsole console = admin.open();
         AdminWeb web = new AdminWeb(console, port, tokens, Optional.ofNullable(auditFile))) {
-      tell(web.url(tokens.monitor()), web.url(tokens.admin()));
+      print(web.url(tokens.monitor()), web.url(tokens.admin()));
       admin.out().flush();
       ServingProcess.untilEnded(web, new CountDownLatch(1)::await);
     }
     return ExitStatus.DONE;
   }
 
-  private void tell(String monitor, String steering) {
+  private void print(String monitor, String steering) {
     if (admin.asJson()) {
       JsonObject json = new JsonObject();
       json.addProperty("monitor", monitor);

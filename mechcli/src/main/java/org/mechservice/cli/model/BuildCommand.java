@@ -159,7 +159,7 @@ public final class BuildCommand implements Callable<Integer> {
       }
       if (jar.isPresent()) {
         write(jar.get(), target.orElseThrow());
-        tell(jar.get(), target.orElseThrow(), session.runtimeJarBytes());
+        print(jar.get(), target.orElseThrow(), session.runtimeJarBytes());
       }
       return ExitStatus.DONE;
     }
@@ -243,7 +243,7 @@ public final class BuildCommand implements Callable<Integer> {
     OutputFile.write(file, source.text().getBytes(StandardCharsets.UTF_8));
   }
 
-  private void tell(BuiltJar jar, Path target, long runtimeBytes) {
+  private void print(BuiltJar jar, Path target, long runtimeBytes) {
     size(target.toString(), jar.bytes().length);
     size("model classes, compressed", jar.modelClassBytes());
     size(standalone ? "runtime JAR (not needed)" : "runtime JAR (needed)", runtimeBytes);

@@ -179,7 +179,7 @@ public final class OptimiseCommand implements Callable<Integer> {
       settings = settings();
       problem = problem(design.model(), settings.method());
       if (minimise.size() + maximise.size() == 2) {
-        return tell(Front.of(problem, settings, front == null ? FRONT : front));
+        return print(Front.of(problem, settings, front == null ? FRONT : front));
       }
       optimum = Optimiser.minimise(problem, settings);
     } catch (IllegalArgumentException | MechmlException e) {
@@ -197,7 +197,7 @@ public final class OptimiseCommand implements Callable<Integer> {
     PrintWriter out = spec.commandLine().getOut();
     out.println(json ? JSON.toJson(json(optimum)) : text(optimum));
     out.flush();
-    return tell(optimum);
+    return print(optimum);
   }
 
   private static void write(Path file, String text) throws IOException {
@@ -250,7 +250,7 @@ public final class OptimiseCommand implements Callable<Integer> {
     return derived.made();
   }
 
-  private int tell(Front found) throws IOException {
+  private int print(Front found) throws IOException {
     FrontText text = new FrontText(found, derivatives);
     if (history != null) {
       write(history, text.csv());
@@ -264,7 +264,7 @@ public final class OptimiseCommand implements Callable<Integer> {
     return ExitStatus.DONE;
   }
 
-  private int tell(Optimum optimum) {
+  private int print(Optimum optimum) {
     PrintWriter err = spec.commandLine().getErr();
     for (int k = 0; k < optimum.starts().size(); k++) {
       int number = k + 1;

@@ -29,11 +29,11 @@ public final class FailureReport {
 
   /** Handles whatever a command threw. */
   public static int failed(Exception failure, CommandLine command, ParseResult parsed) {
-    return tell(failure, command.getErr());
+    return print(failure, command.getErr());
   }
 
   /** Prints the message of a failure and returns its exit status. */
-  static int tell(Exception failure, PrintWriter err) {
+  static int print(Exception failure, PrintWriter err) {
     String text = String.valueOf(failure.getMessage());
     if (failure instanceof ServiceException refusal) {
       err.println(text);

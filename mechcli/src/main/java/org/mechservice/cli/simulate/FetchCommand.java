@@ -80,6 +80,6 @@ public final class FetchCommand implements Callable<Integer> {
       err.println(e.getMessage() + ResultOptions.keptRows(files));
       return ExitStatus.SERVER;
     }
-    return results.tell(result, files);
+    return results.report(result, files);
   }
 }

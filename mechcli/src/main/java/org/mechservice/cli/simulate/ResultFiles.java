@@ -197,7 +197,7 @@ public final class ResultFiles implements ResultSink, AutoCloseable {
   }
 
   /** Returns a sentence that names the files, or nothing if there are no rows in any. */
-  String whereRowsAre() {
+  String filesOfRows() {
     return targets.isEmpty() || rows == 0 ? "" : " Rows up to there are in " + this + ".";
   }
 

@@ -130,7 +130,7 @@ final class ResultOptions {
    *
    * @return exit status
    */
-  int tell(RunResult result, ResultFiles files) throws IOException {
+  int report(RunResult result, ResultFiles files) throws IOException {
     Map<String, Object> report = new LinkedHashMap<>(result.report());
     if (files.rows() > 0) {
       files.keep().ifPresent(hash -> report.put("resultsSha256", hash));
@@ -171,7 +171,7 @@ final class ResultOptions {
   private int status(Outcome outcome, ResultFiles files) {
     PrintWriter err = command.commandLine().getErr();
     if (outcome instanceof Outcome.Failed failed) {
-      err.println(failed.failure().message() + files.whereRowsAre());
+      err.println(failed.failure().message() + files.filesOfRows());
       return ExitStatus.SIMULATION_FAILED;
     } else if (outcome instanceof Outcome.Stopped) {
       err.println(
@@ -179,7 +179,7 @@ final class ResultOptions {
               + " the run was stopped at "
               + files.reached()
               + "."
-              + files.whereRowsAre());
+              + files.filesOfRows());
       return ExitStatus.INTERRUPTED;
     }
     return ExitStatus.DONE;

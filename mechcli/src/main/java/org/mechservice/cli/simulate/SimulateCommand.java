@@ -107,11 +107,11 @@ public final class SimulateCommand implements Callable<Integer> {
         ServiceConnection service = ServiceConnection.open(server);
         MechSession session = service.connection().openSession(host)) {
       interrupt.cancels(session::close);
-      RunFollower news = new RunFollower(this::tell);
+      RunFollower news = new RunFollower(this::printNews);
       try (PreparedRun run = setUp(session, options, news);
           ResultFiles files = results.open(expectedRows(session, run), animations)) {
         interrupt.cancelsRun(run);
-        String id = tellIdentity(run);
+        String id = printIdentity(run);
         return simulate(run, id, news, files, store);
       } catch (ServiceException e) {
         if (!interrupt.endsSetUp()) {
@@ -140,7 +140,7 @@ public final class SimulateCommand implements Callable<Integer> {
    *
    * @return the id; empty if the run is in this process
    */
-  private String tellIdentity(PreparedRun run) {
+  private String printIdentity(PreparedRun run) {
     if (!(run instanceof RemoteRun remote) || server.address().isEmpty()) {
       return "";
     }
@@ -152,7 +152,7 @@ public final class SimulateCommand implements Callable<Integer> {
     return id;
   }
 
-  private void tell(String news) {
+  private void printNews(String news) {
     if (results.talks()) {
       err().println(news);
       err().flush();
@@ -238,7 +238,7 @@ public final class SimulateCommand implements Callable<Integer> {
           .println(
               e.getMessage()
                   + (status == ExitStatus.SERVER
-                      ? howToFetch(id) + ResultOptions.keptRows(files)
+                      ? fetchAdvice(id) + ResultOptions.keptRows(files)
                       : ""));
       return status;
     } finally {
@@ -247,11 +247,11 @@ public final class SimulateCommand implements Callable<Integer> {
     if (results.talks()) {
       news.warnings().forEach(warning -> err().println(warning));
     }
-    return results.tell(result, files);
+    return results.report(result, files);
   }
 
   /** Returns how the rows of a run are fetched when its lost server is there again. */
-  private String howToFetch(String id) {
+  private String fetchAdvice(String id) {
     return id.isEmpty()
         ? ""
         : "; if the server was started with --spool, its rows can be fetched when it runs again:"

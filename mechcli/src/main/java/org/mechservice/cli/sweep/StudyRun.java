@@ -64,7 +64,7 @@ record StudyRun(
       if (!Files.exists(Study.journal(table))) {
         throw lost;
       }
-      tell(lost.getMessage() + "; finished rows are kept, and the same command goes on");
+      print(lost.getMessage() + "; finished rows are kept, and the same command goes on");
       return FailureReport.status(lost);
     }
   }
@@ -84,28 +84,28 @@ record StudyRun(
           new TimerTask() {
             @Override
             public void run() {
-              forecast.word().ifPresent(word -> tell(word));
+              forecast.word().ifPresent(word -> print(word));
             }
           };
       looks.schedule(look, LOOK_MILLIS, LOOK_MILLIS);
     }
     try (CancelOnInterrupt interrupt = new CancelOnInterrupt()) {
       interrupt.cancels(study::stop);
-      return tell(study.run(table, atOnce, forecast), table);
+      return print(study.run(table, atOnce, forecast), table);
     } finally {
       looks.cancel();
     }
   }
 
-  private void tell(String word) {
+  private void print(String word) {
     err.println(word);
     err.flush();
   }
 
-  private int tell(Study.Result result, Path table) {
+  private int print(Study.Result result, Path table) {
     int done = result.statistics().rows();
     if (!result.complete()) {
-      tell(
+      print(
           MessageCode.RUN_STOPPED
               + " stopped on request: "
               + done
@@ -117,7 +117,7 @@ record StudyRun(
     int failed = result.statistics().failed();
     String ofFailed = failed + " failed: their rows say why";
     if (printed && failed > 0) {
-      tell(done + " points; " + ofFailed);
+      print(done + " points; " + ofFailed);
     } else if (!printed && !quiet) {
       out.println(
           table

@@ -41,7 +41,7 @@ public final class ListenerCallbacks implements IMechClientOperations {
   public void heartbeat() {}
 
   /** Passes a message of this client to the listener. */
-  public void say(ModelMessage message) {
+  public void passOn(ModelMessage message) {
     report(user -> user.onMessages(List.of(message)));
   }
 

@@ -241,7 +241,7 @@ public final class RemoteRun implements PreparedRun {
       cancel();
     }
     moved = Optional.of("from its start, after " + what);
-    say(
+    tellListener(
         MessageCode.RUN_PLACED_AGAIN,
         what
             + "; the run is computed again on host "
@@ -353,7 +353,7 @@ public final class RemoteRun implements PreparedRun {
     String reason = "host " + arriving.to().hostName() + " has no room for it now";
     boolean goesOn = false;
     try {
-      goesOn = !cancelled && arriving.goesOn(until);
+      goesOn = !cancelled && arriving.resumeOnNewHost(until);
     } catch (ServiceException e) {
       reason = String.valueOf(e.getMessage());
     }
@@ -372,19 +372,19 @@ public final class RemoteRun implements PreparedRun {
     }
     String how = "from t=" + arriving.time() + " s on, before on host " + from.hostName();
     moved = Optional.of(how);
-    say(
+    tellListener(
         MessageCode.RUN_MOVED,
         "the run goes on on host " + place.hostName() + " as " + id() + " " + how);
   }
 
   private void stay(String reason) {
     notice.ignore();
-    say(
+    tellListener(
         MessageCode.RUN_STAYS_ON_DRAINING_HOST,
         "the run finishes on host " + place.hostName() + ": " + reason);
   }
 
-  private void say(MessageCode code, String text) {
+  private void tellListener(MessageCode code, String text) {
     listener.accept(new ModelMessage(ModelMessage.Severity.INFO, code.code(), text, "", 0, 0, ""));
   }
 

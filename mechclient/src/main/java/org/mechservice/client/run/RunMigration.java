@@ -47,19 +47,19 @@ final class RunMigration {
         saved.ifPresent(to::restore);
         return Optional.of(new RunMigration(from, to, held));
       }
-      goOnAt(from, until);
+      resumeAt(from, until);
       return Optional.empty();
     } catch (InvalidStateException e) {
-      goOnAt(from, until);
+      resumeAt(from, until);
       return Optional.empty();
     } catch (ServiceException e) {
-      goOnAt(from, until);
+      resumeAt(from, until);
       throw e;
     }
   }
 
   /** Resumes the run on its old host, unless it has ended there. */
-  private static void goOnAt(HostedRun place, double until) {
+  private static void resumeAt(HostedRun place, double until) {
     try {
       if (Double.isInfinite(until)) {
         place.calls().run(place.simulation()::resume);
@@ -91,7 +91,7 @@ final class RunMigration {
    *
    * @return false if it would have to wait there, or cannot be resumed
    */
-  boolean goesOn(double until) {
+  boolean resumeOnNewHost(double until) {
     if (Double.isInfinite(until)) {
       to.calls().run(to.simulation()::start);
     } else {
@@ -119,6 +119,6 @@ final class RunMigration {
   /** Destroys the run on the new host and resumes it on the old one. */
   void giveUp(double until) {
     to.close();
-    goOnAt(from, until);
+    resumeAt(from, until);
   }
 }

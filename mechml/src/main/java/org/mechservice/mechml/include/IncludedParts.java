@@ -200,14 +200,14 @@ public final class IncludedParts {
             include,
             Phrase.of(
                 "%s has %s, the model has %s; both must be the same",
-                Quoted.of(include.required("file")), said(units, there), said(units, here)));
+                Quoted.of(include.required("file")), shown(units, there), shown(units, here)));
         return false;
       }
     }
     return true;
   }
 
-  private static String said(String units, Optional<String> value) {
+  private static String shown(String units, Optional<String> value) {
     return value.map(one -> units + "=\"" + one + "\"").orElse("no " + units);
   }
 

@@ -90,7 +90,7 @@ final class TimedRounds {
           continue;
         }
         if (budget.left() - after < runner.load() * point.seconds()) {
-          tellRepeats(due);
+          reportRepeats(due);
           return;
         }
         double elapsed = (System.nanoTime() - started) * 1e-9;
@@ -104,10 +104,10 @@ final class TimedRounds {
         left -= point.seconds();
       }
     }
-    tellRepeats(due);
+    reportRepeats(due);
   }
 
-  private void tellRepeats(List<Due> due) {
+  private void reportRepeats(List<Due> due) {
     int fewest = due.stream().mapToInt(this::roundsOf).min().orElse(effort.fewestRepeats());
     int most = due.stream().mapToInt(this::roundsOf).max().orElse(0);
     if (fewest < effort.fewestRepeats()) {

@@ -60,7 +60,7 @@ public final class StabilityReport {
       outcomes.add(run(wanted));
     }
     Files.createDirectories(page.toAbsolutePath().getParent());
-    Files.writeString(page, StabilityPage.of(outcomes, budget.said()), StandardCharsets.UTF_8);
+    Files.writeString(page, StabilityPage.of(outcomes, budget.sentence()), StandardCharsets.UTF_8);
     return outcomes;
   }
 

@@ -52,7 +52,7 @@ public final class SuiteTimeBudget {
   }
 
   /** Returns a sentence about stopped runs. */
-  String said() {
+  String sentence() {
     return Double.isFinite(totalSeconds)
         ? String.format(
             Locale.ROOT,

@@ -20,7 +20,7 @@ class SuiteTimeBudgetTest {
     budget.beginCase(1);
     now += 1e6;
     assertThat(budget.forRun(10)).isEqualTo(5);
-    assertThat(budget.said()).isEqualTo("Runs were stopped after 5.00 s.");
+    assertThat(budget.sentence()).isEqualTo("Runs were stopped after 5.00 s.");
   }
 
   @Test
@@ -28,7 +28,7 @@ class SuiteTimeBudgetTest {
     SuiteTimeBudget budget = budget(5, 60);
     budget.beginCase(6);
     assertThat(budget.forRun(10)).isCloseTo(1, within(RESOLUTION));
-    assertThat(budget.said()).contains("within 60.0 s");
+    assertThat(budget.sentence()).contains("within 60.0 s");
   }
 
   @Test

@@ -128,7 +128,7 @@ public final class MechAdminServant implements MechAdminOperations {
   /** Shows the last known state of hosts that are gone or do not answer. */
   @Override
   public SimDetail showSimulation(String simId) throws NotAuthorized, NotFound {
-    Optional<SimDetail> now = askHostOf(simId, host -> host.showSimulation(simId));
+    Optional<SimDetail> now = queryHostOf(simId, host -> host.showSimulation(simId));
     now.ifPresent(directory.runs()::read);
     return now.or(() -> lastKnown(simId)).orElseThrow(() -> noSimulation(simId));
   }
@@ -155,14 +155,14 @@ public final class MechAdminServant implements MechAdminOperations {
   }
 
   /** Calls the host that has a run, or all hosts if that host is not known. */
-  private <T> Optional<T> askHostOf(String simId, HostCalls.Question<T> question)
+  private <T> Optional<T> queryHostOf(String simId, HostCalls.Query<T> question)
       throws NotAuthorized {
     Optional<RegisteredHost> known = directory.runs().hostOf(simId).flatMap(directory::find);
     if (known.isEmpty()) {
       return directory.search(question);
     }
     return known.get().reachable()
-        ? directory.calls().ask(known.get().host(), question).value()
+        ? directory.calls().query(known.get().host(), question).value()
         : Optional.empty();
   }
 
@@ -183,18 +183,18 @@ public final class MechAdminServant implements MechAdminOperations {
     if (hostName.isEmpty()) {
       return journal.since(since, maxCount);
     }
-    return ask(require(hostName), host -> host.logs(since, maxCount))
+    return query(require(hostName), host -> host.logs(since, maxCount))
         .value()
         .orElseThrow(() -> silent(hostName));
   }
 
   /** Does not wait for silent hosts. */
-  private <T> HostCalls.Answer<T> ask(RegisteredHost host, HostCalls.Question<T> question)
+  private <T> HostCalls.Answer<T> query(RegisteredHost host, HostCalls.Query<T> question)
       throws NotFound {
     if (!host.reachable()) {
       throw silent(host.name());
     }
-    return directory.calls().ask(host.host(), question);
+    return directory.calls().query(host.host(), question);
   }
 
   private RegisteredHost require(String hostName) throws NotFound {
@@ -206,7 +206,7 @@ public final class MechAdminServant implements MechAdminOperations {
   @Override
   public void killSimulation(String simId, String reason) throws NotAuthorized, NotFound {
     Optional<Boolean> killed =
-        askHostOf(
+        queryHostOf(
             simId,
             host -> {
               host.killSimulation(simId, reason);
@@ -226,7 +226,7 @@ public final class MechAdminServant implements MechAdminOperations {
     if (hostName.isEmpty()) {
       return limits.inForce().toLimits();
     }
-    return ask(require(hostName), MechSimHostOperations::getLimits)
+    return query(require(hostName), MechSimHostOperations::getLimits)
         .value()
         .orElseThrow(() -> silent(hostName));
   }
@@ -249,7 +249,7 @@ public final class MechAdminServant implements MechAdminOperations {
       return;
     }
     HostCalls.Answer<Boolean> answer =
-        ask(
+        query(
             require(hostName),
             host -> {
               host.setLimits(values);
@@ -279,10 +279,10 @@ public final class MechAdminServant implements MechAdminOperations {
                             + policy
                             + "\"; there are "
                             + PlacementPolicy.labels())));
-    tell("limit-set", "hosts are chosen by \"" + policy + "\" now");
+    record("limit-set", "hosts are chosen by \"" + policy + "\" now");
   }
 
-  private void tell(String kind, String text) {
+  private void record(String kind, String text) {
     journal.add(JournalEntry.info(kind, text));
   }
 
@@ -299,7 +299,7 @@ public final class MechAdminServant implements MechAdminOperations {
   private void setDraining(String hostName, boolean drain) throws NotFound {
     if (hostName.isEmpty()) {
       server.setDraining(drain);
-      tell(
+      record(
           drain ? "drained" : "undrained",
           drain ? "the server takes no new sessions" : "the server takes new sessions again");
       // Other hosts outlive the server and may serve others: they are emptied by their own names.
@@ -318,7 +318,7 @@ public final class MechAdminServant implements MechAdminOperations {
     HostCalls.Answer<Boolean> answer =
         directory
             .calls()
-            .ask(
+            .query(
                 known.host(),
                 host -> {
                   if (drain) {
@@ -328,7 +328,7 @@ public final class MechAdminServant implements MechAdminOperations {
                   }
                   return true;
                 });
-    answer.value().ifPresent(heard -> known.toldDraining(drain));
+    answer.value().ifPresent(heard -> known.recordDraining(drain));
     return answer.value().isPresent();
   }
 

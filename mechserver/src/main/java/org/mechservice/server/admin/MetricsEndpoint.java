@@ -55,7 +55,7 @@ public final class MetricsEndpoint implements AutoCloseable {
 
   private static void answer(HttpExchange exchange, Supplier<Health> content) throws IOException {
     try (exchange) {
-      Health said = said(content);
+      Health said = checked(content);
       byte[] body = said.text().getBytes(StandardCharsets.UTF_8);
       exchange.getResponseHeaders().set("Content-Type", TEXT);
       exchange.sendResponseHeaders(said.good() ? 200 : 503, body.length);
@@ -63,7 +63,7 @@ public final class MetricsEndpoint implements AutoCloseable {
     }
   }
 
-  private static Health said(Supplier<Health> content) {
+  private static Health checked(Supplier<Health> content) {
     try {
       return content.get();
     } catch (RejectedExecutionException e) {

@@ -40,7 +40,7 @@ public final class FarmLimits {
         set.put(limit.name, limit);
       }
     }
-    directory.tellAll(
+    directory.callAll(
         host -> {
           host.setLimits(values);
           return true;
@@ -57,7 +57,7 @@ public final class FarmLimits {
       var unused =
           directory
               .calls()
-              .ask(
+              .query(
                   host.host(),
                   joined -> {
                     joined.setLimits(values);

@@ -28,8 +28,8 @@ import org.omg.CORBA.UserException;
  */
 public final class HostCalls implements AutoCloseable {
   /** A call to a host. */
-  public interface Question<T> {
-    T ask(MechSimHostOperations host) throws UserException;
+  public interface Query<T> {
+    T query(MechSimHostOperations host) throws UserException;
   }
 
   /**
@@ -66,8 +66,8 @@ public final class HostCalls implements AutoCloseable {
   }
 
   /** Calls one host. */
-  public <T> Answer<T> ask(MechSimHostOperations host, Question<T> question) {
-    Future<T> answer = threads.submit(() -> question.ask(host));
+  public <T> Answer<T> query(MechSimHostOperations host, Query<T> question) {
+    Future<T> answer = threads.submit(() -> question.query(host));
     try {
       return Answer.of(answer.get(longest.toNanos(), TimeUnit.NANOSECONDS));
     } catch (TimeoutException e) {
@@ -92,13 +92,13 @@ public final class HostCalls implements AutoCloseable {
    * @return done when {@code then} has returned
    */
   <T> Future<?> begin(
-      RegisteredHost host, Question<T> question, BiConsumer<RegisteredHost, Answer<T>> then) {
-    long askedAt = host.asked();
+      RegisteredHost host, Query<T> question, BiConsumer<RegisteredHost, Answer<T>> then) {
+    long askedAt = host.callBegins();
     return threads.submit(
         () -> {
           Answer<T> answer;
           try {
-            answer = Answer.of(question.ask(host.host()));
+            answer = Answer.of(question.query(host.host()));
           } catch (UserException | RuntimeException e) {
             answer = failed(e);
           } finally {
@@ -117,9 +117,7 @@ public final class HostCalls implements AutoCloseable {
    * @throws NotAuthorized if none has, and one refuses it to the user
    */
   <T> Optional<T> firstAnswer(
-      List<RegisteredHost> hosts,
-      Question<T> question,
-      BiConsumer<RegisteredHost, Answer<T>> failed)
+      List<RegisteredHost> hosts, Query<T> question, BiConsumer<RegisteredHost, Answer<T>> failed)
       throws NotAuthorized {
     Optional<NotAuthorized> refusal = Optional.empty();
     BlockingQueue<Answered<T>> answers = new LinkedBlockingQueue<>();

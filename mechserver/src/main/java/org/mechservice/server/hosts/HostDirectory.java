@@ -77,7 +77,7 @@ public final class HostDirectory implements AutoCloseable {
   public void add(RegisteredHost host) {
     RegisteredHost earlier = hosts.put(host.name(), host);
     if (earlier != null) {
-      earlier.gone();
+      earlier.removed();
     }
     synchronized (dropped) {
       dropped.removeIf(gone -> gone.name().equals(host.name()));
@@ -133,7 +133,7 @@ public final class HostDirectory implements AutoCloseable {
     }
   }
 
-  private HostCalls.Question<News> question(RegisteredHost known, boolean withRuns) {
+  private HostCalls.Query<News> question(RegisteredHost known, boolean withRuns) {
     return host -> {
       makePendingCalls(host, known);
       long askedAt = System.nanoTime();
@@ -150,9 +150,9 @@ public final class HostDirectory implements AutoCloseable {
 
   private static void makePendingCalls(MechSimHostOperations host, RegisteredHost known)
       throws UserException {
-    for (HostCalls.Question<?> owed : known.takePendingCalls()) {
+    for (HostCalls.Query<?> owed : known.takePendingCalls()) {
       try {
-        var unused = owed.ask(host);
+        var unused = owed.query(host);
       } catch (SystemException e) {
         known.callLater(owed);
         throw e;
@@ -161,7 +161,7 @@ public final class HostDirectory implements AutoCloseable {
   }
 
   private News follow(RegisteredHost host) throws UserException {
-    News news = question(host, /* withRuns= */ false).ask(host.host());
+    News news = question(host, /* withRuns= */ false).query(host.host());
     readOn(host);
     return news;
   }
@@ -208,7 +208,7 @@ public final class HostDirectory implements AutoCloseable {
    *
    * @throws NotAuthorized if none has, and one refuses it to the user
    */
-  public <T> Optional<T> search(HostCalls.Question<T> question) throws NotAuthorized {
+  public <T> Optional<T> search(HostCalls.Query<T> question) throws NotAuthorized {
     return calls.firstAnswer(
         all().stream().filter(RegisteredHost::reachable).toList(),
         question,
@@ -216,7 +216,7 @@ public final class HostDirectory implements AutoCloseable {
   }
 
   /** Calls all hosts at once; hosts that do not answer are called again when they do. */
-  void tellAll(HostCalls.Question<Boolean> message) {
+  void callAll(HostCalls.Query<Boolean> message) {
     List<Future<?>> told = new ArrayList<>();
     for (RegisteredHost host : all()) {
       if (host.reachable()) {
@@ -265,7 +265,7 @@ public final class HostDirectory implements AutoCloseable {
 
   private void drop(RegisteredHost host, String why) {
     if (hosts.remove(host.name(), host)) {
-      host.gone();
+      host.removed();
       outbound.forbid(host.endpoint().host(), host.endpoint().port());
       host.dropped(why);
       synchronized (dropped) {
@@ -285,7 +285,7 @@ public final class HostDirectory implements AutoCloseable {
   /** Takes a host that signs off out. */
   void signOff(RegisteredHost host) {
     if (hosts.remove(host.name(), host)) {
-      host.gone();
+      host.removed();
       outbound.forbid(host.endpoint().host(), host.endpoint().port());
       host.dropped("it signed off");
       journal.add(

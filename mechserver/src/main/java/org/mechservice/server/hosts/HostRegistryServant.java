@@ -118,7 +118,7 @@ public final class HostRegistryServant implements HostRegistryOperations {
         present.get().own()
             || directory
                 .calls()
-                .ask(present.get().host(), MechSimHostOperations::getLoad)
+                .query(present.get().host(), MechSimHostOperations::getLoad)
                 .value()
                 .isPresent();
     if (alive) {
@@ -147,9 +147,10 @@ public final class HostRegistryServant implements HostRegistryOperations {
 
   /** A process that has just started, on a machine under load, may answer its first call late. */
   private HostCalls.Answer<HostInfo> answerOf(MechSimHost host) {
-    HostCalls.Answer<HostInfo> answer = directory.calls().ask(host, MechSimHostOperations::getInfo);
+    HostCalls.Answer<HostInfo> answer =
+        directory.calls().query(host, MechSimHostOperations::getInfo);
     for (int i = 1; i < FIRST_CALLS && isLate(answer); i++) {
-      answer = directory.calls().ask(host, MechSimHostOperations::getInfo);
+      answer = directory.calls().query(host, MechSimHostOperations::getInfo);
     }
     return answer;
   }
@@ -172,7 +173,7 @@ public final class HostRegistryServant implements HostRegistryOperations {
                     registration,
                     AccessRights.toServe(denials))));
     // A host that is killed never calls again; its registration must not stay for ever.
-    host.whenGone(object::close);
+    host.onRemoval(object::close);
     return HostRegistrationHelper.unchecked_narrow(object.reference());
   }
 

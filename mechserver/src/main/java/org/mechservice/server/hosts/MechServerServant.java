@@ -112,10 +112,10 @@ public final class MechServerServant implements MechServerOperations {
     String user = Caller.current().confinedTo().orElse("");
     return directory
         .search(host -> host.findSimulation(simId, user))
-        .orElseThrow(() -> ContractErrors.notFound(whatBecameOf(simId)));
+        .orElseThrow(() -> ContractErrors.notFound(absence(simId)));
   }
 
-  private String whatBecameOf(String simId) {
+  private String absence(String simId) {
     return directory
         .runs()
         .endOf(simId)

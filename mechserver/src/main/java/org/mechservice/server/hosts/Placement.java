@@ -129,7 +129,7 @@ public final class Placement {
   private HostCalls.Answer<MechSim> open(
       RegisteredHost host, String clientName, @Nullable IMechClient client) {
     HostCalls.Answer<MechSim> answer =
-        directory.calls().ask(host.host(), asked -> asked.createSession(clientName, client));
+        directory.calls().query(host.host(), asked -> asked.createSession(clientName, client));
     if (answer.value().isPresent()) {
       host.placed();
       lastHostOf.put(clientName, host.name());

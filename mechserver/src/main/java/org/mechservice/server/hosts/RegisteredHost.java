@@ -36,7 +36,7 @@ public final class RegisteredHost {
   private long answeredAt = System.currentTimeMillis();
   private long heardAt = System.nanoTime();
   private final Deque<Long> unanswered = new ArrayDeque<>();
-  private final Deque<HostCalls.Question<?>> owed = new ArrayDeque<>();
+  private final Deque<HostCalls.Query<?>> owed = new ArrayDeque<>();
   private volatile Runnable farewell = () -> {};
 
   /**
@@ -52,12 +52,12 @@ public final class RegisteredHost {
   }
 
   /** Sets an action for the time when the host is removed. */
-  void whenGone(Runnable last) {
+  void onRemoval(Runnable last) {
     farewell = last;
   }
 
   /** Called when the host is known no longer. */
-  void gone() {
+  void removed() {
     farewell.run();
   }
 
@@ -78,7 +78,7 @@ public final class RegisteredHost {
   }
 
   /** Records the start of a call; returns its time, by {@link System#nanoTime}. */
-  synchronized long asked() {
+  synchronized long callBegins() {
     long now = System.nanoTime();
     unanswered.addLast(now);
     return now;
@@ -103,13 +103,13 @@ public final class RegisteredHost {
   }
 
   /** Adds a call to be made as soon as the host answers again. */
-  synchronized void callLater(HostCalls.Question<?> later) {
+  synchronized void callLater(HostCalls.Query<?> later) {
     owed.addLast(later);
   }
 
   /** Removes and returns the calls to be made. */
-  synchronized List<HostCalls.Question<?>> takePendingCalls() {
-    List<HostCalls.Question<?>> all = List.copyOf(owed);
+  synchronized List<HostCalls.Query<?>> takePendingCalls() {
+    List<HostCalls.Query<?>> all = List.copyOf(owed);
     owed.clear();
     return all;
   }
@@ -152,7 +152,7 @@ public final class RegisteredHost {
   }
 
   /** Records a drain or undrain call that the reported load does not show yet. */
-  public synchronized void toldDraining(boolean drain) {
+  public synchronized void recordDraining(boolean drain) {
     drainingSaidAt = System.nanoTime();
     load = draining(load, drain);
   }

@@ -49,7 +49,7 @@ class RegisteredHostTest {
   @Test
   void hostIsAsItWasToldToBeUntilItSaysOtherwise() {
     long before = System.nanoTime();
-    host.toldDraining(true);
+    host.recordDraining(true);
     host.answered(IDLE, before);
     assertThat(host.open()).isFalse();
     host.answered(IDLE, System.nanoTime());
@@ -60,7 +60,7 @@ class RegisteredHostTest {
   @Test
   void hostThatAnswersOthersOwesNoAnswerThatIsLate() throws InterruptedException {
     Duration late = Duration.ofSeconds(1);
-    host.asked();
+    host.callBegins();
     Thread.sleep(late.plusMillis(100).toMillis());
     assertThat(host.isOverdue(late)).isTrue();
     host.answered(IDLE, System.nanoTime());

@@ -102,7 +102,7 @@ final class UserRun {
       session.loadModel("model.xml", model);
       try (PreparedRun run = session.prepareRemoteRun(options.columns(COLUMNS))) {
         begin(run);
-        tell(end, run);
+        complete(end, run);
       } finally {
         over();
       }
@@ -126,7 +126,7 @@ final class UserRun {
     }
   }
 
-  private void tell(JsonObject end, PreparedRun run) throws IOException {
+  private void complete(JsonObject end, PreparedRun run) throws IOException {
     RunProgress interval = run.progress();
     RunFrames live = new RunFrames(interval.endTime() - interval.startTime());
     try (ResultFile csv = new ResultFile(file(ResultFormat.CSV), ResultFormat.CSV);

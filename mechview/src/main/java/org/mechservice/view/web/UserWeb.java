@@ -116,14 +116,14 @@ public final class UserWeb implements AutoCloseable {
         }
         answer(request);
       } catch (RefusedRequestException refusal) {
-        tell(request, refusal.status(), refusal.text());
+        answer(request, refusal.status(), refusal.text());
       } catch (ServiceException e) {
-        tell(request, 400, String.valueOf(e.getMessage()));
+        answer(request, 400, String.valueOf(e.getMessage()));
       } catch (InterruptedException e) {
         Thread.currentThread().interrupt();
       } catch (RuntimeException e) {
         String incident = GuardedServant.record(request.path(), e);
-        tell(
+        answer(
             request,
             500,
             MessageCode.INTERNAL_SERVER_ERROR + " the page's server failed, incident " + incident);
@@ -131,7 +131,7 @@ public final class UserWeb implements AutoCloseable {
     }
   }
 
-  private static void tell(Request request, int status, String text) throws IOException {
+  private static void answer(Request request, int status, String text) throws IOException {
     JsonObject json = new JsonObject();
     json.addProperty("error", text);
     request.answer(status, json);

@@ -215,7 +215,7 @@ final class ModelAssembly {
   private static boolean needsData(Mechanism mechanism) {
     return !mechanism.parameters().isEmpty()
         || ModelClass.hasUserForces(mechanism)
-        || mechanism.somethingHappens();
+        || mechanism.mayChangeAbruptly();
   }
 
   /** The terms of the equations are code; their closure and rarely used columns come from data. */

@@ -172,7 +172,7 @@ public final class Expressions {
   }
 
   /** Returns whether an expression exists already. */
-  boolean knows(ScalarOperation operation, Scalar first, Scalar second) {
+  boolean contains(ScalarOperation operation, Scalar first, Scalar second) {
     return known[place(operation, first.id(), second.id())] != null;
   }
 

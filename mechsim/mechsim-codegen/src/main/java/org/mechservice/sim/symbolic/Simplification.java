@@ -59,7 +59,7 @@ final class Simplification {
         return b.is(ADD) ? sum(both, b.second()) : difference(both, b.second());
       }
       Scalar opposite = expressions.constant(-a.value());
-      if (expressions.knows(SUBTRACT, opposite, b)) {
+      if (expressions.contains(SUBTRACT, opposite, b)) {
         return negation(expressions.binary(SUBTRACT, opposite, b));
       }
     }
@@ -100,7 +100,7 @@ final class Simplification {
         return b.is(ADD) ? difference(both, b.second()) : sum(both, b.second());
       }
       Scalar opposite = expressions.constant(-a.value());
-      if (expressions.knows(ADD, opposite, b)) {
+      if (expressions.contains(ADD, opposite, b)) {
         return negation(expressions.binary(ADD, opposite, b));
       }
     }
@@ -116,7 +116,7 @@ final class Simplification {
     if (b.is(ADD) && b.operands().contains(a)) {
       return negation(b.first() == a ? b.second() : b.first());
     }
-    if (expressions.knows(SUBTRACT, b, a)) {
+    if (expressions.contains(SUBTRACT, b, a)) {
       return negation(expressions.binary(SUBTRACT, b, a));
     }
     return expressions.binary(SUBTRACT, a, b);
@@ -157,7 +157,7 @@ final class Simplification {
     }
     if (a.isConstant()) {
       Scalar opposite = expressions.constant(-a.value());
-      if (expressions.knows(MULTIPLY, opposite, b)) {
+      if (expressions.contains(MULTIPLY, opposite, b)) {
         return negation(expressions.binary(MULTIPLY, opposite, b));
       }
     }

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.LocalDate;
+import java.time.ZoneOffset;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.EnumSet;
@@ -157,8 +159,13 @@ class AgreementPageTest {
     lines.add("# Generated code and the data-driven form");
     lines.add("");
     lines.add(
-        "Written by `mvn verify -Psoak`: random open chains of 2 to 8 bodies, seeds 1 to 500, all"
-            + " joint types, driven joints, forces of every kind. DTR, DSR: y'; RR: the residual;"
+        "Written on %s by `mvn verify -Psoak`, %s %s, Java %s: random open chains of 2 to 8 bodies,"
+                .formatted(
+                    LocalDate.now(ZoneOffset.UTC),
+                    System.getProperty("os.name"),
+                    System.getProperty("os.arch"),
+                    System.getProperty("java.version"))
+            + " seeds 1 to 500, all joint types, driven joints, forces of every kind. DTR, DSR: y'; RR: the residual;"
             + " RR-JF: the solution of an implicit step. The largest difference over the largest"
             + " element; scenes whose mass matrix is singular in the state have none.");
     lines.add("");

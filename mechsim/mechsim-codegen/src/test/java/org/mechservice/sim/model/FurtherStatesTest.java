@@ -1,7 +1,7 @@
 package org.mechservice.sim.model;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.within;
+import static org.mechservice.sim.model.ModelAgreement.assertClose;
 
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
@@ -399,10 +399,5 @@ class FurtherStatesTest {
     var again = CompactForm.read(CompactForm.write(mechanism));
     assertThat(again.furtherStates()).isEqualTo(mechanism.furtherStates());
     assertThat(again.furtherStates().get(1).unit()).isEqualTo("Pa");
-  }
-
-  private static void assertClose(double[] actual, double[] expected, double tolerance) {
-    double scale = Arrays.stream(expected).map(Math::abs).max().orElse(0);
-    assertThat(actual).containsExactly(expected, within(tolerance * scale));
   }
 }

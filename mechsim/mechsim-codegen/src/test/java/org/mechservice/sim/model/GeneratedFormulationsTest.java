@@ -1,6 +1,7 @@
 package org.mechservice.sim.model;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.mechservice.sim.model.ModelAgreement.assertClose;
 
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
@@ -218,14 +219,5 @@ class GeneratedFormulationsTest {
       least = Math.min(least, thread.getCurrentThreadAllocatedBytes() - before);
     }
     assertThat(least).isZero();
-  }
-
-  private static void assertClose(double[] actual, double[] expected, double tolerance) {
-    double scale = Arrays.stream(expected).map(Math::abs).max().orElse(0);
-    for (int i = 0; i < expected.length; i++) {
-      assertThat(Math.abs(actual[i] - expected[i]))
-          .as("element %s: %s, expected %s", i, actual[i], expected[i])
-          .isLessThanOrEqualTo(tolerance * scale);
-    }
   }
 }

@@ -2,6 +2,7 @@ package org.mechservice.sim.model;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static org.mechservice.sim.model.ModelAgreement.assertClose;
 
 import com.google.gson.JsonElement;
 import com.google.gson.JsonObject;
@@ -158,18 +159,6 @@ class GeneratedModelTest {
     double[] energy = new double[2];
     ((Energies) model).energy(TIME, y, energy);
     return energy;
-  }
-
-  private static void assertClose(double[] actual, double[] expected, double tolerance) {
-    double scale = 0;
-    for (double value : expected) {
-      scale = Math.max(scale, Math.abs(value));
-    }
-    for (int i = 0; i < expected.length; i++) {
-      assertThat(Math.abs(actual[i] - expected[i]))
-          .as("element %s: %s, expected %s", i, actual[i], expected[i])
-          .isLessThanOrEqualTo(tolerance * scale);
-    }
   }
 
   @ParameterizedTest

@@ -1,6 +1,8 @@
 package org.mechservice.sim.model;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.mechservice.sim.model.ModelAgreement.assertClose;
+import static org.mechservice.sim.model.ModelAgreement.assertEnergiesClose;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -23,10 +25,8 @@ import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.capability.BodyPoses;
 import org.mechservice.solver.api.capability.Defects;
-import org.mechservice.solver.api.capability.Energies;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.capability.LinearisedModel;
-import org.mechservice.solver.api.capability.PowerInput;
 import org.mechservice.solver.api.capability.ResidualModel;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.run.RunSettings;
@@ -161,19 +161,7 @@ class GeneratedUserForcesTest {
   }
 
   private static void assertEnergies(Model model, DataDrivenModel reference, double[] y) {
-    double[] energy = new double[2];
-    double[] energies = new double[2];
-    ((Energies) model).energy(TIME, y, energy);
-    reference.energy(TIME, y, energies);
-    assertClose(energy, energies, 1e-12);
-    assertClose(
-        new double[] {((PowerInput) model).power(TIME, y)},
-        new double[] {reference.power(TIME, y)},
-        1e-9);
-    assertClose(
-        new double[] {((PowerInput) model).turnover(TIME, y)},
-        new double[] {reference.turnover(TIME, y)},
-        1e-9);
+    assertEnergiesClose(model, reference, TIME, y);
     double[] poses = new double[13 * reference.bodies().size()];
     double[] expected = poses.clone();
     ((BodyPoses) model).poses(TIME, y, poses);
@@ -243,14 +231,5 @@ class GeneratedUserForcesTest {
     Arrays.fill(y, mechanism.positionCount(), y.length, 1e200);
     assertThat(model.derivative(TIME, y, new double[y.length])).isEqualTo(Defects.DEFECT);
     assertThat(((Defects) model).lastDefect().part()).isEqualTo("force pull");
-  }
-
-  private static void assertClose(double[] actual, double[] expected, double tolerance) {
-    double scale = Arrays.stream(expected).map(Math::abs).max().orElse(0);
-    for (int i = 0; i < expected.length; i++) {
-      assertThat(Math.abs(actual[i] - expected[i]))
-          .as("element %s: %s, expected %s", i, actual[i], expected[i])
-          .isLessThanOrEqualTo(tolerance * scale);
-    }
   }
 }

@@ -236,18 +236,18 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
   public void setLimits(Limit[] values) throws InvalidOption {
     limits.change(values);
     for (Limit limit : values) {
-      tell("limit-set", "limit " + limit.name + " is " + limit.value + " now");
+      record("limit-set", "limit " + limit.name + " is " + limit.value + " now");
     }
   }
 
-  private void tell(String kind, String text) {
+  private void record(String kind, String text) {
     journal.add(JournalEntry.info(kind, text).onHost(options.name()));
   }
 
   @Override
   public void drain() {
     if (draining.compareAndSet(false, true)) {
-      tell("drained", "takes no new sessions");
+      record("drained", "takes no new sessions");
       sessions.announceDraining();
     }
   }
@@ -255,7 +255,7 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
   @Override
   public void undrain() {
     if (draining.compareAndSet(true, false)) {
-      tell("undrained", "takes new sessions again");
+      record("undrained", "takes new sessions again");
     }
   }
 

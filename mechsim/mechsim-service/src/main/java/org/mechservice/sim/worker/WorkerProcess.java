@@ -229,21 +229,21 @@ public final class WorkerProcess {
 
     WorkerResult hold(WorkerOrder order) throws IOException {
       CheckpointOrder ofCheckpoints = CheckpointOrder.of(checkpoints);
-      say(
+      send(
           () -> {
             order.write(out);
             ofCheckpoints.write(out);
           });
       while (true) {
-        byte kind = hear(in::readByte);
+        byte kind = receive(in::readByte);
         switch (kind) {
           case WorkerMain.COLUMNS -> sink.begin(columns());
-          case WorkerMain.ROW -> sink.row(hear(this::nextRow));
+          case WorkerMain.ROW -> sink.row(receive(this::nextRow));
           case WorkerMain.STEP -> step(true);
           case WorkerMain.WAIT -> step(false);
-          case WorkerMain.CHECKPOINT -> checkpoints.keep(hear(this::checkpoint));
+          case WorkerMain.CHECKPOINT -> checkpoints.keep(receive(this::checkpoint));
           case WorkerMain.END -> {
-            return hear(() -> WorkerResult.read(in));
+            return receive(() -> WorkerResult.read(in));
           }
           case WorkerMain.REFUSED -> throw refused();
           case WorkerMain.THROWN -> throw thrown();
@@ -255,24 +255,24 @@ public final class WorkerProcess {
     private WorkerLostException thrown() throws IOException {
       return new WorkerLostException(
           MessageCode.WORKER_ENDED,
-          "the process of the run failed: " + hear(in::readUTF) + ".",
+          "the process of the run failed: " + receive(in::readUTF) + ".",
           ASK_CLASSES);
     }
 
     private IllegalArgumentException refused() throws IOException {
-      String why = hear(in::readUTF);
+      String why = receive(in::readUTF);
       return new IllegalArgumentException(why);
     }
 
     private List<Variable> columns() throws IOException {
-      int count = hear(in::readInt);
+      int count = receive(in::readInt);
       if (count < 1 || count > MOST_COLUMNS || row.length > 0) {
         throw new StreamCorruptedException(count + " columns");
       }
       List<Variable> columns = new ArrayList<>();
       for (int i = 0; i < count; i++) {
-        String name = hear(in::readUTF);
-        columns.add(new Variable(name, hear(in::readUTF)));
+        String name = receive(in::readUTF);
+        columns.add(new Variable(name, receive(in::readUTF)));
       }
       row = new double[count];
       return columns;
@@ -306,11 +306,11 @@ public final class WorkerProcess {
      * @param mayBeSaved whether it can make a checkpoint before it goes on
      */
     private void step(boolean mayBeSaved) throws IOException {
-      double time = hear(in::readDouble);
-      double stepSize = hear(in::readDouble);
-      int order = hear(in::readInt);
-      long steps = hear(in::readLong);
-      control.setStiff(hear(in::readBoolean));
+      double time = receive(in::readDouble);
+      double stepSize = receive(in::readDouble);
+      int order = receive(in::readInt);
+      long steps = receive(in::readLong);
+      control.setStiff(receive(in::readBoolean));
       byte answer;
       if (mayBeSaved && isDue(time, stepSize, order, steps)) {
         answer = WorkerMain.SAVE;
@@ -319,7 +319,7 @@ public final class WorkerProcess {
       } else {
         answer = WorkerMain.STOP;
       }
-      say(() -> out.writeByte(answer));
+      send(() -> out.writeByte(answer));
     }
 
     private boolean isDue(double time, double stepSize, int order, long steps) {
@@ -339,7 +339,7 @@ public final class WorkerProcess {
     /**
      * A row that cannot be kept is the host's trouble; a message that does not come, the worker's.
      */
-    private static <T> T hear(Reading<T> message)
+    private static <T> T receive(Reading<T> message)
         throws PeerGoneException, StreamCorruptedException {
       try {
         return message.read();
@@ -350,7 +350,7 @@ public final class WorkerProcess {
       }
     }
 
-    private void say(Writing message) throws PeerGoneException {
+    private void send(Writing message) throws PeerGoneException {
       try {
         message.write();
         out.flush();

@@ -53,7 +53,7 @@ class RunControlTest {
     double[] state = new double[1];
     assertThat(control.state(state, PATIENCE_MILLIS)).isEmpty();
     Thread[] asked = new Thread[1];
-    control.giveStates(
+    control.setStates(
         Optional.of(
             values -> {
               asked[0] = Thread.currentThread();
@@ -65,7 +65,7 @@ class RunControlTest {
     assertThat(control.state(state, PATIENCE_MILLIS)).hasValue(5);
     assertThat(state).containsExactly(42);
     assertThat(asked[0]).isSameAs(solver);
-    control.giveStates(Optional.empty());
+    control.setStates(Optional.empty());
     assertThat(control.state(state, PATIENCE_MILLIS)).isEmpty();
     control.stop();
     solver.join();

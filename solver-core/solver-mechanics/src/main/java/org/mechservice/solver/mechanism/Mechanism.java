@@ -364,7 +364,7 @@ public final class Mechanism {
   }
 
   /** Returns whether the state or the equations of a run may change abruptly. */
-  public boolean somethingHappens() {
+  public boolean mayChangeAbruptly() {
     return !events.isEmpty() || !samplings.isEmpty() || mayJump();
   }
 

@@ -116,7 +116,7 @@ final class ActiveRows {
   }
 
   /** Permits the choice of all rows that are left. */
-  void waken() {
+  void reactivate() {
     for (int i = m - 1; i >= 0; i--) {
       if (!removed[i] && !listed[i]) {
         list(i);

@@ -85,7 +85,7 @@ public final class SparseElimination {
   }
 
   private void eliminateAbove(double least, int steps) {
-    active.waken();
+    active.reactivate();
     while (eliminated < steps) {
       Interruption.check();
       int found = active.choose(least, OF_ROW, CANDIDATES);
@@ -124,7 +124,7 @@ public final class SparseElimination {
     Arrays.fill(stepOfRow, -1);
     Arrays.fill(lowerCount, 0);
     eliminated = 0;
-    active.waken();
+    active.reactivate();
     for (int k = 0; k < rows.length; k++) {
       active.choose(rows[k], columns[k]);
       eliminate(rows[k], columns[k]);

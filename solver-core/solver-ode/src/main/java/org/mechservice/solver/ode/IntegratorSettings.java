@@ -136,7 +136,7 @@ public record IntegratorSettings(
 
   /**
    * Measured on the problems of the suite and on as many others: it costs 1.3 times the evaluations
-   * with Adams methods, 1.5 times with stiff ones. From 0.03 to 0.06 shares and costs go with the
+   * with Adams methods, 1.4 times with stiff ones. From 0.03 to 0.06 shares and costs go with the
    * factor, up to a few runs that change sides by chance.
    */
   private static final double STRICT_FACTOR = 0.05;

@@ -150,7 +150,7 @@
  * <tr><td>standard</td><td>narrow down jumps</td><td>the same; fewer iterations; shorter steps
  * where nothing is stiff</td><td>the default</td></tr>
  * <tr><td>strict</td><td>a 20th of the tolerances, 1.3 times the evaluations</td><td>the same,
- * 1.5 times the evaluations</td><td>the digits asked for have to arrive</td></tr>
+ * 1.4 times the evaluations</td><td>the digits asked for have to arrive</td></tr>
  * </table>
  *
  * <h2>What the tolerance means</h2>

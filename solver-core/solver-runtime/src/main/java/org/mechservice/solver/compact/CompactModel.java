@@ -135,7 +135,7 @@ public record CompactModel(
    * @param values code for their expressions, if any, for this model only
    */
   public Model watched(Model model, Optional<WrittenValues> values) {
-    return mechanism.somethingHappens()
+    return mechanism.mayChangeAbruptly()
         ? ModelParts.of(model).with(new StateEvents(mechanism, values))
         : model;
   }

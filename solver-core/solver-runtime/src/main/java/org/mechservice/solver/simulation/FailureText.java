@@ -184,11 +184,14 @@ final class FailureText {
   /** Returns the last attempted steps. */
   static List<Failure.Step> steps(IntegrationFailure failure) {
     return failure.lastSteps().stream()
-        .map(s -> new Failure.Step(s.time(), s.stepSize(), s.order(), s.error(), told(s.attempt())))
+        .map(
+            s ->
+                new Failure.Step(
+                    s.time(), s.stepSize(), s.order(), s.error(), outcomeText(s.attempt())))
         .toList();
   }
 
-  private static String told(TrialOutcome attempt) {
+  private static String outcomeText(TrialOutcome attempt) {
     return switch (attempt) {
       case PASSED -> "accepted";
       case TOO_INACCURATE -> TOO_INACCURATE;

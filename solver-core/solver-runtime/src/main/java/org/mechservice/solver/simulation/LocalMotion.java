@@ -94,7 +94,7 @@ record LocalMotion(double damping, double stiffness) {
   }
 
   /** Returns the motion as a sentence followed by a space; empty if it is zero or unknown. */
-  String said() {
+  String sentence() {
     double discriminant = damping * damping - 4 * stiffness;
     String rate;
     if (discriminant < 0) {

@@ -108,7 +108,7 @@ final class RunFailures {
                 events.part(),
                 FailureText.staysShort(failure.cause())
                     ? LocalMotion.of(equations, failure.worstComponent(), integrator.time(), y)
-                        .said()
+                        .sentence()
                     : "",
                 FailureText.ImplicitLoops.of(equations.model()));
     return failed(told.after(tried));

@@ -228,7 +228,7 @@ public final class Simulation implements Solver {
       try {
         return report(integrate());
       } finally {
-        control.giveStates(Optional.empty());
+        control.setStates(Optional.empty());
       }
     }
 
@@ -268,7 +268,7 @@ public final class Simulation implements Solver {
       }
       nextRow++;
       stiffness.ifPresent(samples -> samples.begin(y));
-      control.giveStates(Optional.of(this::copyState));
+      control.setStates(Optional.of(this::copyState));
       if (!control.proceed(settings.tStart(), 0, 0, 0)) {
         return Optional.of(new Outcome.Stopped());
       }
@@ -279,7 +279,7 @@ public final class Simulation implements Solver {
 
     private Outcome goOnFrom(byte[] saved) throws IOException {
       checkpoints.restore(saved, this::transfer);
-      control.giveStates(Optional.of(this::copyState));
+      control.setStates(Optional.of(this::copyState));
       return goOn() ? stepToEnd() : new Outcome.Stopped();
     }
 

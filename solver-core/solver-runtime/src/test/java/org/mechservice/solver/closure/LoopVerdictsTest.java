@@ -144,8 +144,13 @@ class LoopVerdictsTest {
     lines.add("# Verdicts on loops: sparse elimination against singular values");
     lines.add("");
     lines.add(
-        "Written on %s by `mvn verify -Psoak`, test `LoopVerdictsTest`: %d seeded mechanisms, each set"
-                .formatted(LocalDate.now(ZoneOffset.UTC), ALL)
+        "Written on %s by `mvn verify -Psoak`, test `LoopVerdictsTest`, %s %s, Java %s: %d seeded mechanisms, each set"
+                .formatted(
+                    LocalDate.now(ZoneOffset.UTC),
+                    System.getProperty("os.name"),
+                    System.getProperty("os.arch"),
+                    System.getProperty("java.version"),
+                    ALL)
             + " up by sparse elimination and by singular values of the whole matrix. Both ways say the"
             + " same of every mechanism: whether the start closes, the rank, the rank of the positions,"
             + " the number of redundant equations, and whether the start is singular. The table says"

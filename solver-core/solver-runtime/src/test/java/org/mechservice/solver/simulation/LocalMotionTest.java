@@ -17,7 +17,7 @@ class LocalMotionTest {
   }
 
   private static String said(double damping, double stiffness) {
-    return new LocalMotion(damping, stiffness).said();
+    return new LocalMotion(damping, stiffness).sentence();
   }
 
   @Test
@@ -62,10 +62,10 @@ class LocalMotionTest {
 
   @Test
   void nothingIsSaidOfAFreeCoordinateNorOfOneWithoutValues() {
-    assertThat(at(0, 0, 1, 1, VELOCITY).said()).isEmpty();
-    assertThat(at(Double.NaN, 0, 1, 1, VELOCITY).said()).isEmpty();
-    assertThat(at(1, 0, 1, 1, -1).said()).isEmpty();
-    assertThat(at(1, 0, 1, 1, 2).said()).isEmpty();
+    assertThat(at(0, 0, 1, 1, VELOCITY).sentence()).isEmpty();
+    assertThat(at(Double.NaN, 0, 1, 1, VELOCITY).sentence()).isEmpty();
+    assertThat(at(1, 0, 1, 1, -1).sentence()).isEmpty();
+    assertThat(at(1, 0, 1, 1, 2).sentence()).isEmpty();
   }
 
   private static final class Spring extends HarmonicOscillator {

@@ -35,13 +35,14 @@ public record AngleGroup(int start, int count, Scalar angle) {
       return 1;
     }
     int length = 1;
-    while (start + length < angles.size() && first.goesOn(angles.get(start + length), length)) {
+    while (start + length < angles.size()
+        && first.continuesWith(angles.get(start + length), length)) {
       length++;
     }
     return length;
   }
 
-  private boolean goesOn(Scalar other, int distance) {
+  private boolean continuesWith(Scalar other, int distance) {
     AngleGroup next = new AngleGroup(start + distance, 1, other);
     return next.input().operation() == ScalarOperation.INPUT
         && next.input().index() == input().index() + distance

@@ -79,7 +79,7 @@ public record CallSequence(List<Call> calls, int count) {
     }
     List<Call> grown = grown(calls, start, row);
     int times = 1;
-    while (start + (times + 1) * row <= calls.size() && goesOn(calls, grown, start, times)) {
+    while (start + (times + 1) * row <= calls.size() && continues(calls, grown, start, times)) {
       times++;
     }
     return times;
@@ -99,7 +99,7 @@ public record CallSequence(List<Call> calls, int count) {
     return grown;
   }
 
-  private static boolean goesOn(List<Call> calls, List<Call> grown, int start, int times) {
+  private static boolean continues(List<Call> calls, List<Call> grown, int start, int times) {
     for (int i = 0; i < grown.size(); i++) {
       Call first = grown.get(i);
       Call call = calls.get(start + times * grown.size() + i);

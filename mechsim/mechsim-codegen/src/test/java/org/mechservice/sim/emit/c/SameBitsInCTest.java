@@ -8,6 +8,8 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.LocalDate;
+import java.time.ZoneOffset;
 import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
@@ -300,7 +302,9 @@ class SameBitsInCTest {
     lines.add("# C and Java");
     lines.add("");
     lines.add(
-        "Written by `mvn verify -Psoak`: random open chains of 2 to 8 bodies, seeds 1 to "
+        "Written on "
+            + LocalDate.now(ZoneOffset.UTC)
+            + " by `mvn verify -Psoak`: random open chains of 2 to 8 bodies, seeds 1 to "
             + MANY_SCENES
             + ", all joint types, driven joints, forces of every kind but classes, each in "
             + STATES

@@ -1,12 +1,12 @@
 package org.mechservice.sim.emit.plan;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.mechservice.sim.model.ModelAgreement.assertClose;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Objects;
@@ -136,13 +136,6 @@ class LongScenesTest {
     ((BodyPoses) code).poses(TIME, y, actual);
     ((BodyPoses) data).poses(TIME, y, expected);
     assertClose(actual, expected, 1e-12);
-  }
-
-  private static void assertClose(double[] actual, double[] expected, double tolerance) {
-    double scale = Arrays.stream(expected).map(Math::abs).max().orElse(0);
-    for (int i = 0; i < expected.length; i++) {
-      assertThat(Math.abs(actual[i] - expected[i])).isLessThanOrEqualTo(tolerance * scale);
-    }
   }
 
   /** Two angles of each Hooke joint, four numbers of a ball between them: none are in a row. */

@@ -1,6 +1,8 @@
 package org.mechservice.sim.equations.force;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.mechservice.sim.model.ModelAgreement.assertClose;
+import static org.mechservice.sim.model.ModelAgreement.assertEnergiesClose;
 
 import java.util.Arrays;
 import java.util.EnumSet;
@@ -100,19 +102,7 @@ class GeneratedForcesTest {
         .isEqualTo(ExplicitModel.REGULAR);
     // Other operations in another order: rounding times depth and condition.
     assertClose(actual, expected, 1e-10);
-    double[] energy = new double[2];
-    double[] energies = new double[2];
-    ((Energies) model).energy(TIME, y, energy);
-    reference.energy(TIME, y, energies);
-    assertClose(energy, energies, 1e-12);
-    assertClose(
-        new double[] {((PowerInput) model).power(TIME, y)},
-        new double[] {reference.power(TIME, y)},
-        1e-9);
-    assertClose(
-        new double[] {((PowerInput) model).turnover(TIME, y)},
-        new double[] {reference.turnover(TIME, y)},
-        1e-9);
+    assertEnergiesClose(model, reference, TIME, y);
     assertValues(model, reference, y);
   }
 
@@ -127,17 +117,5 @@ class GeneratedForcesTest {
     reference.values(ColumnGroup.FORCES, TIME, y, expected, 1);
     assertClose(values, expected, 1e-10);
     assertThat(columns.columns(ColumnGroup.BODIES)).isEmpty();
-  }
-
-  private static void assertClose(double[] actual, double[] expected, double tolerance) {
-    double scale = 0;
-    for (double value : expected) {
-      scale = Math.max(scale, Math.abs(value));
-    }
-    for (int i = 0; i < expected.length; i++) {
-      assertThat(Math.abs(actual[i] - expected[i]))
-          .as("element %s: %s, expected %s", i, actual[i], expected[i])
-          .isLessThanOrEqualTo(tolerance * scale);
-    }
   }
 }

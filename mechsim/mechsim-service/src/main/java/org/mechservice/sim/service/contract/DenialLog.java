@@ -44,7 +44,7 @@ public final class DenialLog {
 
   /** Logs a refused action. */
   void ofAction(Caller caller, String operation, Object[] arguments, NotAuthorized refusal) {
-    tell(caller, operation + "(" + shown(arguments) + ")", "", refusal);
+    log(caller, operation + "(" + shown(arguments) + ")", "", refusal);
   }
 
   /** Logs a refused query, unless it was logged less than a minute ago. */
@@ -64,10 +64,10 @@ public final class DenialLog {
       questions.put(key, told);
     }
     String often = before == 0 ? "" : " (and " + before + " times before)";
-    tell(caller, operation + "()", often, refusal);
+    log(caller, operation + "()", often, refusal);
   }
 
-  private void tell(Caller caller, String what, String often, NotAuthorized refusal) {
+  private void log(Caller caller, String what, String often, NotAuthorized refusal) {
     String name = clean(caller.name(""));
     String text =
         "\"" + name + "\" (" + caller.roleName() + ") at " + caller.address() + " was refused ";

@@ -64,7 +64,7 @@ final class RunCheckpoints implements Checkpoints {
   }
 
   /** Requests a checkpoint after the next step; returns the number of the request. */
-  synchronized long ask() {
+  synchronized long request() {
     asked++;
     return asked;
   }

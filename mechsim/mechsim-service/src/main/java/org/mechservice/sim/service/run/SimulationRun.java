@@ -250,7 +250,7 @@ public final class SimulationRun implements Runnable {
     if (state() == SimState.SIM_CREATED || state() == SimState.SIM_QUEUED) {
       throw ContractErrors.state(state(), "the simulation has not begun: there is nothing to save");
     }
-    long request = checkpoints.ask();
+    long request = checkpoints.request();
     long slices = MAX_WAIT_MILLIS.value / CHECKPOINT_CHECK_MILLIS;
     for (long i = 0; i < slices && !checkpoints.answers(request) && !takesNoStep(); i++) {
       Thread.sleep(CHECKPOINT_CHECK_MILLIS);

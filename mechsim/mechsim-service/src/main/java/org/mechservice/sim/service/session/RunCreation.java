@@ -94,7 +94,7 @@ final class RunCreation {
             identity(task, source, asked), task, columns, setUp(source, compiled.generated()));
     SimulationRun run = runs.create(plan, session);
     IMechSimRemote reference = session.add(run, client);
-    session.said(run, messages(source, compiled.generated(), asked));
+    session.recordMessages(run, messages(source, compiled.generated(), asked));
     return new Created(
         run,
         reference,

@@ -247,7 +247,7 @@ final class Session implements SimulationRun.Listener, ResultCursors.Owner {
   }
 
   /** Records messages about a simulation as an event, and calls the client back. */
-  void said(SimulationRun run, Diagnostic[] messages) {
+  void recordMessages(SimulationRun run, Diagnostic[] messages) {
     events.messages(run.progress(), messages);
     IMechClient listener = listenerOf(run);
     if (listener != null) {
@@ -286,7 +286,7 @@ final class Session implements SimulationRun.Listener, ResultCursors.Owner {
 
   private void report(
       SimulationRun run, String kind, Severity weight, MessageCode code, String text) {
-    said(run, new Diagnostic[] {ContractTypes.diagnostic(weight, code, text)});
+    recordMessages(run, new Diagnostic[] {ContractTypes.diagnostic(weight, code, text)});
     host.journal()
         .add(
             new JournalEntry(

@@ -351,7 +351,7 @@ public final class SessionTable implements AutoCloseable {
 
   private void kill(Session session, SimulationRun run, String reason) {
     String text = "cancelled by the operator: " + reason;
-    session.said(
+    session.recordMessages(
         run, new Diagnostic[] {ContractTypes.information(MessageCode.CANCELLED_BY_OPERATOR, text)});
     run.stop();
     host.journal()

@@ -60,7 +60,7 @@ public class RunControl {
 
   // A run that may continue is no longer held, even before its thread has woken up: a caller that
   // requests a step and waits for the next hold must not see the hold before the step.
-  private void letGo() {
+  private void release() {
     held = held && mustHold();
     notifyAll();
   }
@@ -69,7 +69,7 @@ public class RunControl {
   public synchronized void resume() {
     stepsAllowed = Long.MAX_VALUE;
     holdAt = Double.POSITIVE_INFINITY;
-    letGo();
+    release();
   }
 
   /**
@@ -80,14 +80,14 @@ public class RunControl {
   public synchronized void resumeTo(double until) {
     stepsAllowed = Long.MAX_VALUE;
     holdAt = until;
-    letGo();
+    release();
   }
 
   /** Continues the run for one accepted step, then pauses it. */
   public synchronized void step() {
     holdAt = Double.POSITIVE_INFINITY;
     stepsAllowed = steps + 1;
-    letGo();
+    release();
   }
 
   /** Returns whether the run is waiting for {@link #resume}, {@link #resumeTo} or {@link #step}. */
@@ -118,7 +118,7 @@ public class RunControl {
    *
    * @param source called only in the thread of the run, between two steps; empty for none
    */
-  public final synchronized void giveStates(Optional<StateSource> source) {
+  public final synchronized void setStates(Optional<StateSource> source) {
     states = source;
     notifyAll();
   }

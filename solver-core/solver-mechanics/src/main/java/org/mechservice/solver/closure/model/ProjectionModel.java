@@ -99,7 +99,7 @@ public class ProjectionModel extends LoopModel implements DependentStates, Model
   }
 
   /** Returns whether the motion can continue from the last accepted state. */
-  final boolean goesOn() {
+  final boolean canContinue() {
     if (broken.isPresent()) {
       fail(broken.get());
     }
@@ -125,7 +125,7 @@ public class ProjectionModel extends LoopModel implements DependentStates, Model
 
   @Override
   public final int derivative(double t, double[] y, double[] yDot) {
-    if (!goesOn()) {
+    if (!canContinue()) {
       return DEFECT;
     }
     int solved =

@@ -78,7 +78,7 @@ public class ResidualProjectionModel extends ProjectionModel implements Residual
 
   /** Places a state and evaluates M v' + b − τ for the independent derivatives given. */
   final int evaluate(double t, double[] y, double[] yDot) {
-    if (!goesOn()) {
+    if (!canContinue()) {
       return DEFECT;
     }
     work.place(t, y);

@@ -67,7 +67,8 @@ final class FormulaFinding {
             changed ->
                 changed.defect(
                     MessageCode.STEP_TOO_SMALL,
-                    "The error test fails at every step size: " + changed.says(" within one", t),
+                    "The error test fails at every step size: "
+                        + changed.sentence(" within one", t),
                     "A pole, an overflow or a jump lies there: give the formula a bounded value"
                         + " and slope, make the jump an event, or end the run before."));
   }
@@ -86,14 +87,14 @@ final class FormulaFinding {
                 changed.defect(
                     MessageCode.NEWTON_DIVERGES,
                     "The equations of an implicit step cannot be solved at any step size: "
-                        + changed.says(" between neighbouring states", t),
+                        + changed.sentence(" between neighbouring states", t),
                     "Give the formula a slope in place of the jump, such as tanh(x/eps) for"
                         + " signum(x), or make the jump an event."));
   }
 
   /** A force with two values. */
   private record Changed(List<String> fields, double here, double there) {
-    String says(String where, double t) {
+    String sentence(String where, double t) {
       return "the "
           + fields.get(1)
           + " "

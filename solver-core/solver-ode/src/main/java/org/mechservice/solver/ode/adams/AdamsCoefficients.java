@@ -30,6 +30,15 @@ final class AdamsCoefficients {
 
   private static final int LENGTH = HIGHEST_ORDER + 3;
 
+  /** g_{1,q}, the first row of the table. */
+  private static final double[] FIRST_ROW = new double[LENGTH];
+
+  static {
+    for (int q = 1; q < LENGTH; q++) {
+      FIRST_ROW[q] = 1.0 / (q * (q + 1));
+    }
+  }
+
   /** β_1 … β_k of the step being tried; 1 up to {@link #equalSteps}. */
   final double[] beta = new double[LENGTH];
 
@@ -92,10 +101,15 @@ final class AdamsCoefficients {
     if (equalSteps <= lastOrder) {
       equalSteps++;
     }
-    stretches(h, k);
+    for (int i = 1; i <= Math.min(equalSteps, k); i++) {
+      psiTried[i] = h * i;
+    }
     if (k >= equalSteps) {
+      alpha[equalSteps] = 1.0 / equalSteps;
+      beta[equalSteps] = 1;
+      sigma[equalSteps + 1] = 1;
       startTable(k);
-      reduceTable(k);
+      formUnequal(h, k);
     }
   }
 
@@ -106,23 +120,25 @@ final class AdamsCoefficients {
     lastOrder = k;
   }
 
-  /** ψ, α, β and σ of the step being tried. */
-  private void stretches(double h, int k) {
-    int ns = equalSteps;
-    for (int i = 1; i <= Math.min(ns, k); i++) {
-      psiTried[i] = h * i;
-    }
-    if (k < ns) {
-      return;
-    }
-    alpha[ns] = 1.0 / ns;
-    beta[ns] = 1;
-    sigma[ns + 1] = 1;
-    for (int i = ns + 1; i <= k; i++) {
-      psiTried[i] = psi[i - 1] + h;
-      alpha[i] = h / psiTried[i];
-      beta[i] = beta[i - 1] * psiTried[i - 1] / psi[i - 1];
-      sigma[i + 1] = i * alpha[i] * sigma[i];
+  /**
+   * Forms ψ_i, α_i, β_i and σ_{i+1} beyond the steps of equal size, and each row of the table with
+   * them: the divisions for β wait for each other, which leaves time for a row.
+   */
+  private void formUnequal(double h, int k) {
+    double stretch = psiTried[equalSteps];
+    double scale = beta[equalSteps];
+    double weight = sigma[equalSteps + 1];
+    for (int i = equalSteps + 1; i <= k; i++) {
+      double before = psi[i - 1];
+      scale = scale * stretch / before;
+      stretch = before + h;
+      double share = h / stretch;
+      weight = i * share * weight;
+      psiTried[i] = stretch;
+      alpha[i] = share;
+      beta[i] = scale;
+      sigma[i + 1] = weight;
+      reduceTable(k, i);
     }
   }
 
@@ -130,14 +146,12 @@ final class AdamsCoefficients {
   private void startTable(int k) {
     int ns = equalSteps;
     if (ns == 1) {
-      for (int q = 1; q <= k; q++) {
-        v[q] = 1.0 / (q * (q + 1));
-        w[q] = v[q];
-      }
+      System.arraycopy(FIRST_ROW, 1, v, 1, k);
+      System.arraycopy(FIRST_ROW, 1, w, 1, k);
       return;
     }
     if (k > lastOrder) {
-      v[k] = 1.0 / (k * (k + 1));
+      v[k] = FIRST_ROW[k];
       for (int j = 1; j <= ns - 2; j++) {
         v[k - j] -= alpha[j + 1] * v[k - j + 1];
       }
@@ -149,14 +163,13 @@ final class AdamsCoefficients {
     g[ns + 1] = w[1];
   }
 
-  /** Reduces the table row by row; the head of each row is the next g. */
-  private void reduceTable(int k) {
-    for (int i = equalSteps + 2; i <= k + 1; i++) {
-      for (int q = 1; q <= k + 2 - i; q++) {
-        w[q] -= alpha[i - 1] * w[q + 1];
-      }
-      g[i] = w[1];
+  /** Reduces the table by a row, whose head is g_{i+1}. */
+  private void reduceTable(int k, int i) {
+    double share = alpha[i];
+    for (int q = 1; q <= k + 1 - i; q++) {
+      w[q] -= share * w[q + 1];
     }
+    g[i + 1] = w[1];
   }
 
   /** Carries the state between two steps over. */

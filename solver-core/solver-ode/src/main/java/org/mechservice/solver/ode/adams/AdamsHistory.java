@@ -109,12 +109,13 @@ final class AdamsHistory implements Manifold.History {
 
   /** Forms p and φ^p. */
   void predict(double h, int k, double[] beta, double[] g) {
-    int n = predicted.length;
-    System.arraycopy(differences[k + 1], 0, extrapolated[k + 2], 0, n);
-    Arrays.fill(extrapolated[k + 1], 0);
-    Arrays.fill(predicted, 0);
-    for (int i = k; i >= 1; i--) {
-      addTerm(differences[i], beta[i], g[i], extrapolated[i + 1], extrapolated[i], predicted);
+    beginSums(k, beta[k], g[k]);
+    int i = k - 1;
+    for (; i > 1; i -= 2) {
+      addTwoTerms(i, beta, g);
+    }
+    if (i == 1) {
+      addTerm(i, beta[i], g[i]);
     }
     if (compensated) {
       addIncrementCompensated(h);
@@ -123,13 +124,49 @@ final class AdamsHistory implements Manifold.History {
     }
   }
 
-  /** One term of both sums: φ^p_i = φ^p_{i+1} + φ*_i and p = p + g_i φ*_i. */
-  private static void addTerm(
-      double[] difference, double beta, double g, double[] above, double[] here, double[] sum) {
-    for (int l = 0; l < sum.length; l++) {
+  /** The first term of both sums: φ^p_k = φ*_k and p = g_k φ*_k. */
+  private void beginSums(int k, double beta, double g) {
+    double[] difference = differences[k];
+    double[] sum = extrapolated[k];
+    double[] p = predicted;
+    for (int l = 0; l < p.length; l++) {
       double rescaled = beta * difference[l];
-      sum[l] += g * rescaled;
-      here[l] = above[l] + rescaled;
+      p[l] = g * rescaled;
+      sum[l] = rescaled;
+    }
+  }
+
+  /** One term of both sums: φ^p_i = φ^p_{i+1} + φ*_i and p = p + g_i φ*_i. */
+  private void addTerm(int i, double beta, double g) {
+    double[] difference = differences[i];
+    double[] above = extrapolated[i + 1];
+    double[] sum = extrapolated[i];
+    double[] p = predicted;
+    for (int l = 0; l < p.length; l++) {
+      double rescaled = beta * difference[l];
+      p[l] += g * rescaled;
+      sum[l] = above[l] + rescaled;
+    }
+  }
+
+  /** The terms i and i − 1 in one pass: for few components it takes longer to begin than to do. */
+  private void addTwoTerms(int i, double[] beta, double[] g) {
+    double[] first = differences[i];
+    double[] second = differences[i - 1];
+    double[] above = extrapolated[i + 1];
+    double[] firstSum = extrapolated[i];
+    double[] secondSum = extrapolated[i - 1];
+    double[] p = predicted;
+    double beta1 = beta[i];
+    double beta2 = beta[i - 1];
+    double g1 = g[i];
+    double g2 = g[i - 1];
+    for (int l = 0; l < p.length; l++) {
+      double rescaled1 = beta1 * first[l];
+      double rescaled2 = beta2 * second[l];
+      p[l] = p[l] + g1 * rescaled1 + g2 * rescaled2;
+      firstSum[l] = above[l] + rescaled1;
+      secondSum[l] = firstSum[l] + rescaled2;
     }
   }
 
@@ -149,17 +186,15 @@ final class AdamsHistory implements Manifold.History {
 
   /** Forms d from f at the prediction. */
   void compareDerivative() {
-    subtract(derivative, extrapolated[1], discrepancy);
+    double[] foreseen = extrapolated[1];
+    for (int l = 0; l < discrepancy.length; l++) {
+      discrepancy[l] = derivative[l] - foreseen[l];
+    }
   }
 
   /** Returns the derivative at the end of the step as it was extrapolated; not to be modified. */
   double[] foreseen() {
     return extrapolated[1];
-  }
-
-  /** Returns φ*_i of a component, i up to the order of the step being tried. */
-  double extrapolatedDifference(int i, int component) {
-    return extrapolated[i][component] - extrapolated[i + 1][component];
   }
 
   /** Returns ‖φ^p_i + d‖, the discrepancy as a formula of order i − 1 would have had it. */
@@ -190,17 +225,22 @@ final class AdamsHistory implements Manifold.History {
   /** Accepts the corrected state and forms φ_1 … φ_{k+2} from f there. */
   void accept(int k) {
     double[] change = differences[k + 1];
-    subtract(derivative, extrapolated[1], change);
-    subtract(change, extrapolated[k + 2], differences[k + 2]);
-    for (int i = 1; i <= k; i++) {
-      add(extrapolated[i], change, differences[i]);
+    takeChange(change, differences[k + 2]);
+    int i = k;
+    for (; i > 1; i -= 2) {
+      addToTwo(i, change);
+    }
+    if (i == 1) {
+      addToFirst(change);
     }
     double[] freed = state;
     state = corrected;
     corrected = freed;
-    double[] freedCarry = stateCarry;
-    stateCarry = correctedCarry;
-    correctedCarry = freedCarry;
+    if (compensated) {
+      double[] freedCarry = stateCarry;
+      stateCarry = correctedCarry;
+      correctedCarry = freedCarry;
+    }
   }
 
   /** {@inheritDoc} All differences of the accepted state have the factor too. */
@@ -216,15 +256,34 @@ final class AdamsHistory implements Manifold.History {
     }
   }
 
-  private static void add(double[] x1, double[] x2, double[] sum) {
-    for (int l = 0; l < sum.length; l++) {
-      sum[l] = x1[l] + x2[l];
+  /** Forms φ_{k+1} and φ_{k+2} of the one before it. */
+  private void takeChange(double[] change, double[] changeOfChange) {
+    double[] foreseen = extrapolated[1];
+    for (int l = 0; l < change.length; l++) {
+      double latest = derivative[l] - foreseen[l];
+      changeOfChange[l] = latest - change[l];
+      change[l] = latest;
     }
   }
 
-  private static void subtract(double[] x1, double[] x2, double[] difference) {
-    for (int l = 0; l < difference.length; l++) {
-      difference[l] = x1[l] - x2[l];
+  /** Forms φ_i and φ_{i−1} in one pass. */
+  private void addToTwo(int i, double[] change) {
+    double[] first = extrapolated[i];
+    double[] second = extrapolated[i - 1];
+    double[] firstSum = differences[i];
+    double[] secondSum = differences[i - 1];
+    for (int l = 0; l < change.length; l++) {
+      firstSum[l] = first[l] + change[l];
+      secondSum[l] = second[l] + change[l];
+    }
+  }
+
+  /** Forms φ_1. */
+  private void addToFirst(double[] change) {
+    double[] first = extrapolated[1];
+    double[] sum = differences[1];
+    for (int l = 0; l < change.length; l++) {
+      sum[l] = first[l] + change[l];
     }
   }
 

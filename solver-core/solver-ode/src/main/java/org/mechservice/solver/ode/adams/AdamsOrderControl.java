@@ -34,6 +34,15 @@ final class AdamsOrderControl {
   private static final double LEAST_SHRINKING = 0.9;
   private static final double MOST_SHRINKING = 0.5;
 
+  /** Powers of the least shrinking: errors of high order ask for no more, without a root. */
+  private static final double[] LEAST_SHRINKING_RAISED = new double[GAMMA_STAR.length];
+
+  static {
+    for (int i = 0; i < LEAST_SHRINKING_RAISED.length; i++) {
+      LEAST_SHRINKING_RAISED[i] = StrictMath.pow(LEAST_SHRINKING, i);
+    }
+  }
+
   /** After this many failures of a step the order falls to 1. */
   private static final int FAILURES_BEFORE_RESTART = 3;
 
@@ -185,6 +194,9 @@ final class AdamsOrderControl {
     }
     if (errorHere <= AIM) {
       return 1;
+    }
+    if (errorHere * LEAST_SHRINKING_RAISED[order + 1] <= AIM) {
+      return LEAST_SHRINKING;
     }
     // (AIM / errorHere)^(1/(k+1)); StrictMath.pow allocates its tables at every call on JDK 17.
     double ratio = StrictMath.exp(StrictMath.log(AIM / errorHere) / (order + 1));

@@ -35,7 +35,7 @@ final class AdamsStep {
   private final AdamsCoefficients coefficients = new AdamsCoefficients();
   private final AdamsOrderControl control = new AdamsOrderControl();
   private final StiffnessMonitor stiffness = new StiffnessMonitor();
-  private final UnseenPlaces unseen;
+  private final HiddenSingularities hidden;
   private final JumpSearch jumps;
 
   private AdamsProblem problem = AdamsProblem.none();
@@ -72,21 +72,21 @@ final class AdamsStep {
     this.firstStep = firstStep;
     mode = settings.mode();
     highestOrder = settings.highestOrder(AdamsCoefficients.HIGHEST_ORDER);
-    unseen = new UnseenPlaces(progress, norm, control, coefficients, mode);
-    jumps = unseen.jumps();
+    hidden = new HiddenSingularities(progress, norm, control, coefficients, mode);
+    jumps = hidden.jumps();
   }
 
   /** Makes ready for a problem, for which norm and bounds are begun. */
   void prepare(AdamsProblem problem) {
     this.problem = problem;
     history = problem.history();
-    unseen.prepare(problem);
+    hidden.prepare(problem);
   }
 
   /** Forgets what steps towards another state have told. */
   void beginAgain() {
     stiffness.beginAgain();
-    unseen.forgetDerivatives();
+    hidden.forgetDerivatives();
   }
 
   /**
@@ -98,7 +98,7 @@ final class AdamsStep {
   TrialOutcome beginAt(double t, double[] y, double initialStep) {
     coefficients.clear();
     control.begin(highestOrder);
-    unseen.beginAt(t);
+    hidden.beginAt(t);
     bounds.stopAt(problem.equations().breakpoints().next());
     triedTime = t;
     h = 0;
@@ -132,9 +132,10 @@ final class AdamsStep {
   /** Sets weights and bounds of a step; one that was stopped is taken up where it stood. */
   void begin() {
     if (!begun) {
-      norm.weigh(history.state());
-      control.beginStep();
       h = bounds.bounded(progress.time(), h);
+      control.beginStep();
+      prepare();
+      norm.weigh(history.state());
       begun = true;
     }
   }
@@ -178,7 +179,7 @@ final class AdamsStep {
       return prediction;
     }
     control.estimate(Math.abs(h), coefficients, history, norm);
-    if (!(control.error() <= 1) || unseen.jumpInside(h, triedTime)) {
+    if (!(control.error() <= 1) || hidden.jumpInside(h, triedTime)) {
       return finite(history.derivative) ? TrialOutcome.TOO_INACCURATE : TrialOutcome.NOT_FINITE;
     }
     if (!correct(h * coefficients.g[k + 1])) {
@@ -218,12 +219,12 @@ final class AdamsStep {
 
   /** Returns the component that has a pole inside the step that passed, −1 if none has. */
   int componentWithPole() {
-    return unseen.componentWithPole(triedTime);
+    return hidden.componentWithPole(triedTime);
   }
 
   /** Returns whether there is a pulse in the step that passed; it is then cut off in front. */
   boolean cutAtPulse() {
-    double part = unseen.partToPulse(h);
+    double part = hidden.partToPulse(h);
     if (!(part < 1)) {
       return false;
     }
@@ -236,7 +237,7 @@ final class AdamsStep {
   /** Goes on to the end of the step that passed. */
   void accept() {
     int k = control.order();
-    unseen.accepting();
+    hidden.accepting();
     history.accept(k);
     coefficients.accept(h, k);
     progress.accepted(h, triedTime, k, control.error());
@@ -275,7 +276,7 @@ final class AdamsStep {
 
   /** Returns whether the solution slides along a jump and would have to cross it for ever. */
   boolean slides() {
-    return unseen.slides(h);
+    return hidden.slides(h);
   }
 
   /** Reduces the step; returns a cause if that is not possible. */
@@ -384,7 +385,7 @@ final class AdamsStep {
     history.transfer(state);
     coefficients.transfer(state);
     control.transfer(state);
-    unseen.transfer(state);
+    hidden.transfer(state);
     stiffness.transfer(state);
     h = state.number(h);
     triedTime = state.number(triedTime);

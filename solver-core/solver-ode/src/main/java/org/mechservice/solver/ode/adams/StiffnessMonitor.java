@@ -58,8 +58,12 @@ public final class StiffnessMonitor {
    */
   private static final double ROUNDING = 1e-9;
 
-  /** h L of the latest step; zero if rounding may have made it. */
-  private double latestProduct;
+  /** ‖h (f(y) − f(p))‖², ‖y − p‖², ‖h f‖² of the latest step but for its factors, and g_{k+1}. */
+  private double latestReaction;
+
+  private double latestCorrection;
+  private double latestWhole;
+  private double latestG;
 
   private int steps;
   private int lowOrderSteps;
@@ -118,12 +122,21 @@ public final class StiffnessMonitor {
       double derivative = weight * history.derivative[l];
       whole += derivative * derivative;
     }
-    double ratio = Math.sqrt(reaction / correction);
-    double cosine = product / Math.sqrt(reaction * correction);
-    double hL = ratio / g;
-    latestProduct = reaction > ROUNDING * ROUNDING * whole ? hL : 0;
-    lookAtEdge(hL, cosine, Math.abs(h) / unit * Math.sqrt(whole) / hL);
-    lookAtLimit(hL, cosine);
+    latestReaction = reaction;
+    latestCorrection = correction;
+    latestWhole = whole;
+    latestG = g;
+    double edge = LIMIT_DAMPED * g;
+    if (reaction < edge * edge * correction) {
+      lookAtEdge(false, 0);
+      lookAtLimit(false);
+    } else {
+      double hL = Math.sqrt(reaction / correction) / g;
+      double cosine = product / Math.sqrt(reaction * correction);
+      boolean damped = cosine <= DAMPED;
+      lookAtEdge(hL >= LIMIT_DAMPED && cosine > DAMPED, Math.abs(h) / unit * Math.sqrt(whole) / hL);
+      lookAtLimit(hL >= LIMIT || (hL >= LIMIT_DAMPED && damped));
+    }
     count(k, error);
   }
 
@@ -138,8 +151,8 @@ public final class StiffnessMonitor {
     }
   }
 
-  private void lookAtEdge(double hL, double cosine, double size) {
-    if (hL >= LIMIT_DAMPED && cosine > DAMPED) {
+  private void lookAtEdge(boolean atEdge, double size) {
+    if (atEdge) {
       sizeAtEdge = stepsAtEdge == 0 ? size : sizeAtEdge;
       stepsAtEdge++;
       stepsOffEdge = 0;
@@ -154,9 +167,7 @@ public final class StiffnessMonitor {
     stepsOffEdge = 0;
   }
 
-  private void lookAtLimit(double hL, double cosine) {
-    boolean damped = hL >= LIMIT_DAMPED && cosine <= DAMPED;
-    boolean atLimit = hL >= LIMIT || damped;
+  private void lookAtLimit(boolean atLimit) {
     int entering = atLimit ? 1 : 0;
     int leavingLatest = (slot + WINDOW - LATEST) % WINDOW;
     latestLimitedSteps += entering - (limited[leavingLatest] ? 1 : 0);
@@ -204,7 +215,8 @@ public final class StiffnessMonitor {
 
   /** Returns h L of the latest step; zero if rounding may have made it. */
   double latestProduct() {
-    return latestProduct;
+    boolean rounding = !(latestReaction > ROUNDING * ROUNDING * latestWhole);
+    return rounding ? 0 : Math.sqrt(latestReaction / latestCorrection) / latestG;
   }
 
   /** Returns whether any verdict since the start was stiff. */

@@ -60,12 +60,19 @@ final class UnforeseenJump {
   /**
    * Returns whether the discrepancy of a step is larger than the differences before it foretell.
    *
-   * @param k order of the step
+   * @param beta β_1 … β_k of the step; not modified
+   * @param k its order
    * @param lastOrder of the step before, which φ_{k+1} is known of if it is not less
    * @param component of the discrepancy
    * @param jumpsKnown whether f is known to jump
    */
-  boolean suspected(AdamsHistory history, int k, int lastOrder, int component, boolean jumpsKnown) {
+  boolean suspected(
+      AdamsHistory history,
+      double[] beta,
+      int k,
+      int lastOrder,
+      int component,
+      boolean jumpsKnown) {
     if (k < 2) {
       return false; // φ*_1 is f itself
     }
@@ -73,15 +80,18 @@ final class UnforeseenJump {
     double last =
         Math.max(
             next,
-            Math.max(difference(history, k, component), difference(history, k - 1, component)));
+            Math.max(
+                difference(history, beta, k, component),
+                difference(history, beta, k - 1, component)));
     double discrepancy = Math.abs(history.discrepancy[component]);
     return discrepancy > (jumpsKnown ? SUDDEN_AGAIN : SUDDEN) * last
-        && discrepancy > (jumpsKnown ? LARGE_AGAIN : LARGE) * difference(history, k - 2, component);
+        && discrepancy
+            > (jumpsKnown ? LARGE_AGAIN : LARGE) * difference(history, beta, k - 2, component);
   }
 
   /** Returns the size of φ*_i; 0 for f itself. */
-  private static double difference(AdamsHistory history, int i, int component) {
-    return i < 2 ? 0 : Math.abs(history.extrapolatedDifference(i, component));
+  private static double difference(AdamsHistory history, double[] beta, int i, int component) {
+    return i < 2 ? 0 : Math.abs(beta[i] * history.difference(i)[component]);
   }
 
   /**

@@ -4,8 +4,8 @@
  *
  * <p>{@link Ode113} is the method of the MATLAB ODE Suite, {@link De} the classical program. Both
  * are an {@link AdamsPece} with another error norm and other bounds of the step. {@link AdamsStep}
- * tells one step: it predicts, evaluates, corrects and evaluates again. {@link UnseenPlaces} looks
- * for what a step that passes may hide, {@link UnforeseenJump} for jumps among that. {@link
+ * tells one step: it predicts, evaluates, corrects and evaluates again. {@link HiddenSingularities}
+ * looks for what a step that passes may hide, {@link UnforeseenJump} for jumps among that. {@link
  * AdamsCoefficients} holds the coefficients on unequal steps, {@link AdamsHistory} the state and
  * its modified divided differences, {@link AdamsInterpolant} the polynomial of the last step.
  * {@link AdamsOrderControl} estimates errors and chooses order and step. {@link StiffnessMonitor}

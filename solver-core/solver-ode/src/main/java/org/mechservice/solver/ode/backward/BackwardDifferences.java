@@ -215,13 +215,14 @@ public final class BackwardDifferences implements Manifold.History {
 
   /** Accepts the corrected state and forms its differences up to order k + 2. */
   public void accept(int k) {
-    takeUpCorrection(tried[k + 2], tried[k + 1], tried[k]);
-    if (k > 3) {
-      raiseThree(tried[k - 3], tried[k - 2], tried[k - 1], tried[k]);
-    } else if (k == 3) {
-      raiseTwo(tried[1], tried[2], tried[3]);
+    if (k < 3) {
+      takeUpCorrection(tried[k + 2], tried[k + 1], tried[k]);
+    } else {
+      takeUpCorrection(tried[k + 2], tried[k + 1], tried[k], tried[k - 1], tried[k - 2]);
     }
-    if (k == 2 || k == 5) {
+    if (k == 5) {
+      raiseTwo(tried[1], tried[2], tried[3]);
+    } else if (k == 2 || k == 4) {
       raise(tried[1], tried[2]);
     }
     if (tried != accepted) {
@@ -243,20 +244,24 @@ public final class BackwardDifferences implements Manifold.History {
     }
   }
 
-  private static void raise(double[] difference, double[] above) {
-    for (int l = 0; l < difference.length; l++) {
-      difference[l] += above[l];
-    }
-  }
-
-  private static void raiseThree(
-      double[] lowest, double[] below, double[] difference, double[] above) {
-    for (int l = 0; l < difference.length; l++) {
-      double raised = difference[l] + above[l];
+  /** Forms those of orders k + 2 to k − 2. */
+  private void takeUpCorrection(
+      double[] afterNext, double[] next, double[] difference, double[] below, double[] lowest) {
+    for (int l = 0; l < correction.length; l++) {
+      double newest = correction[l];
+      afterNext[l] = newest - next[l];
+      next[l] = newest;
+      double raised = difference[l] + newest;
       difference[l] = raised;
       raised += below[l];
       below[l] = raised;
       lowest[l] += raised;
+    }
+  }
+
+  private static void raise(double[] difference, double[] above) {
+    for (int l = 0; l < difference.length; l++) {
+      difference[l] += above[l];
     }
   }
 

@@ -197,7 +197,7 @@ public final class EventIntegration implements ResidualIntegrator {
       return fail(Cause.EVENT_NOT_FINITE);
     }
     result = searchStep(result, PARTS_AFTER_RESTART);
-    values.tellOfZerosLeft();
+    values.reportZerosLeft();
     return result;
   }
 

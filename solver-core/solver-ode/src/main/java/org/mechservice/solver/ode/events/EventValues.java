@@ -70,7 +70,7 @@ final class EventValues {
   }
 
   /** Tells of those of them that have left zero where events of theirs would have led. */
-  void tellOfZerosLeft() {
+  void reportZerosLeft() {
     for (int i = 0; i < zeroAtStart.length; i++) {
       if (zeroAtStart[i] && signs.behindEvent(i)) {
         functions.leftZeroAtStart(i);

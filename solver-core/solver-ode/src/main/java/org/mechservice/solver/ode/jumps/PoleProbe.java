@@ -58,15 +58,18 @@ public final class PoleProbe {
   private static final int USUAL = 2;
 
   /** Derivatives at the beginning of the last step and of the one before it. */
-  private final double[] before;
+  private double[] before;
 
-  private final double[] twoBefore;
+  private double[] twoBefore;
   private double timeBefore;
   private double timeTwoBefore;
   private int known;
 
   /** The step being looked at. */
   private final Step step;
+
+  /** Growth over the step before from which on a pole may be inside of this one. */
+  private double leastGrowth;
 
   /** The component being looked at, and its derivatives at the ends of the step. */
   private int l;
@@ -93,11 +96,36 @@ public final class PoleProbe {
 
   /** Takes note of the derivative at the beginning of an accepted step. */
   public void accepted(double t, double[] derivative) {
-    System.arraycopy(before, 0, twoBefore, 0, before.length);
+    double[] freed = twoBefore;
+    twoBefore = before;
     timeTwoBefore = timeBefore;
+    before = freed;
     timeBefore = t;
     System.arraycopy(derivative, 0, before, 0, before.length);
     known = Math.min(known + 1, 2);
+  }
+
+  /**
+   * Returns whether the derivatives of a step turn or have grown as before a pole: the others are
+   * not worth a look.
+   *
+   * @param t where it begins
+   * @param end where it ends
+   * @param derivative at its beginning
+   * @param derivativeAtEnd at its end
+   */
+  public boolean suspected(double t, double end, double[] derivative, double[] derivativeAtEnd) {
+    leastGrowth = known == 0 ? Double.POSITIVE_INFINITY : 1 + (t - timeBefore) / (end - t);
+    for (int i = 0; i < before.length; i++) {
+      if (turnsOrGrows(before[i], derivative[i], derivativeAtEnd[i])) {
+        return known > 0;
+      }
+    }
+    return false;
+  }
+
+  private boolean turnsOrGrows(double last, double here, double there) {
+    return here * there < 0 || growsUpTo(last, here);
   }
 
   /**
@@ -116,7 +144,7 @@ public final class PoleProbe {
   }
 
   /**
-   * Returns the component with a pole inside the step placed, −1 if there is none.
+   * Returns the component with a pole inside the step suspected and placed, −1 if there is none.
    *
    * @param equations asked for further derivatives if it looks like a pole
    * @param norm what changes less in a step than it allows as an error is not looked at
@@ -131,30 +159,33 @@ public final class PoleProbe {
       double[] derivative,
       double[] foreseen,
       double[] derivativeAtEnd) {
-    if (known == 0) {
-      return -1;
-    }
-    for (l = 0; l < before.length; l++) {
-      here = derivative[l];
-      there = derivativeAtEnd[l];
-      if (!(here * before[l] > 0 && Math.abs(here) > Math.abs(before[l]))) {
-        continue; // not growing
-      }
-      double size = Math.max(Math.abs(step.y[l]), Math.abs(step.yEnd[l]));
-      double move = Math.abs(step.length() * here);
-      anyOrder = known == 2 && move > VERY_MUCH * size && norm.of(step.yEnd) < MOST_TOLERANCES;
-      boolean pole =
-          here * there < 0
-              ? foreseen[l] * here > 0
-                  && Math.abs(step.length() * there) * norm.weight(l) > 1
-                  && changesSignAtPole()
-                  && narrowed(equations)
-              : here * there > 0 && move > MUCH * size && growsUpTo() && peaks(equations);
-      if (pole) {
-        return l;
+    for (int i = 0; i < before.length; i++) {
+      if (turnsOrGrows(before[i], derivative[i], derivativeAtEnd[i])) {
+        l = i;
+        here = derivative[i];
+        there = derivativeAtEnd[i];
+        if (hasPole(equations, norm, foreseen[i])) {
+          return i;
+        }
       }
     }
     return -1;
+  }
+
+  /** Returns whether the component being looked at, which turns or grows, has a pole. */
+  private boolean hasPole(RightHandSide equations, ErrorNorm norm, double foreseen) {
+    if (!(here * before[l] > 0 && Math.abs(here) > Math.abs(before[l]))) {
+      return false; // not growing
+    }
+    double size = Math.max(Math.abs(step.y[l]), Math.abs(step.yEnd[l]));
+    double move = Math.abs(step.length() * here);
+    anyOrder = known == 2 && move > VERY_MUCH * size && norm.of(step.yEnd) < MOST_TOLERANCES;
+    return here * there < 0
+        ? foreseen * here > 0
+            && Math.abs(step.length() * there) * norm.weight(l) > 1
+            && changesSignAtPole()
+            && narrowed(equations)
+        : here * there > 0 && move > MUCH * size && peaks(equations);
   }
 
   /**
@@ -169,7 +200,7 @@ public final class PoleProbe {
     if (alike((ahead + behind) / step.length()) && (known == 1 || alike(twoBefore[l] / earlier))) {
       return true;
     }
-    boolean grows = anyOrder && growsUpTo();
+    boolean grows = anyOrder && growsUpTo(last, here);
     for (int i = 1; grows && i < ORDERS.length; i++) {
       double place = placeOfGrowth(ORDERS[i]);
       double distances = (1 - place) / place;
@@ -182,10 +213,12 @@ public final class PoleProbe {
     return false;
   }
 
-  /** Returns whether it has grown so fast that its pole, if it has one, is in the step. */
-  private boolean growsUpTo() {
-    // A/|t − c|, whose pole is the nearest that the growth allows.
-    return here / before[l] - 1 > (step.t - timeBefore) / step.length();
+  /**
+   * Returns whether a derivative has grown so fast that its pole, if it has one, is in the step:
+   * that of A/|t − c| is the nearest that the growth allows.
+   */
+  private boolean growsUpTo(double last, double here) {
+    return Math.abs(here) > leastGrowth * Math.abs(last);
   }
 
   /**

@@ -146,7 +146,7 @@ public final class ExplicitEquations extends StepEquations {
     probe.place(h, differences.state(), differences.corrected(), norm);
     double[] slope = probe.slope();
     for (int l = 0; l < slope.length; l++) {
-      slope[l] = (differences.psi[l] + differences.correction[l]) / hGamma;
+      slope[l] = slopeOfStep(l, h, hGamma, differences);
       if (!probe.straight(l, slope[l], norm)) {
         return 1;
       }
@@ -154,6 +154,18 @@ public final class ExplicitEquations extends StepEquations {
     return probe.straight(h, slope, norm)
         ? probe.partToPulse(rightHandSide, t, h, differences.state(), norm)
         : 1;
+  }
+
+  /**
+   * Returns an element of the derivative by which a step that passed may be told from a straight
+   * line: that at its end, or the one that predicted it where the formula is y_{n+1} − y_n = h
+   * y'_{n+1}, which makes every step look straight.
+   */
+  private static double slopeOfStep(
+      int l, double h, double hGamma, BackwardDifferences differences) {
+    return hGamma == h
+        ? (differences.predicted[l] - differences.state()[l]) / h
+        : (differences.psi[l] + differences.correction[l]) / hGamma;
   }
 
   @Override

@@ -148,7 +148,11 @@ public final class DaeProblem implements ResidualSystem {
     return with(others.with(kind, part));
   }
 
-  /** Returns the problem with ∂F/∂y' declared to change with the state. */
+  /**
+   * Returns the problem with ∂F/∂y' declared to change with the state, as in M(y) y' = f(t, y). The
+   * iteration then judges how far the matrix has moved away from its factors, which saves
+   * derivatives and rejected steps; the solution is the same within its tolerances.
+   */
   public DaeProblem withMovingMassMatrix() {
     return new DaeProblem(dimension, function, parts, algebraic, true);
   }

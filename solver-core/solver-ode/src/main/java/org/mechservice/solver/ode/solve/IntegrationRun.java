@@ -98,7 +98,7 @@ final class IntegrationRun {
     tEnd = t1;
     place(t0, begin);
     if (started) {
-      tellOutputs(false);
+      passOutputs(false);
     }
     if (started && events.terminal()) {
       result = StepResult.REACHED_END;
@@ -129,7 +129,7 @@ final class IntegrationRun {
   OdeSolution resume(OdeCheckpoint checkpoint) {
     SavedState.restore(checkpoint.bytes(), this::transfer);
     if (integrator.time() != reached) {
-      tellStep();
+      passStep();
     }
     return goOn();
   }
@@ -166,7 +166,7 @@ final class IntegrationRun {
     while (result == StepResult.ADVANCED && !step.stopAsked()) {
       result = integrator.step();
       if (result != StepResult.STOPPED && integrator.time() != reached) {
-        tellStep();
+        passStep();
       }
     }
     interrupted = result == StepResult.STOPPED;
@@ -179,7 +179,7 @@ final class IntegrationRun {
   }
 
   /** Passes the last step to all its receivers. */
-  private void tellStep() {
+  private void passStep() {
     double end = integrator.time();
     step.place(reached, end);
     if (kept.isPresent()) {
@@ -187,7 +187,7 @@ final class IntegrationRun {
     }
     reached = end;
     steps++;
-    tellOutputs(true);
+    passOutputs(true);
     for (StepHandler handler : stepHandlers) {
       handler.accept(step);
     }
@@ -196,7 +196,7 @@ final class IntegrationRun {
     }
   }
 
-  private void tellOutputs(boolean inside) {
+  private void passOutputs(boolean inside) {
     for (RequestedTimes times : outputs) {
       while (times.hasNext() && direction * (times.next() - reached) <= 0) {
         if (inside && times.next() != reached) {
@@ -204,7 +204,7 @@ final class IntegrationRun {
         } else {
           readEnd(y);
         }
-        times.tell(y);
+        times.pass(y);
       }
     }
   }

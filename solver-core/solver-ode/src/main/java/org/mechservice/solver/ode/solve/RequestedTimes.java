@@ -83,7 +83,7 @@ final class RequestedTimes {
   }
 
   /** Passes the solution at the next time to its receiver. */
-  void tell(double[] y) {
+  void pass(double[] y) {
     double t = next();
     next++;
     request.handler().accept(t, y);

@@ -326,7 +326,7 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
     for (Occurrence one : told) {
       MessageCode code =
           isMotion(one.event()) ? MessageCode.DRIVEN_VELOCITY_JUMPED : MessageCode.EVENT_OCCURRED;
-      notes.add(new Note(code, one.time(), false, what(one.event()) + energy(one) + "."));
+      notes.add(new Note(code, one.time(), false, described(one.event()) + energy(one) + "."));
     }
     if (count > told.size()) {
       Occurrence last = told.get(told.size() - 1);
@@ -345,7 +345,7 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
     return new Note(MessageCode.EVENT_ZERO_AT_START, 0, false, text);
   }
 
-  private String what(int event) {
+  private String described(int event) {
     String name = "\"" + names[event] + "\"";
     return switch (actions[event]) {
       case STOP -> "Event " + name + " ends the run";

@@ -11,13 +11,23 @@ import org.mechservice.solver.ode.step.ErrorNorm;
 import org.mechservice.solver.ode.step.IntegrationProgress;
 
 /**
- * What a step of an Adams method may hide although it passes its error test: a jump of f, a pulse,
- * a pole; and whether many short steps together slide along a jump. The programs published do not
- * look.
+ * Jumps, pulses and poles of f that a step of an Adams method may hide although it passes its error
+ * test, and jumps along which many short steps slide. The published programs do not look for them.
+ *
+ * <p>Steps are inspected only where their numbers give a reason, as an evaluation of f may cost
+ * much and an inspection takes as long as the step itself does for small problems: a discrepancy
+ * that the differences before it do not foretell, a derivative that turns or has doubled, an error
+ * that is next to nothing.
  */
-final class UnseenPlaces {
+final class HiddenSingularities {
   /** Parts into which looks for pulses divide a step at most. */
   private static final double MOST_LOOKS = 16;
+
+  /**
+   * Error over the tolerance that no step of a straight stretch has: what it extrapolates is what
+   * it finds.
+   */
+  private static final double ERROR_OF_STRAIGHT_STEP = 0.01;
 
   private final IntegrationProgress progress;
   private final ErrorNorm norm;
@@ -35,7 +45,7 @@ final class UnseenPlaces {
   private PulseProbe pulses = new PulseProbe(0);
   private UnforeseenJump unforeseen = new UnforeseenJump(0);
 
-  UnseenPlaces(
+  HiddenSingularities(
       IntegrationProgress progress,
       ErrorNorm norm,
       AdamsOrderControl control,
@@ -99,7 +109,8 @@ final class UnseenPlaces {
     int component = norm.largest(history.discrepancy);
     boolean suspected =
         jumps.suspects(h, k, control.error())
-            || unforeseen.suspected(history, k, progress.order(), component, jumps.anyKnown());
+            || unforeseen.suspected(
+                history, coefficients.beta, k, progress.order(), component, jumps.anyKnown());
     return suspected
         && unforeseen.found(
             problem.equations(), history, progress.time(), h, k, coefficients.psi, component);
@@ -111,10 +122,11 @@ final class UnseenPlaces {
    * @param end where it ends
    */
   int componentWithPole(double end) {
-    if (!searches) {
+    AdamsHistory history = problem.history();
+    if (!searches
+        || !poles.suspected(progress.time(), end, history.difference(1), history.derivative)) {
       return -1;
     }
-    AdamsHistory history = problem.history();
     poles.place(progress.time(), end, history.state(), history.corrected());
     return poles.component(
         problem.equations(), norm, history.difference(1), history.foreseen(), history.derivative);
@@ -132,13 +144,17 @@ final class UnseenPlaces {
     double t = progress.time();
     double interval = problem.end() - progress.start();
     AdamsHistory history = problem.history();
-    if (pulses.wanted(h, progress.stepSize(), interval, jumps.shortestDistance())) {
+    if (control.error() < ERROR_OF_STRAIGHT_STEP
+        && pulses.wanted(h, progress.stepSize(), interval, jumps.shortestDistance())) {
       pulses.place(h, history.state(), history.corrected(), norm);
       if (pulses.straight(h, history.difference(1), norm)
           && pulses.straight(h, history.derivative, norm)) {
         jumps.straightFrom(progress.start());
         return pulses.partToPulse(problem.equations(), t, h, history.state(), norm);
       }
+    }
+    if (!jumps.anyKnown()) {
+      return 1;
     }
     int parts = (int) Math.min(MOST_LOOKS, Math.ceil(Math.abs(h) / jumps.distanceOfLooks(t)));
     return parts > 1
