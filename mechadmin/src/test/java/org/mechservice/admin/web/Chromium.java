@@ -62,6 +62,8 @@ public final class Chromium implements AutoCloseable, WebSocket.Listener {
                 "--use-gl=angle",
                 "--use-angle=swiftshader",
                 "--enable-unsafe-swiftshader",
+                // Without a graphics processor, texts and boxes are drawn faster as they are.
+                "--disable-gpu-rasterization",
                 "--window-size=1000,700",
                 "--remote-debugging-port=0",
                 "--user-data-dir=" + profile,

@@ -105,7 +105,7 @@ final class EquilibriumModel extends AnalysisModel {
     try {
       double[] rest = new double[point.equations().nv];
       Linearisation linear = new Linearisation(point.equations(), t, point.state(), rest);
-      return StaticEquilibrium.judged(point.equations(), t, linear);
+      return EquilibriumStability.judged(point.equations(), t, linear);
     } catch (Linearisation.NotLinearised e) {
       return List.of();
     }

@@ -2,7 +2,6 @@ package org.mechservice.solver.analysis;
 
 import java.util.Random;
 import org.mechservice.solver.analysis.equation.Linearisation;
-import org.mechservice.solver.linear.Cholesky;
 
 /**
  * A proof that an equilibrium is stable and isolated, without eigenvalues of the first-order
@@ -16,28 +15,18 @@ import org.mechservice.solver.linear.Cholesky;
  * that rule asks. Where the proof fails, nothing is said, and the eigenvalues decide.
  */
 final class ProvenStability {
-  /** Elements that differ from those across by less than this part of the largest are symmetric. */
-  private static final double SYMMETRIC = 1e-9;
+  /** Part of M that makes C positive definite if it is not negative but for rounding. */
+  private static final double ROUNDING = 1e-9;
 
   /** Steps of a power iteration from a random vector, and a bound of what it falls short by. */
   private static final int STEPS = 40;
 
   private static final double SHORT = 4;
 
-  private final int f;
-  private final double[] mass;
-  private final double[] damping;
-  private final double[] stiffness;
-  private final Cholesky ofMass;
-  private final Cholesky ofStiffness;
+  private final MotionForms forms;
 
-  private ProvenStability(Linearisation linear) {
-    f = linear.freedom();
-    mass = linear.mass;
-    damping = linear.damping;
-    stiffness = linear.stiffness;
-    ofMass = new Cholesky(f);
-    ofStiffness = new Cholesky(f);
+  private ProvenStability(MotionForms forms) {
+    this.forms = forms;
   }
 
   /**
@@ -50,86 +39,70 @@ final class ProvenStability {
         linear.freedom() > 0
             && linear.placeFreedom() == linear.freedom()
             && linear.furtherCount() == 0;
-    return secondOrder && new ProvenStability(linear).proves(zero);
+    return secondOrder && of(MotionForms.of(linear), zero);
+  }
+
+  /** As {@link #of(Linearisation, double)}, for motions of second order. */
+  static boolean of(MotionForms forms, double zero) {
+    return new ProvenStability(forms).proves(zero);
   }
 
   private boolean proves(double zero) {
-    if (!isSymmetric(mass)
-        || !isSymmetric(stiffness)
-        || !isSymmetric(damping)
-        || ofStiffness.factor(stiffness) != Cholesky.POSITIVE_DEFINITE
-        || ofMass.factor(mass) != Cholesky.POSITIVE_DEFINITE) {
+    if (!forms.isSymmetric() || !forms.factor(0, 0, 1)) {
       return false;
     }
-    double fastest = Math.sqrt(largest(stiffness, ofMass));
-    double slowest = 1 / Math.sqrt(largest(mass, ofStiffness));
-    double a = 0;
-    double b = 0;
-    if (isDamped()) {
-      if (!isNotNegative()) {
-        return false;
-      }
-      a = largest(damping, ofMass);
-      b = largest(damping, ofStiffness);
+    boolean damped = forms.isDamped();
+    double perSlowest = Math.sqrt(largest(forms, 1, 0, 0));
+    double b = damped ? largest(forms, 0, 1, 0) : 0;
+    if (!forms.factor(1, 0, 0)) {
+      return false;
     }
-    return SHORT * (b + 1 / slowest) * SHORT * (a + fastest) * zero < 1;
+    double fastest = Math.sqrt(largest(forms, 0, 0, 1));
+    double a = damped ? largest(forms, 0, 1, 0) : 0;
+    return (!damped || isNotNegative(forms, a))
+        && SHORT * (b + perSlowest) * SHORT * (a + fastest) * zero < 1;
   }
 
-  private boolean isSymmetric(double[] matrix) {
-    double largest = 0;
-    double across = 0;
-    for (int i = 0; i < f; i++) {
-      for (int j = 0; j <= i; j++) {
-        largest = Math.max(largest, Math.abs(matrix[i * f + j]));
-        across = Math.max(across, Math.abs(matrix[i * f + j] - matrix[j * f + i]));
-      }
-    }
-    return across <= SYMMETRIC * largest;
+  /**
+   * Returns whether C is not negative, up to rounding; its factors take the place of the last ones.
+   *
+   * @param largest eigenvalue of M⁻¹C
+   */
+  static boolean isNotNegative(MotionForms forms, double largest) {
+    return forms.factor(ROUNDING * largest, 1, 0);
   }
 
-  private boolean isDamped() {
-    for (double element : damping) {
-      if (element != 0) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  /** Returns whether C is not negative, up to what {@link #SYMMETRIC} calls rounding. */
-  private boolean isNotNegative() {
-    double part = SYMMETRIC * largest(damping, ofMass);
-    double[] raised = damping.clone();
-    for (int i = 0; i < raised.length; i++) {
-      raised[i] += part * mass[i];
-    }
-    return new Cholesky(f).factor(raised) == Cholesky.POSITIVE_DEFINITE;
-  }
-
-  /** Returns about the largest eigenvalue of A x = μ B x by a power iteration, from below. */
-  private double largest(double[] a, Cholesky b) {
-    double[] x = new Random(271828).doubles(f, -1, 1).toArray();
+  /**
+   * Returns about the largest eigenvalue of A x = μ B x, with B factored last, by a power iteration
+   * from below.
+   */
+  static double largest(MotionForms forms, double mass, double damping, double stiffness) {
+    double[] x = new Random(271828).doubles(forms.size(), -1, 1).toArray();
+    forms.solve(x);
+    double[] next = new double[x.length];
     double growth = 0;
     for (int step = 0; step < STEPS; step++) {
-      double[] next = new double[f];
-      double length = 0;
-      for (int i = 0; i < f; i++) {
-        length = Math.hypot(length, x[i]);
+      double length = norm(x);
+      for (int i = 0; i < x.length && length > 0; i++) {
+        x[i] /= length;
       }
-      for (int i = 0; i < f && length > 0; i++) {
-        double sum = 0;
-        for (int j = 0; j < f; j++) {
-          sum += a[i * f + j] * x[j];
-        }
-        next[i] = sum / length;
-      }
-      b.solve(next, 0);
-      growth = 0;
-      for (int i = 0; i < f; i++) {
-        growth = Math.hypot(growth, next[i]);
-      }
-      x = next;
+      forms.multiply(mass, damping, stiffness, x, next);
+      forms.solve(next);
+      growth = norm(next);
+      System.arraycopy(next, 0, x, 0, x.length);
     }
     return growth;
+  }
+
+  private static double norm(double[] x) {
+    double largest = 0;
+    for (double element : x) {
+      largest = Math.max(largest, Math.abs(element));
+    }
+    double sum = 0;
+    for (double element : x) {
+      sum += largest > 0 ? element / largest * (element / largest) : 0;
+    }
+    return largest * Math.sqrt(sum);
   }
 }

@@ -7,15 +7,14 @@ import java.util.Locale;
 import java.util.Optional;
 import org.mechservice.solver.analysis.equation.EquationsOfMotion;
 import org.mechservice.solver.analysis.equation.Linearisation;
+import org.mechservice.solver.analysis.equation.RestingLinks;
 import org.mechservice.solver.api.capability.Defects.Defect;
 import org.mechservice.solver.api.run.RunNotes.Note;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.assembly.Assembly;
 import org.mechservice.solver.closure.assembly.LoopFinding;
+import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.force.user.UserForceSource;
-import org.mechservice.solver.linear.Cholesky;
-import org.mechservice.solver.linear.DenseLu;
-import org.mechservice.solver.linear.LinearSolver;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.spatial.Vector3;
 
@@ -30,6 +29,10 @@ import org.mechservice.solver.spatial.Vector3;
  * is accepted if the forces along it have done work; the trust radius grows if the work agrees with
  * the prediction of K and shrinks otherwise. The work is that of the mean of the forces at both
  * ends of the step, so that non-conservative forces are included.
+ *
+ * <p>Large mechanisms have K kept by their {@linkplain RestingLinks links}, with D by the rotations
+ * of links in space: rotations of joints add up along a chain, whose steps they would shorten the
+ * more the longer it is. If its forces have no potential, K is a dense matrix.
  */
 final class StaticEquilibrium {
   /**
@@ -60,25 +63,23 @@ final class StaticEquilibrium {
 
   private static final int TRIES = 60;
 
-  /** Smallest element of D, as a fraction of its largest. */
-  private static final double LEAST_SCALE = 1e-9;
-
-  /** Growth rate, as a fraction of the largest eigenvalue, above which a mode is unstable. */
-  private static final double GROWS = 1e-6;
-
   private final Mechanism mechanism;
   private final UserForceSource userForces;
   private final CoordinateNames names;
   private final double tolerance;
   private final int most;
+  private final int large;
   private final List<Note> notes = new ArrayList<>();
   private EquationsOfMotion equations;
   private double[] y = new double[0];
   private Optional<Defect> defect = Optional.empty();
   private long iterations;
 
-  /** Residual forces Rᵀ (b − τ), and their directions. */
-  private double[] left = new double[0];
+  /** Stiffness by links, unless matrices are dense. */
+  private Optional<RestingLinks> links = Optional.empty();
+
+  /** b − τ at the present state. */
+  private double[] residual = new double[0];
 
   private int worst;
   private double worstPart;
@@ -88,6 +89,15 @@ final class StaticEquilibrium {
    * @param most largest number of corrections
    */
   StaticEquilibrium(Mechanism mechanism, UserForceSource userForces, double tolerance, int most) {
+    this(mechanism, userForces, tolerance, most, LoopEquations.LARGE);
+  }
+
+  /**
+   * @param large number of velocities from which the stiffness is kept by links
+   */
+  StaticEquilibrium(
+      Mechanism mechanism, UserForceSource userForces, double tolerance, int most, int large) {
+    this.large = large;
     this.mechanism = mechanism;
     this.userForces = userForces;
     this.tolerance = tolerance;
@@ -152,24 +162,27 @@ final class StaticEquilibrium {
   }
 
   private boolean descend(double t) throws Linearisation.NotLinearised {
-    double[] rest = new double[equations.nv];
-    Linearisation linear = new Linearisation(equations, t, y, rest);
+    links =
+        equations.nv >= large && RestingLinks.fits(equations)
+            ? Optional.of(new RestingLinks(equations))
+            : Optional.empty();
+    RestingStiffness here = stiffness(t);
+    double[] xi = new double[equations.nv];
     double trust = FIRST_TRUST;
     for (int i = 0; i <= most && trust > LEAST_TRUST; i++) {
-      if (unbalanced(linear) <= tolerance) {
-        notes.addAll(judged(equations, t, linear));
+      if (unbalanced(here) <= tolerance) {
+        notes.addAll(here.judged(t));
         return true;
       }
       if (i == most) {
         break;
       }
-      double[] z = new double[linear.freedom()];
-      solve(linear, trust, z);
-      double length = longest(linear, z);
-      double part = move(t, linear, z);
+      solve(here, trust, xi);
+      double length = longest(xi);
+      double part = move(t, here, xi);
       iterations++;
       if (part > TAKEN) {
-        linear = new Linearisation(equations, t, y, rest);
+        here = stiffness(t);
       } else if (Double.isNaN(part) && trust < FIRST_TRUST * TRUSTED_LESS * TRUSTED_LESS) {
         return notClosed();
       }
@@ -183,21 +196,37 @@ final class StaticEquilibrium {
     return notFound();
   }
 
+  /** Returns the stiffness at the present state: by links if the mechanism is large. */
+  private RestingStiffness stiffness(double t) throws Linearisation.NotLinearised {
+    RestingStiffness found;
+    if (links.isPresent()) {
+      links.get().evaluate(t, y);
+      if (links.get().isStiffnessSymmetric()) {
+        found = RestingStiffness.byLinks(equations, links.get());
+        residual = equations.residual.clone();
+        return found;
+      }
+      links = Optional.empty();
+    }
+    found =
+        RestingStiffness.dense(
+            equations, new Linearisation(equations, t, y, new double[equations.nv]));
+    residual = equations.residual.clone();
+    return found;
+  }
+
   /** Returns the largest residual force relative to the largest force. */
-  private double unbalanced(Linearisation linear) {
-    left = new double[linear.freedom()];
-    linear.project(equations.residual, left);
+  private double unbalanced(RestingStiffness here) {
     double play = inPlay();
     worst = -1;
     worstPart = 0;
-    for (int j = 0; j < left.length; j++) {
-      double part = Math.abs(left[j]) * equations.unit[linear.independent()[j]] / play;
+    for (int j = 0; j < here.count(); j++) {
+      double part = Math.abs(here.left(j)) * equations.unit[here.velocity(j)] / play;
       if (!(part <= worstPart)) {
         worstPart = part;
-        worst = j;
+        worst = here.velocity(j);
       }
     }
-    worst = worst < 0 ? -1 : linear.independent()[worst];
     return worstPart;
   }
 
@@ -218,9 +247,7 @@ final class StaticEquilibrium {
     return sum;
   }
 
-  private double longest(Linearisation linear, double[] z) {
-    double[] xi = new double[equations.nv];
-    linear.expand(z, xi);
+  private double longest(double[] xi) {
     double longest = 0;
     for (int i = 0; i < xi.length; i++) {
       longest = Math.max(longest, Math.abs(xi[i]) / equations.unit[i]);
@@ -229,17 +256,15 @@ final class StaticEquilibrium {
   }
 
   /** Solves for a step within the trust radius. */
-  private void solve(Linearisation linear, double trust, double[] z) {
-    double[] scale = scale(linear);
-    if (solve(linear, scale, 0, z) && longest(linear, z) <= trust) {
+  private void solve(RestingStiffness here, double trust, double[] xi) {
+    if (here.solve(0, xi) && longest(xi) <= trust) {
       return;
     }
     double below = 0;
     double above = 0;
     double shift = 1;
     for (int tries = 0; tries < TRIES; tries++) {
-      boolean downhill = solve(linear, scale, shift, z);
-      double length = downhill ? longest(linear, z) : Double.POSITIVE_INFINITY;
+      double length = here.solve(shift, xi) ? longest(xi) : Double.POSITIVE_INFINITY;
       if (length <= trust) {
         if (length >= LONG_ENOUGH * trust || shift <= below * (1 + 1e-12)) {
           return;
@@ -251,64 +276,17 @@ final class StaticEquilibrium {
         shift = above > 0 ? Math.sqrt(below * above) : shift * GROWTH;
       }
     }
-    solve(linear, scale, above, z);
+    here.solve(above, xi);
   }
 
   /**
-   * Returns D: the scale of K and of the residual forces for each degree of freedom, N·m or N/m.
-   */
-  private double[] scale(Linearisation linear) {
-    int f = linear.freedom();
-    double[] scale = new double[f];
-    double most = Double.MIN_NORMAL;
-    for (int j = 0; j < f; j++) {
-      double unit = equations.unit[linear.independent()[j]];
-      scale[j] = Math.abs(linear.stiffness[j * f + j]) + Math.abs(left[j]) / unit;
-      most = Math.max(most, scale[j] * unit * unit);
-    }
-    for (int j = 0; j < f; j++) {
-      double unit = equations.unit[linear.independent()[j]];
-      scale[j] = Math.max(scale[j], LEAST_SCALE * most / (unit * unit));
-    }
-    return scale;
-  }
-
-  /** Solves (K + λD) z = −r; returns whether the symmetric part of K + λD is positive definite. */
-  private boolean solve(Linearisation linear, double[] scale, double shift, double[] z) {
-    int f = linear.freedom();
-    double[] symmetric = new double[f * f];
-    double[] matrix = linear.stiffness.clone();
-    for (int i = 0; i < f; i++) {
-      matrix[i * f + i] += shift * scale[i];
-      for (int j = 0; j <= i; j++) {
-        symmetric[i * f + j] = 0.5 * (matrix[i * f + j] + matrix[j * f + i]);
-      }
-    }
-    if (new Cholesky(f).factor(symmetric) != Cholesky.POSITIVE_DEFINITE) {
-      return false;
-    }
-    DenseLu lu = new DenseLu(f);
-    if (lu.factor(matrix) != LinearSolver.NONSINGULAR) {
-      return false;
-    }
-    for (int j = 0; j < f; j++) {
-      z[j] = -left[j];
-    }
-    lu.solve(z);
-    return true;
-  }
-
-  /**
-   * Moves along z if that is downhill.
+   * Moves along ξ if that is downhill.
    *
    * @return the work of the forces divided by the prediction of K; NaN if the loops cannot be
    *     closed there or a force has no value
    */
-  private double move(double t, Linearisation linear, double[] z) {
-    double[] xi = new double[equations.nv];
-    double[] ahead = new double[z.length];
+  private double move(double t, RestingStiffness here, double[] xi) {
     double[] tried = y.clone();
-    linear.expand(z, xi);
     equations.coordinates.move(tried, 0, xi, 0, 1);
     boolean fits = equations.closePositions(t, tried);
     equations.place(t, tried);
@@ -316,14 +294,8 @@ final class StaticEquilibrium {
       return Double.NaN;
     }
     equations.formResidual(new double[equations.nv], 0);
-    linear.project(equations.residual, ahead);
-    double foretold = dot(left, z);
-    for (int i = 0; i < z.length; i++) {
-      for (int j = 0; j < z.length; j++) {
-        foretold += 0.5 * z[i] * linear.stiffness[i * z.length + j] * z[j];
-      }
-    }
-    double part = 0.5 * (dot(left, z) + dot(ahead, z)) / foretold;
+    double before = dot(residual, xi);
+    double part = 0.5 * (before + dot(equations.residual, xi)) / (before + 0.5 * here.curvature());
     if (part > TAKEN) {
       y = tried;
     }
@@ -332,7 +304,7 @@ final class StaticEquilibrium {
 
   private static double dot(double[] a, double[] b) {
     double sum = 0;
-    for (int i = 0; i < a.length; i++) {
+    for (int i = 0; i < b.length; i++) {
       sum += a[i] * b[i];
     }
     return sum;
@@ -366,62 +338,5 @@ final class StaticEquilibrium {
                 "Add a restoring force to free motions, start nearer to the equilibrium, or allow"
                     + " more corrections with maxIterations."));
     return false;
-  }
-
-  /** Returns notes if an equilibrium is unstable or not isolated. */
-  static List<Note> judged(EquationsOfMotion equations, double t, Linearisation linear) {
-    List<Note> notes = new ArrayList<>();
-    if (ProvenStability.of(linear, Modes.ZERO)) {
-      return notes;
-    }
-    CoordinateNames names = new CoordinateNames(equations.tree.mechanism());
-    double[] system = linear.freedom() == 0 ? new double[0] : linear.system();
-    if (system.length == 0) {
-      return notes;
-    }
-    Modes modes = new Modes(linear, linear.changing(system));
-    double largest = 0;
-    for (int k = 0; k < modes.count(); k++) {
-      largest = Math.max(largest, Math.hypot(modes.growth(k), modes.angularFrequency(k)));
-    }
-    int growing = -1;
-    int neutral = -1;
-    for (int k = 0; k < modes.count(); k++) {
-      boolean grows = modes.growth(k) > GROWS * largest;
-      growing = grows && (growing < 0 || modes.growth(k) > modes.growth(growing)) ? k : growing;
-      neutral = modes.frequency(k) == 0 ? k : neutral;
-    }
-    if (growing >= 0) {
-      String text =
-          String.format(
-              Locale.ROOT,
-              "The equilibrium is unstable: a small disturbance grows with %.3g/s, most of all in"
-                  + " %s.",
-              modes.growth(growing),
-              names.part(mostMoved(equations, linear, modes, growing)));
-      notes.add(new Note(MessageCode.UNSTABLE_EQUILIBRIUM, t, true, text));
-    }
-    if (neutral >= 0) {
-      String text =
-          "The equilibrium is not the only one: nothing brings "
-              + names.part(mostMoved(equations, linear, modes, neutral))
-              + " back.";
-      notes.add(new Note(MessageCode.EQUILIBRIUM_NOT_UNIQUE, t, true, text));
-    }
-    return notes;
-  }
-
-  private static int mostMoved(
-      EquationsOfMotion equations, Linearisation linear, Modes modes, int k) {
-    double[] re = new double[equations.nv + linear.changingCount()];
-    double[] im = new double[re.length];
-    modes.shape(k, equations.unit, re, im);
-    int most = 0;
-    for (int i = 1; i < equations.nv; i++) {
-      if (Math.abs(re[i]) / equations.unit[i] > Math.abs(re[most]) / equations.unit[most]) {
-        most = i;
-      }
-    }
-    return most;
   }
 }

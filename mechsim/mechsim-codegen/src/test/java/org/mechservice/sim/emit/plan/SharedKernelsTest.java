@@ -5,8 +5,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 import java.util.EnumSet;
+import java.util.HashMap;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
+import java.util.function.BiFunction;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Named;
@@ -56,7 +61,28 @@ class SharedKernelsTest {
     return Objects.requireNonNull(generated.classFiles().get(generated.sourceName()));
   }
 
+  private static final List<Named<Mechanism>> SCENES = madeScenes().toList();
+
+  /**
+   * Code of these scenes by formulation, in which bodies share methods: made once for all tests.
+   */
+  private static final Map<Mechanism, Map<String, GeneratedModel>> SHARED = new IdentityHashMap<>();
+
+  private static GeneratedModel shared(Mechanism mechanism, String formulation) {
+    return ModelFactory.generate(Scenes.model(mechanism), options(formulation, CodeForm.SHARED));
+  }
+
+  private static GeneratedModel sharedOfScene(Mechanism mechanism, String formulation) {
+    return SHARED
+        .computeIfAbsent(mechanism, each -> new HashMap<>())
+        .computeIfAbsent(formulation, each -> shared(mechanism, each));
+  }
+
   static Stream<Named<Mechanism>> scenes() {
+    return SCENES.stream();
+  }
+
+  private static Stream<Named<Mechanism>> madeScenes() {
     return Stream.of(
             Stream.of(
                 Chains.ofEqualLinks(11),
@@ -94,23 +120,25 @@ class SharedKernelsTest {
   @ParameterizedTest
   @MethodSource("scenes")
   void theyHaveTheBitsOfTheStraightLine(Mechanism mechanism) {
-    assertBitsOfTheStraightLine(mechanism);
+    assertBitsOfTheStraightLine(mechanism, SharedKernelsTest::sharedOfScene);
   }
 
   @Tag("soak")
   @ParameterizedTest
   @MethodSource("manyScenes")
   void theyHaveTheBitsOfTheStraightLineInManyScenes(Mechanism mechanism) {
-    assertBitsOfTheStraightLine(mechanism);
+    assertBitsOfTheStraightLine(mechanism, SharedKernelsTest::shared);
   }
 
-  private static void assertBitsOfTheStraightLine(Mechanism mechanism) {
+  private static void assertBitsOfTheStraightLine(
+      Mechanism mechanism, BiFunction<Mechanism, String, GeneratedModel> generated) {
     MechmlModel file = Scenes.model(mechanism);
     for (String formulation : new String[] {"DTR", "DSR", "RR-JF"}) {
       BuildOptions straight = options(formulation, CodeForm.STRAIGHT);
       BuildOptions shared = options(formulation, CodeForm.SHARED);
       Model one = compiled(file, straight).newInstance();
-      Model other = compiled(file, shared).newInstance();
+      Model other =
+          ModelFactory.compile(file, shared, generated.apply(mechanism, formulation)).newInstance();
       assertThat(everything(other, mechanism)).containsExactly(everything(one, mechanism));
     }
   }
@@ -125,7 +153,7 @@ class SharedKernelsTest {
     MechmlModel file = Scenes.model(mechanism);
     for (String formulation : new String[] {"DTR", "RR-JF"}) {
       BuildOptions options = options(formulation, CodeForm.SHARED);
-      GeneratedModel generated = ModelFactory.generate(file, options);
+      GeneratedModel generated = sharedOfScene(mechanism, formulation);
       Model direct = ModelFactory.compile(file, options, generated).newInstance();
       Model source = ModelFactory.compileSource(file, options, generated).newInstance();
       assertThat(everything(source, mechanism)).containsExactly(everything(direct, mechanism));

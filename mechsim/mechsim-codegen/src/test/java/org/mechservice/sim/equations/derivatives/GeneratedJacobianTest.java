@@ -8,7 +8,9 @@ import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.EnumSet;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Random;
 import java.util.stream.IntStream;
@@ -22,6 +24,7 @@ import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.emit.bytes.MethodSizes;
 import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.model.BuildOptions;
+import org.mechservice.sim.model.CompiledModel;
 import org.mechservice.sim.model.GeneratedModel;
 import org.mechservice.sim.model.LoopAgreement;
 import org.mechservice.sim.model.ModelFactory;
@@ -55,9 +58,16 @@ class GeneratedJacobianTest {
           new RunSettings(0, 3, 0.01, "ode15sR", 1e-5, 1e-5));
 
   /** In the last one a force couples some velocities of a ball, not all, with another branch. */
+  private static final List<Named<Mechanism>> SCENES =
+      IntStream.concat(IntStream.rangeClosed(1, 24), IntStream.of(187))
+          .mapToObj(GeneratedJacobianTest::scene)
+          .toList();
+
+  /** Code of these scenes, made once for all tests. */
+  private static final Map<Mechanism, CompiledModel> CODE = new IdentityHashMap<>();
+
   static Stream<Named<Mechanism>> scenes() {
-    return IntStream.concat(IntStream.rangeClosed(1, 24), IntStream.of(187))
-        .mapToObj(GeneratedJacobianTest::scene);
+    return SCENES.stream();
   }
 
   static Stream<Named<Mechanism>> manyScenes() {
@@ -70,31 +80,39 @@ class GeneratedJacobianTest {
   }
 
   private static TreeStepModel model(Mechanism mechanism) {
+    return (TreeStepModel) compiled(mechanism).newInstance();
+  }
+
+  private static CompiledModel compiled(Mechanism mechanism) {
     MechmlModel file = Scenes.model(mechanism);
     GeneratedModel generated = ModelFactory.generate(file, OPTIONS);
     assertThat(generated.formulationReason()).doesNotContain("compact form");
-    return (TreeStepModel) ModelFactory.compile(file, OPTIONS, generated).newInstance();
+    return ModelFactory.compile(file, OPTIONS, generated);
+  }
+
+  private static TreeStepModel modelOfScene(Mechanism mechanism) {
+    return (TreeStepModel)
+        CODE.computeIfAbsent(mechanism, GeneratedJacobianTest::compiled).newInstance();
   }
 
   @ParameterizedTest
   @MethodSource("scenes")
   void implicitStepsAreThoseOfTheDataDrivenForm(Mechanism mechanism) {
-    assertAgreement(mechanism);
+    assertAgreement(mechanism, modelOfScene(mechanism));
   }
 
   @Tag("soak")
   @ParameterizedTest
   @MethodSource("manyScenes")
   void implicitStepsOfManyScenesAreThoseOfTheDataDrivenForm(Mechanism mechanism) {
-    assertAgreement(mechanism);
+    assertAgreement(mechanism, model(mechanism));
   }
 
   /** A short step asks for M, a long one for the derivatives by position, others for all three. */
-  private static void assertAgreement(Mechanism mechanism) {
+  private static void assertAgreement(Mechanism mechanism, LinearisedModel model) {
     LinearisedModel reference =
         new LinearisedResidualModel(
             mechanism, Scenes.SETTINGS, UserForceSource.NONE, LinearisedResidualModel.Mode.FULL);
-    LinearisedModel model = model(mechanism);
     double[] y = RandomMechmlTrees.state(3, mechanism);
     double[] yDot = new Random(7).doubles(y.length, -2, 2).toArray();
     boolean known = reference.linearise(TIME, y, yDot);
@@ -184,7 +202,7 @@ class GeneratedJacobianTest {
   @ParameterizedTest
   @MethodSource("scenes")
   void aSolvedStepRemovesTheResidual(Mechanism mechanism) {
-    TreeStepModel model = model(mechanism);
+    TreeStepModel model = modelOfScene(mechanism);
     double[] y = RandomMechmlTrees.state(4, mechanism);
     double[] yDot = new double[y.length];
     if (model.derivative(TIME, y, yDot) != ExplicitModel.REGULAR

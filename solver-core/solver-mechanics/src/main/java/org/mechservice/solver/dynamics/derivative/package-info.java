@@ -12,7 +12,10 @@
  * org.mechservice.solver.dynamics.derivative.LinkJacobian} has its derivatives by motions of links,
  * O(n) numbers, and {@link org.mechservice.solver.dynamics.derivative.ArticulatedIteration} solves
  * the step without forming the matrix: link after link, in O(n); with forces between any links and
- * many loops as one sparse system whose graph is the mechanism.
+ * many loops as one sparse system whose graph is the mechanism. {@link
+ * org.mechservice.solver.dynamics.derivative.LinksAtRest} keeps mass, damping and stiffness at rest
+ * in such a system, symmetric, whose factors tell whether they are positive definite along the
+ * loops.
  *
  * <p>Sources: Singh, Russell and Wensing 2022; Carpentier and Mansard 2018.
  */

@@ -236,9 +236,11 @@ final class AdamsHistory implements Manifold.History {
     double[] freed = state;
     state = corrected;
     corrected = freed;
-    double[] freedCarry = stateCarry;
-    stateCarry = correctedCarry;
-    correctedCarry = freedCarry;
+    if (compensated) {
+      double[] freedCarry = stateCarry;
+      stateCarry = correctedCarry;
+      correctedCarry = freedCarry;
+    }
   }
 
   /** {@inheritDoc} All differences of the accepted state have the factor too. */

@@ -5,8 +5,9 @@ import org.mechservice.solver.api.capability.Defects.Defect;
 import org.mechservice.solver.closure.assembly.ScaledJacobian;
 import org.mechservice.solver.closure.equations.CoordinateUnits;
 import org.mechservice.solver.closure.equations.LoopEquations;
-import org.mechservice.solver.dynamics.OpenTree;
-import org.mechservice.solver.dynamics.SemiRecursive;
+import org.mechservice.solver.dynamics.recursion.LinkInertias;
+import org.mechservice.solver.dynamics.recursion.MassiveRods;
+import org.mechservice.solver.dynamics.recursion.NewtonEuler;
 import org.mechservice.solver.force.ForceSet;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.kinematics.StateCoordinates;
@@ -32,7 +33,6 @@ public final class EquationsOfMotion {
   public final TreeMotion motion;
   public final LoopEquations loops;
   public final StateCoordinates coordinates;
-  public final OpenTree open;
   public final ForceSet forces;
   public final int nq;
   public final int nv;
@@ -62,12 +62,17 @@ public final class EquationsOfMotion {
   /** Solution of {@link #solveLeast}, one number per velocity of the state. */
   public final double[] step;
 
+  private final NewtonEuler newtonEuler;
+  private final MassiveRods rods;
+  private final double[] withRods;
+
   public EquationsOfMotion(Mechanism mechanism, UserForceSource userForces) {
     tree = new TreeGeometry(mechanism);
     motion = new TreeMotion(tree);
     loops = new LoopEquations(tree);
     coordinates = new StateCoordinates(mechanism);
-    open = new SemiRecursive(tree).newWorkspace(motion);
+    newtonEuler = new NewtonEuler(motion, new LinkInertias(tree));
+    rods = new MassiveRods(tree);
     forces = new ForceSet(motion, userForces);
     nq = tree.statePositionCount;
     nv = tree.stateVelocityCount;
@@ -80,6 +85,7 @@ public final class EquationsOfMotion {
     unit = new CoordinateUnits(mechanism, loops.length()).velocities;
     jacobian = new ScaledJacobian(loops, unit);
     step = new double[nv];
+    withRods = new double[rods.isEmpty() ? 0 : wrench.length];
   }
 
   /** Sweeps places and velocities; evaluates Φ, J and Φ'. */
@@ -109,7 +115,17 @@ public final class EquationsOfMotion {
    */
   public void formResidual(double[] a, int aAt) {
     motion.accelerationSweep(a, aAt);
-    open.formResidual(wrench, tau, residual);
+    sweepInward(wrench, tau);
+  }
+
+  private void sweepInward(double[] wrenches, double[] forces) {
+    if (rods.isEmpty()) {
+      newtonEuler.evaluate(wrenches, forces, residual);
+      return;
+    }
+    System.arraycopy(wrenches, 0, withRods, 0, wrenches.length);
+    rods.addForces(motion, withRods);
+    newtonEuler.evaluate(withRods, forces, residual);
   }
 
   /**
@@ -125,7 +141,7 @@ public final class EquationsOfMotion {
     jacobian.decompose();
     jacobian.multipliers(lambda.length, residual, lambda);
     loops.addForces(lambda, -1, loadedWrench, loadedTau);
-    open.formResidual(loadedWrench, loadedTau, residual);
+    sweepInward(loadedWrench, loadedTau);
   }
 
   /** Returns the number of independent equations at the last decomposition of J. */

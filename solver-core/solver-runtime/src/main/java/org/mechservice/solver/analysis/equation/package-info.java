@@ -10,6 +10,9 @@
  * change. {@link org.mechservice.solver.analysis.equation.Drives} holds what prescribed motions do:
  * their coordinates, forces and power.
  *
+ * <p>{@link org.mechservice.solver.analysis.equation.RestingLinks} has mass, damping and stiffness
+ * of large mechanisms at rest without forming them.
+ *
  * <p>{@link org.mechservice.solver.analysis.equation.FastSpectrum} finds the fastest eigenvalues of
  * any model by differences, for the verdict on stiffness.
  *
