@@ -199,8 +199,9 @@ class WholeWayTest {
 
   @Test
   void strictCheckTakesWarningsForErrors() {
-    assertThat(mech("check", TOO_LONG)).isZero();
-    assertThat(mech("check", TOO_LONG, "--strict")).isEqualTo(2);
+    String redundant = Path.of("..", "examples", "extremes", "fourbar_redundant.xml").toString();
+    assertThat(mech("check", redundant)).isZero();
+    assertThat(mech("check", redundant, "--strict")).isEqualTo(2);
     assertThat(err.toString()).contains("S-164 the model has 1 warning");
     assertThat(mech("check", MODEL, "--strict")).isZero();
   }
@@ -254,7 +255,9 @@ class WholeWayTest {
     String[] words =
         target.isEmpty()
             ? new String[] {command, model.toString()}
-            : new String[] {command, model.toString(), target, file("result.csv")};
+            : new String[] {
+              command, model.toString(), target, file(command.equals("build") ? "r.jar" : "r.csv")
+            };
     assertThat(mech(words)).isEqualTo(ExitStatus.BAD_INPUT);
     assertThat(err.toString()).containsPattern("^" + model + ":\\d+:\\d+: M-\\d{3} ");
     assertThat(out.toString()).isEmpty();
@@ -291,6 +294,43 @@ class WholeWayTest {
     out.getBuffer().setLength(0);
     assertThat(mech("check", MODEL, "--json")).isZero();
     assertThat(JsonParser.parseString(out.toString()).isJsonObject()).isTrue();
+  }
+
+  /** The crank's bearing is 3 m from the other one, and no three bars reach it. */
+  @Test
+  void loopThatCannotBeClosedIsNoModelToUse() throws IOException {
+    Path model = folder.resolve("wide.xml");
+    Files.writeString(
+        model,
+        Files.readString(Path.of("../examples/four-bar/four-bar.xml"))
+            .replace(
+                "<body name=\"ground\"/>",
+                "<body name=\"ground\"><point name=\"d\" x=\"3\" y=\"0\" z=\"0\"/>"
+                    + "<vector name=\"y\" vx=\"0\" vy=\"1\" vz=\"0\"/></body>")
+            .replace(
+                "<body name=\"rocker\">",
+                "<body name=\"rocker\"><point name=\"d\" x=\"0.25\" y=\"0\" z=\"0\"/>"
+                    + "<vector name=\"y\" vx=\"0\" vy=\"1\" vz=\"0\"/>")
+            .replaceAll(
+                "<joint name=\"D\"[^>]*/>",
+                "<joint name=\"D\" type=\"R\"><body1 name=\"ground\" point=\"d\" vector=\"y\"/>"
+                    + "<body2 name=\"rocker\" point=\"d\" vector=\"y\"/></joint>"));
+
+    assertThat(mech("check", model.toString())).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(out.toString()).contains("Cannot be used:\n  ", "S-092 The loops cannot be closed");
+    out.getBuffer().setLength(0);
+    assertThat(mech("check", model.toString(), "--json")).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(
+            JsonParser.parseString(out.toString()).getAsJsonObject().get("unusable").getAsString())
+        .contains("S-092");
+    assertThat(mech("simulate", model.toString())).isEqualTo(ExitStatus.BAD_INPUT);
+  }
+
+  @Test
+  void jarOfAnotherEndingIsRefused() {
+    assertThat(mech("build", MODEL, "-o", file("p.fmi"))).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(err.toString()).contains("S-041", "neither .jar nor .fmu");
+    assertThat(folder.resolve("p.fmi")).doesNotExist();
   }
 
   @Test

@@ -107,6 +107,17 @@ public final class BuildCommand implements Callable<Integer> {
 
   @Spec private CommandSpec spec = CommandSpec.create();
 
+  private static void requireFormat(Path file) {
+    String name = file.toString().toLowerCase(Locale.ROOT);
+    if (!name.endsWith(".jar") && !name.endsWith(".fmu")) {
+      throw new UsageException(
+          MessageCode.OPTION_UNUSABLE
+              + " --output "
+              + file
+              + ": the name ends in neither .jar nor .fmu");
+    }
+  }
+
   @Override
   public Integer call() throws IOException {
     if (module.isPresent()) {
@@ -122,6 +133,7 @@ public final class BuildCommand implements Callable<Integer> {
     }
     if (target.isPresent()) {
       OutputFile.requireUsable(target.get());
+      requireFormat(target.get());
     }
     if (unit.isAskedFor(target.orElse(Path.of("")), cFolder.isPresent())) {
       return buildUnit(target.orElse(Path.of("")));

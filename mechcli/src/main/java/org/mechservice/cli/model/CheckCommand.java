@@ -10,6 +10,7 @@ import org.mechservice.cli.shell.ServerOption;
 import org.mechservice.cli.shell.ServiceConnection;
 import org.mechservice.client.MechSession;
 import org.mechservice.client.SimulationOptions;
+import org.mechservice.sim.check.CheckReport;
 import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -53,11 +54,21 @@ public final class CheckCommand implements Callable<Integer> {
       SimulationOptions options = silence.addTo(SimulationOptions.asInFile());
       String report = session.checkReport(options, json);
       spec.commandLine().getOut().println(report.stripTrailing());
+      if (isUnusable(report)) {
+        return ExitStatus.BAD_INPUT;
+      }
       if (!strict) {
         return ExitStatus.DONE;
       }
       return judged(json ? report : session.checkReport(options, true));
     }
+  }
+
+  /** Returns whether a report says that no run of the model can begin. */
+  private boolean isUnusable(String report) {
+    return json
+        ? JsonParser.parseString(report).getAsJsonObject().has("unusable")
+        : report.lines().anyMatch((CheckReport.UNUSABLE + ":")::equals);
   }
 
   /**

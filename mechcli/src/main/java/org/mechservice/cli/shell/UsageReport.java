@@ -61,7 +61,11 @@ public final class UsageReport {
     String names =
         missing.getMissing().stream().map(UsageReport::name).collect(Collectors.joining(", "));
     boolean lacksValue = String.valueOf(missing.getMessage()).contains("parameter for option");
-    return names + (lacksValue ? " lacks its value" : " is missing");
+    return names + (lacksValue ? " lacks its value" : verb(missing) + " missing");
+  }
+
+  private static String verb(MissingParameterException missing) {
+    return missing.getMissing().size() == 1 ? " is" : " are";
   }
 
   private static Optional<String> badValue(ParameterException wrong) {

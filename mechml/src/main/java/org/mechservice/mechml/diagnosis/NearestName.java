@@ -14,7 +14,7 @@ public final class NearestName {
   /**
    * Returns the candidate that differs least from a word, if it differs little: at most one third
    * of the word's letters changed, inserted, left out or swapped with their neighbour, case
-   * ignored. Among equals the first one.
+   * ignored, and not all of them. Among equals the first one.
    */
   public static Optional<String> of(String word, Collection<String> candidates) {
     String wanted = word.toLowerCase(Locale.ROOT);
@@ -25,7 +25,7 @@ public final class NearestName {
         continue;
       }
       int distance = distance(wanted, candidate.toLowerCase(Locale.ROOT));
-      if (distance < best) {
+      if (distance < best && distance < Math.max(word.length(), candidate.length())) {
         best = distance;
         nearest = Optional.of(candidate);
       }

@@ -3,6 +3,7 @@ package org.mechservice.mechml.diagnosis;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -30,5 +31,11 @@ class NearestTest {
   @CsvSource({"bar9, bar1"})
   void theFirstOfEquallyNearOnesIsSuggested(String word, String meant) {
     assertThat(NearestName.of(word, List.of("bar1", "bar2", "bar3"))).contains(meant);
+  }
+
+  @Test
+  void anotherLetterIsNotMeant() {
+    assertThat(NearestName.of("q", List.of("L", "k"))).isEmpty();
+    assertThat(NearestName.of("K", List.of("L", "k"))).contains("k");
   }
 }

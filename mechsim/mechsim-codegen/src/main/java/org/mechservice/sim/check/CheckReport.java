@@ -11,6 +11,7 @@ import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.sim.scene.RoadmapEntry;
 import org.mechservice.sim.scene.SceneAnalysis;
 import org.mechservice.sim.scene.forecast.RunForecast;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**
@@ -32,6 +33,9 @@ public record CheckReport(
     List<Finding> findings,
     Optional<CodeForecast> generation,
     String noGeneration) {
+
+  /** Heading, in the text of a report, of the reason why no run can begin. */
+  public static final String UNUSABLE = "Cannot be used";
 
   public CheckReport {
     findings = List.copyOf(findings);
@@ -64,6 +68,20 @@ public record CheckReport(
     model.warnings().forEach(diagnostic -> warnings.add(diagnostic.toString()));
     findings.forEach(finding -> warnings.add(finding.toString()));
     return warnings;
+  }
+
+  /** Returns why no run of the model can begin; empty if one can. */
+  public Optional<String> refusal() {
+    if (generation.isEmpty()) {
+      return Optional.of(noGeneration);
+    }
+    if (loops.isJudged()) {
+      return Optional.empty();
+    }
+    return findings.stream()
+        .filter(finding -> finding.code() == MessageCode.LOOPS_OPEN_AT_START)
+        .map(Finding::toString)
+        .findFirst();
   }
 
   /** Returns the roadmap of the state. */

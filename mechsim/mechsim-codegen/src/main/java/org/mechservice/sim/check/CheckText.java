@@ -46,6 +46,7 @@ final class CheckText {
                     generation.leftOut().stream()
                         .map(omission -> omission.what() + ": " + omission.why())
                         .toList()));
+    report.refusal().ifPresent(why -> list(CheckReport.UNUSABLE, List.of(why)));
     return text.toString();
   }
 

@@ -66,7 +66,8 @@ class SharedKernelsTest {
   /**
    * Code of these scenes by formulation, in which bodies share methods: made once for all tests.
    */
-  private static final Map<Mechanism, Map<String, GeneratedModel>> SHARED = new IdentityHashMap<>();
+  private static final IdentityHashMap<Mechanism, Map<String, GeneratedModel>> SHARED =
+      new IdentityHashMap<>();
 
   private static GeneratedModel shared(Mechanism mechanism, String formulation) {
     return ModelFactory.generate(Scenes.model(mechanism), options(formulation, CodeForm.SHARED));

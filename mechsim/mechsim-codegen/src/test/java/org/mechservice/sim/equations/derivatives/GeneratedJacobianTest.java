@@ -10,7 +10,6 @@ import java.util.Collections;
 import java.util.EnumSet;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Objects;
 import java.util.Random;
 import java.util.stream.IntStream;
@@ -64,7 +63,7 @@ class GeneratedJacobianTest {
           .toList();
 
   /** Code of these scenes, made once for all tests. */
-  private static final Map<Mechanism, CompiledModel> CODE = new IdentityHashMap<>();
+  private static final IdentityHashMap<Mechanism, CompiledModel> CODE = new IdentityHashMap<>();
 
   static Stream<Named<Mechanism>> scenes() {
     return SCENES.stream();

@@ -147,10 +147,10 @@ final class HiddenSingularities {
     if (control.error() < ERROR_OF_STRAIGHT_STEP
         && pulses.wanted(h, progress.stepSize(), interval, jumps.shortestDistance())) {
       pulses.place(h, history.state(), history.corrected(), norm);
-      if (pulses.straight(h, history.difference(1), norm)
-          && pulses.straight(h, history.derivative, norm)) {
+      if (pulses.straight(history.difference(1), norm)
+          && pulses.straight(history.derivative, norm)) {
         jumps.straightFrom(progress.start());
-        return pulses.partToPulse(problem.equations(), t, h, history.state(), norm);
+        return pulses.partToPulse(problem.equations(), t, norm);
       }
     }
     if (!jumps.anyKnown()) {

@@ -132,14 +132,14 @@ public final class PulseProbe {
    *
    * @param derivative not modified
    */
-  public boolean straight(double h, double[] derivative, ErrorNorm norm) {
+  public boolean straight(double[] derivative, ErrorNorm norm) {
     line = false;
     for (int l = 0; l < chord.length; l++) {
       if (!straight(l, derivative[l], norm)) {
         return false;
       }
     }
-    line = difference(h, derivative, norm) <= rounding;
+    line = difference(derivative, norm) <= rounding;
     return line;
   }
 
@@ -154,26 +154,25 @@ public final class PulseProbe {
   }
 
   /** Returns what half the step with a derivative instead of the line's would change. */
-  private double difference(double h, double[] derivative, ErrorNorm norm) {
+  private double difference(double[] derivative, ErrorNorm norm) {
     for (int l = 0; l < chord.length; l++) {
       state[l] = derivative[l] - chord[l];
     }
-    return 0.5 * Math.abs(h) * norm.of(state);
+    return 0.5 * Math.abs(length) * norm.of(state);
   }
 
   /**
    * Returns the part of the step up to the first place at which the derivative is not that of the
    * line; 1 if there is none.
    */
-  public double partToPulse(
-      RightHandSide rightHandSide, double t, double h, double[] from, ErrorNorm norm) {
+  public double partToPulse(RightHandSide rightHandSide, double t, ErrorNorm norm) {
     for (int i = 1; i < parts; i++) {
       double part = (double) i / parts;
       for (int l = 0; l < chord.length; l++) {
-        state[l] = from[l] + part * h * chord[l];
+        state[l] = from[l] + part * length * chord[l];
       }
-      rightHandSide.evaluateAlways(t + part * h, state, slope);
-      if (difference(h, slope, norm) > NOTICED) {
+      rightHandSide.evaluateAlways(t + part * length, state, slope);
+      if (difference(slope, norm) > NOTICED) {
         return part;
       }
     }

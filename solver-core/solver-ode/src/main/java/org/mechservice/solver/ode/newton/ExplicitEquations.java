@@ -151,9 +151,7 @@ public final class ExplicitEquations extends StepEquations {
         return 1;
       }
     }
-    return probe.straight(h, slope, norm)
-        ? probe.partToPulse(rightHandSide, t, h, differences.state(), norm)
-        : 1;
+    return probe.straight(slope, norm) ? probe.partToPulse(rightHandSide, t, norm) : 1;
   }
 
   /**
