@@ -23,12 +23,6 @@ final class HiddenSingularities {
   /** Parts into which looks for pulses divide a step at most. */
   private static final double MOST_LOOKS = 16;
 
-  /**
-   * Error over the tolerance that no step of a straight stretch has: what it extrapolates is what
-   * it finds.
-   */
-  private static final double ERROR_OF_STRAIGHT_STEP = 0.01;
-
   private final IntegrationProgress progress;
   private final ErrorNorm norm;
   private final AdamsOrderControl control;
@@ -144,7 +138,7 @@ final class HiddenSingularities {
     double t = progress.time();
     double interval = problem.end() - progress.start();
     AdamsHistory history = problem.history();
-    if (control.error() < ERROR_OF_STRAIGHT_STEP
+    if (control.error() < PulseProbe.ERROR_OF_STRAIGHT_STEP
         && pulses.wanted(h, progress.stepSize(), interval, jumps.shortestDistance())) {
       pulses.place(h, history.state(), history.corrected(), norm);
       if (pulses.straight(history.difference(1), norm)

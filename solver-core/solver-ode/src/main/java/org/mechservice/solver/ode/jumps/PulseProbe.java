@@ -12,6 +12,12 @@ import org.mechservice.solver.ode.step.RightHandSide;
  * closely if they are longer than those before.
  */
 public final class PulseProbe {
+  /**
+   * Error over the tolerance that no step of a straight stretch has: what it extrapolates is what
+   * it finds. Steps with a larger one need no look.
+   */
+  public static final double ERROR_OF_STRAIGHT_STEP = 0.01;
+
   /** Parts into which a step is divided, times its length over that of the step before. */
   private static final double PARTS = 4;
 

@@ -31,6 +31,11 @@ public final class JacobianMatrix {
   /** The last powers whose largest element tells how fast an oscillation dies out. */
   private static final int TURNS = 6;
 
+  /** Range within which sizes are multiplied: one logarithm tells the growth of all of them. */
+  private static final double SMALLEST_PRODUCT = 1e-150;
+
+  private static final double LARGEST_PRODUCT = 1e150;
+
   private final MatrixLayout layout;
   private double[] values;
   private double[] forming;
@@ -58,7 +63,7 @@ public final class JacobianMatrix {
 
   private double rate;
 
-  /** One element of the last powers, and the logarithms of their sizes. */
+  /** One element of the last powers, and their sizes. */
   private final double[] turns = new double[TURNS];
 
   private final double[] sizes = new double[TURNS];
@@ -175,8 +180,11 @@ public final class JacobianMatrix {
    * anything but the length and the sense of a vector.
    */
   public boolean fastestIsExponential() {
-    return spectralRadius() > 0
-        && (Math.min(offTurned, offKept) < SAME_LINE || leastTurned <= -SAME_DIRECTION);
+    return spectralRadius() > 0 && powersKeepLine();
+  }
+
+  private boolean powersKeepLine() {
+    return Math.min(offTurned, offKept) < SAME_LINE || leastTurned <= -SAME_DIRECTION;
   }
 
   /**
@@ -194,14 +202,14 @@ public final class JacobianMatrix {
   }
 
   /**
-   * Damping by the last powers: with a pair λ, λ̄ alone in size, every element of them obeys x_i =
-   * 2 Re(λ) x_{i−1} − |λ|² x_{i−2}, here with λ in units of the growth g. Both coefficients follow
-   * by least squares.
+   * Finds rate and damping by the last powers: with a pair λ, λ̄ alone in size, every element of
+   * them obeys x_i = 2 Re(λ) x_{i−1} − |λ|² x_{i−2}, here with λ in units of the growth g. Both
+   * coefficients follow by least squares.
    */
-  private double dampingOf(double logGrowth) {
+  private void findOscillation(double logGrowth, double growth) {
     double scaled = 0;
     for (int i = 0; i < TURNS; i++) {
-      scaled += sizes[i] - logGrowth;
+      scaled += StrictMath.log(sizes[i]) - logGrowth;
       turns[i] *= StrictMath.exp(scaled);
     }
     double aa = 0;
@@ -222,8 +230,10 @@ public final class JacobianMatrix {
     double twiceReal = (ra * bb - rb * ab) / determinant;
     double square = (rb * aa - ra * ab) / determinant;
     boolean pair = twiceReal < 0 && twiceReal * twiceReal < 4 * square;
-    rate = pair ? Math.sqrt(square) * StrictMath.exp(logGrowth) : 0;
-    return pair ? -twiceReal / (2 * Math.sqrt(square)) : 0;
+    if (pair) {
+      rate = Math.sqrt(square) * growth;
+      damping = -twiceReal / (2 * Math.sqrt(square));
+    }
   }
 
   private double powerGrowth() {
@@ -233,6 +243,8 @@ public final class JacobianMatrix {
       power[l] = 0.5 + (multiple - Math.floor(multiple));
     }
     double growth = 0;
+    double common = 1;
+    rate = 0;
     damping = 0;
     int followed = 0;
     double[] before = power;
@@ -255,21 +267,28 @@ public final class JacobianMatrix {
       if (i >= POWERS - COMPARED) {
         compareLastPowers(before, next);
       }
-      double logSize = i > POWERS / 2 ? StrictMath.log(size) : 0;
-      growth += logSize;
+      if (i > POWERS / 2) {
+        double larger = common * size;
+        boolean inRange = larger > SMALLEST_PRODUCT && larger < LARGEST_PRODUCT;
+        growth += inRange ? 0 : StrictMath.log(common) + StrictMath.log(size);
+        common = inRange ? larger : 1;
+      }
       int turn = i - 1 - (POWERS - TURNS);
       followed = turn == 0 ? placeOfLargest(next) : followed;
       if (turn >= 0) {
         turns[turn] = next[followed];
-        sizes[turn] = logSize;
+        sizes[turn] = size;
       }
       double[] freed = before;
       before = next;
       next = freed;
     }
-    growth /= POWERS / 2;
-    damping = dampingOf(growth);
-    return StrictMath.exp(growth);
+    growth = (growth + StrictMath.log(common)) / (POWERS / 2);
+    double radius = StrictMath.exp(growth);
+    if (!powersKeepLine()) {
+      findOscillation(growth, radius);
+    }
+    return radius;
   }
 
   /** Returns the largest magnitude, NaN above all: such have the order of their bits. */

@@ -267,6 +267,7 @@ final class BackwardStep {
   /** Returns whether there is a pulse in the step that passed; it is then cut off in front. */
   boolean cutAtPulse() {
     if (mode == Mode.FAITHFUL
+        || control.error() >= PulseProbe.ERROR_OF_STRAIGHT_STEP
         || !pulses.wanted(
             step.size(), progress.stepSize(), tEnd - progress.start(), search.shortestDistance())) {
       return false;
