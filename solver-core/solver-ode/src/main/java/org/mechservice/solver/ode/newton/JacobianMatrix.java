@@ -180,11 +180,11 @@ public final class JacobianMatrix {
    * anything but the length and the sense of a vector.
    */
   public boolean fastestIsExponential() {
-    return spectralRadius() > 0 && powersKeepLine();
+    return spectralRadius() > 0 && (powersKeepLine() || leastTurned <= -SAME_DIRECTION);
   }
 
   private boolean powersKeepLine() {
-    return Math.min(offTurned, offKept) < SAME_LINE || leastTurned <= -SAME_DIRECTION;
+    return Math.min(offTurned, offKept) < SAME_LINE;
   }
 
   /**
