@@ -26,9 +26,10 @@
  * {@link org.mechservice.solver.linear.SparseElimination} chooses pivots of it for size and for few
  * new elements, {@link org.mechservice.solver.linear.SparseLu} forms the factors of what was chosen
  * again and again, and {@link org.mechservice.solver.linear.SparseSymmetric} factors symmetric
- * matrices summed up from small parts, in an order of least degree. The first allocates. {@link
- * org.mechservice.solver.linear.SymmetricFronts} factors sparse symmetric matrices that need not be
- * definite and counts their negative eigenvalues; its factors are allocated each time.
+ * matrices summed up from small parts, in an order of least degree. The first allocates. Sparse
+ * symmetric matrices that need not be definite are factored by {@link
+ * org.mechservice.solver.linear.front.SymmetricFronts}, which counts their negative eigenvalues and
+ * allocates its factors each time.
  *
  * <p>{@link org.mechservice.solver.linear.EquilibratedSolver} brings the rows to like size before
  * any of them factors, so that the units of the equations do not decide about the pivots.

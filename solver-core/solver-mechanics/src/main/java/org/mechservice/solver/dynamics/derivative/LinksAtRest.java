@@ -17,7 +17,7 @@ import org.mechservice.solver.force.applied.ForceJacobian;
 import org.mechservice.solver.kinematics.LinkKind;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
-import org.mechservice.solver.linear.SymmetricFronts;
+import org.mechservice.solver.linear.front.SymmetricFronts;
 
 /**
  * Mass, damping and stiffness of a mechanism at rest as one sparse symmetric system: in joint
