@@ -7,16 +7,25 @@ import static org.mechservice.solver.dynamics.derivative.PlacedLinks.multiply;
 
 import java.util.Arrays;
 import java.util.stream.LongStream;
+import org.mechservice.solver.force.applied.ForceJacobian;
 import org.mechservice.solver.kinematics.TreeGeometry;
 
 /**
  * Terms of forces between any links, or by coordinates of other joints, in the equations of {@link
- * LinkJacobian}: for pairs of links, the change of the wrench on one and of the forces in its joint
- * by the motion of the other and by the coordinates of the other's joint. Workspace of one thread.
+ * LinkJacobian} and {@link LinksAtRest}: for pairs of links, the change of the wrench on one and of
+ * the forces in its joint by the motion of the other and by the coordinates of the other's joint.
+ * Workspace of one thread.
+ *
+ * <p>It takes derivatives of forces, whose sign is the opposite: F = M a + b − τ − Jᵀ w.
  */
-final class FarBlocks {
+final class FarBlocks implements ForceJacobian {
   /** Most velocities of a link. */
   static final int MOST = 3;
+
+  /** Where velocities and places begin in a motion. */
+  static final int VELOCITY = 6;
+
+  static final int PLACE = 12;
 
   private final TreeGeometry tree;
 
@@ -121,6 +130,56 @@ final class FarBlocks {
     Arrays.fill(force, 0);
     wrenchBy.clear();
     forceBy.clear();
+  }
+
+  @Override
+  public void wrenchByLink(int on, int by, double[] byPlace, double[] byVelocity) {
+    subtract(wrench, BLOCK * find(on, by), 6, byPlace, byVelocity);
+  }
+
+  /** Subtracts lines of derivatives by a place and a velocity from those by a motion. */
+  static void subtract(
+      double[] matrix, int from, int lines, double[] byPlace, double[] byVelocity) {
+    for (int r = 0; r < lines; r++) {
+      int at = from + WIDTH * r;
+      for (int c = 0; c < 6; c++) {
+        matrix[at + VELOCITY + c] -= byVelocity[6 * r + c];
+        matrix[at + PLACE + c] -= byPlace[6 * r + c];
+      }
+    }
+  }
+
+  @Override
+  public void wrenchByCoordinate(int on, int by, double[] byPlace, double[] byVelocity) {
+    if (by < tree.stateVelocityCount) {
+      int link = tree.linkOfVelocity[by];
+      int at = wrenchBy.at(find(on, link), by - tree.velocityAt[link]);
+      for (int r = 0; r < 6; r++) {
+        wrenchBy.place[at + r] -= byPlace[r];
+        wrenchBy.velocity[at + r] -= byVelocity[r];
+      }
+    }
+  }
+
+  @Override
+  public void forceByLink(int on, int by, double[] byPlace, double[] byVelocity) {
+    if (on < tree.stateVelocityCount) {
+      int link = tree.linkOfVelocity[on];
+      int line = MOST * find(link, by) + on - tree.velocityAt[link];
+      subtract(force, WIDTH * line, 1, byPlace, byVelocity);
+    }
+  }
+
+  @Override
+  public void forceByCoordinate(int on, int by, double byPlace, double byVelocity) {
+    if (on < tree.stateVelocityCount && by < tree.stateVelocityCount) {
+      int link = tree.linkOfVelocity[by];
+      int other = tree.linkOfVelocity[on];
+      int column = forceBy.at(find(other, link), by - tree.velocityAt[link]);
+      int at = column + on - tree.velocityAt[other];
+      forceBy.place[at] -= byPlace;
+      forceBy.velocity[at] -= byVelocity;
+    }
   }
 
   /** Returns the sum of all derivatives, which is finite if they are. */

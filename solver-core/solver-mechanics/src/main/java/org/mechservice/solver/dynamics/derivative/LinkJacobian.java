@@ -281,52 +281,28 @@ public final class LinkJacobian implements StepDerivatives {
     @Override
     public void wrenchByLink(int on, int by, double[] byPlace, double[] byVelocity) {
       if (on == by) {
-        subtract(own, BLOCK * on, 6, byPlace, byVelocity);
+        FarBlocks.subtract(own, BLOCK * on, 6, byPlace, byVelocity);
       } else if (far.count() > 0) {
-        subtract(far.wrench, BLOCK * far.find(on, by), 6, byPlace, byVelocity);
+        far.wrenchByLink(on, by, byPlace, byVelocity);
       } else if (tree.parent[on] == by) {
         coupled[on] = true;
-        subtract(byParent, BLOCK * on, 6, byPlace, byVelocity);
+        FarBlocks.subtract(byParent, BLOCK * on, 6, byPlace, byVelocity);
       } else if (tree.parent[by] == on) {
         coupled[by] = true;
-        subtract(onParent, BLOCK * by, 6, byPlace, byVelocity);
+        FarBlocks.subtract(onParent, BLOCK * by, 6, byPlace, byVelocity);
       } else {
         far.find(on, by);
       }
     }
 
-    private void subtract(
-        double[] matrix, int from, int lines, double[] byPlace, double[] byVelocity) {
-      for (int r = 0; r < lines; r++) {
-        int at = from + WIDTH * r;
-        for (int c = 0; c < 6; c++) {
-          matrix[at + 6 + c] -= byVelocity[6 * r + c];
-          matrix[at + 12 + c] -= byPlace[6 * r + c];
-        }
-      }
-    }
-
     @Override
     public void wrenchByCoordinate(int on, int by, double[] byPlace, double[] byVelocity) {
-      if (by >= tree.stateVelocityCount) {
-        return;
-      }
-      int link = tree.linkOfVelocity[by];
-      int at = far.wrenchBy.at(far.find(on, link), by - tree.velocityAt[link]);
-      for (int r = 0; r < 6; r++) {
-        far.wrenchBy.place[at + r] -= byPlace[r];
-        far.wrenchBy.velocity[at + r] -= byVelocity[r];
-      }
+      far.wrenchByCoordinate(on, by, byPlace, byVelocity);
     }
 
     @Override
     public void forceByLink(int on, int by, double[] byPlace, double[] byVelocity) {
-      if (on >= tree.stateVelocityCount) {
-        return;
-      }
-      int link = tree.linkOfVelocity[on];
-      int line = FarBlocks.MOST * far.find(link, by) + on - tree.velocityAt[link];
-      subtract(far.force, WIDTH * line, 1, byPlace, byVelocity);
+      far.forceByLink(on, by, byPlace, byVelocity);
     }
 
     @Override
@@ -336,13 +312,11 @@ public final class LinkJacobian implements StepDerivatives {
       }
       int link = tree.linkOfVelocity[by];
       int other = tree.linkOfVelocity[on];
-      int row = on - tree.velocityAt[other];
       if (other != link) {
-        int at = far.forceBy.at(far.find(other, link), by - tree.velocityAt[link]) + row;
-        far.forceBy.place[at] -= byPlace;
-        far.forceBy.velocity[at] -= byVelocity;
+        far.forceByCoordinate(on, by, byPlace, byVelocity);
         return;
       }
+      int row = on - tree.velocityAt[other];
       placeColumns.force[3 * by + row] -= byPlace;
       velocityColumns.force[3 * by + row] -= byVelocity;
       if (tree.kind[link] == LinkKind.BALL && !tree.inverse[link]) {

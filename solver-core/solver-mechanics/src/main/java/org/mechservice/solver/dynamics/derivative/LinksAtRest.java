@@ -1,20 +1,13 @@
 package org.mechservice.solver.dynamics.derivative;
 
+import static org.mechservice.solver.dynamics.derivative.FarBlocks.PLACE;
+import static org.mechservice.solver.dynamics.derivative.FarBlocks.VELOCITY;
 import static org.mechservice.solver.dynamics.derivative.PlacedLinks.BLOCK;
 import static org.mechservice.solver.dynamics.derivative.PlacedLinks.WIDTH;
-import static org.mechservice.solver.spatial.Blocks.cross;
-import static org.mechservice.solver.spatial.Blocks.dot;
 
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.List;
-import java.util.SortedSet;
-import java.util.TreeSet;
 import java.util.stream.IntStream;
-import org.mechservice.solver.dynamics.recursion.LinkInertias;
-import org.mechservice.solver.dynamics.recursion.NewtonEuler;
 import org.mechservice.solver.force.applied.ForceJacobian;
-import org.mechservice.solver.kinematics.LinkKind;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.linear.front.SymmetricFronts;
@@ -59,39 +52,14 @@ public final class LinksAtRest {
 
   private static final int JOINT = 12;
 
-  /** Places and velocities in a block of {@link FarBlocks}. */
-  private static final int BY_VELOCITY = 6;
-
-  private static final int BY_PLACE = 12;
-
   /** Size of a link without any, as a part of the largest. */
   private static final double LEAST_SIZE = 1e-8;
 
-  /** Smallest element of D, as a fraction of its largest. */
-  private static final double LEAST_WEIGHT = 1e-9;
-
-  /** Elements that differ from those across by less than this part of the largest are symmetric. */
-  private static final double SYMMETRIC = 1e-9;
-
-  private final TreeMotion motion;
   private final TreeGeometry tree;
-  private final LinkInertias inertias;
-  private final NewtonEuler newtonEuler;
+  private final RestingTerms terms;
   private final PlacedLinks links;
   private final FarBlocks far;
   private final LoopWrenches rows;
-  private final double[] residual;
-  private final double[] noForces;
-  private double[] wrenches = {};
-
-  /** X, 36 for each link. */
-  private final double[] carrying;
-
-  /** D: of the rotation of each link, N·m, and of each velocity, N·m or N/m. */
-  private final double[] turnWeight;
-
-  private final double[] jointWeight;
-  private final double length;
   private final int[] at;
   private final int firstMultiplier;
   private final int unknowns;
@@ -123,12 +91,6 @@ public final class LinksAtRest {
   private final double[] right;
   private final double[] sum;
   private final SymmetricFronts fronts;
-  private final double[] block = new double[36];
-  private final double[] product = new double[36];
-  private final double[] turned = new double[36];
-  private final double[] net = new double[6];
-  private final double[] work = new double[6];
-  private final ForceJacobian forces = new LinkForces();
 
   /**
    * Makes a workspace.
@@ -139,20 +101,12 @@ public final class LinksAtRest {
    *     permitted
    */
   public LinksAtRest(TreeMotion motion, int[] pairs, LoopWrenches rows) {
-    this.motion = motion;
     this.rows = rows;
-    tree = motion.tree();
-    inertias = new LinkInertias(tree);
-    newtonEuler = new NewtonEuler(motion, inertias);
-    links = new PlacedLinks(tree);
+    terms = new RestingTerms(motion, pairs);
+    tree = terms.tree;
+    links = terms.links;
+    far = terms.far;
     int count = tree.linkCount;
-    far = new FarBlocks(tree, withSelf(pairs));
-    residual = new double[tree.velocityCount];
-    noForces = new double[tree.velocityCount];
-    carrying = new double[36 * count];
-    turnWeight = new double[count];
-    jointWeight = new double[tree.velocityCount];
-    length = inertias.meanRadius();
     at = new int[count + 1];
     for (int link = 0; link < count; link++) {
       at[link + 1] = at[link] + JOINT + links.end(link) - links.first(link);
@@ -167,7 +121,7 @@ public final class LinksAtRest {
         int r = unknown - at[link];
         boolean ofWrench = r >= WRENCH && r < JOINT;
         linkOfDisplacement[unknown] = ofWrench ? -1 : link;
-        unit[unknown] = r < WRENCH ? unit(r) : unitOf(link);
+        unit[unknown] = r < WRENCH ? terms.unit(r) : terms.unitOf(link);
       }
     }
     scale = new double[unknowns];
@@ -187,411 +141,69 @@ public final class LinksAtRest {
     fronts = new SymmetricFronts(unknowns, groups(), paired, seenRow, seenColumn);
   }
 
-  private int[] withSelf(int[] pairs) {
-    int[] all = Arrays.copyOf(pairs, pairs.length + 2 * tree.linkCount);
-    for (int link = 0; link < tree.linkCount; link++) {
-      all[pairs.length + 2 * link] = link;
-      all[pairs.length + 2 * link + 1] = link;
-    }
-    return all;
-  }
-
   /**
-   * Returns the unknowns of each link in the order of elimination: u and w in turn, which are
-   * pivots of two rows, x, and the loops whose last link it is.
+   * Returns the unknowns of each link in the order of elimination, from the tips to the root: u and
+   * w in turn, which are pivots of two rows, x, and the loops whose last link it is.
    */
   private int[][] groups() {
-    int[] order = order();
-    int[] turn = new int[tree.linkCount];
+    LinkCouplings couplings = new LinkCouplings(tree, far, rows);
+    int[] order = couplings.fromTips();
     IntStream.Builder[] groups = new IntStream.Builder[tree.linkCount];
-    for (int i = 0; i < order.length; i++) {
-      int from = at[order[i]];
-      turn[order[i]] = i;
-      groups[i] = IntStream.builder();
+    for (int link : order) {
+      int from = at[link];
+      groups[link] = IntStream.builder();
       for (int r = 0; r < WRENCH; r++) {
-        groups[i].add(from + r).add(from + WRENCH + r);
+        groups[link].add(from + r).add(from + WRENCH + r);
       }
-      IntStream.range(from + JOINT, at[order[i] + 1]).forEach(groups[i]::add);
+      IntStream.range(from + JOINT, at[link + 1]).forEach(groups[link]::add);
     }
-    for (int row = 0; row < rows.count(); row++) {
-      int last = IntStream.of(touched(row)).map(link -> turn[link]).max().orElse(0);
-      groups[last].add(firstMultiplier + row);
+    int[] last = couplings.lastOfRows(order);
+    for (int row = 0; row < last.length; row++) {
+      groups[last[row]].add(firstMultiplier + row);
     }
-    return Arrays.stream(groups).map(group -> group.build().toArray()).toArray(int[][]::new);
-  }
-
-  /**
-   * Returns the links, each behind those on it: always one that is coupled with the fewest others.
-   */
-  private int[] order() {
-    List<SortedSet<Integer>> coupled = couplings();
-    int[] onIt = new int[tree.linkCount];
-    for (int parent : tree.parent) {
-      if (parent != TreeGeometry.ROOT) {
-        onIt[parent]++;
-      }
-    }
-    // by degree, and the outermost first
-    SortedSet<long[]> ready =
-        new TreeSet<>((a, b) -> a[0] != b[0] ? Long.compare(a[0], b[0]) : Long.compare(b[1], a[1]));
-    for (int link = 0; link < tree.linkCount; link++) {
-      if (onIt[link] == 0) {
-        ready.add(new long[] {coupled.get(link).size(), link});
-      }
-    }
-    int[] order = new int[tree.linkCount];
-    for (int i = 0; i < order.length; i++) {
-      int link = (int) ready.first()[1];
-      ready.remove(ready.first());
-      order[i] = link;
-      SortedSet<Integer> left = coupled.get(link);
-      for (int other : left) {
-        boolean isReady = onIt[other] == 0;
-        if (isReady) {
-          ready.remove(new long[] {coupled.get(other).size(), other});
-        }
-        coupled.get(other).addAll(left);
-        coupled.get(other).remove(other);
-        coupled.get(other).remove(link);
-        boolean wasOnIt = tree.parent[link] == other;
-        onIt[other] -= wasOnIt ? 1 : 0;
-        if (isReady || (wasOnIt && onIt[other] == 0)) {
-          ready.add(new long[] {coupled.get(other).size(), other});
-        }
-      }
-    }
-    return order;
-  }
-
-  /** Returns the links that each is coupled with, by joints, forces and loops. */
-  private List<SortedSet<Integer>> couplings() {
-    List<SortedSet<Integer>> coupled = new ArrayList<>();
-    for (int link = 0; link < tree.linkCount; link++) {
-      coupled.add(new TreeSet<>());
-    }
-    for (int link = 0; link < tree.linkCount; link++) {
-      couple(coupled, link, tree.parent[link]);
-    }
-    for (int pair = 0; pair < far.count(); pair++) {
-      couple(coupled, far.on[pair], far.by[pair]);
-    }
-    for (int row = 0; row < rows.count(); row++) {
-      int[] touched = touched(row);
-      for (int link : touched) {
-        couple(coupled, touched[0], link);
-      }
-    }
-    return coupled;
-  }
-
-  private static void couple(List<SortedSet<Integer>> coupled, int a, int b) {
-    if (a != b && b != TreeGeometry.ROOT) {
-      coupled.get(a).add(b);
-      coupled.get(b).add(a);
-    }
-  }
-
-  /** Returns the links of a row, with those of its velocities. */
-  private int[] touched(int row) {
-    return IntStream.concat(
-            IntStream.of(rows.links[row]),
-            IntStream.of(rows.velocities[row]).map(k -> tree.linkOfVelocity[k]))
-        .toArray();
+    return Arrays.stream(order)
+        .mapToObj(link -> groups[link].build().toArray())
+        .toArray(int[][]::new);
   }
 
   /**
    * Places the links and forgets the derivatives of forces, which {@link #forces} then takes.
    *
-   * @param wrenches external ones with those of loops, 6 per link; kept
+   * @param wrenches external ones with those of loops, 6 per link, N·m and N in link axes; kept
    */
   public void evaluate(double[] wrenches) {
-    this.wrenches = wrenches;
-    newtonEuler.evaluate(wrenches, noForces, residual);
-    links.placeAt(motion);
-    far.clear();
+    terms.evaluate(wrenches);
     Arrays.fill(multiplier, Double.NaN);
-    for (int link = 0; link < tree.linkCount; link++) {
-      formCarrying(link);
-    }
   }
 
   /** Returns what takes the derivatives of forces between the links that were announced. */
   public ForceJacobian forces() {
-    return forces;
-  }
-
-  /** X = [Rᵀ, 0; −Rᵀ p ×, Rᵀ]. */
-  private void formCarrying(int link) {
-    if (tree.parent[link] == TreeGeometry.ROOT) {
-      return;
-    }
-    int to = 36 * link;
-    for (int c = 0; c < 3; c++) {
-      Arrays.fill(work, 0);
-      work[c] = 1;
-      cross(work, 0, links.position, 3 * link, work, 3);
-      for (int r = 0; r < 3; r++) {
-        double turn = links.rotation[9 * link + 3 * c + r];
-        double lever = 0;
-        for (int i = 0; i < 3; i++) {
-          lever += links.rotation[9 * link + 3 * i + r] * work[3 + i];
-        }
-        carrying[to + 6 * r + c] = turn;
-        carrying[to + 6 * (3 + r) + 3 + c] = turn;
-        carrying[to + 6 * (3 + r) + c] = lever;
-      }
-    }
-  }
-
-  /** Returns whether K is symmetric at an equilibrium: whether the forces have a potential. */
-  public boolean isStiffnessSymmetric() {
-    return isSymmetric(BY_PLACE);
-  }
-
-  /** Returns whether C has an element that is not zero. */
-  public boolean isDamped() {
-    for (int e = 0; e < far.wrench.length; e++) {
-      int column = e % WIDTH;
-      if (column >= BY_VELOCITY && column < BY_PLACE && far.wrench[e] != 0) {
-        return true;
-      }
-    }
-    for (int e = 0; e < far.force.length; e++) {
-      int column = e % WIDTH;
-      if (column >= BY_VELOCITY && column < BY_PLACE && far.force[e] != 0) {
-        return true;
-      }
-    }
-    return Arrays.stream(far.wrenchBy.velocity).anyMatch(element -> element != 0)
-        || Arrays.stream(far.forceBy.velocity).anyMatch(element -> element != 0);
-  }
-
-  /** Returns whether C is symmetric. */
-  public boolean isDampingSymmetric() {
-    return isSymmetric(BY_VELOCITY);
-  }
-
-  private boolean isSymmetric(int column) {
-    double largest = 0;
-    double across = 0;
-    for (int pair = 0; pair < far.count(); pair++) {
-      int on = far.on[pair];
-      int by = far.by[pair];
-      int mirror = far.find(by, on);
-      if (on == by) {
-        formTurning(on, column == BY_PLACE);
-      } else {
-        Arrays.fill(turned, 0);
-      }
-      for (int r = 0; r < 6; r++) {
-        for (int c = 0; c < 6; c++) {
-          double units = unit(r) * unit(c);
-          double element = far.wrench[BLOCK * pair + WIDTH * r + column + c];
-          double other = far.wrench[BLOCK * mirror + WIDTH * c + column + r];
-          largest = Math.max(largest, units * (Math.abs(element) + Math.abs(turned[6 * r + c])));
-          across = Math.max(across, units * Math.abs(element - other + turned[6 * r + c]));
-        }
-      }
-      for (int k = 0; k < count(by); k++) {
-        double unit = unitOf(by);
-        for (int r = 0; r < 6; r++) {
-          double element = columns(far.wrenchBy, column)[far.wrenchBy.at(pair, k) + r];
-          double other = far.force[WIDTH * (FarBlocks.MOST * mirror + k) + column + r];
-          double units = unit * unit(r);
-          largest = Math.max(largest, units * Math.abs(element));
-          across = Math.max(across, units * Math.abs(element - other));
-        }
-        for (int j = 0; j < count(on); j++) {
-          double[] elements = columns(far.forceBy, column);
-          double element = elements[far.forceBy.at(pair, k) + j];
-          double other = elements[far.forceBy.at(mirror, j) + k];
-          double units = unit * unitOf(on);
-          largest = Math.max(largest, units * Math.abs(element));
-          across = Math.max(across, units * Math.abs(element - other));
-        }
-      }
-    }
-    return across <= SYMMETRIC * largest;
-  }
-
-  private static double[] columns(FarBlocks.Columns of, int column) {
-    return column == BY_PLACE ? of.place : of.velocity;
-  }
-
-  private double unit(int r) {
-    return r < 3 ? 1 : length;
-  }
-
-  private double unitOf(int link) {
-    return tree.kind[link] == LinkKind.SLIDE ? length : 1;
-  }
-
-  private int count(int link) {
-    return links.end(link) - links.first(link);
-  }
-
-  /**
-   * Writes what the stiffness of a link by its loads adds to the difference of elements across: its
-   * weight's own, and −[n ×, f ×; f ×, 0] of all loads, whose displacements do not commute.
-   */
-  private void formTurning(int link, boolean byPlace) {
-    Arrays.fill(turned, 0);
-    if (!byPlace) {
-      return;
-    }
-    Arrays.fill(block, 0);
-    addWeight(link, 1);
-    double[] g = newtonEuler.gravity;
-    cross(g, 3 * link, inertias.moment, 3 * link, net, 0);
-    for (int i = 0; i < 3; i++) {
-      net[3 + i] = -tree.mass[link] * g[3 * link + i];
-    }
-    for (int i = 0; i < 6; i++) {
-      net[i] -= wrenches.length == 0 ? 0 : wrenches[6 * link + i];
-    }
-    addForce(net, 0, 1, turned);
-    for (int r = 0; r < 6; r++) {
-      for (int c = 0; c < 6; c++) {
-        turned[6 * r + c] += block[6 * r + c] - block[6 * c + r];
-      }
-    }
-  }
-
-  /** Adds the stiffness of a link's weight, [−h × g ×, 0; −m g ×, 0], to the block. */
-  private void addWeight(int link, double factor) {
-    double[] g = newtonEuler.gravity;
-    for (int c = 0; c < 3; c++) {
-      Arrays.fill(work, 0);
-      work[c] = 1;
-      cross(g, 3 * link, work, 0, work, 3);
-      cross(inertias.moment, 3 * link, work, 3, work, 0);
-      for (int r = 0; r < 3; r++) {
-        block[6 * r + c] -= factor * work[r];
-        block[6 * (3 + r) + c] -= factor * tree.mass[link] * work[3 + r];
-      }
-    }
-  }
-
-  /** Adds −[n ×, f ×; f ×, 0] for a wrench [n; f]. */
-  private static void addForce(double[] w, int at, double factor, double[] sum) {
-    for (int c = 0; c < 3; c++) {
-      int next = (c + 1) % 3;
-      int last = (c + 2) % 3;
-      double n = factor * w[at + last];
-      double f = factor * w[at + 3 + last];
-      // (w ×) has −w_last in (c, next) and w_last in (next, c)
-      sum[6 * c + next] += n;
-      sum[6 * next + c] -= n;
-      sum[6 * c + 3 + next] += f;
-      sum[6 * next + 3 + c] -= f;
-      sum[6 * (3 + c) + next] += f;
-      sum[6 * (3 + next) + c] -= f;
-    }
+    return far;
   }
 
   /**
    * Forms D for the place and forces last evaluated.
    *
-   * @param left residual forces, one for each velocity of the state; not modified
-   * @param units of the velocities of the state; not modified
+   * @param left residual forces, N·m or N, one for each velocity of the state; not modified
+   * @param units of the velocities of the state, 1 or a length in m; not modified
    */
   public void weigh(double[] left, double[] units) {
-    double[] along = slidingStiffness();
-    double most = Double.MIN_NORMAL;
-    Arrays.fill(turnWeight, 0);
-    for (int link = tree.linkCount - 1; link >= 0; link--) {
-      int pair = far.find(link, link);
-      double own =
-          norm(inertias.moment, 3 * link) * norm(newtonEuler.gravity, 3 * link)
-              + (wrenches.length == 0 ? 0 : norm(wrenches, 6 * link));
-      for (int r = 0; r < 3; r++) {
-        own += Math.abs(far.wrench[BLOCK * pair + WIDTH * r + BY_PLACE + r]);
-      }
-      turnWeight[link] += own;
-      int parent = tree.parent[link];
-      if (parent != TreeGeometry.ROOT) {
-        turnWeight[parent] +=
-            norm(newtonEuler.force, 6 * link + 3) * norm(links.position, 3 * link);
-      }
-      most = Math.max(most, turnWeight[link]);
-      for (int k = links.first(link); k < links.end(link); k++) {
-        int j = k - links.first(link);
-        double weight = Math.abs(far.forceBy.place[far.forceBy.at(pair, j) + j]);
-        if (tree.kind[link] == LinkKind.SLIDE) {
-          weight += Math.abs(along[k]) + Math.abs(left[k]) / units[k];
-        }
-        jointWeight[k] = weight;
-        most = Math.max(most, weight * unitOf(link) * unitOf(link));
-      }
-    }
-    for (int link = 0; link < tree.linkCount; link++) {
-      turnWeight[link] = Math.max(turnWeight[link], LEAST_WEIGHT * most);
-      for (int k = links.first(link); k < links.end(link); k++) {
-        double least = LEAST_WEIGHT * most / (unitOf(link) * unitOf(link));
-        jointWeight[k] =
-            tree.kind[link] == LinkKind.SLIDE ? Math.max(jointWeight[k], least) : jointWeight[k];
-      }
-    }
+    terms.weigh(left, units);
   }
 
-  /** Returns Sᵀ K S of sliding joints, by the links on them as one rigid body each. */
-  private double[] slidingStiffness() {
-    double[] along = new double[tree.velocityCount];
-    if (Arrays.stream(tree.kind).noneMatch(kind -> kind == LinkKind.SLIDE)) {
-      return along;
-    }
-    double[] rigid = new double[36 * tree.linkCount];
-    for (int link = tree.linkCount - 1; link >= 0; link--) {
-      formOwn(link, 0, 0, 1);
-      for (int i = 0; i < 36; i++) {
-        rigid[36 * link + i] += block[i];
-      }
-      for (int k = links.first(link); k < links.end(link); k++) {
-        for (int r = 0; r < 6; r++) {
-          for (int c = 0; c < 6; c++) {
-            along[k] +=
-                links.subspace[6 * k + r]
-                    * rigid[36 * link + 6 * r + c]
-                    * links.subspace[6 * k + c];
-          }
-        }
-      }
-      if (tree.parent[link] != TreeGeometry.ROOT) {
-        multiply(rigid, 36 * link, carrying, 36 * link, product);
-        addTransposedProduct(carrying, 36 * link, product, rigid, 36 * tree.parent[link]);
-      }
-    }
-    return along;
+  /** Returns whether K is symmetric at an equilibrium: whether the forces have a potential. */
+  public boolean isStiffnessSymmetric() {
+    return terms.isStiffnessSymmetric();
   }
 
-  private static double norm(double[] x, int at) {
-    return Math.sqrt(dot(x, at, x, at));
+  /** Returns whether C has an element that is not zero. */
+  public boolean isDamped() {
+    return terms.isDamped();
   }
 
-  /** Writes the product of two matrices of 6 rows. */
-  private static void multiply(double[] a, int ia, double[] b, int ib, double[] out) {
-    for (int r = 0; r < 6; r++) {
-      for (int c = 0; c < 6; c++) {
-        double sum = 0;
-        for (int i = 0; i < 6; i++) {
-          sum += a[ia + 6 * r + i] * b[ib + 6 * i + c];
-        }
-        out[6 * r + c] = sum;
-      }
-    }
-  }
-
-  /** Adds aᵀ b. */
-  private static void addTransposedProduct(double[] a, int ia, double[] b, double[] out, int to) {
-    for (int r = 0; r < 6; r++) {
-      for (int c = 0; c < 6; c++) {
-        double sum = 0;
-        for (int i = 0; i < 6; i++) {
-          sum += a[ia + 6 * i + r] * b[6 * i + c];
-        }
-        out[to + 6 * r + c] += sum;
-      }
-    }
+  /** Returns whether C is symmetric. */
+  public boolean isDampingSymmetric() {
+    return terms.isDampingSymmetric();
   }
 
   /**
@@ -652,7 +264,7 @@ public final class LinksAtRest {
       for (int unknown = at[link]; unknown < at[link + 1]; unknown++) {
         int r = unknown - at[link];
         boolean ofWrench = r >= WRENCH && r < JOINT;
-        scale[unknown] = ofWrench ? root / unit(r - WRENCH) : unit[unknown] / root;
+        scale[unknown] = ofWrench ? root / terms.unit(r - WRENCH) : unit[unknown] / root;
       }
     }
     for (int row = 0; row < rows.count(); row++) {
@@ -716,58 +328,23 @@ public final class LinksAtRest {
       }
       for (int c = 0; parent != TreeGeometry.ROOT && c < 6; c++) {
         if (r >= 3 || c < 3) {
-          put(row, at[parent] + c, -carrying[36 * link + 6 * r + c]);
+          put(row, at[parent] + c, -terms.carrying[36 * link + 6 * r + c]);
         }
-      }
-    }
-  }
-
-  /** Writes the symmetric part of H. */
-  private void formOwn(int link, double m, double c, double k) {
-    Arrays.fill(block, 0);
-    addWeight(link, k);
-    int from = BLOCK * far.find(link, link);
-    for (int r = 0; r < 6; r++) {
-      for (int e = 0; e < 6; e++) {
-        int element = from + WIDTH * r + e;
-        block[6 * r + e] +=
-            c * far.wrench[element + BY_VELOCITY] + k * far.wrench[element + BY_PLACE];
-      }
-    }
-    double[] h = inertias.moment;
-    for (int r = 0; r < 3; r++) {
-      for (int e = 0; e < 3; e++) {
-        block[6 * r + e] += m * inertias.second[9 * link + 3 * r + e];
-      }
-      int after = (r + 1) % 3;
-      int last = (r + 2) % 3;
-      // I = [J, h ×; −h ×, m]
-      block[6 * r + 3 + last] += m * h[3 * link + after];
-      block[6 * r + 3 + after] -= m * h[3 * link + last];
-      block[6 * (3 + r) + last] -= m * h[3 * link + after];
-      block[6 * (3 + r) + after] += m * h[3 * link + last];
-      block[6 * (3 + r) + 3 + r] += m * tree.mass[link];
-    }
-    for (int r = 0; r < 6; r++) {
-      for (int e = 0; e < r; e++) {
-        double mean = 0.5 * (block[6 * r + e] + block[6 * e + r]);
-        block[6 * r + e] = mean;
-        block[6 * e + r] = mean;
       }
     }
   }
 
   /** H, D and the coupling of both, with D of the shift. */
   private void putOwn(int link, double m, double c, double k, double shift) {
-    formOwn(link, m, c, k);
+    terms.formOwn(link, m, c, k);
     for (int r = 0; r < 6; r++) {
       for (int e = 0; e <= r; e++) {
-        double weight = r == e && r < 3 ? shift * turnWeight[link] : 0;
-        put(at[link] + r, at[link] + e, block[6 * r + e] + weight);
+        double weight = r == e && r < 3 ? shift * terms.turnWeight[link] : 0;
+        put(at[link] + r, at[link] + e, terms.block[6 * r + e] + weight);
       }
     }
     for (int j = links.first(link); j < links.end(link); j++) {
-      put(x(link, j), x(link, j), shift * jointWeight[j]);
+      put(x(link, j), x(link, j), shift * terms.jointWeight[j]);
     }
   }
 
@@ -777,14 +354,11 @@ public final class LinksAtRest {
     if (parent == TreeGeometry.ROOT) {
       return;
     }
-    Arrays.fill(turned, 0);
-    addForce(newtonEuler.force, 6 * link, 0.5 * k, turned);
-    Arrays.fill(product, 0);
-    addTransposedProduct(carrying, 36 * link, turned, product, 0);
+    terms.formForce(link, k);
     for (int r = 0; r < 6; r++) {
       for (int c = 0; c < 6; c++) {
         if (r < 3 || c < 3) {
-          put(at[parent] + r, at[link] + c, product[6 * r + c]);
+          put(at[parent] + r, at[link] + c, terms.product[6 * r + c]);
         }
       }
     }
@@ -797,7 +371,7 @@ public final class LinksAtRest {
     for (int r = 0; on != by && r < 6; r++) {
       for (int e = 0; e < 6; e++) {
         int element = BLOCK * pair + WIDTH * r + e;
-        double force = c * far.wrench[element + BY_VELOCITY] + k * far.wrench[element + BY_PLACE];
+        double force = c * far.wrench[element + VELOCITY] + k * far.wrench[element + PLACE];
         put(at[on] + r, at[by] + e, 0.5 * force);
       }
     }
@@ -817,7 +391,7 @@ public final class LinksAtRest {
     for (int i = links.first(on); i < links.end(on); i++) {
       int from = WIDTH * (FarBlocks.MOST * pair + i - links.first(on));
       for (int e = 0; e < 6; e++) {
-        double force = c * far.force[from + BY_VELOCITY + e] + k * far.force[from + BY_PLACE + e];
+        double force = c * far.force[from + VELOCITY + e] + k * far.force[from + PLACE + e];
         put(x(on, i), at[by] + e, 0.5 * force);
       }
     }
@@ -901,7 +475,7 @@ public final class LinksAtRest {
       int parent = tree.parent[link];
       for (int c = 0; parent != TreeGeometry.ROOT && c < 6; c++) {
         for (int r = 0; r < 6; r++) {
-          sum[at[parent] + c] += carrying[36 * link + 6 * r + c] * sum[at[link] + r];
+          sum[at[parent] + c] += terms.carrying[36 * link + 6 * r + c] * sum[at[link] + r];
         }
       }
     }
@@ -918,65 +492,12 @@ public final class LinksAtRest {
       for (int r = 0; r < 6; r++) {
         double displaced = 0;
         for (int c = 0; parent != TreeGeometry.ROOT && c < 6; c++) {
-          displaced += carrying[36 * link + 6 * r + c] * right[at[parent] + c];
+          displaced += terms.carrying[36 * link + 6 * r + c] * right[at[parent] + c];
         }
         for (int k = links.first(link); k < links.end(link); k++) {
           displaced += links.subspace[6 * k + r] * x[k];
         }
         right[at[link] + r] = displaced;
-      }
-    }
-  }
-
-  /** Takes derivatives of forces, whose sign is the opposite: F = M a + b − τ − Jᵀ w. */
-  private final class LinkForces implements ForceJacobian {
-    @Override
-    public void wrenchByLink(int on, int by, double[] byPlace, double[] byVelocity) {
-      subtract(far.wrench, BLOCK * far.find(on, by), 6, byPlace, byVelocity);
-    }
-
-    private void subtract(
-        double[] matrix, int from, int lines, double[] byPlace, double[] byVelocity) {
-      for (int r = 0; r < lines; r++) {
-        for (int c = 0; c < 6; c++) {
-          matrix[from + WIDTH * r + BY_VELOCITY + c] -= byVelocity[6 * r + c];
-          matrix[from + WIDTH * r + BY_PLACE + c] -= byPlace[6 * r + c];
-        }
-      }
-    }
-
-    @Override
-    public void wrenchByCoordinate(int on, int by, double[] byPlace, double[] byVelocity) {
-      if (by < tree.stateVelocityCount) {
-        int link = tree.linkOfVelocity[by];
-        int from = far.wrenchBy.at(far.find(on, link), by - tree.velocityAt[link]);
-        for (int r = 0; r < 6; r++) {
-          far.wrenchBy.place[from + r] -= byPlace[r];
-          far.wrenchBy.velocity[from + r] -= byVelocity[r];
-        }
-      }
-    }
-
-    @Override
-    public void forceByLink(int on, int by, double[] byPlace, double[] byVelocity) {
-      if (on < tree.stateVelocityCount) {
-        int link = tree.linkOfVelocity[on];
-        int line = FarBlocks.MOST * far.find(link, by) + on - tree.velocityAt[link];
-        subtract(far.force, WIDTH * line, 1, byPlace, byVelocity);
-      }
-    }
-
-    @Override
-    public void forceByCoordinate(int on, int by, double byPlace, double byVelocity) {
-      if (on < tree.stateVelocityCount && by < tree.stateVelocityCount) {
-        int link = tree.linkOfVelocity[by];
-        int other = tree.linkOfVelocity[on];
-        int element =
-            far.forceBy.at(far.find(other, link), by - tree.velocityAt[link])
-                + on
-                - tree.velocityAt[other];
-        far.forceBy.place[element] -= byPlace;
-        far.forceBy.velocity[element] -= byVelocity;
       }
     }
   }

@@ -129,7 +129,10 @@ final class AdamsStep {
     h = Math.copySign(Math.min(Math.abs(h), longest), h);
   }
 
-  /** Sets weights and bounds of a step; one that was stopped is taken up where it stood. */
+  /**
+   * Sets bounds, coefficients and weights of a step, the coefficients first, since their divisions
+   * take long and nothing waits for them yet; one that was stopped is taken up where it stood.
+   */
   void begin() {
     if (!begun) {
       h = bounds.bounded(progress.time(), h);
@@ -151,7 +154,6 @@ final class AdamsStep {
   /** Predicts the first step; returns false if told to stop instead. */
   boolean foresee() {
     begin();
-    prepare();
     TrialOutcome prediction = predict(control.order());
     foreseen = prediction == TrialOutcome.PASSED;
     return prediction != TrialOutcome.STOPPED;
