@@ -107,7 +107,7 @@ final class DenseFront {
    * Eliminates the candidates that have pivots.
    *
    * @param given number of rows at the beginning that are pivots of two rows in their order, taken
-   *     without a search unless the element beside the diagonal is zero
+   *     without a search unless they are singular or not coupled
    * @param candidates number of rows at the beginning that may be eliminated
    * @return the factor, with the number of pivots found
    */
@@ -149,10 +149,16 @@ final class DenseFront {
     return rounded;
   }
 
+  /** Returns whether rows k and k + 1 are coupled and a pivot that can be divided by. */
+  private boolean isRegular(int k) {
+    double cross = front[k * n + k + 1];
+    return cross != 0 && front[k * n + k] * front[(k + 1) * n + k + 1] != cross * cross;
+  }
+
   /** Eliminates what has pivots among the candidates; returns how many rows have. */
   private int pivot(int given, int candidates, double[] d) {
     int k = 0;
-    while (k < given && front[k * n + k + 1] != 0) {
+    while (k < given && isRegular(k)) {
       eliminateTwo(k, d);
       k += 2;
     }

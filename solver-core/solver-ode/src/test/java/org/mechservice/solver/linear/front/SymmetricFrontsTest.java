@@ -177,6 +177,18 @@ class SymmetricFrontsTest {
     assertThat(x).containsExactly(1, 2, 3);
   }
 
+  /** [1, 1, 1; 1, 1, 0; 1, 0, 0]: the first two rows are given as a pivot, which is singular. */
+  @Test
+  void searchesWhereAGivenPivotIsSingular() {
+    Listed listed = new Listed(e(0, 0, 1), e(1, 0, 1), e(1, 1, 1), e(2, 0, 1));
+    SymmetricFronts fronts = listed.fronts(new int[][] {{0, 1}, {2}}, 2);
+    assertThat(fronts.factor(listed.value)).isTrue();
+    assertThat(fronts.negative()).isEqualTo(1);
+    double[] x = {6, 3, 1};
+    fronts.solve(x);
+    assertThat(x).containsExactly(1, 2, 3);
+  }
+
   /**
    * [0, s; s, 0] of many groups, each coupled with the last one by 1. As pivots s = 1e-3 are too
    * small for a search, which leaves their rows, and too many of them end it; given, they are
