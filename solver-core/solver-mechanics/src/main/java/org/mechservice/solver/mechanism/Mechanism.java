@@ -8,6 +8,7 @@ import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.api.StateVariable;
 import org.mechservice.solver.expression.ClosureCoordinate;
 import org.mechservice.solver.expression.Coordinate;
+import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
@@ -363,9 +364,22 @@ public final class Mechanism {
     return samplings;
   }
 
-  /** Returns whether the state or the equations of a run may change abruptly. */
+  /**
+   * Returns the formulas that a step could pass over: those with choices that depend on the state,
+   * and those that can be large over a short way.
+   */
+  public List<Expression> watchedFormulas() {
+    return WatchedFormulas.of(this);
+  }
+
+  /**
+   * Returns whether the state or the equations of a run may change abruptly, or over a short way.
+   */
   public boolean mayChangeAbruptly() {
-    return !events.isEmpty() || !samplings.isEmpty() || mayJump();
+    return !events.isEmpty()
+        || !samplings.isEmpty()
+        || mayJump()
+        || !watchedFormulas().isEmpty();
   }
 
   /** Returns the states besides positions and velocities, in file order. */
