@@ -3,13 +3,16 @@ package org.mechservice.solver.expression;
 import java.util.function.DoubleUnaryOperator;
 
 /**
- * Bounds of the values that operations take while their operands run through intervals. Bounds are
- * those of exact arithmetic up to rounding; where an operation is not defined on a part of its
+ * Bounds of the values that operations take while their operands run through intervals. Rounding
+ * is included; where an operation is not defined on a part of its
  * operands, that part is left out, and what has no bound is infinite.
  *
  * <p>R. E. Moore, <i>Interval Analysis</i>, Prentice-Hall 1966.
  */
 final class Enclosure {
+  /** Roundings by which the values of an operation may differ, in units of the last place. */
+  private static final double ROUNDINGS = 4;
+
   /** The bounds found last. */
   double low;
 
@@ -26,7 +29,45 @@ final class Enclosure {
     }
     if (!(low <= high)) {
       set(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
+    } else if (rounds(step)) {
+      round();
     }
+  }
+
+  /** Returns whether an operation rounds; the others give one of a few values, or an operand. */
+  private static boolean rounds(TapeStep step) {
+    return !(step instanceof Operation operation)
+        || switch (operation) {
+          case NEGATE, ABS, MIN, MAX, SIGNUM, FLOOR, STEP -> false;
+          case ADD,
+              MULTIPLY,
+              DIVIDE,
+              SQUARE,
+              SQRT,
+              SIN,
+              COS,
+              TAN,
+              ASIN,
+              ACOS,
+              ATAN,
+              ATAN2,
+              EXP,
+              LOG,
+              SINH,
+              COSH,
+              TANH,
+              HYPOT,
+              SMOOTH_STEP,
+              POWER ->
+              true;
+        };
+  }
+
+  /** Widens the bounds by the rounding of both ways of evaluation; what is exactly 0 stays so. */
+  private void round() {
+    double error = ROUNDINGS * Math.max(Math.ulp(low), Math.ulp(high));
+    low -= low == 0 ? 0 : error;
+    high += high == 0 ? 0 : error;
   }
 
   void set(double lowest, double highest) {

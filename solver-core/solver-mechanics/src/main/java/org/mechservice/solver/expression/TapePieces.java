@@ -57,6 +57,18 @@ public final class TapePieces {
    *     whose piece alone counts, whatever stands in their argument
    */
   public TapePieces(Tape tape, int formulas) {
+    this(tape, formulas, false);
+  }
+
+  /**
+   * Makes a workspace for the choice that a tape of time and parameters ends with; every table is
+   * one.
+   */
+  public static TapePieces ofTime(Tape tape) {
+    return new TapePieces(tape, 0, true);
+  }
+
+  private TapePieces(Tape tape, int formulas, boolean ofTime) {
     this.tape = tape;
     this.formulas = formulas;
     int slots = tape.initial.length;
@@ -64,12 +76,17 @@ public final class TapePieces {
     low = tape.initial.clone();
     high = tape.initial.clone();
     matters = new boolean[slots];
-    boolean[] moves = movesWithState(tape, slots);
+    boolean[] moves = moving(tape, slots, ofTime);
     choiceAt = new int[tape.target.length];
     int[] found = new int[tape.target.length];
     int count = 0;
     for (int i = 0; i < found.length; i++) {
-      boolean watched = hasPieces(tape.operation[i]) && moves[tape.target[i]];
+      TapeStep step = tape.operation[i];
+      boolean watched =
+          moves[tape.target[i]]
+              && (ofTime
+                  ? tape.target[i] == tape.result[0] && hasPlaces(step)
+                  : hasPieces(step));
       choiceAt[i] = watched ? count : -1;
       if (watched) {
         found[count++] = i;
@@ -96,11 +113,16 @@ public final class TapePieces {
     return isSign[choice];
   }
 
-  private static boolean[] movesWithState(Tape tape, int slots) {
+  private static boolean hasPlaces(TapeStep step) {
+    return !(step instanceof Operation) || hasPieces(step);
+  }
+
+  private static boolean[] moving(Tape tape, int slots, boolean withTime) {
     boolean[] moves = new boolean[slots];
     for (int leaf = 0; leaf < tape.leafSlot.length; leaf++) {
       Expression one = tape.leaves().get(leaf);
-      moves[tape.leafSlot[leaf]] = !(one instanceof Time || one instanceof ParameterValue);
+      moves[tape.leafSlot[leaf]] =
+          !(one instanceof ParameterValue) && (withTime || !(one instanceof Time));
     }
     for (int i = 0; i < tape.target.length; i++) {
       moves[tape.target[i]] = moves[tape.first[i]] || moves[tape.second[i]];
@@ -214,6 +236,12 @@ public final class TapePieces {
       int i = choices[c];
       pieces[c] = piece(tape.operation[i], value[tape.first[i]], value[tape.second[i]]);
     }
+  }
+
+  /** Returns the number of the piece of the last choice at the point of the last {@link #at}. */
+  public double lastPiece() {
+    int i = choices[choices.length - 1];
+    return piece(tape.operation[i], value[tape.first[i]], value[tape.second[i]]);
   }
 
   private static double piece(TapeStep step, double a, double b) {

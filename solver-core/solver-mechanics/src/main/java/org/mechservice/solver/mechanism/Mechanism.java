@@ -315,14 +315,14 @@ public final class Mechanism {
   }
 
   /**
-   * Returns the times at which the equations jump because of an expression of time, such as {@code
-   * step(t-1)}.
+   * Returns the times at which the equations change their form because of an expression of time,
+   * such as {@code step(t-1)}.
    *
    * @param from first time of interest, s
    * @param to last one, s
    */
   public List<Double> timeJumps(double from, double to) {
-    return TimeJumps.of(this, from, to);
+    return TimePlaces.of(this, from, to);
   }
 
   /**
@@ -340,8 +340,7 @@ public final class Mechanism {
    * the motion of a driven joint.
    */
   public boolean mayJump() {
-    return MotionJumps.possible(this)
-        || !timeJumps(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY).isEmpty();
+    return MotionJumps.possible(this) || TimePlaces.possible(this);
   }
 
   /** Returns the same mechanism with other events along its simulation. */

@@ -81,6 +81,10 @@ final class StepSearch {
   private final double[] sinceChange;
   private final double[] closeChanges;
 
+  /** Where the sign of an event changes first, if that shows; NaN if it has not yet. */
+  private final double[] firstSeen;
+
+
   private double begin;
   private int evaluations;
   private int allowed;
@@ -111,6 +115,7 @@ final class StepSearch {
     sinceChange = new double[choices];
     closeChanges = new double[choices];
     Arrays.fill(sinceChange, CLOSE);
+    firstSeen = new double[choices];
     int formulas = pieces.formulaCount();
     valueFrom = new double[formulas];
     valueTo = new double[formulas];
@@ -158,6 +163,7 @@ final class StepSearch {
           Math.max(largest[r], Math.max(Math.abs(valueFrom[r]), Math.abs(valueTo[r])));
     }
     int parts = parts(to - from);
+    Arrays.fill(firstSeen, Double.NaN);
     allowed = 2 * parts + MOST_EVALUATIONS;
     double end = searchParts(path, from, to, parts);
     for (int c = 0; c < sinceChange.length; c++) {
@@ -270,19 +276,29 @@ final class StepSearch {
     pieces.pieces(piecesThere);
     for (int k = 0; k < pieces.undecidedCount(); k++) {
       int choice = pieces.undecided(k);
-      if (piecesHere[choice] != piecesThere[choice] && counts(choice)) {
+      if (piecesHere[choice] == piecesThere[choice]) {
+        continue;
+      } else if (!Double.isNaN(firstSeen[choice])) {
+        return firstSeen[choice];
+      } else if (shows(choice) && pieces.isSign(choice)) {
+        firstSeen[choice] = end;
+      } else if (counts(choice)) {
         return end;
       }
     }
     return Double.NaN;
   }
 
+  /** Returns whether the ends of the step show that a choice changes in it. */
+  private boolean shows(int choice) {
+    return Math.abs(piecesTo[choice] - piecesFrom[choice]) == 1;
+  }
+
   /** Decides whether a change of a choice ends the step, and counts it if so. */
   private boolean counts(int choice) {
-    boolean shows = Math.abs(piecesTo[choice] - piecesFrom[choice]) == 1;
     boolean close = sinceChange[choice] < CLOSE;
     double row = close ? closeChanges[choice] + 1 : 1;
-    if ((shows && pieces.isSign(choice)) || row > (shows ? MOST_CLOSE : MOST_HIDDEN)) {
+    if (row > (shows(choice) ? MOST_CLOSE : MOST_HIDDEN)) {
       return false;
     }
     closeChanges[choice] = row;
