@@ -399,4 +399,14 @@ public final class TapePieces {
   public int undecided(int index) {
     return undecided[index];
   }
+
+  /** Returns the lower bound of a formula after {@link #decide}. */
+  public double low(int formula) {
+    return low[tape.result[formula]];
+  }
+
+  /** Returns the upper bound of a formula after {@link #decide}. */
+  public double high(int formula) {
+    return high[tape.result[formula]];
+  }
 }

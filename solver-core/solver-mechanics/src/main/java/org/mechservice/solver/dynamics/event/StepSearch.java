@@ -78,6 +78,12 @@ final class StepSearch {
   private final double[] valueHere;
   private final double[] valueThere;
   private final double[] largest;
+
+  /** Whether formulas that do not show are only looked at, and whether one was found. */
+  private boolean looking;
+
+  private boolean hidden;
+
   private final double[] sinceChange;
   private final double[] closeChanges;
 
@@ -165,7 +171,20 @@ final class StepSearch {
     int parts = parts(to - from);
     Arrays.fill(firstSeen, Double.NaN);
     allowed = 2 * parts + MOST_EVALUATIONS;
+    looking = true;
+    hidden = false;
     double end = searchParts(path, from, to, parts);
+    if (hidden) {
+      // once more, now that it is known how large the formulas become
+      looking = false;
+      evaluations = 0;
+      Arrays.fill(firstSeen, Double.NaN);
+      double last = Double.isNaN(end) ? to : end;
+      if (evaluate(path, last, atTo)) {
+        double before = searchParts(path, from, last, parts);
+        end = Double.isNaN(before) ? end : before;
+      }
+    }
     for (int c = 0; c < sinceChange.length; c++) {
       sinceChange[c] = Math.min(CLOSE, sinceChange[c] + 1);
     }
@@ -298,12 +317,12 @@ final class StepSearch {
   private boolean counts(int choice) {
     boolean close = sinceChange[choice] < CLOSE;
     double row = close ? closeChanges[choice] + 1 : 1;
-    if (row > (shows(choice) ? MOST_CLOSE : MOST_HIDDEN)) {
-      return false;
+    boolean taken = row <= (shows(choice) ? MOST_CLOSE : MOST_HIDDEN);
+    if (looking) {
+      sinceChange[choice] = 0;
+      closeChanges[choice] = taken ? row : closeChanges[choice];
     }
-    closeChanges[choice] = row;
-    sinceChange[choice] = 0;
-    return true;
+    return taken;
   }
 
   /**
@@ -331,7 +350,11 @@ final class StepSearch {
       double lowest = Math.min(a, Math.min(m, b)) - bow;
       double highest = Math.max(a, Math.max(m, b)) + bow;
       if (Math.max(highest - most, least - lowest) > expected) {
-        return false;
+        if (!looking) {
+          return false;
+        }
+        hidden = true;
+        largest[r] = Math.max(largest[r], Math.max(-lowest, highest));
       }
     }
     return true;
