@@ -238,12 +238,6 @@ public final class TapePieces {
     }
   }
 
-  /** Returns the number of the piece of the last choice at the point of the last {@link #at}. */
-  public double lastPiece() {
-    int i = choices[choices.length - 1];
-    return piece(tape.operation[i], value[tape.first[i]], value[tape.second[i]]);
-  }
-
   private static double piece(TapeStep step, double a, double b) {
     if (step instanceof Operation operation) {
       return switch (operation) {
@@ -398,6 +392,39 @@ public final class TapePieces {
   /** Returns one of them, as an index among the choices. */
   public int undecided(int index) {
     return undecided[index];
+  }
+
+  /**
+   * Returns how far the argument of an open choice can go beyond the boundary between its pieces in
+   * the box of the last {@link #decide}, in the unit of the argument; for a choice of many pieces,
+   * how far it can go at all. Infinite for a choice whose value jumps.
+   */
+  public double excursion(int choice) {
+    int i = choices[choice];
+    int a = tape.first[i];
+    int b = tape.second[i];
+    TapeStep step = tape.operation[i];
+    if (step == Operation.MIN || step == Operation.MAX) {
+      return Math.min(high[a] - low[b], high[b] - low[a]);
+    } else if (step == Operation.ABS) {
+      return Math.min(-low[a], high[a]);
+    } else if (step == Operation.SMOOTH_STEP || !(step instanceof Operation)) {
+      return range(choice);
+    }
+    return Double.POSITIVE_INFINITY;
+  }
+
+  /** Returns by how much the argument of a choice can change in the box of {@link #decide}. */
+  public double range(int choice) {
+    int a = tape.first[choices[choice]];
+    int b = tape.second[choices[choice]];
+    return Math.max(high[a] - low[a], high[b] - low[b]);
+  }
+
+  /** Returns the number of the piece of a choice at the point of the last {@link #at}. */
+  public double piece(int choice) {
+    int i = choices[choice];
+    return piece(tape.operation[i], value[tape.first[i]], value[tape.second[i]]);
   }
 
   /** Returns the lower bound of a formula after {@link #decide}. */

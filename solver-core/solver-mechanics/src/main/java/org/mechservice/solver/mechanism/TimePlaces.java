@@ -240,11 +240,11 @@ final class TimePlaces {
       return pieces.decide();
     }
 
-    /** Returns the number of the piece of the choice itself, which is the last of the tape. */
+    /** Returns the number of the piece of the choice. */
     double piece(double t) {
       leaves[time] = t;
       pieces.at(leaves);
-      return pieces.lastPiece();
+      return pieces.piece(0);
     }
   }
 

@@ -42,6 +42,12 @@ final class StepSearch {
   /** Depth of halving: the resolution of time within a step. */
   private static final int DEPTH = 44;
 
+  /** Width to which a change is narrowed down, in units of the last place of time. */
+  private static final double RESOLUTION = 4;
+
+  /** Way beyond a boundary, relative to the way of the argument in the step, that is a touch. */
+  private static final double TOUCH = 1e-12;
+
   /** Depth to which the first way to a hidden value is followed. */
   private static final int FORMULA_DEPTH = 20;
 
@@ -57,6 +63,12 @@ final class StepSearch {
   /** Size of a formula, relative to the largest value it has had, that does not matter. */
   private static final double NOTHING = 1e-3;
 
+  /** Growth of a box beside a step, in lengths of the step's way: at most, at least, and between. */
+  private static final double LARGE_BOX = 16;
+
+  private static final double SMALL_BOX = 1;
+  private static final double SHRINKAGE = 0.25;
+
   /** Part of the way to a hidden value that the first step behind takes. */
   private static final double FIRST_STEP = 0.25;
 
@@ -68,6 +80,7 @@ final class StepSearch {
   private final double[] atFrom;
   private final double[] atTo;
   private final double[] moving;
+  private final double[] ranges;
   private final double[] piecesFrom;
   private final double[] piecesTo;
   private final double[] piecesHere;
@@ -91,6 +104,12 @@ final class StepSearch {
   private final double[] firstSeen;
 
 
+  private final double[] boxLow;
+  private final double[] boxHigh;
+
+  /** Whether nothing changes its form in the box. */
+  private boolean boxed;
+
   private double begin;
   private int evaluations;
   private int allowed;
@@ -109,11 +128,14 @@ final class StepSearch {
     leaves = watched.tape().leaves().size();
     turns = watched.turns().toArray(int[][]::new);
     int count = watched.quantities().size();
-    scratch = new double[DEPTH + 2][count];
+    boxLow = new double[leaves];
+    boxHigh = new double[leaves];
+    scratch = new double[DEPTH + 3][count];
     atFrom = new double[count];
     atTo = new double[count];
     moving = new double[count];
     int choices = pieces.choiceCount();
+    ranges = new double[choices];
     piecesFrom = new double[choices];
     piecesTo = new double[choices];
     piecesHere = new double[choices];
@@ -154,6 +176,73 @@ final class StepSearch {
     if (!evaluate(path, from, atFrom) || !evaluate(path, to, atTo)) {
       return to;
     }
+    if (staysInBox(path, from, to)) {
+      begun = false;
+      passStep();
+      return to;
+    }
+    double end = searchAll(path, from, to);
+    passStep();
+    boolean seen = Double.isNaN(end);
+    if (seen) {
+      findBox(path, from, to);
+    }
+    boxed &= seen;
+    return seen ? to : end;
+  }
+
+  private void passStep() {
+    for (int c = 0; c < sinceChange.length; c++) {
+      sinceChange[c] = Math.min(CLOSE, sinceChange[c] + 1);
+    }
+  }
+
+  /**
+   * Returns whether the quantities stay, in the whole step, in a box in which nothing changes its
+   * form.
+   */
+  private boolean staysInBox(ModelEvents.Path path, double from, double to) {
+    double[] atMiddle = scratch[0];
+    if (!boxed || parts(to - from) > 1 || !evaluate(path, 0.5 * (from + to), atMiddle)) {
+      return false;
+    }
+    for (int leaf = 0; leaf < leaves; leaf++) {
+      double a = atFrom[leaf];
+      double m = atMiddle[leaf];
+      double b = atTo[leaf];
+      double bow = MARGIN * Math.abs(a - 2 * m + b);
+      if (Math.min(a, Math.min(m, b)) - bow < boxLow[leaf]
+          || Math.max(a, Math.max(m, b)) + bow > boxHigh[leaf]) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Finds a box for the steps to come, if nothing changes its form in one about this step. */
+  private void findBox(ModelEvents.Path path, double from, double to) {
+    boxed = false;
+    if (parts(to - from) > 1 || !evaluate(path, 0.5 * (from + to), scratch[0])) {
+      return;
+    }
+    for (double growth = LARGE_BOX; !boxed && growth >= SMALL_BOX; growth *= SHRINKAGE) {
+      for (int leaf = 0; leaf < leaves; leaf++) {
+        double a = atFrom[leaf];
+        double m = scratch[0][leaf];
+        double b = atTo[leaf];
+        double least = Math.min(a, Math.min(m, b));
+        double most = Math.max(a, Math.max(m, b));
+        double beside = growth * (most - least) + MARGIN * Math.abs(a - 2 * m + b);
+        boxLow[leaf] = least - beside;
+        boxHigh[leaf] = most + beside;
+        pieces.setLeaf(leaf, boxLow[leaf], boxHigh[leaf]);
+      }
+      boxed = pieces.decide() && pieces.isEven();
+    }
+  }
+
+  /** Returns where a step has to end; NaN if it may stand. */
+  private double searchAll(ModelEvents.Path path, double from, double to) {
     pieces.at(atFrom);
     pieces.pieces(piecesFrom);
     read(valueFrom);
@@ -185,14 +274,10 @@ final class StepSearch {
         end = Double.isNaN(before) ? end : before;
       }
     }
-    for (int c = 0; c < sinceChange.length; c++) {
-      sinceChange[c] = Math.min(CLOSE, sinceChange[c] + 1);
-    }
-    if (Double.isNaN(end)) {
+    begun = Double.isNaN(end);
+    if (begun) {
       System.arraycopy(valueFrom, 0, valueBefore, 0, valueFrom.length);
-      return to;
     }
-    begun = false;
     return end;
   }
 
@@ -230,7 +315,7 @@ final class StepSearch {
       return searchPart(path, 0, from, atFrom, to, atTo);
     }
     System.arraycopy(atFrom, 0, moving, 0, moving.length);
-    double[] next = scratch[DEPTH + 1];
+    double[] next = scratch[DEPTH + 2];
     double start = from;
     for (int k = 1; k <= parts; k++) {
       double end = k == parts ? to : from + (to - from) * k / parts;
@@ -265,13 +350,22 @@ final class StepSearch {
       double m = atMiddle[leaf];
       double b = atEnd[leaf];
       double bow = MARGIN * Math.abs(a - 2 * m + b);
-      pieces.setLeaf(
-          leaf, Math.min(a, Math.min(m, b)) - bow, Math.max(a, Math.max(m, b)) + bow);
+      pieces.setLeaf(leaf, Math.min(a, Math.min(m, b)) - bow, Math.max(a, Math.max(m, b)) + bow);
     }
     boolean decided = pieces.decide();
+    if (depth == 0) {
+      noteRanges();
+    }
     boolean finest = depth >= DEPTH || evaluations > allowed || !(middle > start && middle < end);
-    if (finest) {
-      return decided ? Double.NaN : changed(atStart, end, atEnd);
+    if (!decided && (finest || openByNothing())) {
+      int changed = changed(atStart, atEnd);
+      if (changed < 0) {
+        return Double.NaN;
+      } else if (finest) {
+        return taken(changed, narrowed(path, changed, start, end));
+      }
+    } else if (finest) {
+      return Double.NaN;
     }
     if (decided && pieces.isEven()) {
       if (formulasShow(atStart, atMiddle, atEnd) || (start == begin && depth >= FORMULA_DEPTH)) {
@@ -287,23 +381,67 @@ final class StepSearch {
         : found;
   }
 
-  /** Returns the end of a shortest part if a choice that counts changes in it, else NaN. */
-  private double changed(double[] atStart, double end, double[] atEnd) {
+  private void noteRanges() {
+    for (int choice = 0; choice < ranges.length; choice++) {
+      ranges[choice] = pieces.range(choice);
+    }
+  }
+
+  /** Returns whether open choices go beyond their boundaries by no more than rounding counts. */
+  private boolean openByNothing() {
+    for (int k = 0; k < pieces.undecidedCount(); k++) {
+      int choice = pieces.undecided(k);
+      if (pieces.excursion(choice) > TOUCH * ranges[choice]) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Returns an open choice that differs at the ends of a part; −1 if there is none. */
+  private int changed(double[] atStart, double[] atEnd) {
     pieces.at(atStart);
     pieces.pieces(piecesHere);
     pieces.at(atEnd);
     pieces.pieces(piecesThere);
     for (int k = 0; k < pieces.undecidedCount(); k++) {
       int choice = pieces.undecided(k);
-      if (piecesHere[choice] == piecesThere[choice]) {
-        continue;
-      } else if (!Double.isNaN(firstSeen[choice])) {
-        return firstSeen[choice];
-      } else if (shows(choice) && pieces.isSign(choice)) {
-        firstSeen[choice] = end;
-      } else if (counts(choice)) {
-        return end;
+      if (piecesHere[choice] != piecesThere[choice]) {
+        return choice;
       }
+    }
+    return -1;
+  }
+
+  /** Returns the time just behind the change of a choice in a part. */
+  private double narrowed(ModelEvents.Path path, int choice, double start, double end) {
+    double[] here = scratch[DEPTH + 1];
+    double before = start;
+    double behind = end;
+    double width = RESOLUTION * Math.ulp(end);
+    while (behind - before > width) {
+      double middle = 0.5 * (before + behind);
+      if (!evaluate(path, middle, here)) {
+        break;
+      }
+      pieces.at(here);
+      if (pieces.piece(choice) == piecesHere[choice]) {
+        before = middle;
+      } else {
+        behind = middle;
+      }
+    }
+    return behind;
+  }
+
+  /** Returns the place of a change if it ends the step, else NaN. */
+  private double taken(int choice, double place) {
+    if (!Double.isNaN(firstSeen[choice])) {
+      return firstSeen[choice];
+    } else if (shows(choice) && pieces.isSign(choice)) {
+      firstSeen[choice] = place;
+    } else if (counts(choice)) {
+      return place;
     }
     return Double.NaN;
   }
@@ -362,7 +500,7 @@ final class StepSearch {
 
   /** Returns the length of {@link #save}. */
   int stateLength() {
-    return valueBefore.length + largest.length + sinceChange.length + closeChanges.length + 2;
+    return Arrays.stream(parts()).mapToInt(part -> part.length).sum() + 3;
   }
 
   /** Writes what later searches depend on. */
@@ -374,6 +512,7 @@ final class StepSearch {
     }
     state[at] = begun ? 1 : 0;
     state[at + 1] = longestFirstStep;
+    state[at + 2] = boxed ? 1 : 0;
   }
 
   /** Restores what {@link #save} has written. */
@@ -385,9 +524,12 @@ final class StepSearch {
     }
     begun = state[at] == 1;
     longestFirstStep = state[at + 1];
+    boxed = state[at + 2] == 1;
   }
 
   private double[][] parts() {
-    return new double[][] {valueBefore, largest, sinceChange, closeChanges};
+    return new double[][] {
+      valueBefore, largest, sinceChange, closeChanges, boxLow, boxHigh
+    };
   }
 }
