@@ -148,9 +148,12 @@ public final class LoopProjection {
     return false;
   }
 
-  /** Returns whether a residual is small, or whether the last iteration hardly reduced it. */
+  /**
+   * Returns whether a residual is small, or whether the last iteration hardly reduced it: then it
+   * is a misfit of redundant equations.
+   */
   private static boolean isClosed(double residual, double before) {
-    return residual <= CLOSED || (residual <= LoopRounding.CLOSED && residual > 0.5 * before);
+    return residual <= CLOSED || (residual <= LoopRounding.MISFIT && residual > 0.5 * before);
   }
 
   private void solvePositions(double[] y) {

@@ -39,6 +39,11 @@ final class DenseLeastMoves implements LeastMoves {
     }
   }
 
+  @Override
+  public void solveTransposed(double[] right, double[] x) {
+    singular.solveTransposed(rank(), right, x);
+  }
+
   private int rank() {
     int rank = 0;
     while (rank < most && singular.value(rank) > NEGLIGIBLE * singular.value(0)) {

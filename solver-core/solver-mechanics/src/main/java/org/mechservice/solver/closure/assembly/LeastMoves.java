@@ -16,4 +16,12 @@ interface LeastMoves {
    * @param x overwritten
    */
   void solve(double damping, double[] right, double[] x);
+
+  /**
+   * Solves Aᵀ x ≈ b with the least error and, among those, the smallest x.
+   *
+   * @param right b; not modified
+   * @param x overwritten
+   */
+  void solveTransposed(double[] right, double[] x);
 }

@@ -125,13 +125,8 @@ final class SparseLeastMoves implements LeastMoves {
     }
   }
 
-  /**
-   * Solves Aᵀ x ≈ b with the least error and, among those, the smallest x.
-   *
-   * @param right b; not modified
-   * @param x overwritten
-   */
-  void solveTransposed(double[] right, double[] x) {
+  @Override
+  public void solveTransposed(double[] right, double[] x) {
     factor(REGULAR);
     Arrays.fill(x, 0, rows, 0);
     for (int i = 0; i < REPETITIONS; i++) {
