@@ -28,13 +28,6 @@ public final class Assembly {
   /** Rate over the speed below which velocities are not changed. */
   private static final double FITTING = 1e-13;
 
-  /**
-   * Willingness of a joint with a given start value to move; that of a free joint is 1. The squares
-   * of moves over it are least, so a given value moves by a millionth more than it must, if a free
-   * one then moves less.
-   */
-  private static final double RELUCTANCE = 1e-3;
-
   private final TreeMotion motion;
   private final LoopEquations loops;
   private final CoordinateUnits units;
@@ -81,13 +74,10 @@ public final class Assembly {
       }
     }
     matrix = loops.jacobian.sameShape();
-    least =
-        isLarge.test(loops)
-            ? new SparseLeastMoves(matrix, nv)
-            : new DenseLeastMoves(loops.count(), nv);
+    least = LeastMoves.of(loops, nv, isLarge.test(loops));
     StateCoordinates coordinates = new StateCoordinates(mechanism);
     LoopRounding rounding = new LoopRounding(tree, loops, coordinates);
-    nearest = new NearestPositions(motion, loops, coordinates, units, rounding, least, matrix);
+    nearest = new NearestPositions(motion, loops, coordinates, units, rounding, least);
     right = new double[loops.count()];
     step = new double[nv];
   }
@@ -126,7 +116,7 @@ public final class Assembly {
     int worst = loops.worst(loops.value);
     LoopFinding moved =
         finding(LoopFinding.Kind.START_MOVED, worst, Math.abs(loops.value[worst]), t);
-    if (closePositions(t, y, residual)) {
+    if (nearest.closeInTurn(t, y, willing(positionRoles, StartRole.PREFERRED))) {
       if (!(residual <= LoopRounding.MISFIT)) {
         findings.add(moved);
       }
@@ -138,36 +128,12 @@ public final class Assembly {
     findings.add(finding(LoopFinding.Kind.NOT_CLOSED, worst, least, t));
   }
 
-  /**
-   * Moves only free joints if that suffices. If not, given ones too. What moves reduce by less than
-   * half is a misfit of the data, for which nothing is moved.
-   */
-  private boolean closePositions(double t, double[] y, double residual) {
-    double[] byFree = y.clone();
-    double leftByFree = nearest.find(t, byFree, willing(positionRoles, StartRole.FREE));
-    double left = leftByFree;
-    double[] closed = byFree;
-    if (!(leftByFree <= NearestPositions.CLOSED)
-        && List.of(positionRoles).contains(StartRole.PREFERRED)) {
-      double[] byAll = y.clone();
-      double leftByAll = nearest.find(t, byAll, willing(positionRoles, StartRole.PREFERRED));
-      if (leftByAll < 0.5 * leftByFree || !(leftByFree <= LoopRounding.MISFIT)) {
-        left = leftByAll;
-        closed = byAll;
-      }
-    }
-    if (left < 0.5 * residual || !(residual <= LoopRounding.MISFIT)) {
-      System.arraycopy(closed, 0, y, 0, y.length);
-    }
-    return left <= LoopRounding.MISFIT;
-  }
-
   /** Returns how willingly coordinates move: 0 if they must not. */
   private static double[] willing(StartRole[] role, StartRole last) {
     double[] willing = new double[role.length];
     for (int j = 0; j < willing.length; j++) {
       boolean moves = last == StartRole.PREFERRED && role[j] == StartRole.PREFERRED;
-      willing[j] = role[j] == StartRole.FREE ? 1 : moves ? RELUCTANCE : 0;
+      willing[j] = role[j] == StartRole.FREE ? 1 : moves ? NearestPositions.RELUCTANT : 0;
     }
     return willing;
   }

@@ -1,9 +1,21 @@
 package org.mechservice.solver.closure.assembly;
 
+import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.linear.SparseMatrix;
 
 /** The least-norm solution of linear equations that may be redundant. Workspace of one thread. */
 interface LeastMoves {
+  /**
+   * Returns the solution for the columns of J that belong to the state.
+   *
+   * @param columns number of velocities of the state
+   */
+  static LeastMoves of(LoopEquations loops, int columns, boolean isLarge) {
+    return isLarge
+        ? new SparseLeastMoves(loops.jacobian.sameShape(), columns)
+        : new DenseLeastMoves(loops.count(), columns);
+  }
+
   /** Sets a new matrix with the pattern given at construction; not modified. */
   void take(SparseMatrix matrix);
 

@@ -18,12 +18,20 @@ import org.mechservice.solver.linear.SparseMatrix;
  * <p>An attempt closes the loops by damped Gauss-Newton steps from a state, and then descends along
  * the closed positions towards the given ones: steps within a trusted distance by conjugate
  * gradients in the null space of J (Steihaug 1983; Gould, Hribar and Nocedal 2001), each followed
- * by closing again. If the first Gauss-Newton step leaves less than a quarter of the residual, the
- * positions that it leads to are the only ones as near (Newton and Kantorovich: the second residual
- * is half of h times the first, and h below one half proves it). Otherwise attempts from random
- * states around the given one, as far from it as the best found, look for nearer ones.
+ * by closing again. If the first Gauss-Newton step leaves a small part of the residual and the
+ * positions found are within twice its length, they are the only ones as near (Newton and
+ * Kantorovich: the second residual is h/2 of the first, and h of at most one half proves it).
+ * Otherwise attempts from random states around the given one, as far from it as the best found,
+ * look for nearer ones.
  */
-final class NearestPositions {
+public final class NearestPositions {
+  /**
+   * Willingness of a coordinate with a given value to move; that of a free one is 1. The squares of
+   * moves over it are least, so a given value moves by a millionth more than it must, if a free one
+   * then moves less.
+   */
+  public static final double RELUCTANT = 1e-3;
+
   /** Relative residual beyond rounding below which the loops are closed. */
   static final double CLOSED = 1e-13;
 
@@ -32,8 +40,11 @@ final class NearestPositions {
   /** Longest move of a coordinate in one iteration, rad or lengths of the mechanism. */
   private static final double LONGEST_STEP = 0.4;
 
-  /** Part of the residual that the first step of an attempt without rivals leaves at most. */
-  private static final double WITHOUT_RIVALS = 0.25;
+  /**
+   * Part of the residual that the first step of an attempt without rivals leaves at most: a fifth
+   * of what proves it along the step, since other directions may bend more.
+   */
+  private static final double WITHOUT_RIVALS = 0.05;
 
   /**
    * Sizes of random moves of the given positions while nothing closes the loops, rad or lengths.
@@ -41,7 +52,7 @@ final class NearestPositions {
   private static final double[] KICKS = {0.01, 0.1, 0.3, 0.6, 1.5, Math.PI};
 
   /** Number of attempts after the first, for small and for large mechanisms. */
-  private static final int ATTEMPTS = 18;
+  private static final int ATTEMPTS = 36;
 
   private static final int ATTEMPTS_IF_LARGE = 4;
 
@@ -81,8 +92,31 @@ final class NearestPositions {
   private double[] given = new double[0];
   private double time;
 
-  /** Whether the last iteration proved that there is no other solution as near. */
-  private boolean withoutRivals;
+  /**
+   * Distance within which the last iteration has no other solution, in units; 0 if it proved
+   * nothing.
+   */
+  private double withoutRivals;
+
+  /**
+   * Prepares the search with the workspace of others, which is overwritten.
+   *
+   * @param rounding of the loops
+   */
+  public NearestPositions(
+      TreeMotion motion,
+      LoopEquations loops,
+      StateCoordinates coordinates,
+      CoordinateUnits units,
+      LoopRounding rounding) {
+    this(
+        motion,
+        loops,
+        coordinates,
+        units,
+        rounding,
+        LeastMoves.of(loops, coordinates.velocityCount(), loops.isLargeToSetUp()));
+  }
 
   NearestPositions(
       TreeMotion motion,
@@ -90,15 +124,14 @@ final class NearestPositions {
       StateCoordinates coordinates,
       CoordinateUnits units,
       LoopRounding rounding,
-      LeastMoves least,
-      SparseMatrix matrix) {
+      LeastMoves least) {
     this.motion = motion;
     this.loops = loops;
     this.coordinates = coordinates;
     this.units = units;
     this.rounding = rounding;
     this.least = least;
-    this.matrix = matrix;
+    matrix = loops.jacobian.sameShape();
     nv = coordinates.velocityCount();
     right = new double[loops.count()];
     ofRows = new double[loops.count()];
@@ -123,7 +156,44 @@ final class NearestPositions {
   }
 
   /**
-   * Finds the positions.
+   * Finds the positions: by free coordinates alone if they suffice, otherwise by reluctant ones
+   * too, which move as little as possible. What moves reduce by less than half is a misfit of the
+   * data, for which nothing is moved.
+   *
+   * @param t s
+   * @param y state with the given positions; overwritten by the nearest that close the loops, or by
+   *     those with the least residual that was found
+   * @param willing 1 for a free coordinate, {@link #RELUCTANT} or 0 if it must not move
+   * @return whether the loops are closed
+   */
+  public boolean closeInTurn(double t, double[] y, double[] willing) {
+    double open = place(t, y);
+    double[] byFree = y.clone();
+    double[] free = new double[nv];
+    boolean reluctant = false;
+    for (int j = 0; j < nv; j++) {
+      free[j] = willing[j] == 1 ? 1 : 0;
+      reluctant |= willing[j] == RELUCTANT;
+    }
+    double leftByFree = find(t, byFree, free);
+    double left = leftByFree;
+    double[] closed = byFree;
+    if (!(leftByFree <= CLOSED) && reluctant) {
+      double[] byAll = y.clone();
+      double leftByAll = find(t, byAll, willing);
+      if (leftByAll < 0.5 * leftByFree || !(leftByFree <= LoopRounding.MISFIT)) {
+        left = leftByAll;
+        closed = byAll;
+      }
+    }
+    if (left < 0.5 * open || !(open <= LoopRounding.MISFIT)) {
+      System.arraycopy(closed, 0, y, 0, y.length);
+    }
+    return left <= LoopRounding.MISFIT;
+  }
+
+  /**
+   * Finds the positions by all coordinates that may move.
    *
    * @param t s
    * @param y state with the given positions; overwritten by the nearest that close the loops, or by
@@ -134,7 +204,7 @@ final class NearestPositions {
   double find(double t, double[] y, double[] willing) {
     begin(t, y, willing);
     Attempt best = attempt(y);
-    if (!(best.closes() && withoutRivals)) {
+    if (!best.closes() || lengthTo(best.y) > withoutRivals) {
       Random random = new Random(271828);
       int attempts = loops.isLargeToSetUp() ? ATTEMPTS_IF_LARGE : ATTEMPTS;
       for (int i = 0; i < attempts; i++) {
@@ -181,7 +251,7 @@ final class NearestPositions {
   private Attempt attempt(double[] from) {
     double[] y = from.clone();
     double residual = iterate(y);
-    boolean alone = withoutRivals;
+    double alone = withoutRivals;
     if (residual <= LoopRounding.MISFIT) {
       residual = descend(y, residual);
     }
@@ -208,6 +278,15 @@ final class NearestPositions {
     return farthest;
   }
 
+  /** Returns the distance from the given positions with all units equal. */
+  private double lengthTo(double[] y) {
+    coordinates.moveBetween(given, y, moved);
+    for (int j = 0; j < nv; j++) {
+      moved[j] = unit[j] > 0 ? moved[j] / unit[j] : 0;
+    }
+    return Math.sqrt(dot(moved, moved));
+  }
+
   /** Writes the moves from the given positions in units of the metric. */
   private void displacement(double[] y, double[] d) {
     coordinates.moveBetween(given, y, d);
@@ -226,7 +305,7 @@ final class NearestPositions {
     double merit = merit(y);
     double first = merit;
     double damping = 0;
-    withoutRivals = rounding.excess(y) <= LoopRounding.MISFIT;
+    withoutRivals = rounding.excess(y) <= LoopRounding.MISFIT ? Double.POSITIVE_INFINITY : 0;
     for (int i = 0; i < ITERATIONS && rounding.excess(y) > CLOSED; i++) {
       Interruption.check();
       take(unit);
@@ -234,7 +313,9 @@ final class NearestPositions {
       least.solve(damping, right, step);
       boolean whole = advance(tried);
       double reached = merit(tried);
-      withoutRivals |= i == 0 && whole && reached <= WITHOUT_RIVALS * WITHOUT_RIVALS * first;
+      if (i == 0 && whole && reached <= WITHOUT_RIVALS * WITHOUT_RIVALS * first) {
+        withoutRivals = Math.max(withoutRivals, 2 * Math.sqrt(dot(step, step)));
+      }
       if (reached < merit) {
         boolean slow = reached > 0.5 * merit;
         merit = reached;
