@@ -104,9 +104,8 @@ public final class LoopProjection {
   public boolean jump(double t, double[] y, boolean[] positionSet, boolean[] velocitySet) {
     System.arraycopy(positionSet, 0, held, 0, held.length);
     double[] given = y.clone();
-    if (!closePositions(t, y)) {
+    if (!closePositions(t, y) && closeFromFar(t, given, positionSet)) {
       System.arraycopy(given, 0, y, 0, y.length);
-      closeFromFar(t, y, positionSet);
     }
     System.arraycopy(velocitySet, 0, held, 0, held.length);
     projectVelocities(t, y, Double.POSITIVE_INFINITY);
@@ -114,8 +113,12 @@ public final class LoopProjection {
     return closePositions(t, y) && projectVelocities(t, y, Double.POSITIVE_INFINITY);
   }
 
-  /** Closes the loops as at a start: positions that were set are given ones, all others free. */
-  private void closeFromFar(double t, double[] y, boolean[] positionSet) {
+  /**
+   * Closes the loops as at a start, by the nearest positions, with those held that were set.
+   *
+   * @return whether it could; if not, the state is unchanged
+   */
+  private boolean closeFromFar(double t, double[] y, boolean[] positionSet) {
     ClosedTree data = work.ofData();
     if (nearest.isEmpty()) {
       nearest =
@@ -124,8 +127,13 @@ public final class LoopProjection {
                   data.motion, data.loops, data.coordinates, data.units, rounding));
     }
     double[] willing = new double[work.nv];
-    Arrays.setAll(willing, j -> positionSet[j] ? NearestPositions.RELUCTANT : 1);
-    nearest.get().closeInTurn(t, y, willing);
+    Arrays.setAll(willing, j -> positionSet[j] ? 0 : 1);
+    double[] closed = y.clone();
+    boolean closes = nearest.get().closeInTurn(t, closed, willing);
+    if (closes) {
+      System.arraycopy(closed, 0, y, 0, y.length);
+    }
+    return closes;
   }
 
   /** Newton's method in steps of limited length. */
