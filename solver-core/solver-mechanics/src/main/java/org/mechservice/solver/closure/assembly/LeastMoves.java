@@ -1,5 +1,6 @@
 package org.mechservice.solver.closure.assembly;
 
+import java.util.OptionalDouble;
 import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.linear.SparseMatrix;
 
@@ -28,6 +29,9 @@ interface LeastMoves {
    * @param x overwritten
    */
   void solve(double damping, double[] right, double[] x);
+
+  /** Returns the ratio of the largest to the smallest singular value that counts, if known. */
+  OptionalDouble largestOverSmallest();
 
   /**
    * Solves Aᵀ x ≈ b with the least error and, among those, the smallest x.

@@ -18,11 +18,13 @@ import org.mechservice.solver.linear.SparseMatrix;
  * <p>An attempt closes the loops by damped Gauss-Newton steps from a state, and then descends along
  * the closed positions towards the given ones: steps within a trusted distance by conjugate
  * gradients in the null space of J (Steihaug 1983; Gould, Hribar and Nocedal 2001), each followed
- * by closing again. If the first Gauss-Newton step leaves a small part of the residual and the
- * positions found are within twice its length, they are the only ones as near (Newton and
- * Kantorovich: the second residual is h/2 of the first, and h of at most one half proves it).
- * Otherwise attempts from random states around the given one, as far from it as the best found,
- * look for nearer ones.
+ * by closing again. If the positions found are within twice the first Gauss-Newton step η, and h of
+ * Newton and Kantorovich is at most one half, they are the only ones as near. h is β K η with the
+ * inverse β of the smallest singular value of J; the second derivatives K of n coordinates are at
+ * most √n times the largest singular value, since both consist of the same levers. The residual
+ * that the step leaves, h/2 of the first along it, must agree; for large mechanisms it decides
+ * alone. Otherwise attempts from random states around the given one, as far from it as the best
+ * found, look for nearer ones.
  */
 public final class NearestPositions {
   /**
@@ -40,11 +42,8 @@ public final class NearestPositions {
   /** Longest move of a coordinate in one iteration, rad or lengths of the mechanism. */
   private static final double LONGEST_STEP = 0.4;
 
-  /**
-   * Part of the residual that the first step of an attempt without rivals leaves at most: a fifth
-   * of what proves it along the step, since other directions may bend more.
-   */
-  private static final double WITHOUT_RIVALS = 0.05;
+  /** Part of the residual that the first step of an attempt without rivals leaves at most, h/2. */
+  private static final double WITHOUT_RIVALS = 0.25;
 
   /**
    * Sizes of random moves of the given positions while nothing closes the loops, rad or lengths.
@@ -314,7 +313,10 @@ public final class NearestPositions {
       boolean whole = advance(tried);
       double reached = merit(tried);
       if (i == 0 && whole && reached <= WITHOUT_RIVALS * WITHOUT_RIVALS * first) {
-        withoutRivals = Math.max(withoutRivals, 2 * Math.sqrt(dot(step, step)));
+        double length = Math.sqrt(dot(step, step));
+        double most = 2 * WITHOUT_RIVALS / (Math.sqrt(nv) * length);
+        boolean proved = least.largestOverSmallest().stream().allMatch(ratio -> ratio <= most);
+        withoutRivals = proved ? Math.max(withoutRivals, 2 * length) : withoutRivals;
       }
       if (reached < merit) {
         boolean slow = reached > 0.5 * merit;

@@ -3,6 +3,7 @@ package org.mechservice.solver.closure.assembly;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.OptionalDouble;
 import org.mechservice.solver.linear.SparseMatrix;
 import org.mechservice.solver.linear.SparseSymmetric;
 
@@ -123,6 +124,11 @@ final class SparseLeastMoves implements LeastMoves {
         addRow(row, left[row], x);
       }
     }
+  }
+
+  @Override
+  public OptionalDouble largestOverSmallest() {
+    return OptionalDouble.empty();
   }
 
   @Override
