@@ -4,8 +4,8 @@ package org.mechservice.solver.ode;
  * A system some of whose components follow from the others, as the coordinates of a closed loop do
  * (NUMERICS §3). Implemented beside {@link OdeSystem} or {@link ResidualSystem}.
  *
- * <p>The integrator keeps a history of all components. The error test, its norm and the iteration
- * see the independent ones alone; the passive ones are predicted like the others and then
+ * <p>The integrator keeps a history of all components. The iteration sees the independent ones
+ * alone, and so do the error test and its norm unless {@link #tested} names others; the passive ones are predicted like the others and then
  * overwritten by {@link #complete}, so that others may become independent from one step to the next
  * without a restart. A residual system writes the equations of independent components into their
  * own places of the residual; the places of passive ones are not read.
@@ -32,6 +32,15 @@ public interface CompletedSystem {
 
   /** Returns whether a component is independent at present; changes only in {@link #accepted}. */
   boolean independent(int component);
+
+  /**
+   * Returns whether a component is tested for error. A passive component is not, unless something
+   * beside the independent ones moves it, such as a drive as a function of time: steps would then
+   * pass over its motion.
+   */
+  default boolean tested(int component) {
+    return independent(component);
+  }
 
   /**
    * Overwrites the passive components so that they fit the independent ones.

@@ -12,7 +12,7 @@ import org.mechservice.solver.ode.UnitNormGroups;
 /**
  * The knowledge of a problem about its states beyond its equations: components that follow from
  * others ({@link CompletedSystem}) or are algebraic ({@link ResidualSystem#component}), and so are
- * not tested for error; components that share a weight ({@link ErrorWeightGroups}); a manifold that
+ * not tested for error, the former unless {@link CompletedSystem#tested} names them; components that share a weight ({@link ErrorWeightGroups}); a manifold that
  * the solution stays on ({@link ProjectedSystem}); groups of norm one ({@link UnitNormGroups}). A
  * problem that knows nothing of that kind is left alone.
  */
@@ -69,7 +69,7 @@ public final class Manifold {
   private void choose() {
     for (int l = 0; l < tested.length; l++) {
       independent[l] = completed.independent(l);
-      tested[l] = independent[l] && !algebraic[l];
+      tested[l] = completed.tested(l) && !algebraic[l];
     }
   }
 

@@ -17,6 +17,11 @@ interface LoopCompletion extends CompletedSystem {
   }
 
   @Override
+  default boolean tested(int component) {
+    return loops().tested(component);
+  }
+
+  @Override
   default boolean complete(double t, double[] y) {
     return loops().complete(evaluationTime(t), y);
   }
