@@ -106,6 +106,9 @@ public final class Completion {
   private final double[] followed;
   private final double[] rates;
 
+  /** State [q; v; s] with the positions that are being followed. */
+  private final double[] state;
+
   /** Largest change of velocities by the last {@link #completeVelocities}, scaled, 1/s. */
   private double velocityChange;
 
@@ -144,6 +147,7 @@ public final class Completion {
     given = new double[nq];
     followed = new double[nq];
     rates = new double[nq];
+    state = new double[work.stateCount];
   }
 
   /** Returns the partition of the velocities; factored by {@link #complete}. */
@@ -301,10 +305,10 @@ public final class Completion {
 
   /** Names the equations and the coordinates of the loops that meet another assembly. */
   private Defect defect(Obstacle where, IntFunction<String> names) {
-    work.placeLoops(where.time, where.positions);
-    differentiate(where.positions);
+    System.arraycopy(where.positions, 0, state, 0, nq);
+    work.placeLoops(where.time, state);
+    differentiate(state);
     double[] direction = new double[ofPositions.rank()];
-    ofPositions.smallestPivot(positions.matrix);
     if (ofPositions.factor(positions.matrix)) {
       Arrays.fill(direction, 1);
       ofPositions.solve(direction);
@@ -510,9 +514,15 @@ public final class Completion {
 
     @Override
     public double correct(double t, double[] q) {
-      work.placeLoops(t, q);
-      differentiate(q);
-      return ofPositions.factor(positions.matrix) ? Completion.this.correct(q) : Double.NaN;
+      System.arraycopy(q, 0, state, 0, nq);
+      work.placeLoops(t, state);
+      differentiate(state);
+      if (!ofPositions.factor(positions.matrix)) {
+        return Double.NaN;
+      }
+      double change = Completion.this.correct(state);
+      System.arraycopy(state, 0, q, 0, nq);
+      return change;
     }
 
     @Override
