@@ -228,6 +228,7 @@ public final class Completion {
         continuation.follow(
             acceptedTime,
             acceptedPositions,
+            acceptedRates,
             acceptedOrientation,
             t,
             followed,

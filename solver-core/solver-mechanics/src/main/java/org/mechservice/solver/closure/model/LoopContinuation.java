@@ -9,17 +9,15 @@ package org.mechservice.solver.closure.model;
  * accepted from one of two guesses:
  *
  * <ul>
- *   <li>the continuation of the secant, if its correction is at most a quarter of the predicted
- *       move, the estimate of the prediction's own error;
- *   <li>the last positions, if each correction is at most a quarter of the one before: then Newton's
- *       method converges from there for every shorter part, too, and the solution is the only one
- *       within reach (Deuflhard 2011, Newton Methods for Nonlinear Problems, theorem 2.1 and
- *       section 5.1.3). This one passes corners of drives.
+ *   <li>the straight continuation, by the rates at first and by the secant then, if its correction
+ *       is at most a quarter of the predicted move, the estimate of the prediction's own error;
+ *   <li>where that finds nothing, the last positions, if each correction is at most a quarter of the
+ *       one before: then the solution is the only one within reach (Deuflhard 2011, Newton Methods
+ *       for Nonlinear Problems, theorem 2.1 and section 5.1). This one passes corners of drives.
  * </ul>
  *
- * <p>The sign of the determinant of the equations must not change: at a simple change point, in
- * which two branches cross, both of them have it zero. Workspace of one thread; nothing allocates
- * after construction.
+ * <p>The sign of the determinant of the equations must not change: it is zero in a change point, in
+ * which two branches cross. Workspace of one thread; nothing allocates after construction.
  */
 public final class LoopContinuation {
   /** The equations of the loops, solved for the positions that are not given. */
@@ -99,6 +97,7 @@ public final class LoopContinuation {
    *
    * @param t0 time at the beginning, s
    * @param from positions there, which close the loops; not modified
+   * @param rates of the positions there, 1/s; not modified
    * @param sign sign of the determinant there
    * @param t1 time at the end, s
    * @param to given positions at the end; the others are overwritten if it is reached
@@ -106,25 +105,32 @@ public final class LoopContinuation {
    *     the motion is free
    */
   public End follow(
-      double t0, double[] from, int sign, double t1, double[] to, boolean crosses) {
+      double t0,
+      double[] from,
+      double[] rates,
+      int sign,
+      double t1,
+      double[] to,
+      boolean crosses) {
     int n = last.length;
-    System.arraycopy(from, 0, last, 0, n);
+    for (int i = 0; i < n; i++) {
+      last[i] = from[i];
+      rate[i] = rates[i] * (t1 - t0);
+    }
     orientation = sign;
     crossed = false;
     reached = 0;
     double part = 1;
-    boolean secant = false;
     while (reached < 1) {
       double end = reached + part >= 1 ? 1 : reached + part;
       double t = end == 1 ? t1 : t0 + end * (t1 - t0);
       turned = false;
       tried = 0;
-      if ((secant && continues(end, t, from, to, crosses)) || begins(end, t, from, to)) {
+      if (continues(end, t, from, to, crosses) || (!turned && begins(end, t, from, to))) {
         for (int i = 0; i < n; i++) {
           rate[i] = (trial[i] - last[i]) / (end - reached);
           last[i] = trial[i];
         }
-        secant = true;
         reached = end;
         part *= 2;
       } else {
