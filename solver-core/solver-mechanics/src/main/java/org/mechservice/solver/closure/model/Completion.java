@@ -86,18 +86,15 @@ public final class Completion {
   private final SingularityMonitor watch;
   private final LoopContinuation continuation;
 
-  /** The last accepted state: its time and that of the one before, positions, their rates. */
-  private double acceptedTime;
+  /** The last accepted state, or the one after an event since then. */
+  private Reached reached;
 
-  private double timeBefore;
-  private final double[] acceptedPositions;
-  private final double[] acceptedRates;
-  private double acceptedSpeed;
+  /** The last accepted state if an event has changed the state since then. */
+  private Reached beforeEvent;
 
-  /** Sign of the determinant of the dependent block of the positions there. */
-  private int acceptedOrientation;
+  private boolean changedByEvent;
 
-  /** That sign at the solution of the last {@link #complete}. */
+  /** Sign of the determinant of the dependent block at the last solution for positions. */
   private int orientation;
 
   /** Positions that {@link #complete} was given, those that were followed to, and rates there. */
@@ -114,6 +111,59 @@ public final class Completion {
 
   /** Where the positions could not be followed any further in the last {@link #complete}. */
   private Optional<Obstacle> obstacle = Optional.empty();
+
+  /** A state that closes the loops, from which others are found. */
+  private static final class Reached {
+    double time;
+
+    /** Time of the accepted state before: the last step is between the two. */
+    double timeBefore;
+
+    /** Positions, and their rates. */
+    final double[] positions;
+
+    final double[] rates;
+
+    /** Largest scaled velocity, 1/s. */
+    double speed;
+
+    /** Sign of the determinant of the dependent block. */
+    int orientation;
+
+    Reached(int nq) {
+      positions = new double[nq];
+      rates = new double[nq];
+    }
+
+    /** Returns whether a time is within the last step. */
+    boolean hasPassed(double t) {
+      return (t - timeBefore) * (t - time) <= 0;
+    }
+
+    int stateLength() {
+      return 2 * positions.length + 4;
+    }
+
+    void save(double[] state, int at) {
+      int n = positions.length;
+      System.arraycopy(positions, 0, state, at, n);
+      System.arraycopy(rates, 0, state, at + n, n);
+      state[at + 2 * n] = time;
+      state[at + 2 * n + 1] = timeBefore;
+      state[at + 2 * n + 2] = speed;
+      state[at + 2 * n + 3] = orientation;
+    }
+
+    void restore(double[] state, int at) {
+      int n = positions.length;
+      System.arraycopy(state, at, positions, 0, n);
+      System.arraycopy(state, at + n, rates, 0, n);
+      time = state[at + 2 * n];
+      timeBefore = state[at + 2 * n + 1];
+      speed = state[at + 2 * n + 2];
+      orientation = (int) state[at + 2 * n + 3];
+    }
+  }
 
   /** End of the positions that can be followed. */
   private record Obstacle(LoopContinuation.End end, double time, double[] positions) {}
@@ -142,8 +192,8 @@ public final class Completion {
     SingularityMonitor.Method method = new SingularityMonitor.Method(formulation, false);
     watch = new SingularityMonitor(loops, ofVelocities, method, notes);
     continuation = new LoopContinuation(new DependentPositions());
-    acceptedPositions = new double[nq];
-    acceptedRates = new double[nq];
+    reached = new Reached(nq);
+    beforeEvent = new Reached(nq);
     given = new double[nq];
     followed = new double[nq];
     rates = new double[nq];
@@ -193,7 +243,7 @@ public final class Completion {
     ofVelocities.scale(loopRows, units.velocities);
     boolean positionsChosen = ofPositions.choose(positions.matrix);
     boolean velocitiesChosen = ofVelocities.choose(loops.jacobian);
-    acceptedTime = t;
+    reached.time = t;
     remember(t, y, positionsChosen);
     return watch.begin(t) && positionsChosen && velocitiesChosen;
   }
@@ -212,6 +262,7 @@ public final class Completion {
   }
 
   private boolean find(double t, double[] y) {
+    Reached from = reachedBefore(t);
     System.arraycopy(y, 0, given, 0, nq);
     boolean solved = completePositions(t, y);
     orientation = ofPositions.orientation();
@@ -219,28 +270,28 @@ public final class Completion {
       if (!completeVelocities(t, y)) {
         return false;
       }
-      if (continuesPlainly(t, y)) {
+      if (continuesPlainly(from, t, y)) {
         return true;
       }
     }
     System.arraycopy(given, 0, followed, 0, nq);
     LoopContinuation.End end =
         continuation.follow(
-            acceptedTime,
-            acceptedPositions,
-            acceptedRates,
-            acceptedOrientation,
+            from.time,
+            from.positions,
+            from.rates,
+            from.orientation,
             t,
             followed,
             ofPositions.freedom() > 0);
     if (end != LoopContinuation.End.REACHED) {
-      double time = acceptedTime + continuation.reached() * (t - acceptedTime);
+      double time = from.time + continuation.reached() * (t - from.time);
       obstacle = Optional.of(new Obstacle(end, time, continuation.positions().clone()));
       return false;
     }
     orientation = continuation.orientation();
     boolean same = solved && isNear(followed, y, SAME);
-    if (!same && !liesInLastStep(t)) {
+    if (!same && !from.hasPassed(t)) {
       return false;
     }
     if (!same) {
@@ -253,16 +304,16 @@ public final class Completion {
    * Returns whether a completed state continues the last accepted one without a doubt: the same
    * sign of the determinant, velocities as predicted, and positions q = q₀ + (t − t₀)(q₀' + q')/2.
    */
-  private boolean continuesPlainly(double t, double[] y) {
-    double speed = Math.max(acceptedSpeed, units.speed(y, nq));
-    if (orientation != acceptedOrientation
+  private boolean continuesPlainly(Reached from, double t, double[] y) {
+    double speed = Math.max(from.speed, units.speed(y, nq));
+    if (orientation != from.orientation
         || !(velocityChange <= Math.max(AT_REST, OTHER_BRANCH * speed))) {
       return false;
     }
     work.coordinates.rates(y, 0, y, nq, rates, 0);
-    double half = 0.5 * (t - acceptedTime);
+    double half = 0.5 * (t - from.time);
     for (int i = 0; i < nq; i++) {
-      double expected = acceptedPositions[i] + half * (acceptedRates[i] + rates[i]);
+      double expected = from.positions[i] + half * (from.rates[i] + rates[i]);
       if (!(Math.abs(y[i] - expected) <= NEAR * units.positions[i])) {
         return false;
       }
@@ -279,8 +330,13 @@ public final class Completion {
     return true;
   }
 
-  private boolean liesInLastStep(double t) {
-    return (t - timeBefore) * (t - acceptedTime) <= 0;
+  /** Returns the state to begin from: rows before an event are asked for after it. */
+  private Reached reachedBefore(double t) {
+    boolean before =
+        changedByEvent
+            && t != reached.time
+            && (t - beforeEvent.timeBefore) * (t - reached.time) <= 0;
+    return before ? beforeEvent : reached;
   }
 
   /** Returns the defect of a failed {@link #begin}. */
@@ -390,15 +446,15 @@ public final class Completion {
 
   /** Stores the state that the next ones continue; the positions must be differentiated there. */
   private void remember(double t, double[] y, boolean otherChoice) {
-    timeBefore = acceptedTime;
-    acceptedTime = t;
-    acceptedSpeed = units.speed(y, nq);
-    System.arraycopy(y, 0, acceptedPositions, 0, nq);
-    work.coordinates.rates(y, 0, y, nq, acceptedRates, 0);
+    reached.timeBefore = reached.time;
+    reached.time = t;
+    reached.speed = units.speed(y, nq);
+    System.arraycopy(y, 0, reached.positions, 0, nq);
+    work.coordinates.rates(y, 0, y, nq, reached.rates, 0);
     if (otherChoice && ofPositions.factor(positions.matrix)) {
       orientation = ofPositions.orientation();
     }
-    acceptedOrientation = orientation;
+    reached.orientation = orientation;
   }
 
   /**
@@ -417,8 +473,7 @@ public final class Completion {
   int stateLength() {
     return ofPositions.stateLength()
         + ofVelocities.stateLength()
-        + 2 * nq
-        + 4
+        + reached.stateLength()
         + watch.stateLength();
   }
 
@@ -429,14 +484,8 @@ public final class Completion {
     next += ofPositions.stateLength();
     ofVelocities.save(state, next);
     next += ofVelocities.stateLength();
-    System.arraycopy(acceptedPositions, 0, state, next, nq);
-    next += nq;
-    System.arraycopy(acceptedRates, 0, state, next, nq);
-    next += nq;
-    state[next++] = acceptedTime;
-    state[next++] = timeBefore;
-    state[next++] = acceptedSpeed;
-    state[next++] = acceptedOrientation;
+    reached.save(state, next);
+    next += reached.stateLength();
     watch.save(state, next);
   }
 
@@ -447,14 +496,9 @@ public final class Completion {
     next += ofPositions.stateLength();
     ofVelocities.restore(state, next);
     next += ofVelocities.stateLength();
-    System.arraycopy(state, next, acceptedPositions, 0, nq);
-    next += nq;
-    System.arraycopy(state, next, acceptedRates, 0, nq);
-    next += nq;
-    acceptedTime = state[next++];
-    timeBefore = state[next++];
-    acceptedSpeed = state[next++];
-    acceptedOrientation = (int) state[next++];
+    reached.restore(state, next);
+    changedByEvent = false;
+    next += reached.stateLength();
     watch.restore(state, next);
   }
 
@@ -475,6 +519,7 @@ public final class Completion {
   boolean accepted(double t, double[] y) {
     work.place(t, y);
     differentiate(y);
+    changedByEvent = false;
     boolean other = ofPositions.renew(positions.matrix, BETTER);
     remember(t, y, other);
     boolean others = ofVelocities.renew(loops.jacobian, BETTER) || other;
@@ -490,8 +535,14 @@ public final class Completion {
   void jumped(double t, double[] y, boolean closed) {
     work.place(t, y);
     differentiate(y);
-    acceptedTime = t;
-    remember(t, y, true);
+    if (closed) {
+      Reached before = changedByEvent ? beforeEvent : reached;
+      reached = changedByEvent ? reached : beforeEvent;
+      beforeEvent = before;
+      changedByEvent = true;
+      reached.time = t;
+      remember(t, y, true);
+    }
     ofVelocities.chooseBetter(loops.jacobian, Double.POSITIVE_INFINITY);
     watch.jumped(t, closed);
   }
