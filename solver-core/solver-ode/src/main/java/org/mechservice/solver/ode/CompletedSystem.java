@@ -43,6 +43,16 @@ public interface CompletedSystem {
   }
 
   /**
+   * Enlarges the sizes of passive components, to which their allowed errors are relative. A passive
+   * component carries the rounding errors of the others from which it is computed; one that passes
+   * through zero cannot be more accurate than these, however short a step is.
+   *
+   * @param sizes absolute value of each component, a group's norm, or the largest size that counts;
+   *     those of passive components may be enlarged
+   */
+  default void enlarge(double[] sizes) {}
+
+  /**
    * Overwrites the passive components so that they fit the independent ones.
    *
    * @param t where

@@ -18,6 +18,14 @@ public interface DependentStates {
   }
 
   /**
+   * Enlarges the sizes of dependent components, to which the errors allowed in them are relative:
+   * they carry the rounding errors of all coordinates.
+   *
+   * @param sizes one per component; those of dependent ones may be enlarged
+   */
+  default void enlarge(double[] sizes) {}
+
+  /**
    * Overwrites the dependent components so that loops are closed.
    *
    * @param t time, s

@@ -69,6 +69,9 @@ public final class Completion {
    */
   private static final double AT_REST = 1e-12;
 
+  /** How far ahead of a state near a singular position this is searched for, s or parts of t. */
+  private static final double AHEAD = 1e-2;
+
   /** Part of the largest move between two assemblies with which a coordinate is named. */
   private static final double PART_OF_WAY = 0.1;
 
@@ -227,6 +230,21 @@ public final class Completion {
         : ofVelocities.isIndependent(component - nq);
   }
 
+  /** Gives dependent positions and velocities the size of the largest, in their units. */
+  void enlarge(double[] sizes) {
+    double farthest = 0;
+    for (int i = 0; i < nq; i++) {
+      farthest = Math.max(farthest, sizes[i] / units.positions[i]);
+    }
+    double fastest = units.speed(sizes, nq);
+    for (int i : ofPositions.dependent) {
+      sizes[i] = farthest * units.positions[i];
+    }
+    for (int j : ofVelocities.dependent) {
+      sizes[nq + j] = fastest * units.velocities[j];
+    }
+  }
+
   /**
    * Chooses the independent coordinates at a state that closes the loops.
    *
@@ -357,7 +375,35 @@ public final class Completion {
    * @param names of the positions
    */
   Optional<Defect> obstacle(IntFunction<String> names) {
-    return obstacle.map(where -> defect(where, names)).or(watch::obstacle);
+    return obstacle.or(this::ahead).map(where -> defect(where, names)).or(watch::obstacle);
+  }
+
+  /**
+   * Returns where assemblies meet shortly after the last accepted state, if that is near a singular
+   * position and drives alone move the mechanism.
+   */
+  private Optional<Obstacle> ahead() {
+    if (!watch.isNearSingular() || ofPositions.freedom() > 0) {
+      return Optional.empty();
+    }
+    double longest = AHEAD * Math.max(1, Math.abs(reached.time));
+    for (double ahead = Math.ulp(reached.time); ahead < longest; ahead *= 2) {
+      double t = reached.time + Math.copySign(ahead, reached.time - reached.timeBefore);
+      System.arraycopy(reached.positions, 0, followed, 0, nq);
+      LoopContinuation.End end =
+          continuation.follow(
+              reached.time,
+              reached.positions,
+              reached.rates,
+              reached.orientation,
+              t,
+              followed,
+              false);
+      if (end != LoopContinuation.End.REACHED) {
+        return Optional.of(new Obstacle(end, t, continuation.positions().clone()));
+      }
+    }
+    return Optional.empty();
   }
 
   /** Names the equations and the coordinates of the loops that meet another assembly. */

@@ -54,6 +54,13 @@ public class ProjectionModel extends LoopModel implements DependentStates, Model
   }
 
   @Override
+  public final void enlarge(double[] sizes) {
+    if (movedByTime) {
+      completion.enlarge(sizes);
+    }
+  }
+
+  @Override
   public final boolean complete(double t, double[] y) {
     return completion.complete(t, y);
   }

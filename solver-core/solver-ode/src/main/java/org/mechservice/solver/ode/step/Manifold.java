@@ -101,6 +101,11 @@ public final class Manifold {
     return tested[component];
   }
 
+  /** Enlarges the sizes of passive components. */
+  void enlarge(double[] sizes) {
+    completed.enlarge(sizes);
+  }
+
   /** Returns whether all components are always tested, each by its own size. */
   boolean weighsBySizeAlone() {
     return completed == NOTHING && groups == NOTHING && !anyAlgebraic;

@@ -22,6 +22,11 @@ interface LoopCompletion extends CompletedSystem {
   }
 
   @Override
+  default void enlarge(double[] sizes) {
+    loops().enlarge(sizes);
+  }
+
+  @Override
   default boolean complete(double t, double[] y) {
     return loops().complete(evaluationTime(t), y);
   }
