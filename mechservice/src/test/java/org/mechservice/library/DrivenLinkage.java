@@ -83,7 +83,14 @@ final class DrivenLinkage {
 
   /** Adds a second dyad from a point of the coupler or the rocker to a pivot at (x, y). */
   DrivenLinkage with(
-      String body, double radius, double turn, double x, double y, double near, double far, int side) {
+      String body,
+      double radius,
+      double turn,
+      double x,
+      double y,
+      double near,
+      double far,
+      int side) {
     steps.add(new Dyad(body, radius, turn, x, y, new Bar("link", near), new Bar("arm", far), side));
     return this;
   }
@@ -112,7 +119,8 @@ final class DrivenLinkage {
         found.add(new Coordinate("slider", crank * Math.cos(angle) + along, false));
       } else if (step instanceof Dyad dyad) {
         double[] pivot = pivot(dyad.body, angle);
-        double host = dyad.body.equals("crank") ? of[0] : dyad.body.equals("coupler") ? of[1] : of[2];
+        double host =
+            dyad.body.equals("crank") ? of[0] : dyad.body.equals("coupler") ? of[1] : of[2];
         double px = pivot[0] + dyad.radius * Math.cos(host + dyad.turn);
         double py = pivot[1] + dyad.radius * Math.sin(host + dyad.turn);
         double dx = dyad.x - px;
@@ -160,7 +168,8 @@ final class DrivenLinkage {
       for (int s = 0; s < steps.size(); s++) {
         double turned;
         if (steps.get(s) instanceof Dyad dyad) {
-          double host = dyad.body.equals("crank") ? of[0] : dyad.body.equals("coupler") ? of[1] : of[2];
+          double host =
+              dyad.body.equals("crank") ? of[0] : dyad.body.equals("coupler") ? of[1] : of[2];
           turned = host + at.get(2 * s).value - at.get(2 * s + 1).value;
         } else {
           turned = of[1] + Math.PI / 2;
@@ -217,7 +226,8 @@ final class DrivenLinkage {
     }
     bodies.append(body("crank", crankPoints.toString(), crank));
     for (Coordinate coordinate : at) {
-      values.append("<jointVal name='" + coordinate.name + "' posVals='" + coordinate.value + "'/>");
+      values.append(
+          "<jointVal name='" + coordinate.name + "' posVals='" + coordinate.value + "'/>");
     }
     String path = start + (speed < 0 ? "-" : "+") + Math.abs(speed) + "*t";
     String constraints = "";
@@ -276,7 +286,14 @@ final class DrivenLinkage {
   }
 
   private static String joint(
-      String name, String type, String on, String at, String of, String by, String axis, String cut) {
+      String name,
+      String type,
+      String on,
+      String at,
+      String of,
+      String by,
+      String axis,
+      String cut) {
     return "<joint name='%s' type='%s'%s><body1 name='%s' point='%s' vector='%s'/><body2 name='%s' point='%s' vector='%s'/></joint>"
         .formatted(name, type, cut, on, at, axis, of, by, axis);
   }
@@ -300,7 +317,13 @@ final class DrivenLinkage {
     double crank = random.nextDouble(0.1, 1);
     if (kind == 0) {
       return sliderCrank(
-          drive, start, speed, crank, random.nextDouble(0.1, 2), random.nextDouble(-0.5, 0.5), side);
+          drive,
+          start,
+          speed,
+          crank,
+          random.nextDouble(0.1, 2),
+          random.nextDouble(-0.5, 0.5),
+          side);
     }
     DrivenLinkage four =
         fourBar(

@@ -66,8 +66,7 @@ final class DrivenLinkagesTest {
 
   private static DrivenLinkage fourBar(
       double speed, double crank, double coupler, double rocker, double ground) {
-    return DrivenLinkage.fourBar(
-        Drive.TREE_JOINT, 0.8, speed, crank, coupler, rocker, ground, 1);
+    return DrivenLinkage.fourBar(Drive.TREE_JOINT, 0.8, speed, crank, coupler, rocker, ground, 1);
   }
 
   @ParameterizedTest
@@ -99,8 +98,8 @@ final class DrivenLinkagesTest {
   }
 
   /**
-   * Dependent velocities carry the rounding errors of the fastest ones, also where they pass through
-   * zero: tolerances relative to their own size would be out of reach there.
+   * Dependent velocities carry the rounding errors of the fastest ones, also where they pass
+   * through zero: tolerances relative to their own size would be out of reach there.
    */
   @ParameterizedTest
   @CsvSource({
@@ -168,7 +167,9 @@ final class DrivenLinkagesTest {
         + "</Joints>"
         + (cut
             ? ""
-            : "<Constraints><CoordConstraint name='c' expression='x.q-(" + motion + ")'/></Constraints>")
+            : "<Constraints><CoordConstraint name='c' expression='x.q-("
+                + motion
+                + ")'/></Constraints>")
         + "<topology><root name='G'/><relCoorVals>"
         + (cut ? "<jointVal name='c' driven='" + motion + "'/>" : "")
         + "</relCoorVals></topology></MBSmodel></MechML>";
@@ -204,9 +205,7 @@ final class DrivenLinkagesTest {
 
   /** At a change point the drive does not say which assembly follows; elsewhere the loop locks. */
   @ParameterizedTest
-  @CsvSource({
-    "0.4, 1, 0.4, 1, Both continue beyond", "0.6, 1, 0.5, 1, Neither continues beyond"
-  })
+  @CsvSource({"0.4, 1, 0.4, 1, Both continue beyond", "0.6, 1, 0.5, 1, Neither continues beyond"})
   void whereAssembliesMeetTheRunEndsWithTrueWords(
       double crank, double coupler, double rocker, double ground, String words) throws Exception {
     for (List<String> method : METHODS.subList(0, 6)) {

@@ -5,10 +5,11 @@ package org.mechservice.solver.ode;
  * (NUMERICS §3). Implemented beside {@link OdeSystem} or {@link ResidualSystem}.
  *
  * <p>The integrator keeps a history of all components. The iteration sees the independent ones
- * alone, and so do the error test and its norm unless {@link #tested} names others; the passive ones are predicted like the others and then
- * overwritten by {@link #complete}, so that others may become independent from one step to the next
- * without a restart. A residual system writes the equations of independent components into their
- * own places of the residual; the places of passive ones are not read.
+ * alone, and so do the error test and its norm unless {@link #tested} names others; the passive
+ * ones are predicted like the others and then overwritten by {@link #complete}, so that others may
+ * become independent from one step to the next without a restart. A residual system writes the
+ * equations of independent components into their own places of the residual; the places of passive
+ * ones are not read.
  */
 public interface CompletedSystem {
   /** A system whose components are all independent. */

@@ -18,8 +18,8 @@ import org.mechservice.solver.force.user.UserForceSource;
 /**
  * A mechanism whose coordinates all follow from prescribed motions, through driven joints and
  * loops. Positions come from Φ(q, t) = 0, followed from one output time to the next ({@link
- * LoopContinuation}); velocities and accelerations from J v = −Φ_t and J a =
- * −γ. The necessary forces are separate columns.
+ * LoopContinuation}); velocities and accelerations from J v = −Φ_t and J a = −γ. The necessary
+ * forces are separate columns.
  */
 final class PrescribedModel extends AnalysisModel {
   /** Ratio of the smallest to the largest singular value below which a position is singular. */
@@ -117,8 +117,7 @@ final class PrescribedModel extends AnalysisModel {
     double[] rates = new double[equations.nq];
     equations.coordinates.rates(y, 0, y, equations.nq, rates, 0);
     double[] to = y.clone();
-    LoopContinuation.End end =
-        continuation.follow(reached, y, rates, orientation, t, to, false);
+    LoopContinuation.End end = continuation.follow(reached, y, rates, orientation, t, to, false);
     if (end == LoopContinuation.End.REACHED && equations.closePositions(t, to)) {
       System.arraycopy(to, 0, y, 0, equations.nq);
       reached = t;

@@ -425,8 +425,7 @@ public final class Completion {
       if (Math.abs(direction[i]) > PART_OF_WAY * largest) {
         int position = ofPositions.dependent[i];
         ways.add(
-            new LoopDefect.Way(
-                names.apply(position), where.positions[position], direction[i] > 0));
+            new LoopDefect.Way(names.apply(position), where.positions[position], direction[i] > 0));
       }
     }
     boolean crossing = where.end == LoopContinuation.End.CHANGE_POINT;

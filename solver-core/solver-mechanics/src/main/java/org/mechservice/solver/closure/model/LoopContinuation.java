@@ -11,9 +11,10 @@ package org.mechservice.solver.closure.model;
  * <ul>
  *   <li>the straight continuation, by the rates at first and by the secant then, if its correction
  *       is at most a quarter of the predicted move, the estimate of the prediction's own error;
- *   <li>where that finds nothing, the last positions, if each correction is at most a quarter of the
- *       one before: then the solution is the only one within reach (Deuflhard 2011, Newton Methods
- *       for Nonlinear Problems, theorem 2.1 and section 5.1). This one passes corners of drives.
+ *   <li>where that finds nothing, the last positions, if each correction is at most a quarter of
+ *       the one before: then the solution is the only one within reach (Deuflhard 2011, Newton
+ *       Methods for Nonlinear Problems, theorem 2.1 and section 5.1). This one passes corners of
+ *       drives.
  * </ul>
  *
  * <p>The sign of the determinant of the equations must not change: it is zero in a change point, in
@@ -105,13 +106,7 @@ public final class LoopContinuation {
    *     the motion is free
    */
   public End follow(
-      double t0,
-      double[] from,
-      double[] rates,
-      int sign,
-      double t1,
-      double[] to,
-      boolean crosses) {
+      double t0, double[] from, double[] rates, int sign, double t1, double[] to, boolean crosses) {
     int n = last.length;
     for (int i = 0; i < n; i++) {
       last[i] = from[i];

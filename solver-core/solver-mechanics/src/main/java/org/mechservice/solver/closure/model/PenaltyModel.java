@@ -100,8 +100,7 @@ public class PenaltyModel extends LoopModel implements ProjectedStates, ModelSta
 
   @Override
   public final boolean project(double t, double[] y) {
-    boolean done =
-        !watch.stallsAtSingularity() && projection.project(t, y) && isSameAssembly(t, y);
+    boolean done = !watch.stallsAtSingularity() && projection.project(t, y) && isSameAssembly(t, y);
     watch.tried(done);
     return done;
   }

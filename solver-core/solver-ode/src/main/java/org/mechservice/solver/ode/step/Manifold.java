@@ -12,9 +12,10 @@ import org.mechservice.solver.ode.UnitNormGroups;
 /**
  * The knowledge of a problem about its states beyond its equations: components that follow from
  * others ({@link CompletedSystem}) or are algebraic ({@link ResidualSystem#component}), and so are
- * not tested for error, the former unless {@link CompletedSystem#tested} names them; components that share a weight ({@link ErrorWeightGroups}); a manifold that
- * the solution stays on ({@link ProjectedSystem}); groups of norm one ({@link UnitNormGroups}). A
- * problem that knows nothing of that kind is left alone.
+ * not tested for error, the former unless {@link CompletedSystem#tested} names them; components
+ * that share a weight ({@link ErrorWeightGroups}); a manifold that the solution stays on ({@link
+ * ProjectedSystem}); groups of norm one ({@link UnitNormGroups}). A problem that knows nothing of
+ * that kind is left alone.
  */
 public final class Manifold {
   private static final Unknown NOTHING = new Unknown();
