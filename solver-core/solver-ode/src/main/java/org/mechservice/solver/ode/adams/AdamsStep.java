@@ -1,5 +1,6 @@
 package org.mechservice.solver.ode.adams;
 
+import java.util.Arrays;
 import java.util.Optional;
 import java.util.function.DoubleUnaryOperator;
 import org.mechservice.solver.ode.IntegrationFailure.Cause;
@@ -37,6 +38,15 @@ final class AdamsStep {
   private final StiffnessMonitor stiffness = new StiffnessMonitor();
   private final HiddenSingularities hidden;
   private final JumpSearch jumps;
+
+  /**
+   * By how much completions changed the predicted and the corrected state of the step: the error of
+   * the corrector in the passive components.
+   */
+  private double[] completion = new double[0];
+
+  /** Whether that error alone rejects the step: f, in which jumps are searched for, shows none. */
+  private boolean passiveInaccurate;
 
   private AdamsProblem problem = AdamsProblem.none();
   private AdamsHistory history = problem.history();
@@ -80,6 +90,7 @@ final class AdamsStep {
   void prepare(AdamsProblem problem) {
     this.problem = problem;
     history = problem.history();
+    completion = new double[problem.manifold().completes() ? problem.dimension() : 0];
     hidden.prepare(problem);
   }
 
@@ -174,6 +185,7 @@ final class AdamsStep {
   /** Predict, complete, evaluate, estimate, correct, complete and project, evaluate. */
   TrialOutcome attempt() {
     prepare();
+    passiveInaccurate = false;
     int k = control.order();
     TrialOutcome prediction = foreseen ? TrialOutcome.PASSED : predict(k);
     foreseen = false;
@@ -187,6 +199,10 @@ final class AdamsStep {
     if (!correct(h * coefficients.g[k + 1])) {
       return TrialOutcome.NOT_COMPLETED;
     }
+    passiveInaccurate = !(control.error() <= 1);
+    if (passiveInaccurate) {
+      return TrialOutcome.TOO_INACCURATE;
+    }
     if (!evaluate(history.corrected())) {
       return TrialOutcome.STOPPED;
     }
@@ -198,7 +214,8 @@ final class AdamsStep {
   /** Predict, complete, evaluate. */
   private TrialOutcome predict(int k) {
     history.predict(h, k, coefficients.beta, coefficients.g);
-    if (!problem.manifold().complete(triedTime, history.predicted)) {
+    Arrays.fill(completion, 0);
+    if (!complete(history.predicted)) {
       return TrialOutcome.NOT_COMPLETED;
     }
     if (!evaluate(history.predicted)) {
@@ -213,9 +230,24 @@ final class AdamsStep {
     Manifold manifold = problem.manifold();
     double[] corrected = history.corrected();
     history.correct(weight);
-    boolean found =
-        manifold.complete(triedTime, corrected) && manifold.project(triedTime, corrected);
+    boolean found = complete(corrected);
+    if (completion.length > 0) {
+      control.include(norm.of(completion));
+    }
+    found = found && manifold.project(triedTime, corrected);
     history.carry(weight);
+    return found;
+  }
+
+  /** Completes a state; adds what that changes to the completion of the step. */
+  private boolean complete(double[] y) {
+    for (int l = 0; l < completion.length; l++) {
+      completion[l] -= y[l];
+    }
+    boolean found = problem.manifold().complete(triedTime, y);
+    for (int l = 0; l < completion.length; l++) {
+      completion[l] += y[l];
+    }
     return found;
   }
 
@@ -299,6 +331,9 @@ final class AdamsStep {
 
   /** Returns the step to try after one that failed the error test. */
   private double retry() {
+    if (passiveInaccurate) {
+      return control.reject() * h;
+    }
     if (mode != Mode.FAITHFUL && Double.isFinite(control.error())) {
       jumps.rejected(h, control.order(), triedTime, control.error(), control.discrepancy());
     }
