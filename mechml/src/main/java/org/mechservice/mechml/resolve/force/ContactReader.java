@@ -1,5 +1,6 @@
 package org.mechservice.mechml.resolve.force;
 
+import java.util.List;
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.document.Element;
@@ -49,7 +50,7 @@ final class ContactReader {
     Optional<Expression> height = height(element, carrier);
     Optional<Expression> exponent = laws.anyExponent(element);
     Optional<Expression> stiffness = exponent.flatMap(n -> laws.stiffness(element, n));
-    Optional<Expression> damping = formulas.notNegative(element, "damping", Quantity.DAMPING);
+    Optional<DampingReader.Damping> damping = laws.damping(element);
     Optional<Expression> smoothing = formulas.notNegative(element, "smoothing", Quantity.LENGTH);
     Optional<Expression> friction = formulas.notNegative(element, "friction", Quantity.NUMBER);
     Optional<Expression> speed = laws.frictionSpeed(element);
@@ -66,8 +67,10 @@ final class ContactReader {
             radius.get(),
             surface.get(),
             height.get(),
+            List.of(),
             stiffness.get(),
-            damping.get(),
+            damping.get().linear(),
+            damping.get().dissipation(),
             exponent.orElseThrow(),
             smoothing.get(),
             friction.get(),
