@@ -1,5 +1,6 @@
 package org.mechservice.mechml.resolve.force;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Diagnostics;
@@ -67,7 +68,7 @@ final class ContactReader {
             radius.get(),
             surface.get(),
             height.get(),
-            List.of(),
+            tracks(element, height.get(), radius.get()),
             stiffness.get(),
             damping.get().linear(),
             damping.get().dissipation(),
@@ -76,6 +77,26 @@ final class ContactReader {
             friction.get(),
             speed.get(),
             names.origin(element)));
+  }
+
+  /** Returns the tracks of the centre; none where the closest point is sought on the height. */
+  private static List<Expression> tracks(Element element, Expression height, Expression radius) {
+    boolean sphere = radius instanceof Expression.Constant number && number.value() > 0;
+    if (!sphere) {
+      return List.of();
+    }
+    List<Expression> tracks = new ArrayList<>();
+    double size = ((Expression.Constant) radius).value();
+    HeightPieces.of(height)
+        .map(pieces -> SphereTracks.of(pieces, size))
+        .orElse(List.of())
+        .forEach(
+            track ->
+                tracks.add(
+                    new Expression.TableValue(
+                        track.table(element.required("name") + ".track" + (tracks.size() + 1)),
+                        List.of(new Expression.Argument()))));
+    return tracks;
   }
 
   private Optional<Expression> height(Element element, Element carrier) {
