@@ -102,9 +102,12 @@ record ContactCoefficients(
       Expression share = quotient(sum, sum(half, TINY));
       Expression r = larger(Expression.of(-1), smaller(Expression.of(1), share));
       Expression above = sum(r, Expression.of(1));
-      Expression cubed = product(square(above), above);
-      Expression rounded =
-          product(half, times(1.0 / 16, product(cubed, minus(Expression.of(3), r))));
+      Expression cube = product(square(above), above);
+      Expression factor = Expression.of(7);
+      for (int coefficient : new int[] {-42, 102, -122, 63}) {
+        factor = sum(product(r, factor), Expression.of(coefficient));
+      }
+      Expression rounded = product(half, times(1.0 / 512, product(square(cube), factor)));
       return sum(rounded, larger(Expression.ZERO, minus(sum, half)));
     }
 

@@ -7,8 +7,8 @@ import org.mechservice.sim.symbolic.Scalar;
 /**
  * The force of two things that push each other while they overlap by x and exert no force while they
  * are apart: the law of {@code solver.force.law.OneSidedLaw}, in its order of operations. With p =
- * pos(x), E = k pⁿ and D = c x′ pos′(x) + χ x′ E it is F = max(0, E + D), and with ε &gt; 0 F = E φ(1
- * + D/E), φ a rounded positive part.
+ * pos(x), E = k pⁿ and D = c x′ pos′(x) + χ x′ E it is F = max(0, E + D), and with ε &gt; 0 F = ½ E
+ * φ(2 + 2 D/E), φ a rounded positive part.
  *
  * @param k stiffness, N/mⁿ
  * @param n exponent
@@ -49,8 +49,12 @@ record PushLaw(Scalar k, double n, Scalar c, Scalar chi, double eps) {
     Scalar below = e.function(MathFunction.MIN, e.one(), share);
     Scalar r = e.function(MathFunction.MAX, e.constant(-1), below);
     Scalar above = r.plus(e.one());
-    Scalar cubed = above.squared().times(above);
-    Scalar rounded = half.times(cubed.times(e.constant(3).minus(r)).times(1.0 / 16));
+    Scalar cube = above.squared().times(above);
+    Scalar factor = e.constant(7);
+    for (int coefficient : new int[] {-42, 102, -122, 63}) {
+      factor = r.times(factor).plus(e.constant(coefficient));
+    }
+    Scalar rounded = half.times(cube.squared().times(factor).times(1.0 / 512));
     return rounded.plus(e.function(MathFunction.MAX, e.zero(), sum.minus(half)));
   }
 

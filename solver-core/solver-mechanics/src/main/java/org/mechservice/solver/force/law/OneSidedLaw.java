@@ -10,9 +10,9 @@ package org.mechservice.solver.force.law;
  * is the dissipation of Hunt and Crossley (J. Appl. Mech. 42 (1975) 440), whose force is continuous
  * at first touch.
  *
- * <p>With ε &gt; 0 the corner at E + D = 0 is rounded as well: F = E φ(1 + D/E) with φ(y) = (y +
- * ½)³ (3/2 − y) for |y| &lt; ½, which continues y above and 0 below with two continuous
- * derivatives. So F = E + D unless the damper takes away more than half of the push.
+ * <p>With ε &gt; 0 the corner at E + D = 0 is rounded as well: with r = 2 (E + D)/E, F = ½ E φ(r),
+ * φ(r) = (1 + r)⁶ (63 − 122 r + 102 r² − 42 r³ + 7 r⁴)/512 for |r| &lt; 1, the polynomial with φ″ =
+ * c (1 − r²)⁴, which continues r above and 0 below with five continuous derivatives. So F = E + D unless the damper takes away more than half of the push.
  *
  * <p>Units: x in m (or rad), F in N (or N·m), k in N/mⁿ, c in N·s/m, χ in s/m.
  */
@@ -66,9 +66,10 @@ final class OneSidedLaw {
       return sum > 0 ? sum : 0;
     }
     double r = sum / half;
-    double above = 1 + r;
-    double value = above * above * above * (3 - r) / 16;
-    bound[0] = above * above * (2 - r) / 4;
+    double cube = (1 + r) * (1 + r) * (1 + r);
+    double value = cube * cube * (63 + r * (-122 + r * (102 + r * (-42 + 7 * r)))) / 512;
+    double fifth = cube * (1 + r) * (1 + r);
+    bound[0] = fifth * (128 + r * (-325 + r * (345 + r * (-175 + 35 * r)))) / 256;
     bound[1] = 0.5 * (value - r * bound[0]);
     return half * value;
   }
