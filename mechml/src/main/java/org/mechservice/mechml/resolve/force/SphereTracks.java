@@ -33,7 +33,10 @@ final class SphereTracks {
   /** Largest turn between two points, rad. */
   private static final double TURN = 0.1;
 
-  private static final int HALVINGS = 14;
+  /** Parts of a piece that are looked at in any case: an S has no turn from end to end. */
+  private static final int PARTS = 8;
+
+  private static final int HALVINGS = 12;
 
   /** Distance of sampled slopes from a break, by the length of the piece. */
   private static final double BESIDE = 1e-9;
@@ -164,10 +167,14 @@ final class SphereTracks {
 
   private void add(DoubleFunction<Node> curve) {
     Node start = curve.apply(0);
-    Node end = curve.apply(1);
     nodes.add(start);
-    refine(curve, 0, start, 1, end, HALVINGS);
-    nodes.add(end);
+    for (int i = 1; i <= PARTS; i++) {
+      double u = (double) i / PARTS;
+      Node end = curve.apply(u);
+      refine(curve, u - 1.0 / PARTS, start, u, end, HALVINGS);
+      nodes.add(end);
+      start = end;
+    }
   }
 
   private void refine(
@@ -183,8 +190,7 @@ final class SphereTracks {
   }
 
   private boolean isClose(Node first, Node middle, Node second) {
-    double turn = Math.abs(StrictMath.atan(second.slope()) - StrictMath.atan(first.slope()));
-    if (turn > TURN) {
+    if (turn(first, middle) > TURN || turn(middle, second) > TURN) {
       return false;
     }
     boolean ahead = middle.x() > first.x() && second.x() > middle.x();
@@ -199,6 +205,10 @@ final class SphereTracks {
     double off = cubic(first, second, middle.x()).z() - middle.z();
     double cosine = 1 / Math.sqrt(1 + middle.slope() * middle.slope());
     return Math.abs(off) * cosine < ACCURACY * radius;
+  }
+
+  private static double turn(Node first, Node second) {
+    return Math.abs(StrictMath.atan(second.slope()) - StrictMath.atan(first.slope()));
   }
 
   /** Parts the offset curve into branches. */
