@@ -1,6 +1,7 @@
 package org.mechservice.library;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
@@ -18,6 +19,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.solver.api.program.Trajectory;
 import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.catalogue.MessageCode;
 
 /** What acts on one side only pushes and never pulls, in runs of whole models. */
 class OneSidedForcesTest {
@@ -273,5 +275,44 @@ class OneSidedForcesTest {
     assertThat(greatest(run, "touch.normal")).isGreaterThan(1);
     assertBalanced(run, 1e-5);
     assertLoses(run, 1e-5);
+  }
+
+  /**
+   * A block on a rope under a hoist that goes down with a drop of 1/2 a t²: for a > g the rope would
+   * have to push it.
+   */
+  private static String hoist(double acceleration) {
+    String axis = "<vector name='z' vx='0' vy='0' vz='1'/>";
+    return "<MechML><MBSsimulation><dynamic><timeSet tini='0' tend='0.3'"
+        + " tstep='0.01'/></dynamic></MBSsimulation><MBSmodel name='hoist' massUnits='kg'"
+        + " lengthUnits='m'><Bodies><body name='ground'><point name='o' x='0' y='0' z='0'/><point"
+        + " name='low' x='0' y='0' z='-1'/>"
+        + axis
+        + "</body><body name='hook'><point name='o' x='0' y='0' z='0'/>"
+        + axis
+        + "<mass value='1'/></body><body name='block'><point name='o' x='0' y='0' z='0'/>"
+        + axis
+        + "<mass value='2'/></body></Bodies><Joints><joint name='drive' type='P'><body1 name='ground'"
+        + " point='o' vector='z'/><body2 name='hook' point='o' vector='z'/></joint><joint"
+        + " name='lift' type='P'><body1 name='ground' point='low' vector='z'/><body2 name='block'"
+        + " point='o' vector='z'/></joint></Joints><Constraints><Rope name='rope' length='1'><via"
+        + " name='hook' point='o'/><via name='block' point='o'/></Rope></Constraints><Forces><gravity"
+        + " gx='0' gy='0' gz='-9.81'/></Forces><topology><root name='ground'/><relCoorVals><jointVal"
+        + " name='drive' driven='-0.5*"
+        + acceleration
+        + "*t*t'/></relCoorVals></topology></MBSmodel></MechML>";
+  }
+
+  @Test
+  void ropeThatWouldPushIsNotedAndFailsUnderStrict() throws Exception {
+    assertThat(MechModel.of("slow.xml", hoist(9)).strict().simulate().report().notes())
+        .noneMatch(note -> note.code() == MessageCode.CONSTRAINT_PULLS);
+    MechModel fast = MechModel.of("fast.xml", hoist(11));
+    // 2 kg that fall with 11 m/s² are pushed with 2.38 N
+    assertThat(fast.simulate().report().notes())
+        .filteredOn(note -> note.code() == MessageCode.CONSTRAINT_PULLS)
+        .singleElement()
+        .satisfies(note -> assertThat(note.text()).contains("\"rope\"").contains("2.380 N"));
+    assertThatThrownBy(() -> fast.strict().simulate()).hasMessageContaining("N-059");
   }
 }
