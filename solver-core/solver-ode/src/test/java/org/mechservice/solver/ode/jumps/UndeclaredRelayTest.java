@@ -51,7 +51,7 @@ class UndeclaredRelayTest {
                   0,
                   new double[] {y0, 0},
                   END,
-                  OdeOptions.standard()
+                  OdeOptions.standard().searchUndeclaredJumps()
                       .rtol(tolerance)
                       .atol(tolerance)
                       .method(method)
