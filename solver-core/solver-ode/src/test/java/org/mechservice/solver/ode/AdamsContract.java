@@ -41,7 +41,8 @@ public abstract class AdamsContract extends IntegratorContract {
               yDot[0] = y[1];
               yDot[1] = -Math.signum(y[1]) - y[0];
             });
-    Run run = Run.of(searched(new IntegratorSettings(1e-8, 1e-8)), dry, 0, new double[] {3.3, 0}, 20);
+    Run run =
+        Run.of(searched(new IntegratorSettings(1e-8, 1e-8)), dry, 0, new double[] {3.3, 0}, 20);
     assertThat(run.result()).isEqualTo(StepResult.FAILED);
     assertThat(run.integrator().failure().cause())
         .isEqualTo(IntegrationFailure.Cause.STEP_TOO_SMALL);

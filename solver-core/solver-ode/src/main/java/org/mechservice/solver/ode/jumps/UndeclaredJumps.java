@@ -34,8 +34,8 @@ import org.mechservice.solver.ode.step.WatchedIntegrator;
  * 0.9 to 1.9 apart, beside a decay or an oscillation, from 1e-3 to 1e-6: at most one run of 60 is
  * off by more than ten tolerances, where 52 of 60 (ode113) were without. Jumps 0.05 to 0.5 apart,
  * in straight motion: one of 60; beside a decay 3 of 60, 6 of 60 with ode15s. A block that breaks
- * loose from a belt: at most one of 100 implicit runs misses it. Poles of order 1 to 5 at 60 places,
- * 1e-2 to 1e-6: none is crossed. On smooth problems it costs nothing with Adams methods but
+ * loose from a belt: at most one of 100 implicit runs misses it. Poles of order 1 to 5 at 60
+ * places, 1e-2 to 1e-6: none is crossed. On smooth problems it costs nothing with Adams methods but
  * comparisons; over the 178 example files 7 % more evaluations in sum.
  *
  * <p>Where both sides of a jump lead back to it, as with dry friction at rest, the solution slides
@@ -97,8 +97,7 @@ public final class UndeclaredJumps implements StepWatch, ColumnTest.Maker {
   public void prepare(TriedStep step) {
     int n = step.manifold().dimension();
     watched = Optional.of(step);
-    extrapolated =
-        step instanceof ExtrapolatedStep one ? Optional.of(one) : Optional.empty();
+    extrapolated = step instanceof ExtrapolatedStep one ? Optional.of(one) : Optional.empty();
     function = step.rightHandSide();
     poles = new PoleProbe(n);
     pulses = new PulseProbe(n);
@@ -163,11 +162,7 @@ public final class UndeclaredJumps implements StepWatch, ColumnTest.Maker {
     }
     poles.place(t, step.end(), step.state(), step.stateAtEnd());
     return poles.component(
-        function.orElseThrow(),
-        step.norm(),
-        step.slope(),
-        step.foreseenSlope(),
-        step.slopeAtEnd());
+        function.orElseThrow(), step.norm(), step.slope(), step.foreseenSlope(), step.slopeAtEnd());
   }
 
   @Override
@@ -188,8 +183,7 @@ public final class UndeclaredJumps implements StepWatch, ColumnTest.Maker {
     double t = progress().time();
     double interval = step.problemEnd() - progress().start();
     if (step.error() < PulseProbe.ERROR_OF_STRAIGHT_STEP
-        && pulses.wanted(
-            step.size(), progress().stepSize(), interval, search.shortestDistance())) {
+        && pulses.wanted(step.size(), progress().stepSize(), interval, search.shortestDistance())) {
       pulses.place(step.size(), step.state(), step.stateAtEnd(), step.norm());
       if (straight(step)) {
         search.straightFrom(progress().start());

@@ -76,8 +76,7 @@ final class IntegrationRun {
     WatchedIntegrator method =
         problem.integrator(
             options.settings(() -> !completing && options.cancelled().getAsBoolean()));
-    Integrator steps =
-        options.searchesUndeclaredJumps() ? UndeclaredJumps.around(method) : method;
+    Integrator steps = options.searchesUndeclaredJumps() ? UndeclaredJumps.around(method) : method;
     integrator = options.events().isEmpty() ? steps : new EventIntegration(steps, events);
     stepHandlers = options.stepHandlers().toArray(StepHandler[]::new);
     step = new SolvedStep(integrator, problem.dimension());

@@ -32,9 +32,9 @@ import org.mechservice.solver.ode.stiff.Ode15s;
  * of its steps ({@link StiffnessMonitor}), if steps of ode15s would by then be so much longer that
  * they cost at most three quarters ({@link StepForecast}), and stiffness can be expected to last
  * long enough to pay its start. Where the solution has only begun to get smooth, nothing is lost by
- * waiting: both cost the same until then. It takes over before or after one of the first steps if that is accurate and
- * far too long for stability, and from an oscillation that only ode113 keeps alive ({@link
- * FastestMotionProbe}).
+ * waiting: both cost the same until then. It takes over before or after one of the first steps if
+ * that is accurate and far too long for stability, and from an oscillation that only ode113 keeps
+ * alive ({@link FastestMotionProbe}).
  *
  * <p>ode113 takes over when its steps, as long as they were when it was left or shorter by as much
  * as the fastest motion got faster, would cost three quarters of what ode15s spends, for as long as

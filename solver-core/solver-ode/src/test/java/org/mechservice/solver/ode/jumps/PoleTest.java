@@ -88,6 +88,31 @@ class PoleTest {
         : Math.abs(ahead) < 0.1;
   }
 
+  /** Without the search: where the tolerance is tight enough for plain error tests to see it. */
+  @ParameterizedTest
+  @EnumSource
+  void plainStepsCrossNoPoleAtTightTolerances(Method method) {
+    for (double tolerance : new double[] {1e-6, 1e-8, 1e-10}) {
+      for (int i = 0; i < PLACES; i += 3) {
+        double c = place(i);
+        List<Slope> slopes =
+            List.of(
+                (t, y) -> 1 / (c - t),
+                (t, y) -> 1 / Math.abs(c - t),
+                (t, y) -> 1 / ((c - t) * (c - t)),
+                (t, y) -> StrictMath.tan(0.5 * Math.PI * t / c));
+        for (Slope slope : slopes) {
+          Integrator run = method.maker.apply(new IntegratorSettings(tolerance, tolerance));
+          StepResult result = run.start(system(slope), 0, new double[] {0}, 2);
+          while (result == StepResult.ADVANCED) {
+            result = run.step();
+          }
+          assertThat(result).as("%s, %s, %s", method, tolerance, c).isEqualTo(StepResult.FAILED);
+        }
+      }
+    }
+  }
+
   private static int missed(Function<Double, Slope> slopes, Method method) {
     return missed(slopes, method, 1);
   }
@@ -196,7 +221,12 @@ class PoleTest {
           };
       for (double tolerance : new double[] {1e-4, 1e-6, 1e-9}) {
         OdeOptions options =
-            OdeOptions.standard().searchUndeclaredJumps().method(method).rtol(tolerance).atol(tolerance).returnFailures();
+            OdeOptions.standard()
+                .searchUndeclaredJumps()
+                .method(method)
+                .rtol(tolerance)
+                .atol(tolerance)
+                .returnFailures();
         OdeSolution solution = Ode.solve(besideAnOscillator, 0, new double[] {0, 1, 0}, 2, options);
         assertThat(solution.failure()).isPresent();
         assertThat(solution.failure().get().cause()).isEqualTo(Cause.UNBOUNDED);

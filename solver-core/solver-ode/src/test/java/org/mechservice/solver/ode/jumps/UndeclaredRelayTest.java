@@ -51,7 +51,8 @@ class UndeclaredRelayTest {
                   0,
                   new double[] {y0, 0},
                   END,
-                  OdeOptions.standard().searchUndeclaredJumps()
+                  OdeOptions.standard()
+                      .searchUndeclaredJumps()
                       .rtol(tolerance)
                       .atol(tolerance)
                       .method(method)

@@ -81,7 +81,11 @@ class SwitchingTest {
             });
     Run run =
         Run.of(
-            UndeclaredJumps.around(new Switching(new IntegratorSettings(1e-8, 1e-8))), dry, 0, new double[] {3.3, 0}, 20);
+            UndeclaredJumps.around(new Switching(new IntegratorSettings(1e-8, 1e-8))),
+            dry,
+            0,
+            new double[] {3.3, 0},
+            20);
     assertThat(run.result()).isEqualTo(StepResult.FAILED);
     assertThat(run.integrator().failure().cause())
         .isEqualTo(IntegrationFailure.Cause.STEP_TOO_SMALL);
