@@ -42,8 +42,8 @@ import org.objectweb.asm.Type;
  *
  * <p>The class itself implements the factory, which avoids a lambda. For a model with forces by
  * classes of users it returns {@code UndeclaredJumps.around(new De(settings))}; only then does the
- * JAR have these classes. For an analysis without
- * integration the solver is an {@link AnalysisSolver}, and there is no factory.
+ * JAR have these classes. For an analysis without integration the solver is an {@link
+ * AnalysisSolver}, and there is no factory.
  */
 public final class MainClass {
   private static final String OBJECT = "java/lang/Object";

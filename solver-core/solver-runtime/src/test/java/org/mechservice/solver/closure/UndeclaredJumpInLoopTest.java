@@ -18,9 +18,8 @@ import org.mechservice.solver.closure.JumpingLoops.Side;
 
 /**
  * A closed loop in which a force of which only values are known jumps, or is too steep for any
- * step, moves as it should up to
- * where the run is refused; hardly a run slides along the jump, or sticks where it should have
- * broken loose.
+ * step, moves as it should up to where the run is refused; hardly a run slides along the jump, or
+ * sticks where it should have broken loose.
  */
 class UndeclaredJumpInLoopTest {
   /** Tolerances by which a run of some hundred steps may err, if nothing becomes of its errors. */
