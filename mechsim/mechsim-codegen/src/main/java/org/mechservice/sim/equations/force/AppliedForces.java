@@ -334,13 +334,13 @@ public final class AppliedForces {
       return new ContactTerm(
           frames,
           new ContactTerm.Coefficients(
-              number(f.radius()),
-              number(f.stiffness()),
-              number(f.damping()),
+              formulas.scalar(f.radius()),
+              formulas.scalar(f.stiffness()),
+              formulas.scalar(f.damping()),
               number(f.exponent()),
               number(f.smoothing()),
-              number(f.friction()),
-              number(f.frictionSpeed())),
+              formulas.scalar(f.friction()),
+              formulas.scalar(f.frictionSpeed())),
           place.of(height),
           place.of(profile.slope(height)));
     }

@@ -24,13 +24,13 @@ final class ContactTerm implements ForceTerm {
    * @param frictionSpeed m/s
    */
   record Coefficients(
-      double radius,
-      double stiffness,
-      double damping,
+      Scalar radius,
+      Scalar stiffness,
+      Scalar damping,
       double exponent,
       double smoothing,
-      double friction,
-      double frictionSpeed) {}
+      Scalar friction,
+      Scalar frictionSpeed) {}
 
   private final RelativeFrameMotion frames;
   private final Coefficients c;
@@ -56,34 +56,35 @@ final class ContactTerm implements ForceTerm {
     Expressions e = height.expressions();
     ScalarVector u = frames.rate();
     ScalarVector omega = frames.omega();
-    depth = e.constant(c.radius()).plus(height).minus(frames.displacement().z());
+    depth = c.radius().plus(height).minus(frames.displacement().z());
     depthRate = slope.times(u.x()).minus(u.z());
     part = new SmoothPart(depth, c.smoothing());
-    normal = push().plus(depthRate.times(part.slope()).times(c.damping()));
-    slideX = u.x().minus(omega.y().times(c.radius()));
-    slideY = u.y().plus(omega.x().times(c.radius()));
-    Scalar speed = e.constant(c.frictionSpeed());
-    Scalar root = slideX.squared().plus(slideY.squared()).plus(speed.squared()).squareRoot();
-    boolean rubs = c.friction() != 0;
-    fx = rubs ? slideX.over(root).times(normal).times(-c.friction()) : e.zero();
-    fy = rubs ? slideY.over(root).times(normal).times(-c.friction()) : e.zero();
+    normal = push().plus(c.damping().times(depthRate.times(part.slope())));
+    slideX = u.x().minus(c.radius().times(omega.y()));
+    slideY = u.y().plus(c.radius().times(omega.x()));
+    Scalar root =
+        slideX.squared().plus(slideY.squared()).plus(c.frictionSpeed().squared()).squareRoot();
+    boolean rubs = !c.friction().isZero();
+    fx = rubs ? c.friction().negated().times(slideX.over(root).times(normal)) : e.zero();
+    fy = rubs ? c.friction().negated().times(slideY.over(root).times(normal)) : e.zero();
   }
 
   private Scalar push() {
-    return part.power(c.exponent()).times(c.stiffness());
+    return c.stiffness().times(part.power(c.exponent()));
   }
 
   @Override
   public void apply(Loads loads) {
     Scalar zero = depth.expressions().zero();
     ScalarVector force = new ScalarVector(fx.minus(normal.times(slope)), fy, normal);
-    ScalarVector moment = new ScalarVector(fy.times(c.radius()), fx.times(-c.radius()), zero);
+    ScalarVector moment =
+        new ScalarVector(c.radius().times(fy), c.radius().negated().times(fx), zero);
     frames.addWrench(force, moment, loads);
   }
 
   @Override
   public Scalar potential() {
-    return part.integral(c.exponent()).times(c.stiffness());
+    return c.stiffness().times(part.integral(c.exponent()));
   }
 
   /** {@inheritDoc} It is the power of the wrench plus the rate of the potential energy. */
