@@ -63,18 +63,24 @@ public record IntegratorSelection(String integrator, Optional<String> reason) {
       return new IntegratorSelection(RESIDUAL, Optional.empty());
     }
     return lastingStiffness(mechanism, settings)
-        .map(motion -> stiff(formulation, mechanism, motion))
+        .map(motion -> stiff(formulation, mechanism, settings, motion))
         .orElseGet(() -> new IntegratorSelection(SWITCHING, Optional.empty()));
   }
 
   private static IntegratorSelection stiff(
-      String formulation, Mechanism mechanism, FastestMotion motion) {
-    boolean residual =
-        formulation.equalsIgnoreCase(MethodNames.AUTO)
-            && mechanism.velocityCount() >= RESIDUAL_VELOCITIES;
+      String formulation, Mechanism mechanism, RunSettings settings, FastestMotion motion) {
+    String why = "joint \"" + motion.joint().name() + "\" " + motion.text();
+    if (!formulation.equalsIgnoreCase(MethodNames.AUTO)
+        || mechanism.velocityCount() < RESIDUAL_VELOCITIES) {
+      return new IntegratorSelection(STIFF, Optional.of(why));
+    }
+    MethodTrial residual =
+        MethodTrial.of(mechanism, Formulation.RR_JF, IntegrationMethod.ODE15SR, settings);
+    MethodTrial articulated =
+        residual.against(mechanism, Formulation.DTR, IntegrationMethod.ODE15S, settings);
     return new IntegratorSelection(
-        residual ? RESIDUAL : STIFF,
-        Optional.of("joint \"" + motion.joint().name() + "\" " + motion.text()));
+        MethodTrial.better(residual, articulated).integrator(),
+        MethodTrial.reason(why, residual, articulated));
   }
 
   /**
