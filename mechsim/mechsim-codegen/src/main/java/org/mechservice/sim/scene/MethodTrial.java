@@ -27,25 +27,32 @@ import org.mechservice.solver.simulation.RuntimeSolver;
 /**
  * The beginning of the run of an open chain by one formulation and integrator, and the arithmetic
  * operations that it takes. Two methods are compared over the same stretch of the motion, so that
- * steps which grow with time, as they do where a fast motion dies away, do not count against either.
- * Nothing is measured in time: the same model gives the same numbers on every machine.
+ * steps which grow with time, as they do where a fast motion dies away, do not count against
+ * either. Nothing is measured in time: the same model gives the same numbers on every machine.
  *
  * <p>The evaluations, Jacobians, factorisations and solutions are those counted in the trial, times
  * the operations of each on this tree with n velocities: 579 n of accelerations by articulated
  * bodies and 231 n of a residual by the recursion of Newton and Euler (Featherstone 2008, table
  * 10.1); four such recursions, and three products of six numbers for each pair of a joint and one
- * before it, of a Jacobian by recursion; 2/3 n³ of dense factors and 2 n² of a solution by them; and
- * with the sparsity of the tree 2 d² and 4 d for each velocity at depth d. Where the Jacobian is too
- * large for code, data form its forces by all velocities before the bodies on which they act: 2 (d₁
- * + d₂)² products of six numbers for a force between bodies at depths d₁ and d₂.
+ * before it, of a Jacobian by recursion; 2/3 n³ of dense factors and 2 n² of a solution by them;
+ * and with the sparsity of the tree 2 d² and 4 d for each velocity at depth d. Where the Jacobian
+ * is too large for code, data form its forces by all velocities before the bodies on which they
+ * act: 2 (d₁ + d₂)² products of six numbers for a force between bodies at depths d₁ and d₂.
  *
  * @param formulation its name
  * @param integrator its name
  * @param operations up to the end of the trial; infinite if it failed, or did not come to the end
  * @param end time reached, s
  * @param steps taken
+ * @param isWhole whether the trial came to the end of the run
  */
-record MethodTrial(String formulation, String integrator, double operations, double end, long steps) {
+record MethodTrial(
+    String formulation,
+    String integrator,
+    double operations,
+    double end,
+    long steps,
+    boolean isWhole) {
   /** Steps of a trial: several times those by which methods begin at order 1, and not more than. */
   private static final long STEPS = 200;
 
@@ -59,6 +66,7 @@ record MethodTrial(String formulation, String integrator, double operations, dou
 
   private static final double ARTICULATED = 579;
   private static final double NEWTON_EULER = 231;
+
   /** Multiplications and additions of a product of six numbers. */
   private static final double PRODUCT = 11;
 
@@ -109,6 +117,12 @@ record MethodTrial(String formulation, String integrator, double operations, dou
     return of(mechanism, formulation, method, run, run.tEnd(), covered, true);
   }
 
+  /** Tries a method over a whole run, however many steps it takes. */
+  static MethodTrial whole(
+      Mechanism mechanism, Formulation formulation, IntegrationMethod method, RunSettings run) {
+    return of(mechanism, formulation, method, run, run.tEnd(), (s, time, size) -> false, true);
+  }
+
   /** Tries another method over the same stretch. */
   MethodTrial against(
       Mechanism mechanism, Formulation other, IntegrationMethod method, RunSettings run) {
@@ -124,8 +138,7 @@ record MethodTrial(String formulation, String integrator, double operations, dou
       double to,
       End ends,
       boolean first) {
-    RunSettings settings =
-        run.withIntegrator(method.label()).withOutput(to, to - run.tStart());
+    RunSettings settings = run.withIntegrator(method.label()).withOutput(to, to - run.tStart());
     CompactModel data =
         new CompactModel(mechanism, formulation.label(), MethodNames.NONE, settings);
     RunReport report;
@@ -148,7 +161,8 @@ record MethodTrial(String formulation, String integrator, double operations, dou
         method.label(),
         came ? operations(mechanism, formulation, report) : Double.POSITIVE_INFINITY,
         report.timeReached(),
-        report.steps());
+        report.steps(),
+        first && report.outcome() instanceof Outcome.Completed);
   }
 
   private static double operations(Mechanism mechanism, Formulation formulation, RunReport report) {
@@ -196,8 +210,7 @@ record MethodTrial(String formulation, String integrator, double operations, dou
 
   /** Returns the trial in words. */
   String text() {
-    return String.format(
-        Locale.ROOT, "%s with %s %.2g", formulation, integrator, operations);
+    return String.format(Locale.ROOT, "%s with %s %.2g", formulation, integrator, operations);
   }
 
   /** Returns the trial that foresees fewer operations; the first of equal ones. */
