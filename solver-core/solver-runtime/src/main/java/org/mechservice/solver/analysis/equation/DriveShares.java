@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import org.mechservice.solver.closure.assembly.ScaledJacobian;
 import org.mechservice.solver.linear.SparseMatrix;
 import org.mechservice.solver.linear.spectrum.SingularValues;
 
@@ -27,9 +28,21 @@ public final class DriveShares {
   /** Singular values of P, as fractions of one, below which they are zero. */
   private static final double NEGLIGIBLE = 1e-8;
 
+  /**
+   * Most equations of loops whose redundant drives are looked for: their singular values take a
+   * fraction of a second.
+   */
+  private static final int MOST_ROWS = 400;
+
   private final EquationsOfMotion equations;
   private final Drives drives;
   private final int rows;
+
+  /** Singular values of J, if the mechanism is so large that its multipliers need none. */
+  private final Optional<SingularValues> ofJacobian;
+
+  /** Whether no drive was redundant at the first state of a large mechanism. */
+  private boolean never;
 
   /** P, one row per drive and one column per equation. */
   private final double[] parts;
@@ -42,6 +55,11 @@ public final class DriveShares {
     this.equations = equations;
     drives = new Drives(equations);
     rows = equations.lambda.length;
+    never = rows == 0 || rows > MOST_ROWS || drives.count() == 0;
+    ofJacobian =
+        never || !equations.loops.isLarge()
+            ? Optional.empty()
+            : Optional.of(new SingularValues(rows, equations.nv));
     parts = new double[drives.count() * rows];
     singular = new SingularValues(drives.count(), rows);
     forces = new double[drives.count()];
@@ -89,9 +107,10 @@ public final class DriveShares {
 
   /** Forms and decomposes P; returns whether anything is redundant. */
   private boolean decompose() {
-    if (rows == 0 || drives.count() == 0 || isIndependent()) {
+    if (never || isIndependent()) {
       return false;
     }
+    ofJacobian.ifPresent(values -> values.decompose(equations.jacobian.elements()));
     boolean any = false;
     for (int i = 0; i < drives.count(); i++) {
       any |= project(i);
@@ -99,12 +118,13 @@ public final class DriveShares {
     if (any) {
       singular.decompose(parts);
     }
+    never = !any && ofJacobian.isPresent();
     return any;
   }
 
   /** Returns whether no equation of the loops follows from others. */
   private boolean isIndependent() {
-    return !equations.loops.isLarge() && equations.rank() == rows;
+    return ofJacobian.isEmpty() && equations.rank() == rows;
   }
 
   /** Writes pᵢ; returns whether it is more than rounding. */
@@ -121,11 +141,7 @@ public final class DriveShares {
       parts[at + row] = g;
       square += g * g;
     }
-    double left = square;
-    // Large mechanisms leave errors of regularisation, which the second projection removes.
-    for (int pass = 0; pass < 2; pass++) {
-      left = removeRange(at);
-    }
+    double left = removeRange(at);
     boolean outside = left > ROUNDING * ROUNDING * square;
     if (!outside) {
       Arrays.fill(parts, at, at + rows, 0);
@@ -133,12 +149,29 @@ public final class DriveShares {
     return outside;
   }
 
+  private int rank(SingularValues values) {
+    int rank = 0;
+    while (rank < Math.min(rows, equations.nv)
+        && values.value(rank) > ScaledJacobian.NEGLIGIBLE * values.value(0)) {
+      rank++;
+    }
+    return rank;
+  }
+
   /** Removes the part in the range of J; returns the square of the rest. */
   private double removeRange(int at) {
-    for (int row = 0; row < rows; row++) {
-      further[row] = -parts[at + row] * equations.loops.size(row);
+    if (ofJacobian.isPresent()) {
+      System.arraycopy(parts, at, further, 0, rows);
+      ofJacobian.get().solve(rank(ofJacobian.get()), further, equations.step);
+      for (int j = 0; j < equations.nv; j++) {
+        equations.step[j] *= equations.unit[j];
+      }
+    } else {
+      for (int row = 0; row < rows; row++) {
+        further[row] = -parts[at + row] * equations.loops.size(row);
+      }
+      equations.solveLeastAsDecomposed(further);
     }
-    equations.solveLeastAsDecomposed(further);
     double square = 0;
     for (int row = 0; row < rows; row++) {
       double size = equations.loops.size(row);
