@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import org.mechservice.solver.analysis.equation.DriveShares;
 import org.mechservice.solver.analysis.equation.FreeDirections;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.assembly.Assembly;
@@ -14,6 +15,7 @@ import org.mechservice.solver.closure.assembly.RankAnalysis;
 import org.mechservice.solver.closure.model.LoopContinuation;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.force.user.UserForceSource;
+import org.mechservice.solver.mechanism.MotionJump;
 
 /**
  * A mechanism whose coordinates all follow from prescribed motions, through driven joints and
@@ -25,9 +27,18 @@ final class PrescribedModel extends AnalysisModel {
   /** Ratio of the smallest to the largest singular value below which a position is singular. */
   private static final double SINGULAR = 1e-8;
 
+  /** Largest number of jumps that are told one by one, as of the events of an integrated run. */
+  private static final int MOST_TOLD = 200;
+
   private final CoordinateNames names;
+  private List<MotionJump> jumps = List.of();
+
+  /** Number of jumps up to the present time. */
+  private int passed;
+
   private final List<Note> notes = new ArrayList<>();
   private double[] y = new double[0];
+  private boolean started;
   private double reached;
 
   /** Sign of the determinant of J, whose rows are as many as its columns. */
@@ -43,8 +54,16 @@ final class PrescribedModel extends AnalysisModel {
   }
 
   @Override
+  public void begin(double from, double to) {
+    jumps = mechanism.motionJumps(from, to);
+  }
+
+  @Override
   public int find(double t, double[] out) {
-    Optional<Defect> why = y.length == 0 ? begin(t) : advance(t);
+    Optional<Defect> why = !started ? start(t) : advance(t);
+    if (why.isEmpty()) {
+      why = jump(t);
+    }
     if (why.isPresent()) {
       return fail(why.get());
     }
@@ -52,7 +71,44 @@ final class PrescribedModel extends AnalysisModel {
     return REGULAR;
   }
 
-  private Optional<Defect> begin(double t) {
+  /** Tells the jumps of prescribed motions up to a time. */
+  private Optional<Defect> jump(double t) {
+    while (passed < jumps.size() && jumps.get(passed).time() <= t) {
+      MotionJump jump = jumps.get(passed++);
+      if (jump.ofPosition()) {
+        return Optional.of(positionJumps(jump));
+      }
+      if (passed <= MOST_TOLD) {
+        notes.add(velocityJumps(jump));
+      }
+    }
+    return Optional.empty();
+  }
+
+  private static Defect positionJumps(MotionJump jump) {
+    return new Defect(
+        MessageCode.DRIVEN_POSITION_JUMPS,
+        jump.joint(),
+        String.format(
+            Locale.ROOT,
+            "The position that is prescribed for the joint jumps at t=%s s.",
+            jump.time()),
+        "End the run before, or write a motion that takes time, such as smoothStep((t-1)/0.1).");
+  }
+
+  private static Note velocityJumps(MotionJump jump) {
+    String text =
+        String.format(
+            Locale.ROOT,
+            "The velocity of driven joint \"%s\" jumps from %.4g to %.4g: its acceleration is not"
+                + " finite there, and the drive exerts an impulse, which no row contains.",
+            jump.joint(),
+            jump.before(),
+            jump.after());
+    return new Note(MessageCode.DRIVEN_VELOCITY_JUMPED, jump.time(), true, text);
+  }
+
+  private Optional<Defect> start(double t) {
     double[] start = new double[mechanism.stateCount()];
     mechanism.initialState(start);
     if (!equations.loops.isHolonomic()) {
@@ -70,6 +126,7 @@ final class PrescribedModel extends AnalysisModel {
       return Optional.of(free(t, start));
     }
     y = start;
+    started = true;
     reached = t;
     equations.place(t, y);
     FreeDirections directions = new FreeDirections(equations);
@@ -78,7 +135,19 @@ final class PrescribedModel extends AnalysisModel {
       return Optional.of(singular(directions));
     }
     orientation = orientation();
-    return move(t);
+    Optional<Defect> why = move(t);
+    if (why.isEmpty()) {
+      new DriveShares(equations).redundant().ifPresent(text -> notes.add(redundant(t, text)));
+    }
+    return why;
+  }
+
+  private static Note redundant(double t, String drives) {
+    String text =
+        "The motion does not determine the forces of driven joints "
+            + drives
+            + ", which others or the loops move as well; they are those of least norm.";
+    return new Note(MessageCode.REDUNDANT_CONSTRAINTS, t, false, text);
   }
 
   private Defect rolls() {
@@ -228,7 +297,13 @@ final class PrescribedModel extends AnalysisModel {
 
   @Override
   public List<Note> notes() {
-    return List.copyOf(notes);
+    List<Note> all = new ArrayList<>(notes);
+    if (passed > MOST_TOLD) {
+      String text = (passed - MOST_TOLD) + " more jumps of driven velocities after this time.";
+      double last = jumps.get(MOST_TOLD - 1).time();
+      all.add(new Note(MessageCode.DRIVEN_VELOCITY_JUMPED, last, true, text));
+    }
+    return all;
   }
 
   /** The equations of all positions, by least changes where some of them are redundant. */

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.mechservice.solver.analysis.equation.DriveShares;
 import org.mechservice.solver.analysis.equation.EquationsOfMotion;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.capability.MomentumBalance;
@@ -32,6 +33,7 @@ public final class FurtherColumns implements ResultColumns {
   private final EquationsOfMotion equations;
   private final Map<ColumnGroup, ColumnValues> groups = new EnumMap<>(ColumnGroup.class);
   private final boolean needsBalance;
+  private final DriveShares shares;
   private final Optional<MomentumBalance> momentum;
   private final Optional<WrittenOutputs> written;
   private final double[] yDot;
@@ -53,6 +55,7 @@ public final class FurtherColumns implements ResultColumns {
       Optional<WrittenValues> code) {
     this.model = model;
     equations = new EquationsOfMotion(data.mechanism(), userForces);
+    shares = new DriveShares(equations);
     written =
         code.filter(values -> asked.contains(ColumnGroup.OUTPUTS))
             .map(values -> new WrittenOutputs(values, data.outputs().size()));
@@ -133,6 +136,7 @@ public final class FurtherColumns implements ResultColumns {
     }
     equations.formResidual(yDot, equations.nq);
     equations.balance();
+    shares.share();
     equations.forces.accepted();
     return true;
   }
