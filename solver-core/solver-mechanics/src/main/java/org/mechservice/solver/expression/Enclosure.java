@@ -13,6 +13,9 @@ final class Enclosure {
   /** Roundings by which the values of an operation may differ, in units of the last place. */
   private static final double ROUNDINGS = 4;
 
+  /** The same of a polynomial, whose terms may be larger than their sum. */
+  private static final double ROUNDINGS_OF_TABLE = 64;
+
   /** The bounds found last. */
   double low;
 
@@ -30,7 +33,7 @@ final class Enclosure {
     if (!(low <= high)) {
       set(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
     } else if (rounds(step)) {
-      round();
+      round(step instanceof Operation ? ROUNDINGS : ROUNDINGS_OF_TABLE);
     }
   }
 
@@ -64,8 +67,8 @@ final class Enclosure {
   }
 
   /** Widens the bounds by the rounding of both ways of evaluation; what is exactly 0 stays so. */
-  private void round() {
-    double error = ROUNDINGS * Math.max(Math.ulp(low), Math.ulp(high));
+  private void round(double roundings) {
+    double error = roundings * Math.max(Math.ulp(low), Math.ulp(high));
     low -= low == 0 ? 0 : error;
     high += high == 0 ? 0 : error;
   }
@@ -90,8 +93,8 @@ final class Enclosure {
       case SQUARE -> square(aLow, aHigh);
       case SQRT -> set(Math.sqrt(Math.max(0, aLow)), Math.sqrt(Math.max(0, aHigh)));
       case ABS -> absolute(aLow, aHigh);
-      case SIN -> sine(aLow, aHigh);
-      case COS -> sine(aLow + 0.5 * Math.PI, aHigh + 0.5 * Math.PI);
+      case SIN -> wave(StrictMath.sin(aLow), StrictMath.sin(aHigh), aLow, aHigh, 0.5 * Math.PI);
+      case COS -> wave(StrictMath.cos(aLow), StrictMath.cos(aHigh), aLow, aHigh, 0);
       case TAN -> tangent(aLow, aHigh);
       case ASIN -> set(StrictMath.asin(unit(aLow)), StrictMath.asin(unit(aHigh)));
       case ACOS -> set(StrictMath.acos(unit(aHigh)), StrictMath.acos(unit(aLow)));
@@ -165,20 +168,17 @@ final class Enclosure {
     }
   }
 
-  /** Bounds of the sine: 1 where a quarter turn beyond a whole number of turns lies inside. */
-  private void sine(double aLow, double aHigh) {
+  /** Bounds of sine or cosine: 1 where a crest lies inside, −1 half a turn further. */
+  private void wave(double first, double last, double aLow, double aHigh, double crest) {
     if (!(aHigh - aLow < 2 * Math.PI)) {
       set(-1, 1);
       return;
     }
-    double first = StrictMath.sin(aLow);
-    double last = StrictMath.sin(aHigh);
     set(Math.min(first, last), Math.max(first, last));
-    double turn = 2 * Math.PI;
-    if (holdsMultiple(aLow - 0.25 * turn, aHigh - 0.25 * turn, turn)) {
+    if (holdsMultiple(aLow - crest, aHigh - crest, 2 * Math.PI)) {
       high = 1;
     }
-    if (holdsMultiple(aLow + 0.25 * turn, aHigh + 0.25 * turn, turn)) {
+    if (holdsMultiple(aLow - crest - Math.PI, aHigh - crest - Math.PI, 2 * Math.PI)) {
       low = -1;
     }
   }

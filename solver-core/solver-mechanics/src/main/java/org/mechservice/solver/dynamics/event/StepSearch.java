@@ -8,12 +8,11 @@ import org.mechservice.solver.expression.TapePieces;
  * Searches an accepted step for what its ends do not show: a choice in the formulas that is taken
  * otherwise inside the step, or a formula that is larger there than its values at the ends tell.
  *
- * <p>The quantities of the formulas are evaluated on the interpolated solution, which costs
- * kinematics and no dynamics, at the ends and in the middle of a part of the step. Their paths
- * between are those of a parabola with a margin of {@value #MARGIN} of its bow, in parts in which
- * no body turns by more than {@value #TURN} rad relative to another. Interval arithmetic then
- * decides whether any choice that matters can change in the part, and how far each formula can go.
- * What is open is halved, down to the resolution of time.
+ * <p>The formulas are evaluated on the interpolated solution, which costs kinematics and no
+ * dynamics, at the ends and in the middle of a part of the step in which no body turns by more than
+ * {@value #TURN} rad relative to another. {@link TapePieces} decides from these three points
+ * whether any choice that matters can change in the part. What is open is halved, down to the
+ * resolution of time.
  *
  * <p>A change that the error test cannot have seen ends the step just behind it. A change that
  * shows at the end of the step ends it, too, so that the method begins anew on the other side; if
@@ -26,11 +25,7 @@ final class StepSearch {
   /** Largest turn of a body relative to another in a part of a step, rad. */
   private static final double TURN = 0.5;
 
-  /**
-   * Margin of a path beside the three points known of it, relative to their second difference: a
-   * parabola passes its points by 1/8 of it at most, and within {@value #TURN} rad a circle differs
-   * from the parabola by less than a quarter of that.
-   */
+  /** Margin of a way beside three points of it, relative to their second difference. */
   private static final double MARGIN = 0.5;
 
   /** Most evaluations in a step beyond its first division, after which halving ends. */
@@ -41,6 +36,15 @@ final class StepSearch {
 
   /** Depth of halving: the resolution of time within a step. */
   private static final int DEPTH = 44;
+
+  /** Width to which a change is narrowed down, in units of the last place of time. */
+  private static final double RESOLUTION = 4;
+
+  /**
+   * Way beyond a boundary that is a touch, relative to the largest size that the argument has had:
+   * where a step begins on a boundary, rounding takes it to one side or the other.
+   */
+  private static final double TOUCH = 1e-12;
 
   /** Depth to which the first way to a hidden value is followed. */
   private static final int FORMULA_DEPTH = 20;
@@ -57,6 +61,12 @@ final class StepSearch {
   /** Size of a formula, relative to the largest value it has had, that does not matter. */
   private static final double NOTHING = 1e-3;
 
+  /** Growth of a box beside a step, in lengths of the step's way: at most, at least, and between. */
+  private static final double LARGE_BOX = 16;
+
+  private static final double SMALL_BOX = 1;
+  private static final double SHRINKAGE = 0.25;
+
   /** Part of the way to a hidden value that the first step behind takes. */
   private static final double FIRST_STEP = 0.25;
 
@@ -66,24 +76,42 @@ final class StepSearch {
   private final int[][] turns;
   private final double[][] scratch;
   private final double[] atFrom;
+  private final double[] atMiddle;
   private final double[] atTo;
   private final double[] moving;
+  private final double[] narrowing;
+
+  /** Quantities at the point looked at. */
+  private final double[] here;
+
+  /** Fastest turn at the ends of the step, rad/s. */
+  private double turning;
+
+  private final double[] sizes;
   private final double[] piecesFrom;
   private final double[] piecesTo;
-  private final double[] piecesHere;
-  private final double[] piecesThere;
   private final double[] valueFrom;
   private final double[] valueTo;
   private final double[] valueBefore;
-  private final double[] valueHere;
-  private final double[] valueThere;
   private final double[] largest;
+
+  /** Whether formulas that do not show are only looked at, and whether one was found. */
+  private boolean looking;
+
+  private boolean hidden;
+
   private final double[] sinceChange;
   private final double[] closeChanges;
 
   /** Where the sign of an event changes first, if that shows; NaN if it has not yet. */
   private final double[] firstSeen;
 
+
+  private final double[] boxLow;
+  private final double[] boxHigh;
+
+  /** Whether nothing changes its form in the box. */
+  private boolean boxed;
 
   private double begin;
   private int evaluations;
@@ -103,15 +131,20 @@ final class StepSearch {
     leaves = watched.tape().leaves().size();
     turns = watched.turns().toArray(int[][]::new);
     int count = watched.quantities().size();
-    scratch = new double[DEPTH + 2][count];
-    atFrom = new double[count];
-    atTo = new double[count];
-    moving = new double[count];
+    boxLow = new double[leaves];
+    boxHigh = new double[leaves];
+    here = new double[count];
+    scratch = new double[DEPTH + 1][];
+    Arrays.setAll(scratch, depth -> pieces.newPoint());
+    atFrom = pieces.newPoint();
+    atMiddle = pieces.newPoint();
+    atTo = pieces.newPoint();
+    moving = pieces.newPoint();
+    narrowing = pieces.newPoint();
     int choices = pieces.choiceCount();
+    sizes = new double[choices];
     piecesFrom = new double[choices];
     piecesTo = new double[choices];
-    piecesHere = new double[choices];
-    piecesThere = new double[choices];
     sinceChange = new double[choices];
     closeChanges = new double[choices];
     Arrays.fill(sinceChange, CLOSE);
@@ -120,8 +153,6 @@ final class StepSearch {
     valueFrom = new double[formulas];
     valueTo = new double[formulas];
     valueBefore = new double[formulas];
-    valueHere = new double[formulas];
-    valueThere = new double[formulas];
     largest = new double[formulas];
   }
 
@@ -145,19 +176,82 @@ final class StepSearch {
     begin = from;
     longestFirstStep = Double.POSITIVE_INFINITY;
     evaluations = 0;
+    turning = 0;
     if (!evaluate(path, from, atFrom) || !evaluate(path, to, atTo)) {
       return to;
     }
-    pieces.at(atFrom);
-    pieces.pieces(piecesFrom);
-    read(valueFrom);
+    if (staysInBox(path, from, to)) {
+      begun = false;
+      passStep();
+      return to;
+    }
+    double end = searchAll(path, from, to);
+    passStep();
+    boolean seen = Double.isNaN(end);
+    if (seen) {
+      findBox(path, from, to);
+    }
+    boxed &= seen;
+    return seen ? to : end;
+  }
+
+  private void passStep() {
+    for (int c = 0; c < sinceChange.length; c++) {
+      sinceChange[c] = Math.min(CLOSE, sinceChange[c] + 1);
+    }
+  }
+
+  /**
+   * Returns whether the quantities stay, in the whole step, in a box in which nothing changes its
+   * form.
+   */
+  private boolean staysInBox(ModelEvents.Path path, double from, double to) {
+    if (!boxed || parts(to - from) > 1 || !evaluate(path, 0.5 * (from + to), atMiddle)) {
+      return false;
+    }
+    for (int leaf = 0; leaf < leaves; leaf++) {
+      double a = pieces.leaf(leaf, atFrom);
+      double m = pieces.leaf(leaf, atMiddle);
+      double b = pieces.leaf(leaf, atTo);
+      double bow = MARGIN * Math.abs(a - 2 * m + b);
+      if (Math.min(a, Math.min(m, b)) - bow < boxLow[leaf]
+          || Math.max(a, Math.max(m, b)) + bow > boxHigh[leaf]) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Finds a box for the steps to come, if nothing changes its form in one about this step. */
+  private void findBox(ModelEvents.Path path, double from, double to) {
+    boxed = false;
+    if (parts(to - from) > 1 || !evaluate(path, 0.5 * (from + to), atMiddle)) {
+      return;
+    }
+    for (double growth = LARGE_BOX; !boxed && growth >= SMALL_BOX; growth *= SHRINKAGE) {
+      for (int leaf = 0; leaf < leaves; leaf++) {
+        double a = pieces.leaf(leaf, atFrom);
+        double m = pieces.leaf(leaf, atMiddle);
+        double b = pieces.leaf(leaf, atTo);
+        double least = Math.min(a, Math.min(m, b));
+        double most = Math.max(a, Math.max(m, b));
+        double beside = growth * (most - least) + MARGIN * Math.abs(a - 2 * m + b);
+        boxLow[leaf] = least - beside;
+        boxHigh[leaf] = most + beside;
+        pieces.setLeaf(leaf, boxLow[leaf], boxHigh[leaf]);
+      }
+      boxed = pieces.decide() && pieces.isEven();
+    }
+  }
+
+  /** Returns where a step has to end; NaN if it may stand. */
+  private double searchAll(ModelEvents.Path path, double from, double to) {
+    read(atFrom, piecesFrom, valueFrom);
     if (!begun) {
       System.arraycopy(valueFrom, 0, valueBefore, 0, valueFrom.length);
       begun = true;
     }
-    pieces.at(atTo);
-    pieces.pieces(piecesTo);
-    read(valueTo);
+    read(atTo, piecesTo, valueTo);
     for (int r = 0; r < largest.length; r++) {
       largest[r] =
           Math.max(largest[r], Math.max(Math.abs(valueFrom[r]), Math.abs(valueTo[r])));
@@ -165,44 +259,56 @@ final class StepSearch {
     int parts = parts(to - from);
     Arrays.fill(firstSeen, Double.NaN);
     allowed = 2 * parts + MOST_EVALUATIONS;
+    looking = true;
+    hidden = false;
     double end = searchParts(path, from, to, parts);
-    for (int c = 0; c < sinceChange.length; c++) {
-      sinceChange[c] = Math.min(CLOSE, sinceChange[c] + 1);
+    if (hidden) {
+      // once more, now that it is known how large the formulas become
+      looking = false;
+      evaluations = 0;
+      Arrays.fill(firstSeen, Double.NaN);
+      double last = Double.isNaN(end) ? to : end;
+      if (evaluate(path, last, atTo)) {
+        double before = searchParts(path, from, last, parts);
+        end = Double.isNaN(before) ? end : before;
+      }
     }
-    if (Double.isNaN(end)) {
+    begun = Double.isNaN(end);
+    if (begun) {
       System.arraycopy(valueFrom, 0, valueBefore, 0, valueFrom.length);
-      return to;
     }
-    begun = false;
     return end;
   }
 
-  private void read(double[] values) {
+  private void read(double[] point, double[] taken, double[] values) {
+    for (int choice = 0; choice < taken.length; choice++) {
+      taken[choice] = pieces.piece(choice, point);
+    }
     for (int r = 0; r < values.length; r++) {
-      values[r] = pieces.value(r);
+      values[r] = pieces.value(r, point);
     }
   }
 
-  private boolean evaluate(ModelEvents.Path path, double t, double[] values) {
+  private boolean evaluate(ModelEvents.Path path, double t, double[] point) {
     evaluations++;
     if (!path.moveTo(t)) {
       return false;
     }
-    quantities.evaluate(t, path.state(), values);
+    quantities.evaluate(t, path.state(), here);
+    pieces.at(here, point);
+    for (int[] group : turns) {
+      double turn = 0;
+      for (int rate : group) {
+        turn += Math.abs(here[rate]);
+      }
+      turning = Math.max(turning, turn);
+    }
     return true;
   }
 
   /** Returns into how many parts a step is divided, so that bodies turn little in each. */
   private int parts(double h) {
-    double most = 0;
-    for (int[] path : turns) {
-      double turn = 0;
-      for (int rate : path) {
-        turn += Math.max(Math.abs(atFrom[rate]), Math.abs(atTo[rate]));
-      }
-      most = Math.max(most, turn * h);
-    }
-    double parts = Math.ceil(most / TURN);
+    double parts = Math.ceil(turning * h / TURN);
     return parts >= 1 ? (int) Math.min(MOST_PARTS, parts) : 1;
   }
 
@@ -211,7 +317,7 @@ final class StepSearch {
       return searchPart(path, 0, from, atFrom, to, atTo);
     }
     System.arraycopy(atFrom, 0, moving, 0, moving.length);
-    double[] next = scratch[DEPTH + 1];
+    double[] next = atMiddle;
     double start = from;
     for (int k = 1; k <= parts; k++) {
       double end = k == parts ? to : from + (to - from) * k / parts;
@@ -237,54 +343,97 @@ final class StepSearch {
       double end,
       double[] atEnd) {
     double middle = 0.5 * (start + end);
-    double[] atMiddle = scratch[depth];
-    if (!evaluate(path, middle, atMiddle)) {
+    double[] between = scratch[depth];
+    if (!evaluate(path, middle, between)) {
       return Double.NaN;
     }
-    for (int leaf = 0; leaf < leaves; leaf++) {
-      double a = atStart[leaf];
-      double m = atMiddle[leaf];
-      double b = atEnd[leaf];
-      double bow = MARGIN * Math.abs(a - 2 * m + b);
-      pieces.setLeaf(
-          leaf, Math.min(a, Math.min(m, b)) - bow, Math.max(a, Math.max(m, b)) + bow);
+    boolean decided = pieces.decide(atStart, between, atEnd);
+    if (depth == 0) {
+      noteSizes();
     }
-    boolean decided = pieces.decide();
     boolean finest = depth >= DEPTH || evaluations > allowed || !(middle > start && middle < end);
-    if (finest) {
-      return decided ? Double.NaN : changed(atStart, end, atEnd);
+    if (!decided && (finest || openByNothing())) {
+      int changed = changed(atStart, atEnd);
+      if (changed < 0) {
+        return Double.NaN;
+      } else if (finest) {
+        return taken(changed, narrowed(path, changed, start, atStart, end));
+      }
+    } else if (finest) {
+      return Double.NaN;
     }
     if (decided && pieces.isEven()) {
-      if (formulasShow(atStart, atMiddle, atEnd) || (start == begin && depth >= FORMULA_DEPTH)) {
+      if (formulasShow(atStart, between, atEnd) || (start == begin && depth >= FORMULA_DEPTH)) {
         return Double.NaN;
       } else if (start > begin) {
         longestFirstStep = FIRST_STEP * (end - start);
         return start;
       }
     }
-    double found = searchPart(path, depth + 1, start, atStart, middle, atMiddle);
+    double found = searchPart(path, depth + 1, start, atStart, middle, between);
     return Double.isNaN(found)
-        ? searchPart(path, depth + 1, middle, atMiddle, end, atEnd)
+        ? searchPart(path, depth + 1, middle, between, end, atEnd)
         : found;
   }
 
-  /** Returns the end of a shortest part if a choice that counts changes in it, else NaN. */
-  private double changed(double[] atStart, double end, double[] atEnd) {
-    pieces.at(atStart);
-    pieces.pieces(piecesHere);
-    pieces.at(atEnd);
-    pieces.pieces(piecesThere);
+  private void noteSizes() {
+    for (int choice = 0; choice < sizes.length; choice++) {
+      double size = pieces.size(choice);
+      sizes[choice] = Double.isFinite(size) ? Math.max(sizes[choice], size) : sizes[choice];
+    }
+  }
+
+  /** Returns whether open choices go beyond their boundaries by no more than rounding counts. */
+  private boolean openByNothing() {
     for (int k = 0; k < pieces.undecidedCount(); k++) {
       int choice = pieces.undecided(k);
-      if (piecesHere[choice] == piecesThere[choice]) {
-        continue;
-      } else if (!Double.isNaN(firstSeen[choice])) {
-        return firstSeen[choice];
-      } else if (shows(choice) && pieces.isSign(choice)) {
-        firstSeen[choice] = end;
-      } else if (counts(choice)) {
-        return end;
+      if (pieces.excursion(choice) > TOUCH * sizes[choice]) {
+        return false;
       }
+    }
+    return true;
+  }
+
+  /** Returns an open choice that differs at the ends of a part; −1 if there is none. */
+  private int changed(double[] atStart, double[] atEnd) {
+    for (int k = 0; k < pieces.undecidedCount(); k++) {
+      int choice = pieces.undecided(k);
+      if (pieces.piece(choice, atStart) != pieces.piece(choice, atEnd)) {
+        return choice;
+      }
+    }
+    return -1;
+  }
+
+  /** Returns the time just behind the change of a choice in a part. */
+  private double narrowed(
+      ModelEvents.Path path, int choice, double start, double[] atStart, double end) {
+    double piece = pieces.piece(choice, atStart);
+    double before = start;
+    double behind = end;
+    double width = RESOLUTION * Math.ulp(end);
+    while (behind - before > width) {
+      double middle = 0.5 * (before + behind);
+      if (!evaluate(path, middle, narrowing)) {
+        break;
+      }
+      if (pieces.piece(choice, narrowing) == piece) {
+        before = middle;
+      } else {
+        behind = middle;
+      }
+    }
+    return behind;
+  }
+
+  /** Returns the place of a change if it ends the step, else NaN. */
+  private double taken(int choice, double place) {
+    if (!Double.isNaN(firstSeen[choice])) {
+      return firstSeen[choice];
+    } else if (shows(choice) && pieces.isSign(choice)) {
+      firstSeen[choice] = place;
+    } else if (counts(choice)) {
+      return place;
     }
     return Double.NaN;
   }
@@ -298,40 +447,39 @@ final class StepSearch {
   private boolean counts(int choice) {
     boolean close = sinceChange[choice] < CLOSE;
     double row = close ? closeChanges[choice] + 1 : 1;
-    if (row > (shows(choice) ? MOST_CLOSE : MOST_HIDDEN)) {
-      return false;
+    boolean taken = row <= (shows(choice) ? MOST_CLOSE : MOST_HIDDEN);
+    if (looking) {
+      sinceChange[choice] = 0;
+      closeChanges[choice] = taken ? row : closeChanges[choice];
     }
-    closeChanges[choice] = row;
-    sinceChange[choice] = 0;
-    return true;
+    return taken;
   }
 
   /**
    * Returns whether the formulas stay near their values at the ends of the step all over a part in
    * which they change evenly.
    */
-  private boolean formulasShow(double[] atStart, double[] atMiddle, double[] atEnd) {
+  private boolean formulasShow(double[] atStart, double[] between, double[] atEnd) {
     if (!pieces.canBeNarrow()) {
       return true;
     }
-    pieces.at(atStart);
-    read(valueHere);
-    pieces.at(atEnd);
-    read(valueThere);
-    pieces.at(atMiddle);
     for (int r = 0; r < valueFrom.length; r++) {
       double least = Math.min(valueFrom[r], valueTo[r]);
       double most = Math.max(valueFrom[r], valueTo[r]);
       double expected =
           2 * (most - least) + 2 * Math.abs(valueFrom[r] - valueBefore[r]) + NOTHING * largest[r];
-      double a = valueHere[r];
-      double m = pieces.value(r);
-      double b = valueThere[r];
+      double a = pieces.value(r, atStart);
+      double m = pieces.value(r, between);
+      double b = pieces.value(r, atEnd);
       double bow = MARGIN * Math.abs(a - 2 * m + b);
       double lowest = Math.min(a, Math.min(m, b)) - bow;
       double highest = Math.max(a, Math.max(m, b)) + bow;
       if (Math.max(highest - most, least - lowest) > expected) {
-        return false;
+        if (!looking) {
+          return false;
+        }
+        hidden = true;
+        largest[r] = Math.max(largest[r], Math.max(-lowest, highest));
       }
     }
     return true;
@@ -339,7 +487,7 @@ final class StepSearch {
 
   /** Returns the length of {@link #save}. */
   int stateLength() {
-    return valueBefore.length + largest.length + sinceChange.length + closeChanges.length + 2;
+    return Arrays.stream(parts()).mapToInt(part -> part.length).sum() + 3;
   }
 
   /** Writes what later searches depend on. */
@@ -351,6 +499,7 @@ final class StepSearch {
     }
     state[at] = begun ? 1 : 0;
     state[at + 1] = longestFirstStep;
+    state[at + 2] = boxed ? 1 : 0;
   }
 
   /** Restores what {@link #save} has written. */
@@ -362,9 +511,12 @@ final class StepSearch {
     }
     begun = state[at] == 1;
     longestFirstStep = state[at + 1];
+    boxed = state[at + 2] == 1;
   }
 
   private double[][] parts() {
-    return new double[][] {valueBefore, largest, sinceChange, closeChanges};
+    return new double[][] {
+      valueBefore, largest, sizes, sinceChange, closeChanges, boxLow, boxHigh
+    };
   }
 }
