@@ -147,10 +147,11 @@ final class ContactFormulas {
    * Returns the contact.
    *
    * @param kind in words
+   * @param mostDepth penetration beyond which the formulas mean nothing, m; zero for none
    * @param radius of the round part of body 2 in pictures, m
    * @param disc whether that is a disc
    */
-  PairForce force(String kind, double radius, boolean disc) {
+  PairForce force(String kind, Expression mostDepth, double radius, boolean disc) {
     List<Expression> wrench = new ArrayList<>(moment.components());
     wrench.addAll(force.components());
     Expression deepest = depths.stream().reduce(ExpressionAlgebra::larger).orElseThrow();
@@ -171,6 +172,7 @@ final class ContactFormulas {
         potential,
         potentialRate,
         values,
+        mostDepth,
         radius,
         disc,
         origin);

@@ -116,7 +116,7 @@ final class ShapeContactReader {
             minus(radius.get(), motion.displacement().z()),
             ExpressionVector.Z,
             ExpressionVector.Z.times(negated(radius.get())));
-    return Optional.of(contact.get().force("contact", number(radius.get()), false));
+    return Optional.of(contact.get().force("contact", radius.get(), number(radius.get()), false));
   }
 
   /**
@@ -158,7 +158,22 @@ final class ShapeContactReader {
             minus(reach, surface.distance()),
             surface.normal(),
             surface.normal().times(negated(radius2.get())));
-    return Optional.of(contact.get().force("contact of a sphere", number(radius2.get()), false));
+    // A centre that is inside the other shape, or a point that is behind the middle of a box.
+    List<Expression> sizes =
+        box && isZero(radius2.get())
+            ? half.get().components()
+            : box ? List.of(radius2.get()) : List.of(radius1.get(), radius2.get());
+    Expression most = leastSize(sizes);
+    return Optional.of(
+        contact.get().force("contact of a sphere", most, number(radius2.get()), false));
+  }
+
+  /** Returns the smallest of sizes that are not zero, m; zero if all are. */
+  private static Expression leastSize(List<Expression> sizes) {
+    return sizes.stream()
+        .filter(size -> !isZero(size))
+        .reduce(ExpressionAlgebra::smaller)
+        .orElse(Expression.ZERO);
   }
 
   /** Distance of a point r from a box of half edges h, negative inside, and its gradient. */
@@ -255,7 +270,7 @@ final class ShapeContactReader {
         down.times(quotient(radius.get(), tilt)).less(ExpressionVector.Z.times(edge.get()));
     contact.get().add(negated(sum(motion.displacement().z(), arm.z())), ExpressionVector.Z, arm);
     double shown = number(radius.get()) + number(edge.get());
-    return Optional.of(contact.get().force("contact of a disc", shown, true));
+    return Optional.of(contact.get().force("contact of a disc", radius.get(), shown, true));
   }
 
   /** The eight corners of a box on a plane. */
@@ -276,7 +291,7 @@ final class ShapeContactReader {
       }
       contact.get().add(negated(sum(motion.displacement().z(), arm.z())), ExpressionVector.Z, arm);
     }
-    return Optional.of(contact.get().force("contact of a box", 0, false));
+    return Optional.of(contact.get().force("contact of a box", leastSize(h), 0, false));
   }
 
   /** Returns half of three edges, which must be positive. */

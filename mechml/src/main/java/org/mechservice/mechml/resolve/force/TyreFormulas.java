@@ -258,6 +258,7 @@ final class TyreFormulas {
             new PairForce.Value("slipX", "1", slipX),
             new PairForce.Value("slipY", "1", slipY),
             new PairForce.Value("camber", "rad", call(Function.ASIN, axle.dot(n)))),
+        radius,
         radius instanceof Expression.Constant constant ? constant.value() : 0,
         true,
         origin);

@@ -11,7 +11,7 @@ import org.objectweb.asm.MethodVisitor;
 import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.Type;
 
-/** Writes the methods that output the power and the values of forces. */
+/** Writes the methods that output the values of forces. */
 final class ForceColumnBytes {
   private static final String GROUP = Type.getInternalName(ColumnGroup.class);
   private static final String VARIABLE = Type.getInternalName(Variable.class);
@@ -40,24 +40,6 @@ final class ForceColumnBytes {
     code.visitVarInsn(Opcodes.ALOAD, 0);
     code.visitFieldInsn(Opcodes.GETFIELD, className, field, "[D");
     code.visitMethodInsn(Opcodes.INVOKESPECIAL, className, method, STATE_TO_ARRAY, false);
-  }
-
-  /**
-   * Writes {@code sumPower(t, y, power); return power[0];}, and the turnover from {@code power[1]}.
-   */
-  void power() {
-    power("power", Opcodes.ICONST_0);
-    power("turnover", Opcodes.ICONST_1);
-  }
-
-  private void power(String name, int index) {
-    MethodVisitor code = ClassMethods.beginPublic(classFile, name, "(D[D)D");
-    fill(code, "sumPower", "power", 1, 3);
-    code.visitVarInsn(Opcodes.ALOAD, 0);
-    code.visitFieldInsn(Opcodes.GETFIELD, className, "power", "[D");
-    code.visitInsn(index);
-    code.visitInsn(Opcodes.DALOAD);
-    ClassMethods.end(code, Opcodes.DRETURN);
   }
 
   private static void jumpUnlessForces(MethodVisitor code, Label elsewhere) {

@@ -67,7 +67,6 @@ final class ModelBytesWriter {
     }
     ForceColumnBytes forces = new ForceColumnBytes(classFile, className);
     if (plan.power().isPresent()) {
-      forces.power();
       method(plan.power().get());
     }
     if (plan.forces().isPresent()) {
@@ -133,9 +132,6 @@ final class ModelBytesWriter {
       code.visitVarInsn(Opcodes.ALOAD, 0);
       code.visitVarInsn(Opcodes.ALOAD, 1);
       code.visitFieldInsn(Opcodes.PUTFIELD, className, field, "[D");
-    }
-    if (plan.power().isPresent()) {
-      array(code, "power", 2);
     }
     if (plan.forces().isPresent()) {
       array(code, "forces", plan.forceCount());

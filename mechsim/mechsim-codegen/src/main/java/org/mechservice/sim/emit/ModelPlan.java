@@ -48,7 +48,7 @@ public final class ModelPlan implements GeneratedClass {
   private static final MethodSignature DERIVATIVE = ofState("derivative", "yDot", true, true);
   private static final MethodSignature ENERGY = ofState("energy", "energy", false, true);
   private static final MethodSignature POSES = ofState("poses", "poses", false, true);
-  private static final MethodSignature POWER = ofState("sumPower", "power", false, false);
+  private static final MethodSignature POWER = ofState("power", "power", false, true);
   private static final MethodSignature FORMULAS = ofState("formulaValues", "values", false, true);
   private static final MethodSignature FORCES = ofState("forces", "forces", false, false);
 

@@ -54,7 +54,6 @@ final class ModelSourceWriter {
     if (plan.takesNumbers()) {
       source.line("private final double[] p;");
     }
-    plan.power().ifPresent(p -> source.line("private final double[] power = new double[2];"));
     plan.forces()
         .ifPresent(
             p ->
@@ -65,7 +64,7 @@ final class ModelSourceWriter {
     method(plan.start(), List.of("Arrays.fill(y, 0.0);"), List.of());
     plan.programs().forEach(part -> method(part, List.of(), List.of()));
     plan.poses().ifPresent(this::poses);
-    plan.power().ifPresent(this::power);
+    plan.power().ifPresent(part -> method(part, List.of(), List.of()));
     plan.forces().ifPresent(this::forces);
     plan.directedForces().ifPresent(this::directedForce);
     plan.formulas().ifPresent(this::formulas);
@@ -255,19 +254,6 @@ final class ModelSourceWriter {
             "    }",
             "  }",
             "}"));
-  }
-
-  private void power(ModelPlan.Part power) {
-    power("power", 0);
-    power("turnover", 1);
-    method(power, List.of(), List.of());
-  }
-
-  private void power(String name, int index) {
-    source.blank().line("@Override").open("public double " + name + "(double t, double[] y)");
-    source.line("sumPower(t, y, power);");
-    source.line("return power[" + index + "];");
-    source.close();
   }
 
   private void forces(ModelPlan.Part forces) {

@@ -197,8 +197,9 @@ public record LoopAgreement(
   private static double[] energies(ExplicitModel model, double t, double[] y) {
     double[] energies = new double[4];
     ((Energies) model).energy(t, y, energies);
-    energies[2] = ((PowerInput) model).power(t, y);
-    energies[3] = ((PowerInput) model).turnover(t, y);
+    double[] power = new double[2];
+    ((PowerInput) model).power(t, y, power);
+    System.arraycopy(power, 0, energies, 2, power.length);
     return energies;
   }
 

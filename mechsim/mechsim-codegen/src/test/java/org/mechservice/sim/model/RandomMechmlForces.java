@@ -214,6 +214,7 @@ public final class RandomMechmlForces {
         Expression.ZERO,
         Expression.ZERO,
         List.of(new PairForce.Value("size", "N", shared)),
+        Expression.ZERO,
         0,
         false,
         Origin.NONE);

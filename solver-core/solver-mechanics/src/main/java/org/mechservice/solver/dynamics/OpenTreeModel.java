@@ -218,15 +218,10 @@ public abstract class OpenTreeModel
   }
 
   @Override
-  public final double power(double t, double[] y) {
+  public final void power(double t, double[] y, double[] power) {
     double driving = drivingPower(t, y);
-    return loads.forces().power() + driving;
-  }
-
-  @Override
-  public final double turnover(double t, double[] y) {
-    double driving = drivingPower(t, y);
-    return loads.forces().turnover() + Math.abs(driving);
+    power[0] = loads.forces().power() + driving;
+    power[1] = loads.forces().turnover() + Math.abs(driving);
   }
 
   /** Evaluates the loads, and returns the power of the prescribed motions, W. */

@@ -1,5 +1,6 @@
 package org.mechservice.solver.dynamics;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.solver.api.ModelDescription;
@@ -95,17 +96,16 @@ public class UserForcedModel
   }
 
   @Override
-  public final double power(double t, double[] y) {
+  public final void power(double t, double[] y, double[] power) {
     loads.evaluate(t, y);
     double given = loads.forces().power();
-    return generated instanceof PowerInput others ? given + others.power(t, y) : given;
-  }
-
-  @Override
-  public final double turnover(double t, double[] y) {
-    loads.evaluate(t, y);
-    double given = loads.forces().turnover();
-    return generated instanceof PowerInput others ? given + others.turnover(t, y) : given;
+    double turnover = loads.forces().turnover();
+    Arrays.fill(power, 0);
+    if (generated instanceof PowerInput others) {
+      others.power(t, y, power);
+    }
+    power[0] += given;
+    power[1] += turnover;
   }
 
   @Override

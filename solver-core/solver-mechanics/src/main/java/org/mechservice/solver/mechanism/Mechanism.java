@@ -371,6 +371,11 @@ public final class Mechanism {
     return WatchedFormulas.of(this);
   }
 
+  /** Returns how far the shapes in contact are inside each other, in file order. */
+  public List<Overlap> overlaps() {
+    return Overlap.of(this);
+  }
+
   /**
    * Returns whether the state or the equations of a run may change abruptly, or over a short way.
    */

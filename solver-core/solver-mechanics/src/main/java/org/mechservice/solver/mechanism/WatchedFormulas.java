@@ -250,7 +250,7 @@ final class WatchedFormulas implements ForceVisitor<List<Expression>> {
   }
 
   /** Returns a formula with leaves replaced by others. */
-  private static Expression replaced(Expression formula, Map<Expression, Expression> leaves) {
+  static Expression replaced(Expression formula, Map<Expression, Expression> leaves) {
     List<Expression> parts =
         Expression.operands(formula).stream().map(part -> replaced(part, leaves)).toList();
     if (parts.isEmpty()) {

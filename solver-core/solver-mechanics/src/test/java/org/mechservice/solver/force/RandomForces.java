@@ -287,6 +287,7 @@ public final class RandomForces {
         new Call(Function.SIN, List.of(square)),
         new Product(new Call(Function.COS, List.of(square)), along),
         List.of(new PairForce.Value("square", "m²", square)),
+        Expression.ZERO,
         0,
         false,
         Origin.NONE);

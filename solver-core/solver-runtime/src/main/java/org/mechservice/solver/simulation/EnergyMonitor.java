@@ -77,11 +77,6 @@ final class EnergyMonitor {
     scale = Math.max(scale, turnover / 2);
   }
 
-  /** Returns whether some work was done that is not in the balance. */
-  boolean isWorkUnknown() {
-    return workUnknown;
-  }
-
   /** Returns the kinetic energy last observed, J. */
   double kinetic() {
     return energy[0];

@@ -68,11 +68,14 @@ final class RowWriter {
    * @param y state, which multipliers may follow; not modified
    * @param work work of forces without potential energy, J
    * @param turnover sum of added and removed energy, J
+   * @param unmeasured whether work is done that is not in {@code work}
    * @return {@link #ALL_FINITE}, or the column of the first number that is not finite; the row is
    *     then not written
    * @throws IOException if the sink cannot keep the row
    */
-  int write(double time, double t, double[] y, double work, double turnover) throws IOException {
+  int write(
+      double time, double t, double[] y, double work, double turnover, boolean unmeasured)
+      throws IOException {
     row[0] = time;
     System.arraycopy(y, 0, row, 1, yDot.length);
     unitOutput.normalize(t, row, 1);
@@ -85,7 +88,7 @@ final class RowWriter {
       System.arraycopy(poses, 0, row, layout.bodies(), poses.length);
     }
     if (model instanceof Energies energies) {
-      energyMonitor.observe(energies, t, y, work, turnover, doesWorkUnmeasured(t, y));
+      energyMonitor.observe(energies, t, y, work, turnover, unmeasured);
       if (layout.energy() != RowLayout.ABSENT) {
         row[layout.energy()] = energyMonitor.kinetic();
         row[layout.energy() + 1] = energyMonitor.potential();
@@ -127,7 +130,8 @@ final class RowWriter {
       }
       work = total - initialEnergy;
     }
-    return write(t, t, y, work, Math.abs(work));
+    boolean unmeasured = !measuresWork() && model instanceof PowerInput;
+    return write(t, t, y, work, Math.abs(work), unmeasured);
   }
 
   /**
@@ -146,13 +150,6 @@ final class RowWriter {
    */
   boolean measuresWork() {
     return layout.energy() != RowLayout.ABSENT || balanceWatched;
-  }
-
-  private boolean doesWorkUnmeasured(double t, double[] y) {
-    return model instanceof PowerInput input
-        && !measuresWork()
-        && !energyMonitor.isWorkUnknown()
-        && input.power(t, y) != 0;
   }
 
   /** Returns the name of a column. */

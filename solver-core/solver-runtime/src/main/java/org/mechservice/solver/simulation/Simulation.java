@@ -18,6 +18,7 @@ import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.Checkpoints;
 import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.api.run.RunControl;
+import org.mechservice.solver.api.run.RunNotes.Note;
 import org.mechservice.solver.api.run.RunReport;
 import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.api.run.RunSettings;
@@ -142,6 +143,9 @@ public final class Simulation implements Solver {
     private final OutputTimes outputTimes;
     private final RowWriter rows;
     private final WorkMeter work;
+    private final StepWork stepWork;
+    private final EnergyNet energyNet;
+    private final Set<MessageCode> silenced;
     private final CheckpointWriter checkpoints;
     private final RunNoteCollector notes;
     private final RunFailures failures;
@@ -184,6 +188,9 @@ public final class Simulation implements Solver {
       work =
           new WorkMeter(
               equations, integrator, model, rows.measuresWork(), momentum, settings.tStart());
+      stepWork = StepWork.of(equations, integrator, model);
+      energyNet = new EnergyNet(model, settings.relativeTolerance());
+      silenced = request.silenced();
       notes = new RunNoteCollector(model, rows, events, integrator, momentum, request.silenced());
       failures =
           new RunFailures(
@@ -262,7 +269,8 @@ public final class Simulation implements Solver {
         return Optional.of(failures.ofWarning(notes.firstWarning().get()));
       }
       double first = outputTimes.time(nextRow);
-      int badColumn = rows.write(first, first, y, 0, 0);
+      energyNet.begin(first, y);
+      int badColumn = rows.write(first, first, y, 0, 0, false);
       if (badColumn != RowWriter.ALL_FINITE) {
         return Optional.of(failures.ofRow(first, badColumn));
       }
@@ -290,6 +298,8 @@ public final class Simulation implements Solver {
       steps = state.integer(steps);
       rows.transfer(state);
       work.transfer(state);
+      stepWork.transfer(state);
+      energyNet.transfer(state);
       notes.transfer(state);
       momentum.ifPresent(balance -> ModelEquations.transfer(balance, state));
       stiffness.ifPresent(samples -> samples.transfer(state));
@@ -321,6 +331,7 @@ public final class Simulation implements Solver {
       if (stiffness.isPresent() && stiffness.get().stepped(integrator, steps, yDot)) {
         control.setStiff(isStiff(false));
       }
+      balance(result != StepResult.ADVANCED);
       int badColumn = writeRowsOfStep();
       if (badColumn != RowWriter.ALL_FINITE) {
         return Optional.of(failures.ofRow(dueRow(), badColumn));
@@ -331,13 +342,28 @@ public final class Simulation implements Solver {
       if (strict && notes.firstWarning().isPresent()) {
         return Optional.of(failures.ofWarning(notes.firstWarning().get()));
       }
-      work.add(events.workOfEvents());
+      double added = events.workOfEvents();
+      work.add(added);
+      stepWork.add(added);
       if (!proceed(result == StepResult.ADVANCED)) {
         return Optional.of(new Outcome.Stopped());
       }
       return result == StepResult.ADVANCED
           ? Optional.empty()
           : Optional.of(new Outcome.Completed());
+    }
+
+    /** Adds the work of the last step, and looks at the balance of energy where that is due. */
+    private void balance(boolean last) {
+      boolean due = energyNet.isDue(last);
+      if (due || stepWork.measures()) {
+        double t = integrator.time();
+        integrator.interpolate(t, y, yDot);
+        stepWork.advance(y);
+        if (due) {
+          energyNet.look(equations.evaluationTime(t), y, stepWork.work(), stepWork.turnover());
+        }
+      }
     }
 
     /** Makes steps end exactly at the rows. */
@@ -388,6 +414,10 @@ public final class Simulation implements Solver {
       if (moved && !equations.closeLoops(timeReached, unknowns)) {
         return Optional.of(failures.ofRow(timeReached, RunFailures.LOOPS_OPEN));
       }
+      copyUnknowns(y);
+      double given = energyNet.change(equations.evaluationTime(timeReached), y, unknowns);
+      work.add(given);
+      stepWork.add(given);
       events.continueFrom(timeReached);
       StepResult result = integrator.restart(timeReached, unknowns);
       System.arraycopy(unknowns, 0, y, 0, y.length);
@@ -429,7 +459,10 @@ public final class Simulation implements Solver {
         if (!equations.closeLoops(t, y) || !work.advance(t)) {
           return RunFailures.LOOPS_OPEN;
         }
-        int badColumn = rows.write(t, equations.evaluationTime(t), y, work.work(), work.turnover());
+        boolean unmeasured = !rows.measuresWork() && stepWork.turnover() > 0;
+        int badColumn =
+            rows.write(
+                t, equations.evaluationTime(t), y, work.work(), work.turnover(), unmeasured);
         if (badColumn != RowWriter.ALL_FINITE) {
           return badColumn;
         }
@@ -471,7 +504,14 @@ public final class Simulation implements Solver {
       return stiffness.isPresent() && stiffness.get().areStiff(integrator, completed);
     }
 
-    RunReport report(Outcome outcome) {
+    RunReport report(Outcome reached) {
+      Optional<Note> off = energyNet.note().filter(note -> !silenced.contains(note.code()));
+      Outcome outcome =
+          strict && reached instanceof Outcome.Completed && off.isPresent()
+              ? failures.ofWarning(off.get())
+              : reached;
+      List<Note> all = notes.all();
+      off.ifPresent(all::add);
       IntegrationStatistics done = integrator.statistics();
       EnergyMonitor energy = rows.energyMonitor();
       return new RunReport(
@@ -491,7 +531,7 @@ public final class Simulation implements Solver {
           done.jacobians(),
           done.factorisations(),
           failures.limits(done),
-          notes.all(),
+          all,
           SolverVersion.CURRENT);
     }
   }

@@ -24,7 +24,7 @@ final class WorkMeter {
   /** Units in the last place of time around a jump of prescribed motions. */
   private static final double BESIDE_JUMPS = 8;
 
-  private static final PowerInput NOTHING = (t, y) -> 0;
+  private static final PowerInput NOTHING = (t, y, power) -> {};
 
   private final ModelEquations equations;
   private final Integrator integrator;
@@ -32,6 +32,7 @@ final class WorkMeter {
   private final Optional<MomentumBalance> momentum;
   private final double[] y;
   private final double[] yDot;
+  private final double[] power = new double[2];
   private double reached;
   private double work;
   private double turnover;
@@ -78,8 +79,9 @@ final class WorkMeter {
       if (momentum.isPresent()) {
         momentum.get().add(half * WEIGHTS[i], at, y);
       }
-      work += half * WEIGHTS[i] * source.power(at, y);
-      turnover += half * WEIGHTS[i] * source.turnover(at, y);
+      source.power(at, y, power);
+      work += half * WEIGHTS[i] * power[0];
+      turnover += half * WEIGHTS[i] * power[1];
     }
     reached = t;
     return true;

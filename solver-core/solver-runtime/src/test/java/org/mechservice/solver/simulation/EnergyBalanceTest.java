@@ -44,8 +44,9 @@ class EnergyBalanceTest {
     }
 
     @Override
-    public double power(double t, double[] y) {
-      return -0.4 * y[1] * y[1];
+    public void power(double t, double[] y, double[] power) {
+      power[0] = -0.4 * y[1] * y[1];
+      power[1] = Math.abs(power[0]);
     }
   }
 
@@ -78,13 +79,9 @@ class EnergyBalanceTest {
     }
 
     @Override
-    public double power(double t, double[] y) {
-      return (3 + friction(y[1])) * y[1];
-    }
-
-    @Override
-    public double turnover(double t, double[] y) {
-      return 3 * Math.abs(y[1]) + Math.abs(friction(y[1]) * y[1]);
+    public void power(double t, double[] y, double[] power) {
+      power[0] = (3 + friction(y[1])) * y[1];
+      power[1] = 3 * Math.abs(y[1]) + Math.abs(friction(y[1]) * y[1]);
     }
   }
 

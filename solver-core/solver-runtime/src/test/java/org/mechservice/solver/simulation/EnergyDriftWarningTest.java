@@ -90,8 +90,9 @@ class EnergyDriftWarningTest {
     }
 
     @Override
-    public double power(double t, double[] y) {
-      return brake(t) * y[1] * y[1];
+    public void power(double t, double[] y, double[] power) {
+      power[0] = brake(t) * y[1] * y[1];
+      power[1] = Math.abs(power[0]);
     }
   }
 

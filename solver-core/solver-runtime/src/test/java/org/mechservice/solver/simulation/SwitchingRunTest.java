@@ -29,8 +29,9 @@ class SwitchingRunTest {
     }
 
     @Override
-    public double power(double t, double[] y) {
-      return -1e4 * y[1] * y[1];
+    public void power(double t, double[] y, double[] power) {
+      power[0] = -1e4 * y[1] * y[1];
+      power[1] = Math.abs(power[0]);
     }
   }
 

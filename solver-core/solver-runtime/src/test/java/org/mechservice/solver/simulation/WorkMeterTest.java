@@ -29,8 +29,9 @@ class WorkMeterTest {
     }
 
     @Override
-    public double power(double t, double[] y) {
-      return -DAMPING * y[1] * y[1];
+    public void power(double t, double[] y, double[] power) {
+      power[0] = -DAMPING * y[1] * y[1];
+      power[1] = Math.abs(power[0]);
     }
   }
 
@@ -59,8 +60,9 @@ class WorkMeterTest {
     }
 
     @Override
-    public double power(double t, double[] y) {
-      return (StrictMath.sin(t) - DAMPING * y[1]) * y[1];
+    public void power(double t, double[] y, double[] power) {
+      power[0] = (StrictMath.sin(t) - DAMPING * y[1]) * y[1];
+      power[1] = Math.abs(power[0]);
     }
   }
 

@@ -82,8 +82,8 @@ class GeneratedForcesTest {
     columns.values(ColumnGroup.FORCES, TIME, y, values, 0);
     double[] energy = new double[2];
     ((Energies) model).energy(TIME, y, energy);
-    PowerInput input = (PowerInput) model;
-    double[] power = {input.power(TIME, y), input.turnover(TIME, y)};
+    double[] power = new double[2];
+    ((PowerInput) model).power(TIME, y, power);
     return Stream.of(yDot, values, energy, power).flatMapToDouble(Arrays::stream).toArray();
   }
 

@@ -1,6 +1,7 @@
 package org.mechservice.solver.api.capability;
 
 import java.util.List;
+import org.mechservice.solver.api.run.RunNotes.Note;
 
 /**
  * The events of a model in a run: zero crossings of functions of time and state, and jumps of its
@@ -101,6 +102,11 @@ public interface ModelEvents {
   /** Returns the longest first step behind the last end that {@link #seenUntil} has set, s. */
   default double longestFirstStep() {
     return Double.POSITIVE_INFINITY;
+  }
+
+  /** Returns notes on what the search of the steps has found and cannot mend. */
+  default List<Note> notes() {
+    return List.of();
   }
 
   /** The direction of zero crossings that count. */

@@ -3,22 +3,14 @@ package org.mechservice.solver.api.capability;
 /** A model with forces or motions that add or remove energy. */
 public interface PowerInput {
   /**
-   * Returns the power of all forces without potential energy: dampers, friction, prescribed
-   * motions, forces given by expressions, user forces; W, positive into the mechanism.
+   * Evaluates the power of all forces without potential energy: dampers, friction, prescribed
+   * motions, forces given by expressions, user forces.
    *
    * @param t time, s
    * @param y state [q; v]; not modified
+   * @param power its sum, positive into the mechanism, at 0, and at 1 the sum of the absolute
+   *     values of these powers, the energy flow through the mechanism even if the sum is small, W;
+   *     overwritten
    */
-  double power(double t, double[] y);
-
-  /**
-   * Returns the sum of the absolute values of these powers, W: the energy flow through the
-   * mechanism even if the sum of the powers is small.
-   *
-   * @param t time, s
-   * @param y state [q; v]; not modified
-   */
-  default double turnover(double t, double[] y) {
-    return Math.abs(power(t, y));
-  }
+  void power(double t, double[] y, double[] power);
 }

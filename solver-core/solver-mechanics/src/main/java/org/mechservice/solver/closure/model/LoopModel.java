@@ -42,12 +42,6 @@ public abstract class LoopModel
   /** Whether a drive or a constraint of time moves the mechanism. */
   final boolean movedByTime;
 
-  /** Power and turnover at {@link #powerTime} and {@link #powerState}, W. */
-  private final double[] power = new double[2];
-
-  private double powerTime = Double.NaN;
-  private final double[] powerState;
-
   private Optional<Reactions> reactions = Optional.empty();
   private Optional<LoopProjection> afterJumps = Optional.empty();
   private Optional<Defect> defect = Optional.empty();
@@ -61,7 +55,6 @@ public abstract class LoopModel
     work = closed.newEquations(userForces);
     derivative = new double[work.stateCount];
     movedByTime = closed.isMovedByTime();
-    powerState = new double[work.stateCount];
     closed.start().findings().forEach(this::note);
   }
 
@@ -178,24 +171,7 @@ public abstract class LoopModel
 
   /** {@inheritDoc} NaN where the accelerations or a force have no value. */
   @Override
-  public final double power(double t, double[] y) {
-    evaluatePower(t, y);
-    return power[0];
-  }
-
-  @Override
-  public final double turnover(double t, double[] y) {
-    evaluatePower(t, y);
-    return power[1];
-  }
-
-  /** Both are asked for at the same state; motions prescribed in time need the reactions there. */
-  private void evaluatePower(double t, double[] y) {
-    if (t == powerTime && Arrays.equals(y, 0, work.stateCount, powerState, 0, work.stateCount)) {
-      return;
-    }
-    powerTime = t;
-    System.arraycopy(y, 0, powerState, 0, work.stateCount);
+  public final void power(double t, double[] y, double[] power) {
     work.power(t, y, power);
     if (movedByTime) {
       if (react(t, y) == REGULAR) {

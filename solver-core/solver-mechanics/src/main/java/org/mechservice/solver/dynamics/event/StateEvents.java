@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.mechservice.solver.api.capability.ModelEvents;
 import org.mechservice.solver.api.capability.ModelState;
+import org.mechservice.solver.api.run.RunNotes.Note;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
@@ -151,6 +152,11 @@ public final class StateEvents implements ModelEvents, ModelState {
   @Override
   public double longestFirstStep() {
     return search.isPresent() ? search.get().longestFirstStep() : Double.POSITIVE_INFINITY;
+  }
+
+  @Override
+  public List<Note> notes() {
+    return search.map(StepSearch::notes).orElse(List.of());
   }
 
   @Override

@@ -1,7 +1,11 @@
 package org.mechservice.solver.dynamics.event;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import org.mechservice.solver.api.capability.ModelEvents;
+import org.mechservice.solver.api.run.RunNotes.Note;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.TapePieces;
 
 /**
@@ -113,6 +117,14 @@ final class StepSearch {
   /** Whether nothing changes its form in the box. */
   private boolean boxed;
 
+  private final OverlapMonitor overlaps;
+
+  /** Where a step was first accepted without being searched to its end, and how many there are. */
+  private double unsearched = Double.NaN;
+
+  private long unsearchedCount;
+  private boolean gaveUp;
+
   private double begin;
   private int evaluations;
   private int allowed;
@@ -127,6 +139,7 @@ final class StepSearch {
 
   StepSearch(WatchedTape watched, Quantities quantities) {
     this.quantities = quantities;
+    overlaps = new OverlapMonitor(watched.overlaps(), watched.quantities());
     pieces = new TapePieces(watched.tape(), watched.formulaCount());
     leaves = watched.tape().leaves().size();
     turns = watched.turns().toArray(int[][]::new);
@@ -174,10 +187,15 @@ final class StepSearch {
    */
   double search(double from, double to, ModelEvents.Path path) {
     begin = from;
+    gaveUp = false;
     longestFirstStep = Double.POSITIVE_INFINITY;
     evaluations = 0;
     turning = 0;
-    if (!evaluate(path, from, atFrom) || !evaluate(path, to, atTo)) {
+    if (!evaluate(path, from, atFrom)) {
+      return to;
+    }
+    overlaps.look(from, here);
+    if (!evaluate(path, to, atTo)) {
       return to;
     }
     if (staysInBox(path, from, to)) {
@@ -355,6 +373,9 @@ final class StepSearch {
     if (!decided && (finest || openByNothing())) {
       int changed = changed(atStart, atEnd);
       if (changed < 0) {
+        if (depth < DEPTH && evaluations > allowed) {
+          noteUnsearched();
+        }
         return Double.NaN;
       } else if (finest) {
         return taken(changed, narrowed(path, changed, start, atStart, end));
@@ -374,6 +395,30 @@ final class StepSearch {
     return Double.isNaN(found)
         ? searchPart(path, depth + 1, middle, between, end, atEnd)
         : found;
+  }
+
+  /** Notes that this step is accepted without being searched to its end. */
+  private void noteUnsearched() {
+    if (!gaveUp) {
+      gaveUp = true;
+      unsearched = unsearchedCount == 0 ? begin : unsearched;
+      unsearchedCount++;
+    }
+  }
+
+  /** Returns notes of what was found that the run cannot mend. */
+  List<Note> notes() {
+    List<Note> notes = new ArrayList<>(overlaps.notes());
+    if (unsearchedCount > 0) {
+      String text =
+          "From here on "
+              + unsearchedCount
+              + (unsearchedCount == 1 ? " step was" : " steps were")
+              + " accepted in which something may have happened unseen: a choice in the formulas"
+              + " changes too often to be followed. Give the integrator a maxStep.";
+      notes.add(new Note(MessageCode.STEP_NOT_SEARCHED, unsearched, true, text));
+    }
+    return notes;
   }
 
   private void noteSizes() {
@@ -448,6 +493,9 @@ final class StepSearch {
     boolean close = sinceChange[choice] < CLOSE;
     double row = close ? closeChanges[choice] + 1 : 1;
     boolean taken = row <= (shows(choice) ? MOST_CLOSE : MOST_HIDDEN);
+    if (!taken && !shows(choice)) {
+      noteUnsearched();
+    }
     if (looking) {
       sinceChange[choice] = 0;
       closeChanges[choice] = taken ? row : closeChanges[choice];
@@ -487,7 +535,7 @@ final class StepSearch {
 
   /** Returns the length of {@link #save}. */
   int stateLength() {
-    return Arrays.stream(parts()).mapToInt(part -> part.length).sum() + 3;
+    return Arrays.stream(parts()).mapToInt(part -> part.length).sum() + 5;
   }
 
   /** Writes what later searches depend on. */
@@ -500,6 +548,8 @@ final class StepSearch {
     state[at] = begun ? 1 : 0;
     state[at + 1] = longestFirstStep;
     state[at + 2] = boxed ? 1 : 0;
+    state[at + 3] = unsearched;
+    state[at + 4] = unsearchedCount;
   }
 
   /** Restores what {@link #save} has written. */
@@ -512,11 +562,23 @@ final class StepSearch {
     begun = state[at] == 1;
     longestFirstStep = state[at + 1];
     boxed = state[at + 2] == 1;
+    unsearched = state[at + 3];
+    unsearchedCount = (long) state[at + 4];
   }
 
   private double[][] parts() {
+    double[][] seen = overlaps.carried();
     return new double[][] {
-      valueBefore, largest, sizes, sinceChange, closeChanges, boxLow, boxHigh
+      valueBefore,
+      largest,
+      sizes,
+      sinceChange,
+      closeChanges,
+      boxLow,
+      boxHigh,
+      seen[0],
+      seen[1],
+      seen[2]
     };
   }
 }

@@ -15,6 +15,7 @@ import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.expression.Tape;
 import org.mechservice.solver.mechanism.Event;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.Overlap;
 import org.mechservice.solver.mechanism.joint.Joint;
 
 /**
@@ -30,13 +31,19 @@ public final class WatchedTape {
   private final int formulas;
   private final List<Expression> quantities;
   private final List<int[]> turns;
+  private final List<Overlap> overlaps;
 
   private WatchedTape(
-      Tape tape, int formulas, List<Expression> quantities, List<int[]> turns) {
+      Tape tape,
+      int formulas,
+      List<Expression> quantities,
+      List<int[]> turns,
+      List<Overlap> overlaps) {
     this.tape = tape;
     this.formulas = formulas;
     this.quantities = List.copyOf(quantities);
     this.turns = List.copyOf(turns);
+    this.overlaps = overlaps;
   }
 
   /** Derives what a mechanism has to watch. */
@@ -66,7 +73,13 @@ public final class WatchedTape {
       }
     }
     quantities.addAll(rates);
-    return new WatchedTape(tape, formulas, quantities, turns);
+    List<Overlap> overlaps = mechanism.overlaps();
+    for (Expression leaf : OverlapMonitor.tape(overlaps).leaves()) {
+      if (!quantities.contains(leaf)) {
+        quantities.add(leaf);
+      }
+    }
+    return new WatchedTape(tape, formulas, quantities, turns, overlaps);
   }
 
   /** Returns the rates of the angles that turn the bodies of a leaf, relative to each other. */
@@ -126,9 +139,14 @@ public final class WatchedTape {
     return formulas;
   }
 
-  /** Returns the quantities from which the tape is evaluated: its leaves, then rates of angles. */
+  /** Returns the quantities from which the tape is evaluated: its leaves, rates of angles, and more. */
   public List<Expression> quantities() {
     return quantities;
+  }
+
+  /** Returns how far shapes are inside each other, of quantities. */
+  List<Overlap> overlaps() {
+    return overlaps;
   }
 
   /** Returns groups of rates, rad/s, as indices of quantities: one for each path between bodies. */

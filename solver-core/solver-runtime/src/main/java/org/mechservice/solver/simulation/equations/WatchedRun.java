@@ -346,7 +346,7 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
 
   @Override
   public List<Note> notes() {
-    List<Note> notes = new ArrayList<>();
+    List<Note> notes = new ArrayList<>(events.notes());
     for (int i = 0; i < zeroAtStart.length; i++) {
       if (zeroAtStart[i]) {
         notes.add(startsAtZero(names[i]));
