@@ -279,7 +279,7 @@ class EventRunTest {
     assertThat(times(report)).isEmpty();
     assertThat(
             report.notes().stream()
-                .filter(note -> note.code() == MessageCode.EVENT_ZERO_AT_START)
+                .filter(note -> note.code() == MessageCode.EVENT_NOT_COUNTED)
                 .map(Note::text))
         .hasSize(1)
         .allMatch(text -> text.contains("\"halfway\""));

@@ -70,7 +70,7 @@ final class IntegrationRun {
   IntegrationRun(PosedProblem problem, OdeOptions options) {
     this.problem = problem;
     this.options = options;
-    events = new ComposedEvents(options.events());
+    events = new ComposedEvents(options.events(), options.relativeTolerance());
     Integrator steps =
         problem.integrator(
             options.settings(() -> !completing && options.cancelled().getAsBoolean()));
@@ -231,6 +231,7 @@ final class IntegrationRun {
         failure,
         kept,
         events.found(),
+        events.remarks(),
         integrator.statistics(),
         integrator.methodChanges(),
         this::checkpoint);
