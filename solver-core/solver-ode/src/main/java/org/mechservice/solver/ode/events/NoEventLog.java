@@ -40,13 +40,13 @@ public final class NoEventLog {
       String more = count > 1 ? ", and " + (count - 1) + " more times later" : "";
       return switch (why) {
         case ZERO_AT_START ->
-            "is exactly zero at the start and leaves zero in the direction looked for; that does"
-                + " not count as an event";
+            "is exactly zero at the start and leaves zero at once; it is not known from which side"
+                + " it came, so that does not count as an event";
         case PASSED_AT_START ->
             "is "
                 + (float) value
                 + " at the start, beyond zero in the direction looked for, and has not passed zero"
-                + " that way since; so there was no event";
+                + " that way since, so that there was no event";
         case TOUCH ->
             "comes to zero at t = "
                 + time

@@ -16,8 +16,12 @@ import org.mechservice.solver.ode.events.EventFunctions.NoEvent;
  * chapter 5).
  */
 final class TurnSearch {
-  /** Sags below the chord that an extremum may lie below the lowest point known. */
-  private static final double REACH = 4;
+  /**
+   * How far an extremum may lie below the lowest point known, in sags below the chord times the
+   * ratio of the longer part of the bracket to the shorter one. For a parabola it is 1/4, for a kink
+   * up to 1.
+   */
+  private static final double REACH = 2;
 
   /** Part of the first and of the last stretch of a step by which to see where a function goes. */
   private static final double SLIGHTLY = 1e-5;
@@ -231,7 +235,8 @@ final class TurnSearch {
     for (int looks = 0; looks < MOST_LOOKS; looks++) {
       double part = (tMin - tLow) / (tHigh - tLow);
       double sag = gLow + part * (gHigh - gLow) - gMin;
-      if (!mayReachZero(i, gMin, sag)) {
+      double skew = Math.max(part, 1 - part) / Math.min(part, 1 - part);
+      if (!mayReachZero(i, gMin, skew * sag)) {
         return;
       }
       double length = Math.abs(tHigh - tLow);
