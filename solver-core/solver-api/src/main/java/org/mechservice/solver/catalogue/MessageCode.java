@@ -94,6 +94,7 @@ public enum MessageCode {
   INERTIA_OFF_SIZE("M-092", WARNING),
   AXES_DIFFER("M-093", WARNING),
   TRIM_UNUSABLE("M-094"),
+  FORCE_WITHIN_ONE_BODY("M-095", WARNING),
 
   // The numerics of a run.
   NOT_FINITE("N-001"),

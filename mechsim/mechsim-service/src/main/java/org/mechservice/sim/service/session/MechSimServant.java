@@ -37,6 +37,7 @@ import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.sim.check.CheckReport;
+import org.mechservice.sim.scene.forecast.RunForecast;
 import org.mechservice.sim.model.BuildOptions;
 import org.mechservice.sim.model.ModelFactory;
 import org.mechservice.sim.service.contract.ContractErrors;
@@ -171,13 +172,15 @@ final class MechSimServant implements MechSimOperations {
     }
   }
 
-  /** Returns a parsed request; refuses a strict one if the reader of the file has warnings. */
+  /** Returns a parsed request; refuses a strict one if there are warnings before its run. */
   private Parsed parsedToBuild(NameValue[] options)
       throws InvalidState, InvalidOption, InvalidModel {
     Parsed parsed = parsed(options);
-    MechmlModel model = parsed.model().model();
-    if (parsed.request().strict() && !model.warnings().isEmpty()) {
-      throw ContractErrors.strict(model.warnings());
+    SimulationRequest asked = parsed.request();
+    if (asked.strict()) {
+      ContractErrors.requireNoWarnings(
+          RunForecast.warnings(
+              parsed.model().model(), asked.formulation(), asked.closure(), asked.settings()));
     }
     return parsed;
   }
