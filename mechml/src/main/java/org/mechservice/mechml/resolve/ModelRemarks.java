@@ -85,13 +85,14 @@ final class ModelRemarks {
           body == Mechanism.ROOT
               ? mechanism.root().name()
               : mechanism.bodies().get(body).name();
+      Element element = element(force);
       diagnostics.warning(
           MessageCode.FORCE_WITHIN_ONE_BODY,
-          element(force).position(),
+          element.position(),
           Phrase.of(
-              "%s %s acts between places of one body, %s, and moves nothing: give one of its ends"
+              "%s: all its ends belong to body %s, so that it moves nothing; give one of them"
                   + " another body, or leave it out",
-              force.kind(), Quoted.of(force.name()), Quoted.of(name)));
+              element.label(), Quoted.of(name)));
     }
   }
 

@@ -1,7 +1,9 @@
 package org.mechservice.sim.scene;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import java.util.TreeSet;
@@ -117,7 +119,13 @@ public final class InertiaCheck {
           joint.origin());
     }
     List<String> others = others(mechanism, found, index);
-    return others.isEmpty() ? alone(mechanism, joint) : together(joint, others);
+    if (others.isEmpty()) {
+      return alone(mechanism, joint);
+    }
+    List<String> between = joinedByMassless(mechanism, index);
+    return between.isEmpty()
+        ? coinciding(joint, "when it moves together with ", others)
+        : coinciding(joint, "which massless bodies join with ", between);
   }
 
   /** Returns the other joints that take part in a motion. */
@@ -149,15 +157,33 @@ public final class InertiaCheck {
         joint.origin());
   }
 
-  private static Finding together(Joint joint, List<String> others) {
+  private static Finding coinciding(Joint joint, String how, List<String> others) {
     return new Finding(
         MessageCode.SINGULAR_INERTIA,
         "at the start no inertia resists joint \""
             + joint.name()
-            + "\" when it moves together with "
+            + "\", "
+            + how
             + others.stream().map(name -> "\"" + name + "\"").collect(Collectors.joining(", "))
             + ": their freedoms coincide there; give the bodies between inertia, leave a joint out,"
             + " or start elsewhere",
         joint.origin());
+  }
+
+  /** Returns the joints beyond a joint that are connected with it by massless bodies only. */
+  private static List<String> joinedByMassless(Mechanism mechanism, int index) {
+    List<String> names = new ArrayList<>();
+    Deque<Integer> front = new ArrayDeque<>(List.of(index));
+    while (!front.isEmpty()) {
+      int child = mechanism.joints().get(front.remove()).attachment().child();
+      for (int j = 0; j < mechanism.joints().size(); j++) {
+        Joint joint = mechanism.joints().get(j);
+        if (mechanism.bodies().get(child).isMassless() && joint.attachment().parent() == child) {
+          names.add(joint.name());
+          front.add(j);
+        }
+      }
+    }
+    return names;
   }
 }

@@ -7,6 +7,7 @@ import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.run.RunNotes.Note;
 import org.mechservice.solver.api.run.RunReport;
 import org.mechservice.solver.api.run.RunRequest;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /** Warns if the energy balance of a run shows that its motion is wrong. */
@@ -31,11 +32,12 @@ final class EnergyDriftWarning {
     double drift = report.energyDrift().orElse(0) / report.energyScale().orElse(1);
     boolean far = drift > FAR && drift > TOLERANCES * request.settings().relativeTolerance();
     return measured && far
-        ? DeferredWarning.added(report, warning(report.timeReached(), drift), request)
+        ? DeferredWarning.added(report, warning(report.timeReached(), drift, request.settings()), request)
         : report;
   }
 
-  private static Note warning(double t, double drift) {
+  private static Note warning(double t, double drift, RunSettings settings) {
+    String maxStep = Double.isFinite(settings.maxStep()) ? "a shorter maxStep" : "a maxStep";
     return new Note(
         MessageCode.ENERGY_BALANCE_OFF,
         t,
@@ -43,6 +45,8 @@ final class EnergyDriftWarning {
         "The energy balance is off by "
             + (float) drift
             + " of the energy scale: the integrator has missed a jump, a corner or a short pulse,"
-            + " or the tolerances are too loose. Give the integrator a maxStep, or tighten them.");
+            + " or the tolerances are too loose. Give the integrator "
+            + maxStep
+            + ", or tighten them.");
   }
 }
