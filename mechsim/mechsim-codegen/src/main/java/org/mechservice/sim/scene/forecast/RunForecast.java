@@ -11,6 +11,7 @@ import org.mechservice.sim.scene.IntegratorSelection;
 import org.mechservice.sim.scene.LoopAnalysis;
 import org.mechservice.sim.scene.SceneAnalysis;
 import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.catalogue.Severity;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -33,7 +34,8 @@ public final class RunForecast {
   }
 
   /**
-   * Returns the warnings of the file's reader, and the findings behind them.
+   * Returns the warnings before a run: those of the file's reader, then the findings. A start that
+   * does not close the loops is left out: the run is refused, or moves it and says so (N-040, N-041).
    *
    * @param formulation requested formulation, {@code auto} or a name
    * @param closure requested closure, {@code auto} or a name
@@ -41,18 +43,22 @@ public final class RunForecast {
   public static List<Diagnostic> warnings(
       MechmlModel model, String formulation, String closure, RunSettings settings) {
     List<Diagnostic> warnings = new ArrayList<>(model.warnings());
-    for (Finding finding : of(model, formulation, closure, settings)) {
-      warnings.add(
-          new Diagnostic(
-              Severity.WARNING,
-              finding.code(),
-              finding.text(),
-              finding.origin().file(),
-              finding.origin().line(),
-              0,
-              ""));
-    }
+    of(model, formulation, closure, settings).stream()
+        .filter(finding -> finding.code() != MessageCode.LOOPS_OPEN_AT_START)
+        .map(RunForecast::warning)
+        .forEach(warnings::add);
     return warnings;
+  }
+
+  private static Diagnostic warning(Finding finding) {
+    return new Diagnostic(
+        Severity.WARNING,
+        finding.code(),
+        finding.text(),
+        finding.origin().file(),
+        finding.origin().line(),
+        0,
+        "");
   }
 
   /**
