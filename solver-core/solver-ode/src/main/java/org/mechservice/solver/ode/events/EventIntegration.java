@@ -262,7 +262,9 @@ public final class EventIntegration implements ResidualIntegrator {
   private StepResult cut(double t, Reaction reaction) {
     time = t;
     cutOff = true;
-    if (reaction == Reaction.STOP) {
+    boolean atEnd = direction * (t - tEnd) >= 0;
+    if (reaction == Reaction.STOP || atEnd) {
+      // Behind the end the problem need not have values.
       running = false;
       return StepResult.REACHED_END;
     }
