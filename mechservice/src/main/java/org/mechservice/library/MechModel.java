@@ -34,11 +34,11 @@ import org.mechservice.report.measure.ReportProgress;
 import org.mechservice.report.method.MethodBuilds;
 import org.mechservice.report.method.SimulationMethod;
 import org.mechservice.sim.check.CheckReport;
-import org.mechservice.sim.scene.forecast.RunForecast;
 import org.mechservice.sim.compile.ReusedCode;
 import org.mechservice.sim.model.ModelColumns;
 import org.mechservice.sim.packaging.JarImage;
 import org.mechservice.sim.packaging.ModelJars;
+import org.mechservice.sim.scene.forecast.RunForecast;
 import org.mechservice.sim.user.UserClasses;
 import org.mechservice.solver.api.ModelParameter;
 import org.mechservice.solver.api.ModelSource;
@@ -376,7 +376,8 @@ public final class MechModel {
 
   /**
    * Returns the model with runs that take warnings for errors, as {@code mech simulate --strict}:
-   * one with {@link #warnings} does not begin, and a run ends at its first warning.
+   * one of a model with warnings in its {@link #check} does not begin, and a run ends at its first
+   * warning.
    */
   public MechModel strict() {
     return chosen(choices.endingAtWarnings());
@@ -415,17 +416,12 @@ public final class MechModel {
     return CheckReport.of(model, asked.formulation(), asked.closure(), asked.run());
   }
 
-  /**
-   * Returns the warnings that are known before a run with its settings, those of {@link #check} and
-   * of {@code mech simulate}, without the silenced ones.
-   */
-  public List<Diagnostic> warnings() {
-    SimulationSettings asked = code.settings();
-    return RunForecast.warnings(model, asked.formulation(), asked.closure(), asked.run());
-  }
-
   private void requireNoWarningsIfStrict() {
-    List<Diagnostic> warnings = choices.strict ? warnings() : List.of();
+    SimulationSettings asked = code.settings();
+    List<Diagnostic> warnings =
+        choices.strict
+            ? RunForecast.warnings(model, asked.formulation(), asked.closure(), asked.run())
+            : List.of();
     if (!warnings.isEmpty()) {
       throw new IllegalArgumentException(
           warnings.stream()
@@ -444,8 +440,8 @@ public final class MechModel {
    *
    * @return its rows
    * @throws RunFailedException if it could not go on to its end; has the rows up to there
-   * @throws IllegalArgumentException if a setting does not fit the model, or the model is strict and
-   *     has warnings (S-164); says why
+   * @throws IllegalArgumentException if a setting does not fit the model, or the model is strict
+   *     and has warnings (S-164); says why
    */
   public Trajectory simulate() {
     return simulate(new RunControl());

@@ -13,7 +13,9 @@ import org.mechservice.solver.api.program.Trajectory;
 import org.mechservice.solver.api.run.RunNotes.Note;
 import org.mechservice.solver.catalogue.MessageCode;
 
-/** A block on a slide, and what is told of the events of a file: an event or a note, never silence. */
+/**
+ * A block on a slide, and what is told of the events of a file: an event or a note, never silence.
+ */
 class EventsToldTest {
   private static MechModel slider(
       double end, double q, double v, double force, String tables, String states, String events)
@@ -72,8 +74,7 @@ class EventsToldTest {
   @CsvSource({"slide.q - 2, rising", "2 - slide.q, falling", "slide.q^2 - 4, rising"})
   void limitThatIsPassedAtTheStartIsTold(String expression, String direction)
       throws MechmlException {
-    Trajectory motion =
-        slider(2, 3, 1, 0, "", "", event(expression, direction, "stop")).simulate();
+    Trajectory motion = slider(2, 3, 1, 0, "", "", event(expression, direction, "stop")).simulate();
     assertThat(notes(motion, MessageCode.EVENT_OCCURRED)).isEmpty();
     assertThat(notes(motion, MessageCode.EVENT_NOT_COUNTED))
         .singleElement()
@@ -83,8 +84,7 @@ class EventsToldTest {
   @ParameterizedTest
   @ValueSource(strings = {"1/(slide.q - 0.7)", "tan(slide.q - 0.7 + PI/2)"})
   void poleIsNoEventAndIsTold(String expression) throws MechmlException {
-    Trajectory motion =
-        slider(2, 0, 1, 0, "", "", event(expression, "both", "record")).simulate();
+    Trajectory motion = slider(2, 0, 1, 0, "", "", event(expression, "both", "record")).simulate();
     assertThat(notes(motion, MessageCode.EVENT_OCCURRED)).isEmpty();
     assertThat(notes(motion, MessageCode.EVENT_NOT_COUNTED))
         .singleElement()
@@ -95,8 +95,7 @@ class EventsToldTest {
   @ParameterizedTest
   @CsvSource({"abs(slide.q - 0.7), both", "(slide.q - 0.7)^2, falling", "-(slide.q-0.7)^2, rising"})
   void touchIsNoEventAndIsTold(String expression, String direction) throws MechmlException {
-    Trajectory motion =
-        slider(2, 0, 1, 0, "", "", event(expression, direction, "stop")).simulate();
+    Trajectory motion = slider(2, 0, 1, 0, "", "", event(expression, direction, "stop")).simulate();
     assertThat(notes(motion, MessageCode.EVENT_OCCURRED)).isEmpty();
     assertThat(notes(motion, MessageCode.EVENT_NOT_COUNTED))
         .singleElement()

@@ -79,8 +79,7 @@ final class ColumnNames {
 
   /** Refuses the outputs that have such a name. */
   void refuse(Element model, Diagnostics diagnostics) {
-    List<Element> outputs =
-        model.child("Outputs").map(o -> o.children("output")).orElse(List.of());
+    List<Element> outputs = model.child("Outputs").map(o -> o.children("output")).orElse(List.of());
     for (Element output : outputs) {
       String name = output.attribute("name").orElse("");
       if (has(name)) {

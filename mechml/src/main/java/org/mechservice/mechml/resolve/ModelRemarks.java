@@ -82,9 +82,7 @@ final class ModelRemarks {
     if (bodies.size() > 1 && bodies.stream().distinct().count() == 1) {
       int body = bodies.get(0);
       String name =
-          body == Mechanism.ROOT
-              ? mechanism.root().name()
-              : mechanism.bodies().get(body).name();
+          body == Mechanism.ROOT ? mechanism.root().name() : mechanism.bodies().get(body).name();
       Element element = element(force);
       diagnostics.warning(
           MessageCode.FORCE_WITHIN_ONE_BODY,

@@ -8,8 +8,8 @@ import org.mechservice.mechml.expression.ParsedExpression;
 /**
  * Finds what gives an expression a value in rad, or in rad/s: a parameter with the unit of an angle
  * or of an angular speed, a coordinate of a joint that turns, an arc function. A factor with PI
- * turns it into degrees, and an angle in a divisor or within a function such as {@code sin} leaves a
- * pure number.
+ * turns it into degrees, and an angle in a divisor or within a function such as {@code sin} leaves
+ * a pure number.
  */
 final class RadianCheck {
   private final Predicate<ParsedExpression.Reference> inRadians;

@@ -24,7 +24,9 @@ public record ResolvedParameter(
     return element.attribute("unit").map(String::strip).orElse("1");
   }
 
-  /** Returns whether expressions see it in rad, rad/s or another unit with the first power of rad. */
+  /**
+   * Returns whether expressions see it in rad, rad/s or another unit with the first power of rad.
+   */
   boolean isOfAngles() {
     return unit.dimension().angle() == 1;
   }

@@ -18,8 +18,8 @@ import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.joint.Joint;
 
 /**
- * Finds joints that move no inertia at the start: a body whose mass lies on the axis of its hinge, a
- * gimbal in a singular position, a light body that carries one too heavy for double precision. A
+ * Finds joints that move no inertia at the start: a body whose mass lies on the axis of its hinge,
+ * a gimbal in a singular position, a light body that carries one too heavy for double precision. A
  * run ends at its start with N-002 there.
  */
 public final class InertiaCheck {
@@ -32,8 +32,8 @@ public final class InertiaCheck {
   private InertiaCheck() {}
 
   /**
-   * Returns the first fault of the inertia at the start. Where constraints resist the motion without
-   * inertia there is none.
+   * Returns the first fault of the inertia at the start. Where constraints resist the motion
+   * without inertia there is none.
    *
    * @param t time of the start, s
    */

@@ -21,8 +21,7 @@ import org.mechservice.solver.text.Origin;
  * @param equations number of all their equations
  * @param independent number of independent equations; −1 if unknown
  */
-public record LoopAnalysis(
-    List<LoopEntry> loops, int equations, int independent) {
+public record LoopAnalysis(List<LoopEntry> loops, int equations, int independent) {
   /** A mechanism that is a tree. */
   public static final LoopAnalysis NONE = new LoopAnalysis(List.of(), 0, 0);
 

@@ -66,7 +66,10 @@ class InertiaCheckTest {
   @ParameterizedTest
   @ValueSource(
       strings = {
-        "R|0;0;1|", "R|0;0;1|<cog x='0' y='0' z='0.3'/>", "C|0;0;1|", "S||",
+        "R|0;0;1|",
+        "R|0;0;1|<cog x='0' y='0' z='0.3'/>",
+        "C|0;0;1|",
+        "S||",
         "S||<cog x='0.3' y='0' z='0'/>"
       })
   void massOnTheAxisIsNoInertiaAboutIt(String text) throws MechmlException {

@@ -32,7 +32,8 @@ final class EnergyDriftWarning {
     double drift = report.energyDrift().orElse(0) / report.energyScale().orElse(1);
     boolean far = drift > FAR && drift > TOLERANCES * request.settings().relativeTolerance();
     return measured && far
-        ? DeferredWarning.added(report, warning(report.timeReached(), drift, request.settings()), request)
+        ? DeferredWarning.added(
+            report, warning(report.timeReached(), drift, request.settings()), request)
         : report;
   }
 

@@ -93,7 +93,9 @@ final class FailureText {
                               + " or use closure projection or DSR. Otherwise check the forces on"
                               + " this joint."
                           : "The motion is singular"
-                              + (isExplicit(integrator) ? " or very stiff there; use ode15s," : " there;")
+                              + (isExplicit(integrator)
+                                  ? " or very stiff there; use ode15s,"
+                                  : " there;")
                               + " loosen the tolerances, or check the forces on this joint."));
       case UNBOUNDED ->
           failure(

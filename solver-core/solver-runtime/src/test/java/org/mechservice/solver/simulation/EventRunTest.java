@@ -287,14 +287,12 @@ class EventRunTest {
 
   @Test
   void eventOfAnExpressionThatIsFlatZeroBeforeItRisesHappens() throws IOException {
-    Expression depth =
-        new Call(Function.MAX, List.of(Expression.of(0), times(-1, minus(q(0), 1))));
+    Expression depth = new Call(Function.MAX, List.of(Expression.of(0), times(-1, minus(q(0), 1))));
     Event touch = event("touch", depth, Direction.RISING, Action.STOP);
     RunReport report = run(model(ball(List.of(), touch), "DTR"), "ode113", 4);
 
     assertThat(times(report)).hasSize(1);
-    assertThat(times(report).get(0))
-        .isCloseTo(Math.sqrt(2 * (HEIGHT - 1) / GRAVITY), within(1e-7));
+    assertThat(times(report).get(0)).isCloseTo(Math.sqrt(2 * (HEIGHT - 1) / GRAVITY), within(1e-7));
     assertThat(notCounted(report)).isEmpty();
   }
 

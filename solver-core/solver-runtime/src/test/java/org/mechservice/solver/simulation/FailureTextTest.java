@@ -88,8 +88,9 @@ class FailureTextTest {
       for (ImplicitLoops loops : ImplicitLoops.values()) {
         for (Cause cause : Cause.values()) {
           String advice = told(cause, loops, running.label()).advice();
-          assertThat(words(advice)).as("%s, %s, %s", cause, loops, running).doesNotContain(
-              running.label(), "auto");
+          assertThat(words(advice))
+              .as("%s, %s, %s", cause, loops, running)
+              .doesNotContain(running.label(), "auto");
           if (loops != ImplicitLoops.NONE) {
             String closure = loops.name().toLowerCase(Locale.ROOT);
             assertThat(advice)
@@ -107,8 +108,7 @@ class FailureTextTest {
 
   @Test
   void singularInertiaIsNotSaidToBeNoInertia() {
-    Failure failure =
-        FailureText.singularStart(0, new HarmonicOscillator().description(), 0);
+    Failure failure = FailureText.singularStart(0, new HarmonicOscillator().description(), 0);
     assertThat(failure.cause())
         .contains("do not resist its motion, or by less than one part in 7e13");
     assertThat(failure.advice()).contains("axes that coincide", "1e13 times as heavy");

@@ -55,7 +55,8 @@ final class DenseForecast {
         findings.add(ofStates(free, tree));
       }
     } else if (formulation.equalsIgnoreCase(Formulation.RR.label()) && pairs(tree) >= MANY_PAIRS) {
-      findings.add(ofPairs("RR takes differences of its residual for", tree, advice(BESIDE_RR, tree)));
+      findings.add(
+          ofPairs("RR takes differences of its residual for", tree, advice(BESIDE_RR, tree)));
     } else if (formulation.equalsIgnoreCase(Formulation.RR_JF.label())
         && pairs(tree) >= MANY_PAIRS
         && !obstacle(tree).isEmpty()) {

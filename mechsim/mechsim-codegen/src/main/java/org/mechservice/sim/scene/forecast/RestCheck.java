@@ -119,9 +119,7 @@ final class RestCheck {
     if (closure instanceof JointClosure joint) {
       return joint.motion();
     }
-    return closure instanceof CoordinateClosure coupling
-        ? List.of(coupling.relation())
-        : List.of();
+    return closure instanceof CoordinateClosure coupling ? List.of(coupling.relation()) : List.of();
   }
 
   /** Marks what a force acts on; a coupling of coordinates may act on everything that it reads. */

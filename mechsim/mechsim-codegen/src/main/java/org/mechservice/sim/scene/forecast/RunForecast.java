@@ -35,7 +35,8 @@ public final class RunForecast {
 
   /**
    * Returns the warnings before a run: those of the file's reader, then the findings. A start that
-   * does not close the loops is left out: the run is refused, or moves it and says so (N-040, N-041).
+   * does not close the loops is left out: the run is refused, or moves it and says so (N-040,
+   * N-041).
    *
    * @param formulation requested formulation, {@code auto} or a name
    * @param closure requested closure, {@code auto} or a name
@@ -99,8 +100,7 @@ public final class RunForecast {
   private static RunSettings withIntegrator(
       Mechanism mechanism, String formulation, RunSettings asked) {
     return asked.integrator().equals(MethodNames.AUTO)
-        ? asked.withIntegrator(
-            IntegratorSelection.of(formulation, mechanism, asked).integrator())
+        ? asked.withIntegrator(IntegratorSelection.of(formulation, mechanism, asked).integrator())
         : asked;
   }
 }

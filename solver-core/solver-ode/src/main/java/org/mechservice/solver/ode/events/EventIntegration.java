@@ -31,11 +31,10 @@ import org.mechservice.solver.ode.step.RecentSteps;
  * <p>A change of sign through infinity, a function that touches zero and turns back, one that is
  * zero at the start and leaves it at once, and one that is beyond zero at the start have no event;
  * {@link EventFunctions#noEvent} is told of them. A function that rests at exactly zero from the
- * start on has its event where it leaves zero.
- * The first event counts; those that cannot be told apart from it are reported together. If the
- * reaction changes the state or the equations, the step ends there and the integrator {@linkplain
- * Integrator#restart restarts}; until the next step, the solution that led to the event can be
- * interpolated.
+ * start on has its event where it leaves zero. The first event counts; those that cannot be told
+ * apart from it are reported together. If the reaction changes the state or the equations, the step
+ * ends there and the integrator {@linkplain Integrator#restart restarts}; until the next step, the
+ * solution that led to the event can be interpolated.
  *
  * <p>Events that accumulate, like the bounces of a ball that comes to rest, end the integration
  * with {@link IntegrationFailure.Cause#EVENTS_ACCUMULATE}.

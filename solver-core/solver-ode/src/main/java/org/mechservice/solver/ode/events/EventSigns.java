@@ -12,8 +12,8 @@ import org.mechservice.solver.ode.events.EventFunctions.Direction;
  * and must get that far on the other side. Near a zero just found, the uncertainty of that zero
  * takes the place of a smaller hysteresis.
  *
- * <p>A function that rests at exactly zero from the start on has its event where it leaves zero. One
- * that moves through zero at the start has none there.
+ * <p>A function that rests at exactly zero from the start on has its event where it leaves zero.
+ * One that moves through zero at the start has none there.
  */
 final class EventSigns {
   /** Round-off of a function in units of u times its largest value. */

@@ -6,8 +6,8 @@ import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.ode.events.EventFunctions.NoEvent;
 
 /**
- * Places at which event functions had no event though they were at zero, beyond it, or changed sign:
- * the first of each kind for each function, and how many there were.
+ * Places at which event functions had no event though they were at zero, beyond it, or changed
+ * sign: the first of each kind for each function, and how many there were.
  */
 public final class NoEventLog {
   private static final int KINDS = NoEvent.values().length;

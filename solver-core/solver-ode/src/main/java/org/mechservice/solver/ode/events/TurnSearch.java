@@ -12,14 +12,14 @@ import org.mechservice.solver.ode.events.EventFunctions.NoEvent;
  *
  * <p>An extremum is looked for only where it may reach zero: the value beside it is no more than a
  * few times the sag of the function below its chord. It is found by successive parabolas with the
- * golden section as a fallback (Brent, <i>Algorithms for Minimization without Derivatives</i>, 1973,
- * chapter 5).
+ * golden section as a fallback (Brent, <i>Algorithms for Minimization without Derivatives</i>,
+ * 1973, chapter 5).
  */
 final class TurnSearch {
   /**
    * How far an extremum may lie below the lowest point known, in sags below the chord times the
-   * ratio of the longer part of the bracket to the shorter one. For a parabola it is 1/4, for a kink
-   * up to 1.
+   * ratio of the longer part of the bracket to the shorter one. For a parabola it is 1/4, for a
+   * kink up to 1.
    */
   private static final double REACH = 2;
 

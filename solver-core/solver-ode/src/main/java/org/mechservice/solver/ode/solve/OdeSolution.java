@@ -115,9 +115,10 @@ public final class OdeSolution {
   }
 
   /**
-   * Returns what is no event although it may look like one: functions that touch zero and turn back,
-   * that change sign through infinity, that are zero at the start and leave it at once, or that are
-   * beyond zero at the start and have had no event since. Each kind stands once for each event.
+   * Returns what is no event although it may look like one: functions that touch zero and turn
+   * back, that change sign through infinity, that are zero at the start and leave it at once, or
+   * that are beyond zero at the start and have had no event since. Each kind stands once for each
+   * event.
    */
   public List<EventRemark> eventRemarks() {
     return eventRemarks;

@@ -338,8 +338,7 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   public List<Note> notes() {
     List<Note> notes = new ArrayList<>();
     for (NoEventLog.Entry entry : noEvents.entries()) {
-      boolean passedLater =
-          entry.why() == NoEvent.PASSED_AT_START && counts[entry.function()] > 0;
+      boolean passedLater = entry.why() == NoEvent.PASSED_AT_START && counts[entry.function()] > 0;
       if (!passedLater) {
         String text =
             "The expression of event \"" + names[entry.function()] + "\" " + entry.text() + ".";
