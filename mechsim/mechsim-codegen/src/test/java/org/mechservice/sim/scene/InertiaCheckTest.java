@@ -17,8 +17,6 @@ import org.mechservice.solver.dynamics.DataDrivenModel;
 
 /** Joints that no inertia resists at the start are found before a run, which would end there. */
 class InertiaCheckTest {
-  private static final String BODY = "<body name='%s'><mass value='%s'/>%s</body>";
-
   private static MechmlModel model(String bodies, String joints, String rest)
       throws MechmlException {
     String text =
@@ -41,7 +39,7 @@ class InertiaCheckTest {
   }
 
   private static String body(String name, String mass, String more) {
-    return String.format(BODY, name, mass, more);
+    return "<body name='" + name + "'><mass value='" + mass + "'/>" + more + "</body>";
   }
 
   private static String joint(String name, String type, String body1, String body2, String axis) {

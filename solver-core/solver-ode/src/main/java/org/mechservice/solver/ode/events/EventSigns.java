@@ -111,7 +111,7 @@ final class EventSigns {
 
   /** Returns whether a function with this value, not at zero, has an event when it passes zero. */
   boolean awaitsEvent(int i, double g) {
-    return armed[i] && g * side[i] > 0 || Math.abs(g) > band(i);
+    return (armed[i] && g * side[i] > 0) || Math.abs(g) > band(i);
   }
 
   /** Returns the distance from zero within which a function that turns back touches it. */

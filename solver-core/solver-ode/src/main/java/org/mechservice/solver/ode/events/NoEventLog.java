@@ -1,7 +1,9 @@
 package org.mechservice.solver.ode.events;
 
 import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
 import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.ode.events.EventFunctions.NoEvent;
 
@@ -10,19 +12,31 @@ import org.mechservice.solver.ode.events.EventFunctions.NoEvent;
  * sign: the first of each kind for each function, and how many there were.
  */
 public final class NoEventLog {
-  private static final int KINDS = NoEvent.values().length;
+  /** Places of one kind, by function. */
+  private static final class Places {
+    private final long[] counts;
+    private final double[] times;
+    private final double[] values;
 
-  private final long[] counts;
-  private final double[] times;
-  private final double[] values;
+    Places(int functions) {
+      counts = new long[functions];
+      times = new double[functions];
+      values = new double[functions];
+    }
+  }
+
+  private final int functions;
+  private final Map<NoEvent, Places> places = new EnumMap<>(NoEvent.class);
 
   /**
    * @param functions number of event functions
    */
   public NoEventLog(int functions) {
-    counts = new long[functions * KINDS];
-    times = new double[counts.length];
-    values = new double[counts.length];
+    this.functions = functions;
+  }
+
+  private Places of(NoEvent why) {
+    return places.computeIfAbsent(why, kind -> new Places(functions));
   }
 
   /**
@@ -65,21 +79,23 @@ public final class NoEventLog {
 
   /** Takes note of a place. */
   public void note(int function, NoEvent why, double t, double value) {
-    int k = function * KINDS + why.ordinal();
-    if (counts[k] == 0) {
-      times[k] = t;
-      values[k] = value;
+    Places kind = of(why);
+    if (kind.counts[function] == 0) {
+      kind.times[function] = t;
+      kind.values[function] = value;
     }
-    counts[k]++;
+    kind.counts[function]++;
   }
 
   /** Returns all, by function and kind. */
   public List<Entry> entries() {
     List<Entry> entries = new ArrayList<>();
-    for (int k = 0; k < counts.length; k++) {
-      if (counts[k] > 0) {
-        NoEvent why = NoEvent.values()[k % KINDS];
-        entries.add(new Entry(k / KINDS, why, times[k], values[k], counts[k]));
+    for (int i = 0; i < functions; i++) {
+      for (NoEvent why : NoEvent.values()) {
+        Places kind = of(why);
+        if (kind.counts[i] > 0) {
+          entries.add(new Entry(i, why, kind.times[i], kind.values[i], kind.counts[i]));
+        }
       }
     }
     return entries;
@@ -87,10 +103,13 @@ public final class NoEventLog {
 
   /** Carries all over. */
   public void transfer(SavedState state) {
-    for (int k = 0; k < counts.length; k++) {
-      counts[k] = state.integer(counts[k]);
+    for (NoEvent why : NoEvent.values()) {
+      Places kind = of(why);
+      for (int i = 0; i < functions; i++) {
+        kind.counts[i] = state.integer(kind.counts[i]);
+      }
+      state.numbers(kind.times);
+      state.numbers(kind.values);
     }
-    state.numbers(times);
-    state.numbers(values);
   }
 }

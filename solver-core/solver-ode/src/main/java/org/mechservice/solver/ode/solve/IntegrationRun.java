@@ -173,7 +173,11 @@ final class IntegrationRun {
     OdeSolution solution = solution();
     if (result == StepResult.FAILED && !options.returnsFailures()) {
       throw new IntegrationException(
-          solution, solution.failure().orElseThrow(), options.maxSteps(), events.notFinite());
+          solution,
+          solution.failure().orElseThrow(),
+          options.method(),
+          options.maxSteps(),
+          events.notFinite());
     }
     return solution;
   }
