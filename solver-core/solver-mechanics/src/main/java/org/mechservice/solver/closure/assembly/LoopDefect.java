@@ -39,7 +39,10 @@ public final class LoopDefect {
   private static String other(String formulation, boolean penalty) {
     boolean solvesThere =
         formulation.equals(Formulation.RR_JF.label()) || solvesPenalty(formulation, penalty);
-    return solvesThere ? "DSR with penalty closure and ode113" : "RR-JF with ode15sR";
+    if (solvesThere) {
+      return penalty ? "DSR with ode113" : "DSR with penalty closure and ode113";
+    }
+    return formulation.equals(Formulation.RR.label()) ? "RR-JF" : "RR-JF with ode15sR";
   }
 
   /** Returns whether implicit steps are solved with the forces of the penalty. */

@@ -72,7 +72,7 @@ final class IntegrationRun {
   IntegrationRun(PosedProblem problem, OdeOptions options) {
     this.problem = problem;
     this.options = options;
-    events = new ComposedEvents(options.events());
+    events = new ComposedEvents(options.events(), options.relativeTolerance());
     WatchedIntegrator method =
         problem.integrator(
             options.settings(() -> !completing && options.cancelled().getAsBoolean()));
@@ -176,7 +176,11 @@ final class IntegrationRun {
     OdeSolution solution = solution();
     if (result == StepResult.FAILED && !options.returnsFailures()) {
       throw new IntegrationException(
-          solution, solution.failure().orElseThrow(), options.maxSteps(), events.notFinite());
+          solution,
+          solution.failure().orElseThrow(),
+          options.method(),
+          options.maxSteps(),
+          events.notFinite());
     }
     return solution;
   }
@@ -234,6 +238,7 @@ final class IntegrationRun {
         failure,
         kept,
         events.found(),
+        events.remarks(),
         integrator.statistics(),
         integrator.methodChanges(),
         this::checkpoint);

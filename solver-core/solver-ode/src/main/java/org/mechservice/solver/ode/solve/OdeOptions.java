@@ -268,6 +268,10 @@ public final class OdeOptions {
     return cancelled;
   }
 
+  double relativeTolerance() {
+    return relativeTolerance;
+  }
+
   List<OdeEvent> events() {
     return events;
   }
