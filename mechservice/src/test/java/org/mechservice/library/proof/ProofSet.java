@@ -1,0 +1,18 @@
+package org.mechservice.library.proof;
+
+import java.util.Optional;
+
+/** A set of random scenes, each made from its seed. */
+interface ProofSet {
+  /** What the scenes are, for the page. */
+  String title();
+
+  /** Number of scenes of the full set, seeds from 1. */
+  int size();
+
+  /**
+   * Returns the scene of a seed; empty if its motion is so sensitive to its start that no reference
+   * could decide.
+   */
+  Optional<Scene> scene(long seed);
+}

@@ -1,0 +1,26 @@
+package org.mechservice.library.proof;
+
+import java.util.List;
+
+/**
+ * A scene of a set, with its right end.
+ *
+ * @param kind what it is about
+ * @param detail what else tells it from others of its kind
+ * @param method how it runs
+ * @param text the model
+ * @param shortest a time, s, in which much of what could be passed over happens
+ * @param expected right values of the last row
+ */
+record Scene(
+    String kind, String detail, Method method, String text, double shortest, List<Expected> expected) {
+  Scene {
+    expected = List.copyOf(expected);
+  }
+
+  /** Returns the model with steps that see everything, whatever the integrator knows. */
+  Scene inShortSteps() {
+    String limited = text.replace(" relTol=", " maxStep='" + shortest / 10 + "' relTol=");
+    return new Scene(kind, detail, method, limited, shortest, expected);
+  }
+}
