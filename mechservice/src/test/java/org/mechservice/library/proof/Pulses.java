@@ -57,9 +57,16 @@ final class Pulses implements ProofSet {
     if (driven && random.nextBoolean()) {
       kind = Window.Kind.RISE;
     }
-    double width = Spread.log(random, driven ? 3e-4 : 1e-6, 0.1) * end;
+    // a carriage that is back at once moves its passenger by its width
+    double least = !driven ? 1e-6 : kind == Window.Kind.RISE ? 1e-3 : 0.03;
+    double width = Spread.log(random, least, 0.1) * end;
     double from = Spread.even(random, 0.1, 0.85) * end;
     Window window = sweep.window(kind, from, width);
+    if (driven && window.values().applyAsDouble(sweep.at(0)) > 1e-12) {
+      // the carriage starts at rest
+      sweep = new Sweep(Sweep.Kind.PLAIN, end, sweep.rate());
+      window = sweep.window(kind, from, width);
+    }
     if (!(window.high() - window.low() > 1e-7 * Math.abs(window.high()))) {
       // a wave at its crest: wider, or its digits are lost
       window = new Window(kind, window.low() - 1e-6, window.high() + 1e-6);
@@ -114,8 +121,8 @@ final class Pulses implements ProofSet {
         scene.state("<state name='s' derivative='" + size + "*" + text + "'/>");
         return Optional.of(
             ofStates(
-                sweep, window, scene, spring, end, random, method, size * content, size * content,
-                "s"));
+                target, sweep, window, scene, spring, end, random, method, size * content,
+                size * content, "s"));
       }
       case FILTER, TRANSFER_FUNCTION -> {
         double lag = Spread.rounded(end * Spread.log(random, 0.3, 3));
@@ -139,6 +146,7 @@ final class Pulses implements ProofSet {
                 end);
         return Optional.of(
             ofStates(
+                target,
                 sweep,
                 window,
                 scene,
@@ -146,8 +154,8 @@ final class Pulses implements ProofSet {
                 end,
                 random,
                 method,
-                target == Target.FILTER ? value : value * lag,
-                target == Target.FILTER ? size * content : size * content * lag,
+                value,
+                size * content,
                 target == Target.FILTER ? "s" : "s.x1"));
       }
       case STATE_THAT_PUSHES -> {
@@ -232,24 +240,6 @@ final class Pulses implements ProofSet {
     return x * x;
   }
 
-  /** Returns the shortest time between two places of the pulse that are not one. */
-  private static double shortest(Sweep sweep, Window window) {
-    double[] ends = {window.low(), window.high()};
-    double[] times =
-        java.util.Arrays.stream(sweep.inverse(ends))
-            .filter(t -> t > 0 && t < sweep.end())
-            .sorted()
-            .toArray();
-    double shortest = sweep.end();
-    for (int i = 0; i + 1 < times.length; i++) {
-      double between = times[i + 1] - times[i];
-      if (between > 1e-9 * sweep.end()) {
-        shortest = Math.min(shortest, between);
-      }
-    }
-    return shortest;
-  }
-
   private static Scene scene(
       Target target,
       Sweep sweep,
@@ -264,10 +254,11 @@ final class Pulses implements ProofSet {
     String detail =
         " (" + window.kind().name().toLowerCase(java.util.Locale.ROOT) + " of "
             + sweep.kind().name().toLowerCase(java.util.Locale.ROOT) + ")";
-    return new Scene(kind, detail.strip(), method, scene.with(end, row, method), shortest(sweep, window), expected);
+    return new Scene(kind, detail.strip(), method, scene.with(end, row, method), sweep.shortest(window), expected);
   }
 
   private static Scene ofStates(
+      Target target,
       Sweep sweep,
       Window window,
       SceneText scene,
@@ -282,7 +273,7 @@ final class Pulses implements ProofSet {
     List<Expected> expected = new ArrayList<>();
     expected.add(
         new Expected(column, value, method.allowed(peak), Math.min(Math.abs(value), peak)));
-    return scene(Target.STATE, sweep, window, scene, end, random, method, expected);
+    return scene(target, sweep, window, scene, end, random, method, expected);
   }
 
   /** A passenger on a spring, whose carriage follows the pulse. */
@@ -322,7 +313,7 @@ final class Pulses implements ProofSet {
           "<CoordConstraint name='c' expression='d.q - " + size + "*" + text + "'/>");
     }
     double effect = Math.hypot(v, own * z);
-    if (effect < 1e-4 * size * own) {
+    if (effect < 0.01 * size * own) {
       return Optional.empty();
     }
     double fastest = size / (window.high() - window.low());

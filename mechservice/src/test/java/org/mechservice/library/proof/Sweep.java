@@ -1,6 +1,7 @@
 package org.mechservice.library.proof;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 
@@ -102,5 +103,19 @@ record Sweep(Kind kind, double end, double rate) {
     double one = at(from);
     double other = at(from + width);
     return new Window(of, Math.min(one, other), Math.max(one, other));
+  }
+
+  /** Returns the shortest way of z between two ends of a window that are not one. */
+  double shortest(Window window) {
+    double[] ends = {window.low(), window.high()};
+    double[] at = Arrays.stream(inverse(ends)).filter(z -> z > 0 && z < end).sorted().toArray();
+    double shortest = end;
+    for (int i = 0; i + 1 < at.length; i++) {
+      double between = at[i + 1] - at[i];
+      if (between > 1e-9 * end) {
+        shortest = Math.min(shortest, between);
+      }
+    }
+    return shortest;
   }
 }
