@@ -23,7 +23,7 @@ record Law(double k, double n, double c) {
 
   /** Force on a branch. */
   double force(double depth, double rate, boolean[] above) {
-    return above[0] && (above.length == 1 || above[1]) ? raw(depth, rate) : 0;
+    return above[0] && (margins() == 1 || above[1]) ? raw(depth, rate) : 0;
   }
 
   private double raw(double depth, double rate) {

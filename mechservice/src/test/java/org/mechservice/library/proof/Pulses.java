@@ -318,7 +318,7 @@ final class Pulses implements ProofSet {
     }
     double fastest = size / (window.high() - window.low());
     double allowedQ = method.allowed(size);
-    double allowedV = method.allowed(Math.max(effect, Math.min(fastest, size / end * 1e4)));
+    double allowedV = method.allowed(Math.max(effect, fastest));
     List<Expected> expected =
         List.of(
             new Expected("z", z, allowedQ + allowedV / own, effect / own),

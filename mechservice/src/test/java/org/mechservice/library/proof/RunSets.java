@@ -11,7 +11,7 @@ import java.util.stream.LongStream;
 final class RunSets {
   private RunSets() {}
 
-  static final List<ProofSet> SETS = List.of(new Hits(), new Ways(), new Pulses());
+  static final List<ProofSet> SETS = List.of(new Hits(), new Ways(), new Roads(), new OneSided(), new Pulses());
 
   public static void main(String[] arguments) throws Exception {
     for (ProofSet set : SETS) {

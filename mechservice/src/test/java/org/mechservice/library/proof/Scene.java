@@ -23,4 +23,9 @@ record Scene(
     String limited = text.replace(" relTol=", " maxStep='" + shortest / 10 + "' relTol=");
     return new Scene(kind, detail, method, limited, shortest, expected);
   }
+
+  /** Returns the scene with right values. */
+  Scene expecting(List<Expected> values) {
+    return new Scene(kind, detail, method, text, shortest, values);
+  }
 }

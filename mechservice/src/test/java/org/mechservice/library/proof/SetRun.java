@@ -87,6 +87,10 @@ final class SetRun {
       kinds.computeIfAbsent("sensitive, dropped", name -> new Counts()).dropped++;
       return;
     }
+    if (!scene.get().expected().stream().allMatch(Expected::standsOut)) {
+      kinds.computeIfAbsent("below the tolerances, dropped", name -> new Counts()).dropped++;
+      return;
+    }
     Counts counts = kinds.computeIfAbsent(scene.get().kind(), name -> new Counts());
     SceneRun run = SceneRun.of(SHORT_STEPS ? scene.get().inShortSteps() : scene.get());
     switch (run.verdict()) {

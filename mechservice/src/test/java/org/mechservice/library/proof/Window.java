@@ -175,6 +175,22 @@ record Window(Kind kind, double low, double high) {
     };
   }
 
+  /** Returns the slope of a function whose slope has no jump. */
+  double slope(double u) {
+    double z = (u - centre()) / scale();
+    return switch (kind) {
+      case SMOOTH_STEP ->
+          (rise((u - low) / edge()) - rise((u - (high - edge())) / edge())) / edge();
+      case PARABOLA -> -6 * z * Math.pow(Math.max(0, 1 - z * z), 2) / scale();
+      case GAUSS -> -2 * z * Math.exp(-z * z) / scale();
+      default -> throw new IllegalStateException("the slope of " + kind + " jumps");
+    };
+  }
+
+  private static double rise(double x) {
+    return x <= 0 || x >= 1 ? 0 : 6 * x * (1 - x);
+  }
+
   private static double clamp(double x) {
     return Math.min(1, Math.max(0, x));
   }
