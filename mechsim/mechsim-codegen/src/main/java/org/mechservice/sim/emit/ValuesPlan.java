@@ -22,10 +22,16 @@ public final class ValuesPlan {
    * @param modelName the model's name in its file
    * @param triggers program of the method of that name
    * @param assignments program of the method of that name
+   * @param watched program of the method of that name
    * @param outputs program of the method of that name
    */
   public static GeneratedClass of(
-      String modelName, Program triggers, Program assignments, Program outputs, CodeForm form) {
+      String modelName,
+      Program triggers,
+      Program assignments,
+      Program watched,
+      Program outputs,
+      CodeForm form) {
     ProgramsClass programs =
         new ProgramsClass(
             JavaText.className(modelName) + "Values",
@@ -35,6 +41,7 @@ public final class ValuesPlan {
             form);
     programs.add(head("triggers"), triggers);
     programs.add(head("assignments"), assignments);
+    programs.add(head("watched"), watched);
     programs.add(head("outputs"), outputs);
     return programs;
   }
@@ -46,7 +53,7 @@ public final class ValuesPlan {
   private static List<String> documentation(String modelName) {
     return List.of(
         JavaText.comment(
-            "What the events of model \""
+            "What the events and the steps of model \""
                 + modelName
                 + "\" watch and assign, and its outputs; generated."),
         "",

@@ -11,6 +11,7 @@ import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.closure.equations.UnwrappedAngles;
 import org.mechservice.solver.dynamics.event.StateEvents;
+import org.mechservice.solver.dynamics.event.WatchedTape;
 import org.mechservice.solver.expression.ClosureCoordinate;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Tape;
@@ -49,16 +50,19 @@ final class ValuesClass {
   private final Mechanism mechanism;
   private final List<Expression> triggers;
   private final List<Expression> assigned;
+  private final List<Expression> watched;
   private final List<Expression> outputs;
 
   private ValuesClass(
       Mechanism mechanism,
       List<Expression> triggers,
       List<Expression> assigned,
+      List<Expression> watched,
       List<Expression> outputs) {
     this.mechanism = mechanism;
     this.triggers = triggers;
     this.assigned = assigned;
+    this.watched = watched;
     this.outputs = outputs;
   }
 
@@ -69,6 +73,7 @@ final class ValuesClass {
         mechanism,
         mechanism.events().stream().map(Event::trigger).toList(),
         StateEvents.assigned(mechanism),
+        WatchedTape.of(mechanism).quantities(),
         shown ? model.outputs().stream().map(Output::value).toList() : List.of());
   }
 
@@ -83,16 +88,25 @@ final class ValuesClass {
     }
     Program triggers = program(links, values.triggers);
     Program assignments = program(links, values.assigned);
+    Program watched = program(links, values.watched);
     Program outputs = program(links, values.outputs);
     int operations =
-        triggers.operationCount() + assignments.operationCount() + outputs.operationCount();
+        triggers.operationCount()
+            + assignments.operationCount()
+            + watched.operationCount()
+            + outputs.operationCount();
     if (operations > MOST_OPERATIONS) {
       return Derived.leftToData(TOO_LONG);
     }
     return new Derived(
         Optional.of(
             ValuesPlan.of(
-                model.mechanism().name(), triggers, assignments, outputs, options.form())),
+                model.mechanism().name(),
+                triggers,
+                assignments,
+                watched,
+                outputs,
+                options.form())),
         Optional.empty());
   }
 
@@ -101,11 +115,14 @@ final class ValuesClass {
   }
 
   private boolean isEmpty() {
-    return triggers.isEmpty() && assigned.isEmpty() && outputs.isEmpty();
+    return triggers.isEmpty() && assigned.isEmpty() && watched.isEmpty() && outputs.isEmpty();
   }
 
   private boolean countTurns() {
-    return countTurns(triggers) || countTurns(assigned) || countTurns(outputs);
+    return countTurns(triggers)
+        || countTurns(assigned)
+        || countTurns(watched)
+        || countTurns(outputs);
   }
 
   private boolean countTurns(List<Expression> expressions) {

@@ -26,6 +26,7 @@ public final class MapSurface implements TapeStep {
   private final double[] originY;
   private final double[] cells;
   private final boolean bounded;
+  private final boolean straight;
 
   MapSurface(TableMap map) {
     x = map.x().stream().mapToDouble(Double::doubleValue).toArray();
@@ -34,6 +35,7 @@ public final class MapSurface implements TapeStep {
     originY = origins(y);
     cells = new double[NUMBERS * originX.length * originY.length];
     bounded = map.outside() == Extrapolation.ERROR;
+    straight = map.method() == Method.LINEAR;
     double[][] z = new double[x.length][y.length];
     double[][] byX = new double[x.length][y.length];
     double[][] byY = new double[x.length][y.length];
@@ -196,6 +198,66 @@ public final class MapSurface implements TapeStep {
       all[cell] = cells[NUMBERS * cell + 4 * i + j];
     }
     return all;
+  }
+
+  /** Returns whether its slope jumps at the lines of the grid. */
+  boolean hasCorners() {
+    return straight;
+  }
+
+  /** Returns the number of a point's cell: k (m + 1) + l as in {@link #coefficients}. */
+  int place(double a, double b) {
+    int k = (int) NumberTable.interval(x, 0, x.length, a);
+    return k * originY.length + (int) NumberTable.interval(y, 0, y.length, b);
+  }
+
+  /** Returns how many lines of the grid, along one argument at most, two intervals cross. */
+  int crossings(double aFrom, double aTo, double bFrom, double bTo) {
+    double alongX =
+        NumberTable.interval(x, 0, x.length, aTo) - NumberTable.interval(x, 0, x.length, aFrom);
+    double alongY =
+        NumberTable.interval(y, 0, y.length, bTo) - NumberTable.interval(y, 0, y.length, bFrom);
+    return (int) Math.max(alongX, alongY);
+  }
+
+  /** Finds bounds of the values for arguments in two intervals. */
+  void bounds(double aFrom, double aTo, double bFrom, double bTo, Enclosure bounds) {
+    double low = Double.POSITIVE_INFINITY;
+    double high = Double.NEGATIVE_INFINITY;
+    int lastX = (int) NumberTable.interval(x, 0, x.length, aTo);
+    int firstY = (int) NumberTable.interval(y, 0, y.length, bFrom);
+    int lastY = (int) NumberTable.interval(y, 0, y.length, bTo);
+    for (int k = (int) NumberTable.interval(x, 0, x.length, aFrom); k <= lastX; k++) {
+      double a0 = (k == 0 ? aFrom : Math.max(aFrom, x[k - 1])) - originX[k];
+      double a1 = (k == x.length ? aTo : Math.min(aTo, x[k])) - originX[k];
+      for (int l = firstY; l <= lastY; l++) {
+        double b0 = (l == 0 ? bFrom : Math.max(bFrom, y[l - 1])) - originY[l];
+        double b1 = (l == y.length ? bTo : Math.min(bTo, y[l])) - originY[l];
+        cellBounds(NUMBERS * (k * originY.length + l), a0, a1, b0, b1, bounds);
+        low = Math.min(low, bounds.low);
+        high = Math.max(high, bounds.high);
+      }
+    }
+    bounds.set(low, high);
+  }
+
+  /** Bounds of a cell's polynomial by Horner's rule on intervals. */
+  private void cellBounds(int c, double a0, double a1, double b0, double b1, Enclosure bounds) {
+    double low = 0;
+    double high = 0;
+    for (int i = 3; i >= 0; i--) {
+      double rowLow = 0;
+      double rowHigh = 0;
+      for (int j = 3; j >= 0; j--) {
+        bounds.product(rowLow, rowHigh, b0, b1);
+        rowLow = bounds.low + cells[c + 4 * i + j];
+        rowHigh = bounds.high + cells[c + 4 * i + j];
+      }
+      bounds.product(low, high, a0, a1);
+      low = bounds.low + rowLow;
+      high = bounds.high + rowHigh;
+    }
+    bounds.set(low, high);
   }
 
   private boolean isOutside(double a, double b) {

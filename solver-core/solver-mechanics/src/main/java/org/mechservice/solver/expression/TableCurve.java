@@ -16,6 +16,7 @@ public final class TableCurve implements TapeStep {
   private final double[] knots;
   private final double[] polynomials;
   private final boolean bounded;
+  private final boolean straight;
 
   TableCurve(Table table) {
     knots = table.x().stream().mapToDouble(Double::doubleValue).toArray();
@@ -38,6 +39,7 @@ public final class TableCurve implements TapeStep {
     put(0, knots[0], y[0], holds ? 0 : slope[0], 0, 0);
     put(n, knots[n - 1], y[n - 1], holds ? 0 : slope[n - 1], 0, 0);
     bounded = table.outside() == Extrapolation.ERROR;
+    straight = table.method() == Method.LINEAR;
   }
 
   private void put(int place, double origin, double c0, double c1, double c2, double c3) {
@@ -180,6 +182,57 @@ public final class TableCurve implements TapeStep {
 
   private int polynomialAt(double x) {
     return NUMBERS * (int) NumberTable.interval(knots, 0, knots.length, x);
+  }
+
+  /** Returns whether its slope jumps at the points. */
+  boolean hasCorners() {
+    return straight;
+  }
+
+  /** Returns the number of points that are not above an argument. */
+  int place(double x) {
+    return (int) NumberTable.interval(knots, 0, knots.length, x);
+  }
+
+  /** Finds the bounds of the values for arguments in an interval. */
+  void bounds(double from, double to, Enclosure bounds) {
+    bounds.set(Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY);
+    int last = place(to);
+    for (int place = place(from); place <= last; place++) {
+      double first = place == 0 ? from : Math.max(from, knots[place - 1]);
+      double end = place == knots.length ? to : Math.min(to, knots[place]);
+      int p = NUMBERS * place;
+      double a = first - polynomials[p];
+      double b = end - polynomials[p];
+      bounds.include(cubic(p, a));
+      bounds.include(cubic(p, b));
+      includeExtrema(p, a, b, bounds);
+    }
+  }
+
+  private double cubic(int p, double d) {
+    return polynomials[p + 1]
+        + d * (polynomials[p + 2] + d * (polynomials[p + 3] + d * polynomials[p + 4]));
+  }
+
+  /** Includes the extrema of a cubic between a and b: the zeros of c1 + 2 c2 d + 3 c3 d². */
+  private void includeExtrema(int p, double a, double b, Enclosure bounds) {
+    double c1 = polynomials[p + 2];
+    double c2 = polynomials[p + 3];
+    double c3 = 3 * polynomials[p + 4];
+    double discriminant = c2 * c2 - c1 * c3;
+    if ((c2 == 0 && c3 == 0) || discriminant < 0) {
+      return;
+    }
+    double sum = -(c2 + Math.copySign(Math.sqrt(discriminant), c2));
+    double one = sum / c3;
+    double other = c1 / sum;
+    if (one > a && one < b) {
+      bounds.include(cubic(p, one));
+    }
+    if (other > a && other < b) {
+      bounds.include(cubic(p, other));
+    }
   }
 
   /** Returns the value at an argument. */

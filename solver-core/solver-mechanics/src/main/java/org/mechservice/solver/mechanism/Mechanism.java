@@ -8,6 +8,7 @@ import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.api.StateVariable;
 import org.mechservice.solver.expression.ClosureCoordinate;
 import org.mechservice.solver.expression.Coordinate;
+import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
@@ -314,14 +315,14 @@ public final class Mechanism {
   }
 
   /**
-   * Returns the times at which the equations jump because of an expression of time, such as {@code
-   * step(t-1)}.
+   * Returns the times at which the equations change their form because of an expression of time,
+   * such as {@code step(t-1)}.
    *
    * @param from first time of interest, s
    * @param to last one, s
    */
   public List<Double> timeJumps(double from, double to) {
-    return TimeJumps.of(this, from, to);
+    return TimePlaces.of(this, from, to);
   }
 
   /**
@@ -339,8 +340,7 @@ public final class Mechanism {
    * the motion of a driven joint.
    */
   public boolean mayJump() {
-    return MotionJumps.possible(this)
-        || !timeJumps(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY).isEmpty();
+    return MotionJumps.possible(this) || TimePlaces.possible(this);
   }
 
   /** Returns the same mechanism with other events along its simulation. */
@@ -363,9 +363,22 @@ public final class Mechanism {
     return samplings;
   }
 
-  /** Returns whether the state or the equations of a run may change abruptly. */
+  /**
+   * Returns the formulas that a step could pass over: those with choices that depend on the state,
+   * and those that can be large over a short way.
+   */
+  public List<Expression> watchedFormulas() {
+    return WatchedFormulas.of(this);
+  }
+
+  /**
+   * Returns whether the state or the equations of a run may change abruptly, or over a short way.
+   */
   public boolean mayChangeAbruptly() {
-    return !events.isEmpty() || !samplings.isEmpty() || mayJump();
+    return !events.isEmpty()
+        || !samplings.isEmpty()
+        || mayJump()
+        || !watchedFormulas().isEmpty();
   }
 
   /** Returns the states besides positions and velocities, in file order. */

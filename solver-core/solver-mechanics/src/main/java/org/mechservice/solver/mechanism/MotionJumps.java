@@ -54,7 +54,7 @@ final class MotionJumps {
     for (int i = 0; i <= SAMPLES; i++) {
       grid.add(i == SAMPLES ? to : begin + (to - begin) * i / SAMPLES);
     }
-    for (double time : TimeJumps.of(mechanism, from, to)) {
+    for (double time : TimePlaces.of(mechanism, from, to)) {
       if (time > begin) {
         grid.add(Math.max(begin, time - near));
         grid.add(Math.min(to, time + near));

@@ -72,6 +72,37 @@ public interface ModelEvents {
    */
   double after(boolean[] occurred, double t);
 
+  /** The solution along a step. */
+  interface Path {
+    /** Goes to a time within the step; returns false where the loops cannot be closed. */
+    boolean moveTo(double t);
+
+    /** Returns the state there, loops closed; valid until the next move, not to be modified. */
+    double[] state();
+  }
+
+  /** Returns whether steps are searched by {@link #seenUntil}. */
+  default boolean watches() {
+    return false;
+  }
+
+  /**
+   * Searches an accepted step for what its ends do not show, and for changes of the form of the
+   * equations.
+   *
+   * @param from where the step begins, s
+   * @param to where it ends, s
+   * @return where it has to end so that nothing has happened in it unseen, at most {@code to}
+   */
+  default double seenUntil(double from, double to, Path path) {
+    return to;
+  }
+
+  /** Returns the longest first step behind the last end that {@link #seenUntil} has set, s. */
+  default double longestFirstStep() {
+    return Double.POSITIVE_INFINITY;
+  }
+
   /** The direction of zero crossings that count. */
   enum Direction {
     /** From below to above. */

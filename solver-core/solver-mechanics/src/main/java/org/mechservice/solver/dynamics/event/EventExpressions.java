@@ -14,13 +14,21 @@ final class EventExpressions implements WrittenValues {
   private final int triggerCount;
   private final ExpressionInputs assigned;
   private final int assignedCount;
+  private final ExpressionInputs watched;
+  private final int watchedCount;
 
-  EventExpressions(TreeMotion motion, List<Expression> triggers, List<Expression> assigned) {
+  EventExpressions(
+      TreeMotion motion,
+      List<Expression> triggers,
+      List<Expression> assigned,
+      List<Expression> watched) {
     this.motion = motion;
     this.triggers = new ExpressionInputs(motion, triggers);
     triggerCount = triggers.size();
     this.assigned = new ExpressionInputs(motion, assigned);
     assignedCount = assigned.size();
+    this.watched = new ExpressionInputs(motion, watched);
+    watchedCount = watched.size();
   }
 
   @Override
@@ -31,6 +39,11 @@ final class EventExpressions implements WrittenValues {
   @Override
   public void assignments(double t, double[] y, double[] values) {
     evaluate(assigned, assignedCount, t, y, values);
+  }
+
+  @Override
+  public void watched(double t, double[] y, double[] values) {
+    evaluate(watched, watchedCount, t, y, values);
   }
 
   @Override

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.solver.api.capability.ModelEvents;
+import org.mechservice.solver.api.capability.ModelState;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
@@ -17,7 +18,7 @@ import org.mechservice.solver.mechanism.joint.Joint;
 import org.mechservice.solver.spatial.EulerParameters;
 
 /** The events of a mechanism, evaluated in its motion, for all formulations. */
-public final class StateEvents implements ModelEvents {
+public final class StateEvents implements ModelEvents, ModelState {
   private static final int EULER_PARAMETERS = 4;
 
   private final Mechanism mechanism;
@@ -29,6 +30,7 @@ public final class StateEvents implements ModelEvents {
   private final SampleTimes samples;
   private final int triggerCount;
   private final int ownCount;
+  private final Optional<StepSearch> search;
   private Optional<DrivenJumps> driven = Optional.empty();
 
   /**
@@ -48,11 +50,19 @@ public final class StateEvents implements ModelEvents {
     samples = new SampleTimes(mechanism.samplings());
     triggerCount = events.size();
     ownCount = triggerCount + mechanism.samplings().size();
+    WatchedTape watched = WatchedTape.of(mechanism);
     expressions =
         code.orElseGet(
             () ->
                 new EventExpressions(
-                    motion, events.stream().map(Event::trigger).toList(), assigned(mechanism)));
+                    motion,
+                    events.stream().map(Event::trigger).toList(),
+                    assigned(mechanism),
+                    watched.quantities()));
+    search =
+        watched.isEmpty()
+            ? Optional.empty()
+            : Optional.of(new StepSearch(watched, expressions::watched));
   }
 
   /** Prepares the events of a mechanism, their expressions evaluated in its motion. */
@@ -126,6 +136,36 @@ public final class StateEvents implements ModelEvents {
     if (driven.isPresent()) {
       driven.get().values(t, g, ownCount);
     }
+  }
+
+  @Override
+  public boolean watches() {
+    return search.isPresent();
+  }
+
+  @Override
+  public double seenUntil(double from, double to, Path path) {
+    return search.isPresent() ? search.get().search(from, to, path) : to;
+  }
+
+  @Override
+  public double longestFirstStep() {
+    return search.isPresent() ? search.get().longestFirstStep() : Double.POSITIVE_INFINITY;
+  }
+
+  @Override
+  public int stateLength() {
+    return search.isPresent() ? search.get().stateLength() : 0;
+  }
+
+  @Override
+  public void saveState(double[] state) {
+    search.ifPresent(steps -> steps.save(state));
+  }
+
+  @Override
+  public void restoreState(double[] state) {
+    search.ifPresent(steps -> steps.restore(state));
   }
 
   @Override

@@ -26,6 +26,15 @@ public interface WrittenValues {
   void assignments(double t, double[] y, double[] values);
 
   /**
+   * Writes the quantities from which it is decided what happens inside a step.
+   *
+   * @param t time, s
+   * @param y state [q; v]; not modified
+   * @param values one number per quantity of {@link WatchedTape#quantities}; overwritten
+   */
+  void watched(double t, double[] y, double[] values);
+
+  /**
    * Writes the outputs.
    *
    * @param t time, s

@@ -26,7 +26,8 @@ import org.mechservice.solver.text.Origin;
  *     frame 1
  * @param potential potential energy, J
  * @param potentialRate its derivative by time, W
- * @param outputs values that are columns of results
+ * @param outputs values that are columns of results: first how deep the bodies are in each other,
+ *     then the load between them, N, which is zero while they are apart
  * @param radius of the round part that pictures show around frame 2, m; 0 for none
  * @param disc whether the round part is a disc about the z axis of frame 2, else a sphere
  * @param origin position in the model file
@@ -60,6 +61,11 @@ public record PairForce(
       throw new IllegalArgumentException(
           "force " + name + " needs 6 components, not " + wrench.size());
     }
+  }
+
+  /** Returns the load between the bodies, N: zero while they are apart. */
+  public Expression load() {
+    return outputs.get(1).expression();
   }
 
   @Override

@@ -52,6 +52,39 @@ public interface EventFunctions {
   /** Notes that the integration goes on from a place at which the reaction was a restart. */
   default void restarting(double t) {}
 
+  /** The solution along the last step. */
+  interface Path {
+    /** Goes to a place within the step; returns false where the state cannot be completed. */
+    boolean moveTo(double t);
+
+    /** Returns the state there, completed; valid until the next move, not to be modified. */
+    double[] state();
+  }
+
+  /** Returns whether steps are searched by {@link #seenUntil}. */
+  default boolean searchesSteps() {
+    return false;
+  }
+
+  /**
+   * Searches an accepted step for what the error test cannot have seen, by knowledge of the
+   * equations that the integrator does not have.
+   *
+   * @param from where the step begins
+   * @param to where it ends
+   * @param path the interpolated solution between
+   * @return where the step has to end so that nothing has happened in it unseen: behind {@code
+   *     from}, and {@code to} if it may stand. The integration begins anew from there
+   */
+  default double seenUntil(double from, double to, Path path) {
+    return to;
+  }
+
+  /** Returns the longest first step behind the last end that {@link #seenUntil} has set. */
+  default double longestFirstStep() {
+    return Double.POSITIVE_INFINITY;
+  }
+
   /** Changes of sign. */
   enum Direction {
     /** From negative to positive. */

@@ -77,6 +77,9 @@ public final class EventIntegration implements ResidualIntegrator {
   private boolean justRestarted;
   private boolean stateChanged;
 
+  /** Longest first step of the restart that is due. */
+  private double longestFirstStep;
+
   /** Whether a function with the last event had not left zero since the one before. */
   private boolean stayedAtZero;
 
@@ -165,7 +168,7 @@ public final class EventIntegration implements ResidualIntegrator {
     }
     if (restartDue) {
       functions.restarting(time);
-      StepResult result = integrator.restart(time, restarted, FIRST_STEP * accumulation.distance());
+      StepResult result = integrator.restart(time, restarted, longestFirstStep);
       if (result == StepResult.STOPPED) {
         return result;
       }
@@ -210,6 +213,11 @@ public final class EventIntegration implements ResidualIntegrator {
     time = end;
     recentSteps.record(
         begin, integrator.stepSize(), integrator.order(), Double.NaN, TrialOutcome.PASSED);
+    double whole = end;
+    if (functions.searchesSteps()) {
+      end = values.seenUntil(begin, end);
+      time = end;
+    }
     double from = begin;
     for (double part : parts) {
       double to = part == 1 ? end : begin + part * (end - begin);
@@ -235,8 +243,23 @@ public final class EventIntegration implements ResidualIntegrator {
       }
     }
     values.endStep(end, tEnd);
+    if (end != whole) {
+      return goOnFrom(end);
+    }
     running = result == StepResult.ADVANCED;
     return result;
+  }
+
+  /** Ends the step where something would go unseen; the integration begins anew from there. */
+  private StepResult goOnFrom(double t) {
+    if (!values.stopAt(t, restarted)) {
+      return fail(Cause.EVENT_NOT_FINITE);
+    }
+    cutOff = true;
+    restartDue = true;
+    stateChanged = false;
+    longestFirstStep = functions.longestFirstStep();
+    return StepResult.ADVANCED;
   }
 
   /** Calls the reaction of the functions' owner to the event found. */
@@ -261,6 +284,7 @@ public final class EventIntegration implements ResidualIntegrator {
       return fail(Cause.EVENTS_ACCUMULATE);
     }
     restartDue = true;
+    longestFirstStep = FIRST_STEP * accumulation.distance();
     stateChanged = !values.standsAt(restarted);
     if (!values.goOnFrom(t, restarted, stateChanged)) {
       return fail(Cause.EVENT_NOT_FINITE);
@@ -375,6 +399,7 @@ public final class EventIntegration implements ResidualIntegrator {
     restartDue = state.flag(restartDue);
     justRestarted = state.flag(justRestarted);
     stateChanged = state.flag(stateChanged);
+    longestFirstStep = state.number(longestFirstStep);
     events = state.integer(events);
     values.transfer(state);
   }

@@ -11,7 +11,7 @@ import org.mechservice.solver.ode.step.RightHandSide;
 /**
  * Values of event functions along the last step of an integrator, and which of them change sign.
  */
-final class EventValues {
+final class EventValues implements EventFunctions.Path {
   /** Part of what is left of the problem by which to look ahead after a restart. */
   private static final double LOOK_AHEAD = Math.sqrt(Math.ulp(1.0));
 
@@ -213,12 +213,34 @@ final class EventValues {
   }
 
   private boolean evaluate(double t, double[] g) {
-    integrator.interpolate(t, y, yDot);
-    if (!completed.complete(t, y)) {
+    if (!moveTo(t)) {
       return false;
     }
     functions.evaluate(t, y, g);
     return RightHandSide.firstNotFinite(g) < 0;
+  }
+
+  @Override
+  public boolean moveTo(double t) {
+    integrator.interpolate(t, y, yDot);
+    return completed.complete(t, y);
+  }
+
+  @Override
+  public double[] state() {
+    return y;
+  }
+
+  /** Returns up to where nothing has happened unseen in a step. */
+  double seenUntil(double from, double to) {
+    return functions.seenUntil(from, to, this);
+  }
+
+  /** Goes to where the step is cut off, and copies the state; returns false if that fails. */
+  boolean stopAt(double t, double[] state) {
+    boolean possible = moveTo(t);
+    System.arraycopy(y, 0, state, 0, y.length);
+    return possible;
   }
 
   /** Carries the values between two steps over. */

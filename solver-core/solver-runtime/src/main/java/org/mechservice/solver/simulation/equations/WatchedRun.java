@@ -8,6 +8,7 @@ import java.util.Optional;
 import org.mechservice.solver.api.capability.Energies;
 import org.mechservice.solver.api.capability.ModelEvents;
 import org.mechservice.solver.api.capability.ModelEvents.Action;
+import org.mechservice.solver.api.capability.ModelState;
 import org.mechservice.solver.api.capability.MomentumBalance;
 import org.mechservice.solver.api.run.Failure;
 import org.mechservice.solver.api.run.RunNotes.Note;
@@ -91,6 +92,34 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
     for (int i = 0; i < g.length && notFinite < 0; i++) {
       notFinite = Double.isFinite(g[i]) ? -1 : i;
     }
+  }
+
+  @Override
+  public boolean searchesSteps() {
+    return events.watches();
+  }
+
+  @Override
+  public double seenUntil(double from, double to, Path path) {
+    return events.seenUntil(
+        from,
+        to,
+        new ModelEvents.Path() {
+          @Override
+          public boolean moveTo(double t) {
+            return path.moveTo(t);
+          }
+
+          @Override
+          public double[] state() {
+            return path.state();
+          }
+        });
+  }
+
+  @Override
+  public double longestFirstStep() {
+    return events.longestFirstStep();
   }
 
   @Override
@@ -374,6 +403,9 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
 
   @Override
   public void transfer(SavedState state) {
+    if (events instanceof ModelState own) {
+      ModelEquations.transfer(own, state);
+    }
     for (int i = 0; i < names.length; i++) {
       state.require("event", names[i]);
       zeroAtStart[i] = state.flag(zeroAtStart[i]);

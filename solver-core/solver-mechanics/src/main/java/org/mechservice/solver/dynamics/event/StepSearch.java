@@ -1,0 +1,535 @@
+package org.mechservice.solver.dynamics.event;
+
+import java.util.Arrays;
+import org.mechservice.solver.api.capability.ModelEvents;
+import org.mechservice.solver.expression.TapePieces;
+
+/**
+ * Searches an accepted step for what its ends do not show: a choice in the formulas that is taken
+ * otherwise inside the step, or a formula that is larger there than its values at the ends tell.
+ *
+ * <p>The quantities of the formulas are evaluated on the interpolated solution, which costs
+ * kinematics and no dynamics, at the ends and in the middle of a part of the step. Their paths
+ * between are those of a parabola with a margin of {@value #MARGIN} of its bow, in parts in which
+ * no body turns by more than {@value #TURN} rad relative to another. Interval arithmetic then
+ * decides whether any choice that matters can change in the part, and how far each formula can go.
+ * What is open is halved, down to the resolution of time.
+ *
+ * <p>A change that the error test cannot have seen ends the step just behind it. A change that
+ * shows at the end of the step ends it, too, so that the method begins anew on the other side; if
+ * this happens {@value #MOST_CLOSE} times in close succession, the choice hovers about its
+ * boundary, and such changes are left to the error test.
+ *
+ * <p>Workspace of one run; nothing allocates in a step.
+ */
+final class StepSearch {
+  /** Largest turn of a body relative to another in a part of a step, rad. */
+  private static final double TURN = 0.5;
+
+  /**
+   * Margin of a path beside the three points known of it, relative to their second difference: a
+   * parabola passes its points by 1/8 of it at most, and within {@value #TURN} rad a circle differs
+   * from the parabola by less than a quarter of that.
+   */
+  private static final double MARGIN = 0.5;
+
+  /** Most evaluations in a step beyond its first division, after which halving ends. */
+  private static final int MOST_EVALUATIONS = 4000;
+
+  /** Most parts of the first division. */
+  private static final int MOST_PARTS = 1_000_000;
+
+  /** Depth of halving: the resolution of time within a step. */
+  private static final int DEPTH = 44;
+
+  /** Width to which a change is narrowed down, in units of the last place of time. */
+  private static final double RESOLUTION = 4;
+
+  /** Way beyond a boundary, relative to the way of the argument in the step, that is a touch. */
+  private static final double TOUCH = 1e-12;
+
+  /** Depth to which the first way to a hidden value is followed. */
+  private static final int FORMULA_DEPTH = 20;
+
+  /** Steps within which two changes of a choice follow each other closely. */
+  private static final int CLOSE = 10;
+
+  /** Close changes in a row after which those that show are left to the error test. */
+  private static final int MOST_CLOSE = 8;
+
+  /** The same for changes that do not show, which is next to never. */
+  private static final int MOST_HIDDEN = 400;
+
+  /** Size of a formula, relative to the largest value it has had, that does not matter. */
+  private static final double NOTHING = 1e-3;
+
+  /** Growth of a box beside a step, in lengths of the step's way: at most, at least, and between. */
+  private static final double LARGE_BOX = 16;
+
+  private static final double SMALL_BOX = 1;
+  private static final double SHRINKAGE = 0.25;
+
+  /** Part of the way to a hidden value that the first step behind takes. */
+  private static final double FIRST_STEP = 0.25;
+
+  private final Quantities quantities;
+  private final TapePieces pieces;
+  private final int leaves;
+  private final int[][] turns;
+  private final double[][] scratch;
+  private final double[] atFrom;
+  private final double[] atTo;
+  private final double[] moving;
+  private final double[] ranges;
+  private final double[] piecesFrom;
+  private final double[] piecesTo;
+  private final double[] piecesHere;
+  private final double[] piecesThere;
+  private final double[] valueFrom;
+  private final double[] valueTo;
+  private final double[] valueBefore;
+  private final double[] valueHere;
+  private final double[] valueThere;
+  private final double[] largest;
+
+  /** Whether formulas that do not show are only looked at, and whether one was found. */
+  private boolean looking;
+
+  private boolean hidden;
+
+  private final double[] sinceChange;
+  private final double[] closeChanges;
+
+  /** Where the sign of an event changes first, if that shows; NaN if it has not yet. */
+  private final double[] firstSeen;
+
+
+  private final double[] boxLow;
+  private final double[] boxHigh;
+
+  /** Whether nothing changes its form in the box. */
+  private boolean boxed;
+
+  private double begin;
+  private int evaluations;
+  private int allowed;
+  private double longestFirstStep = Double.POSITIVE_INFINITY;
+  private boolean begun;
+
+  /** Evaluates the watched quantities. */
+  interface Quantities {
+    /** Writes the quantities at a state. */
+    void evaluate(double t, double[] y, double[] values);
+  }
+
+  StepSearch(WatchedTape watched, Quantities quantities) {
+    this.quantities = quantities;
+    pieces = new TapePieces(watched.tape(), watched.formulaCount());
+    leaves = watched.tape().leaves().size();
+    turns = watched.turns().toArray(int[][]::new);
+    int count = watched.quantities().size();
+    boxLow = new double[leaves];
+    boxHigh = new double[leaves];
+    scratch = new double[DEPTH + 3][count];
+    atFrom = new double[count];
+    atTo = new double[count];
+    moving = new double[count];
+    int choices = pieces.choiceCount();
+    ranges = new double[choices];
+    piecesFrom = new double[choices];
+    piecesTo = new double[choices];
+    piecesHere = new double[choices];
+    piecesThere = new double[choices];
+    sinceChange = new double[choices];
+    closeChanges = new double[choices];
+    Arrays.fill(sinceChange, CLOSE);
+    firstSeen = new double[choices];
+    int formulas = pieces.formulaCount();
+    valueFrom = new double[formulas];
+    valueTo = new double[formulas];
+    valueBefore = new double[formulas];
+    valueHere = new double[formulas];
+    valueThere = new double[formulas];
+    largest = new double[formulas];
+  }
+
+  /** Begins at a state without history. */
+  void begin() {
+    begun = false;
+  }
+
+  /** Returns the longest first step from where the last search has ended a step, s. */
+  double longestFirstStep() {
+    return longestFirstStep;
+  }
+
+  /**
+   * Searches a step.
+   *
+   * @param path the interpolated solution in the step
+   * @return where the step has to end; {@code to} if it may stand
+   */
+  double search(double from, double to, ModelEvents.Path path) {
+    begin = from;
+    longestFirstStep = Double.POSITIVE_INFINITY;
+    evaluations = 0;
+    if (!evaluate(path, from, atFrom) || !evaluate(path, to, atTo)) {
+      return to;
+    }
+    if (staysInBox(path, from, to)) {
+      begun = false;
+      passStep();
+      return to;
+    }
+    double end = searchAll(path, from, to);
+    passStep();
+    boolean seen = Double.isNaN(end);
+    if (seen) {
+      findBox(path, from, to);
+    }
+    boxed &= seen;
+    return seen ? to : end;
+  }
+
+  private void passStep() {
+    for (int c = 0; c < sinceChange.length; c++) {
+      sinceChange[c] = Math.min(CLOSE, sinceChange[c] + 1);
+    }
+  }
+
+  /**
+   * Returns whether the quantities stay, in the whole step, in a box in which nothing changes its
+   * form.
+   */
+  private boolean staysInBox(ModelEvents.Path path, double from, double to) {
+    double[] atMiddle = scratch[0];
+    if (!boxed || parts(to - from) > 1 || !evaluate(path, 0.5 * (from + to), atMiddle)) {
+      return false;
+    }
+    for (int leaf = 0; leaf < leaves; leaf++) {
+      double a = atFrom[leaf];
+      double m = atMiddle[leaf];
+      double b = atTo[leaf];
+      double bow = MARGIN * Math.abs(a - 2 * m + b);
+      if (Math.min(a, Math.min(m, b)) - bow < boxLow[leaf]
+          || Math.max(a, Math.max(m, b)) + bow > boxHigh[leaf]) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Finds a box for the steps to come, if nothing changes its form in one about this step. */
+  private void findBox(ModelEvents.Path path, double from, double to) {
+    boxed = false;
+    if (parts(to - from) > 1 || !evaluate(path, 0.5 * (from + to), scratch[0])) {
+      return;
+    }
+    for (double growth = LARGE_BOX; !boxed && growth >= SMALL_BOX; growth *= SHRINKAGE) {
+      for (int leaf = 0; leaf < leaves; leaf++) {
+        double a = atFrom[leaf];
+        double m = scratch[0][leaf];
+        double b = atTo[leaf];
+        double least = Math.min(a, Math.min(m, b));
+        double most = Math.max(a, Math.max(m, b));
+        double beside = growth * (most - least) + MARGIN * Math.abs(a - 2 * m + b);
+        boxLow[leaf] = least - beside;
+        boxHigh[leaf] = most + beside;
+        pieces.setLeaf(leaf, boxLow[leaf], boxHigh[leaf]);
+      }
+      boxed = pieces.decide() && pieces.isEven();
+    }
+  }
+
+  /** Returns where a step has to end; NaN if it may stand. */
+  private double searchAll(ModelEvents.Path path, double from, double to) {
+    pieces.at(atFrom);
+    pieces.pieces(piecesFrom);
+    read(valueFrom);
+    if (!begun) {
+      System.arraycopy(valueFrom, 0, valueBefore, 0, valueFrom.length);
+      begun = true;
+    }
+    pieces.at(atTo);
+    pieces.pieces(piecesTo);
+    read(valueTo);
+    for (int r = 0; r < largest.length; r++) {
+      largest[r] =
+          Math.max(largest[r], Math.max(Math.abs(valueFrom[r]), Math.abs(valueTo[r])));
+    }
+    int parts = parts(to - from);
+    Arrays.fill(firstSeen, Double.NaN);
+    allowed = 2 * parts + MOST_EVALUATIONS;
+    looking = true;
+    hidden = false;
+    double end = searchParts(path, from, to, parts);
+    if (hidden) {
+      // once more, now that it is known how large the formulas become
+      looking = false;
+      evaluations = 0;
+      Arrays.fill(firstSeen, Double.NaN);
+      double last = Double.isNaN(end) ? to : end;
+      if (evaluate(path, last, atTo)) {
+        double before = searchParts(path, from, last, parts);
+        end = Double.isNaN(before) ? end : before;
+      }
+    }
+    begun = Double.isNaN(end);
+    if (begun) {
+      System.arraycopy(valueFrom, 0, valueBefore, 0, valueFrom.length);
+    }
+    return end;
+  }
+
+  private void read(double[] values) {
+    for (int r = 0; r < values.length; r++) {
+      values[r] = pieces.value(r);
+    }
+  }
+
+  private boolean evaluate(ModelEvents.Path path, double t, double[] values) {
+    evaluations++;
+    if (!path.moveTo(t)) {
+      return false;
+    }
+    quantities.evaluate(t, path.state(), values);
+    return true;
+  }
+
+  /** Returns into how many parts a step is divided, so that bodies turn little in each. */
+  private int parts(double h) {
+    double most = 0;
+    for (int[] path : turns) {
+      double turn = 0;
+      for (int rate : path) {
+        turn += Math.max(Math.abs(atFrom[rate]), Math.abs(atTo[rate]));
+      }
+      most = Math.max(most, turn * h);
+    }
+    double parts = Math.ceil(most / TURN);
+    return parts >= 1 ? (int) Math.min(MOST_PARTS, parts) : 1;
+  }
+
+  private double searchParts(ModelEvents.Path path, double from, double to, int parts) {
+    if (parts == 1) {
+      return searchPart(path, 0, from, atFrom, to, atTo);
+    }
+    System.arraycopy(atFrom, 0, moving, 0, moving.length);
+    double[] next = scratch[DEPTH + 2];
+    double start = from;
+    for (int k = 1; k <= parts; k++) {
+      double end = k == parts ? to : from + (to - from) * k / parts;
+      if (!evaluate(path, end, next)) {
+        return Double.NaN;
+      }
+      double found = searchPart(path, 0, start, moving, end, next);
+      if (!Double.isNaN(found)) {
+        return found;
+      }
+      System.arraycopy(next, 0, moving, 0, moving.length);
+      start = end;
+    }
+    return Double.NaN;
+  }
+
+  /** Returns where the step has to end within a part of it; NaN if it may go on. */
+  private double searchPart(
+      ModelEvents.Path path,
+      int depth,
+      double start,
+      double[] atStart,
+      double end,
+      double[] atEnd) {
+    double middle = 0.5 * (start + end);
+    double[] atMiddle = scratch[depth];
+    if (!evaluate(path, middle, atMiddle)) {
+      return Double.NaN;
+    }
+    for (int leaf = 0; leaf < leaves; leaf++) {
+      double a = atStart[leaf];
+      double m = atMiddle[leaf];
+      double b = atEnd[leaf];
+      double bow = MARGIN * Math.abs(a - 2 * m + b);
+      pieces.setLeaf(leaf, Math.min(a, Math.min(m, b)) - bow, Math.max(a, Math.max(m, b)) + bow);
+    }
+    boolean decided = pieces.decide();
+    if (depth == 0) {
+      noteRanges();
+    }
+    boolean finest = depth >= DEPTH || evaluations > allowed || !(middle > start && middle < end);
+    if (!decided && (finest || openByNothing())) {
+      int changed = changed(atStart, atEnd);
+      if (changed < 0) {
+        return Double.NaN;
+      } else if (finest) {
+        return taken(changed, narrowed(path, changed, start, end));
+      }
+    } else if (finest) {
+      return Double.NaN;
+    }
+    if (decided && pieces.isEven()) {
+      if (formulasShow(atStart, atMiddle, atEnd) || (start == begin && depth >= FORMULA_DEPTH)) {
+        return Double.NaN;
+      } else if (start > begin) {
+        longestFirstStep = FIRST_STEP * (end - start);
+        return start;
+      }
+    }
+    double found = searchPart(path, depth + 1, start, atStart, middle, atMiddle);
+    return Double.isNaN(found)
+        ? searchPart(path, depth + 1, middle, atMiddle, end, atEnd)
+        : found;
+  }
+
+  private void noteRanges() {
+    for (int choice = 0; choice < ranges.length; choice++) {
+      ranges[choice] = pieces.range(choice);
+    }
+  }
+
+  /** Returns whether open choices go beyond their boundaries by no more than rounding counts. */
+  private boolean openByNothing() {
+    for (int k = 0; k < pieces.undecidedCount(); k++) {
+      int choice = pieces.undecided(k);
+      if (pieces.excursion(choice) > TOUCH * ranges[choice]) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Returns an open choice that differs at the ends of a part; −1 if there is none. */
+  private int changed(double[] atStart, double[] atEnd) {
+    pieces.at(atStart);
+    pieces.pieces(piecesHere);
+    pieces.at(atEnd);
+    pieces.pieces(piecesThere);
+    for (int k = 0; k < pieces.undecidedCount(); k++) {
+      int choice = pieces.undecided(k);
+      if (piecesHere[choice] != piecesThere[choice]) {
+        return choice;
+      }
+    }
+    return -1;
+  }
+
+  /** Returns the time just behind the change of a choice in a part. */
+  private double narrowed(ModelEvents.Path path, int choice, double start, double end) {
+    double[] here = scratch[DEPTH + 1];
+    double before = start;
+    double behind = end;
+    double width = RESOLUTION * Math.ulp(end);
+    while (behind - before > width) {
+      double middle = 0.5 * (before + behind);
+      if (!evaluate(path, middle, here)) {
+        break;
+      }
+      pieces.at(here);
+      if (pieces.piece(choice) == piecesHere[choice]) {
+        before = middle;
+      } else {
+        behind = middle;
+      }
+    }
+    return behind;
+  }
+
+  /** Returns the place of a change if it ends the step, else NaN. */
+  private double taken(int choice, double place) {
+    if (!Double.isNaN(firstSeen[choice])) {
+      return firstSeen[choice];
+    } else if (shows(choice) && pieces.isSign(choice)) {
+      firstSeen[choice] = place;
+    } else if (counts(choice)) {
+      return place;
+    }
+    return Double.NaN;
+  }
+
+  /** Returns whether the ends of the step show that a choice changes in it. */
+  private boolean shows(int choice) {
+    return Math.abs(piecesTo[choice] - piecesFrom[choice]) == 1;
+  }
+
+  /** Decides whether a change of a choice ends the step, and counts it if so. */
+  private boolean counts(int choice) {
+    boolean close = sinceChange[choice] < CLOSE;
+    double row = close ? closeChanges[choice] + 1 : 1;
+    boolean taken = row <= (shows(choice) ? MOST_CLOSE : MOST_HIDDEN);
+    if (looking) {
+      sinceChange[choice] = 0;
+      closeChanges[choice] = taken ? row : closeChanges[choice];
+    }
+    return taken;
+  }
+
+  /**
+   * Returns whether the formulas stay near their values at the ends of the step all over a part in
+   * which they change evenly.
+   */
+  private boolean formulasShow(double[] atStart, double[] atMiddle, double[] atEnd) {
+    if (!pieces.canBeNarrow()) {
+      return true;
+    }
+    pieces.at(atStart);
+    read(valueHere);
+    pieces.at(atEnd);
+    read(valueThere);
+    pieces.at(atMiddle);
+    for (int r = 0; r < valueFrom.length; r++) {
+      double least = Math.min(valueFrom[r], valueTo[r]);
+      double most = Math.max(valueFrom[r], valueTo[r]);
+      double expected =
+          2 * (most - least) + 2 * Math.abs(valueFrom[r] - valueBefore[r]) + NOTHING * largest[r];
+      double a = valueHere[r];
+      double m = pieces.value(r);
+      double b = valueThere[r];
+      double bow = MARGIN * Math.abs(a - 2 * m + b);
+      double lowest = Math.min(a, Math.min(m, b)) - bow;
+      double highest = Math.max(a, Math.max(m, b)) + bow;
+      if (Math.max(highest - most, least - lowest) > expected) {
+        if (!looking) {
+          return false;
+        }
+        hidden = true;
+        largest[r] = Math.max(largest[r], Math.max(-lowest, highest));
+      }
+    }
+    return true;
+  }
+
+  /** Returns the length of {@link #save}. */
+  int stateLength() {
+    return Arrays.stream(parts()).mapToInt(part -> part.length).sum() + 3;
+  }
+
+  /** Writes what later searches depend on. */
+  void save(double[] state) {
+    int at = 0;
+    for (double[] part : parts()) {
+      System.arraycopy(part, 0, state, at, part.length);
+      at += part.length;
+    }
+    state[at] = begun ? 1 : 0;
+    state[at + 1] = longestFirstStep;
+    state[at + 2] = boxed ? 1 : 0;
+  }
+
+  /** Restores what {@link #save} has written. */
+  void restore(double[] state) {
+    int at = 0;
+    for (double[] part : parts()) {
+      System.arraycopy(state, at, part, 0, part.length);
+      at += part.length;
+    }
+    begun = state[at] == 1;
+    longestFirstStep = state[at + 1];
+    boxed = state[at + 2] == 1;
+  }
+
+  private double[][] parts() {
+    return new double[][] {
+      valueBefore, largest, sinceChange, closeChanges, boxLow, boxHigh
+    };
+  }
+}

@@ -1,0 +1,156 @@
+package org.mechservice.solver.dynamics.event;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.Random;
+import java.util.function.DoubleUnaryOperator;
+import org.junit.jupiter.api.Test;
+import org.mechservice.solver.api.capability.ModelEvents;
+import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.Expression.Negation;
+import org.mechservice.solver.expression.Expression.Product;
+import org.mechservice.solver.expression.Expression.StateValue;
+import org.mechservice.solver.expression.Expression.Sum;
+import org.mechservice.solver.expression.Function;
+import org.mechservice.solver.mechanism.FurtherState;
+import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.Root;
+import org.mechservice.solver.spatial.Rotation;
+import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.text.Origin;
+
+/**
+ * Steps along given paths of two states x and y: what lies between their ends is found, wherever
+ * and however short it is.
+ */
+final class StepSearchTest {
+  private static final Expression X = new StateValue(0);
+  private static final Expression Y = new StateValue(1);
+
+  private static Expression call(Function function, Expression... arguments) {
+    return Expression.call(function, List.of(arguments));
+  }
+
+  private static Expression minus(Expression a, double b) {
+    return new Sum(a, Expression.of(-b));
+  }
+
+  private static FurtherState state(String name, Expression rate) {
+    return new FurtherState(name, 0, rate, "1", 0, Origin.NONE);
+  }
+
+  /** The path of x(t), y(t). */
+  private record Way(DoubleUnaryOperator x, DoubleUnaryOperator y, double[] state)
+      implements ModelEvents.Path {
+    @Override
+    public boolean moveTo(double t) {
+      state[0] = x.applyAsDouble(t);
+      state[1] = y.applyAsDouble(t);
+      return true;
+    }
+  }
+
+  private static StateEvents events(Expression rate) {
+    Root root = new Root("ground", Vector3.ZERO, Rotation.IDENTITY);
+    return new StateEvents(
+        new Mechanism("m", root, Vector3.ZERO, List.of(), List.of())
+            .withFurtherStates(List.of(state("x", rate), state("y", Expression.ZERO))));
+  }
+
+  private static double seen(
+      Expression rate, double to, DoubleUnaryOperator x, DoubleUnaryOperator y) {
+    return events(rate).seenUntil(0, to, new Way(x, y, new double[2]));
+  }
+
+  @Test
+  void stepWithoutChangeStands() {
+    Expression gap = call(Function.MAX, Expression.ZERO, X);
+    assertThat(seen(gap, 2, t -> -1 + 0.4 * t, t -> 0)).isEqualTo(2);
+  }
+
+  /** x passes through a window of any width and any place, at any speed. */
+  @Test
+  void noWindowIsTooNarrow() {
+    Random random = new Random(1);
+    for (int i = 0; i < 1000; i++) {
+      double speed = Math.pow(10, 4 * random.nextDouble() - 2);
+      double at = 0.2 + random.nextDouble();
+      double width = Math.pow(10, -1 - 8 * random.nextDouble());
+      Expression way = minus(X, speed * at);
+      Expression inside =
+          call(
+              Function.STEP,
+              new Sum(
+                  Expression.of(speed * speed * width * width),
+                  new Negation(new Product(way, way))));
+      double first = at - width;
+      double found = seen(inside, 1.5, t -> speed * t, t -> 0);
+      assertThat(found).as("at %s, width %s", at, width).isCloseTo(first, within(1e-12));
+    }
+  }
+
+  /** A ball on a parabola dips into the ground by a depth of 1e-2 to 1e-11 of its height. */
+  @Test
+  void noTouchIsTooShallow() {
+    Random random = new Random(2);
+    for (int i = 0; i < 500; i++) {
+      double depth = Math.pow(10, -2 - 9 * random.nextDouble());
+      double at = 0.2 + 0.6 * random.nextDouble();
+      Expression gap = call(Function.MAX, Expression.ZERO, new Negation(X));
+      double found = seen(gap, 1, t -> (t - at) * (t - at) - depth, t -> 0);
+      // the touch lies sqrt(depth) before the lowest point; its place is rounded by ulp / slope
+      assertThat(found).as("depth %s", depth).isCloseTo(at - Math.sqrt(depth), within(1e-9));
+    }
+  }
+
+  /** Strobe: many turns in one step. */
+  @Test
+  void noTurnIsSkipped() {
+    Expression strobe = call(Function.STEP, minus(call(Function.COS, X), 0.9998));
+    double half = Math.acos(0.9998);
+    double found = seen(strobe, 50, t -> 1 + t, t -> 0);
+    assertThat(found).isCloseTo(2 * Math.PI - half - 1, within(1e-11));
+  }
+
+  /** A bump of no choice: the step ends before it, and the next one begins small. */
+  @Test
+  void narrowBumpIsMet() {
+    Random random = new Random(3);
+    for (int i = 0; i < 500; i++) {
+      double at = 0.1 + 0.8 * random.nextDouble();
+      double width = Math.pow(10, -2 - 5 * random.nextDouble());
+      Expression way = new Product(minus(X, at), Expression.of(1 / width));
+      Expression bump = call(Function.EXP, new Negation(new Product(way, way)));
+      StateEvents events = events(bump);
+      double found = events.seenUntil(0, 1, new Way(t -> t, t -> 0, new double[2]));
+      assertThat(found).as("at %s, width %s", at, width).isLessThan(at).isGreaterThan(0);
+      assertThat(found + events.longestFirstStep()).isLessThan(at + width);
+      assertThat(at - found).isLessThan(50 * width);
+    }
+  }
+
+  /** What happens to a factor of zero does not end a step. */
+  @Test
+  void changeThatHasNoEffectIsNone() {
+    Expression touching = call(Function.MAX, Expression.ZERO, Y);
+    Expression rate = new Product(touching, call(Function.ABS, X));
+    assertThat(seen(rate, 1, t -> t - 0.5, t -> -1)).isEqualTo(1);
+    assertThat(seen(rate, 1, t -> t - 0.5, t -> 1)).isCloseTo(0.5, within(1e-12));
+  }
+
+  /** A choice that hovers about its boundary is left to the error test after some steps. */
+  @Test
+  void hoveringChoiceDoesNotStopARun() {
+    StateEvents events = events(call(Function.ABS, X));
+    int cut = 0;
+    for (int step = 0; step < 100; step++) {
+      double from = step;
+      double sign = step % 2 == 0 ? 1e-9 : -1e-9;
+      Way way = new Way(t -> sign * (1 - 2 * (t - from)), t -> 0, new double[2]);
+      cut += events.seenUntil(from, from + 1, way) < from + 1 ? 1 : 0;
+    }
+    assertThat(cut).isBetween(1, 20);
+  }
+}

@@ -1,0 +1,101 @@
+package org.mechservice.solver.expression;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** Bounds hold what they bound. */
+final class EnclosureTest {
+  private final LocalDerivatives local = new LocalDerivatives();
+  private final Enclosure enclosure = new Enclosure();
+
+  private double between(Random random, double low, double high) {
+    return switch (random.nextInt(8)) {
+      case 0 -> low;
+      case 1 -> high;
+      default -> low + random.nextDouble() * (high - low);
+    };
+  }
+
+  @ParameterizedTest
+  @EnumSource(Operation.class)
+  void boundsHoldEveryValue(Operation operation) {
+    Random random = new Random(20_261_128 + operation.ordinal());
+    int finite = 0;
+    for (int i = 0; i < 4000; i++) {
+      double scale = Math.pow(10, random.nextInt(5) - 2);
+      double aLow = scale * random.nextGaussian();
+      double aHigh = aLow + scale * random.nextDouble();
+      double bLow =
+          operation == Operation.POWER ? random.nextInt(7) - 3 : scale * random.nextGaussian();
+      double bHigh =
+          operation == Operation.POWER ? bLow : bLow + scale * random.nextDouble();
+      enclosure.of(operation, aLow, aHigh, bLow, bHigh);
+      finite += Double.isFinite(enclosure.high - enclosure.low) ? 1 : 0;
+      for (int k = 0; k < 20; k++) {
+        double a = between(random, aLow, aHigh);
+        double value = operation.value(a, between(random, bLow, bHigh), local);
+        if (Double.isFinite(value)) {
+          assertThat(value)
+              .as("%s of [%s, %s], [%s, %s] at %s", operation, aLow, aHigh, bLow, bHigh, a)
+              .isBetween(enclosure.low, enclosure.high);
+        }
+      }
+    }
+    // bounds that always are infinite would hold everything, too
+    assertThat(finite).isGreaterThan(1000);
+  }
+
+  @ParameterizedTest
+  @EnumSource(Table.Method.class)
+  void boundsOfTablesAreTheirExtrema(Table.Method method) {
+    Random random = new Random(7);
+    List<Double> x = List.of(0.0, 1.0, 1.2, 3.0, 3.1, 5.0);
+    List<Double> y = List.of(0.0, 2.0, -1.0, 0.5, 4.0, 4.0);
+    for (Table.Extrapolation outside : Table.Extrapolation.values()) {
+      TableCurve curve = new Table("t", x, y, method, outside).curve();
+      for (int i = 0; i < 500; i++) {
+        double from = 5 * random.nextDouble();
+        double to = from + (5 - from) * random.nextDouble();
+        enclosure.of(curve, from, to, 0, 0);
+        double least = Double.POSITIVE_INFINITY;
+        double most = Double.NEGATIVE_INFINITY;
+        for (int k = 0; k <= 2000; k++) {
+          double value = curve.at(from + (to - from) * k / 2000);
+          least = Math.min(least, value);
+          most = Math.max(most, value);
+        }
+        // samples 0.0025 apart miss a corner by half of that times the slope, which is 35 at most
+        double missed = 0.05;
+        assertThat(enclosure.low).isBetween(least - missed, least);
+        assertThat(enclosure.high).isBetween(most, most + missed);
+      }
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource(Table.Method.class)
+  void boundsOfMapsHoldEveryValue(Table.Method method) {
+    Random random = new Random(8);
+    List<Double> z = random.doubles(20, -1, 1).boxed().toList();
+    List<Double> x = List.of(0.0, 1.0, 1.2, 3.0, 3.1);
+    List<Double> y = List.of(-1.0, 0.0, 0.5, 2.0);
+    MapSurface surface =
+        new TableMap("m", x, y, z, method, Table.Extrapolation.LINEAR).surface();
+    for (int i = 0; i < 500; i++) {
+      double aLow = 4 * random.nextDouble() - 0.5;
+      double aHigh = aLow + random.nextDouble();
+      double bLow = 4 * random.nextDouble() - 1.5;
+      double bHigh = bLow + random.nextDouble();
+      enclosure.of(surface, aLow, aHigh, bLow, bHigh);
+      for (int k = 0; k < 50; k++) {
+        double value =
+            surface.value(between(random, aLow, aHigh), between(random, bLow, bHigh), local);
+        assertThat(value).isBetween(enclosure.low - 1e-12, enclosure.high + 1e-12);
+      }
+    }
+  }
+}

@@ -1,0 +1,90 @@
+package org.mechservice.solver.expression;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.mechservice.solver.expression.Expression.Product;
+import org.mechservice.solver.expression.Expression.StateValue;
+import org.mechservice.solver.expression.Expression.Sum;
+import org.mechservice.solver.expression.Expression.Time;
+
+/** Which choices of formulas are open over a box of their leaves, and which of them matter. */
+final class TapePiecesTest {
+  private static final Expression X = new StateValue(0);
+  private static final Expression Y = new StateValue(1);
+
+  private static Expression call(Function function, Expression... arguments) {
+    return Expression.call(function, List.of(arguments));
+  }
+
+  private static Expression positive(Expression x) {
+    return call(Function.MAX, Expression.ZERO, x);
+  }
+
+  /** Returns the number of open choices for x and y in intervals. */
+  private static int open(
+      Expression formula, double xLow, double xHigh, double yLow, double yHigh) {
+    Tape tape = new Tape(List.of(formula));
+    TapePieces pieces = new TapePieces(tape, 1);
+    for (int leaf = 0; leaf < tape.leaves().size(); leaf++) {
+      boolean x = tape.leaves().get(leaf).equals(X);
+      pieces.setLeaf(leaf, x ? xLow : yLow, x ? xHigh : yHigh);
+    }
+    pieces.decide();
+    return pieces.undecidedCount();
+  }
+
+  @Test
+  void choiceIsOpenWhereItsBoundaryLiesInTheBox() {
+    for (Function function : List.of(Function.STEP, Function.SIGNUM, Function.ABS)) {
+      assertThat(open(call(function, X), -1, 1, 0, 0)).as(function.symbol()).isOne();
+      assertThat(open(call(function, X), 0.1, 1, 0, 0)).as(function.symbol()).isZero();
+      assertThat(open(call(function, X), -1, -0.1, 0, 0)).as(function.symbol()).isZero();
+    }
+    assertThat(open(call(Function.FLOOR, X), 1.1, 1.9, 0, 0)).isZero();
+    assertThat(open(call(Function.FLOOR, X), 1.9, 2.1, 0, 0)).isOne();
+    assertThat(open(call(Function.SMOOTH_STEP, X), -1, -0.1, 0, 0)).isZero();
+    assertThat(open(call(Function.SMOOTH_STEP, X), 0.1, 0.9, 0, 0)).isZero();
+    assertThat(open(call(Function.SMOOTH_STEP, X), 0.9, 1.1, 0, 0)).isOne();
+    assertThat(open(call(Function.MIN, X, Y), 0, 1, 2, 3)).isZero();
+    assertThat(open(call(Function.MIN, X, Y), 0, 2.5, 2, 3)).isOne();
+  }
+
+  @Test
+  void factorOfZeroDoesNotMatter() {
+    Expression touching = positive(Y);
+    Expression gated = new Product(touching, call(Function.ABS, X));
+    assertThat(open(gated, -1, 1, -2, -1)).isZero();
+    assertThat(open(gated, -1, 1, 1, 2)).isOne();
+    assertThat(open(gated, -1, 1, -1, 2)).isEqualTo(2);
+  }
+
+  @Test
+  void argumentThatIsNotTakenDoesNotMatter() {
+    Expression outer = call(Function.MAX, call(Function.ABS, X), Y);
+    assertThat(open(outer, -1, 1, 5, 6)).isZero();
+    assertThat(open(outer, -1, 1, -6, -5)).isOne();
+  }
+
+  @Test
+  void wholeArgumentOfAStepThatKeepsItsValueDoesNotMatter() {
+    Expression inner = new Sum(call(Function.ABS, X), Expression.of(1));
+    assertThat(open(call(Function.STEP, inner), -1, 1, 0, 0)).isZero();
+  }
+
+  @Test
+  void formulaThatIsZeroOnBothSidesIsWatchedWhereItCanLeaveZero() {
+    // as in the law of a contact: the outer choice compares 0 with 0 while the bodies are apart
+    Expression law = positive(new Product(positive(X), new Sum(Expression.of(1), Y)));
+    assertThat(open(law, -2, -1, -3, 3)).isZero();
+    assertThat(open(law, -2, 1, 0, 3)).isGreaterThan(0);
+  }
+
+  @Test
+  void choicesOfTimeAreLeftToStepEnds() {
+    Tape tape = new Tape(List.of(call(Function.STEP, new Time())));
+    assertThat(new TapePieces(tape, 1).choiceCount()).isZero();
+    assertThat(TapePieces.ofTime(tape).choiceCount()).isOne();
+  }
+}
