@@ -45,6 +45,11 @@ final class Hits implements ProofSet {
   }
 
   @Override
+  public String before() {
+    return "";
+  }
+
+  @Override
   public Optional<Scene> scene(long seed) {
     Random random = new Random(7919 * seed);
     Kind kind = Kind.values()[(int) ((seed - 1) % Kind.values().length)];

@@ -65,6 +65,11 @@ final class OneSided implements ProofSet {
   }
 
   @Override
+  public String before() {
+    return "";
+  }
+
+  @Override
   public Optional<Scene> scene(long seed) {
     double end = Spread.even(new Random(seed), 0.4, 1.5);
     Method method = Method.any(new Random(seed + 1), 1e-5);

@@ -1,6 +1,7 @@
 package org.mechservice.library.proof;
 
 import java.util.Optional;
+import java.util.stream.LongStream;
 
 /** A set of random scenes, each made from its seed. */
 interface ProofSet {
@@ -15,4 +16,12 @@ interface ProofSet {
    * could decide.
    */
   Optional<Scene> scene(long seed);
+
+  /** Returns the seeds that every build runs: each kind of scene, and quick ones. */
+  default LongStream slice() {
+    return LongStream.rangeClosed(1, 24);
+  }
+
+  /** Returns how many were wrong in silence before steps were searched, of how many, for the page. */
+  String before();
 }

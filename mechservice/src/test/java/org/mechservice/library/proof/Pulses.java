@@ -40,6 +40,11 @@ final class Pulses implements ProofSet {
   }
 
   @Override
+  public String before() {
+    return "";
+  }
+
+  @Override
   public Optional<Scene> scene(long seed) {
     Random random = new Random(104729 * seed);
     Target target = Target.values()[(int) ((seed - 1) % Target.values().length)];

@@ -55,6 +55,11 @@ final class Roads implements ProofSet {
   }
 
   @Override
+  public String before() {
+    return "";
+  }
+
+  @Override
   public Optional<Scene> scene(long seed) {
     Random random = new Random(32452843 * seed);
     Wheel wheel = Wheel.values()[(int) ((seed - 1) % Wheel.values().length)];

@@ -105,6 +105,11 @@ final class SetRun {
     }
   }
 
+  /** Returns the set. */
+  ProofSet set() {
+    return set;
+  }
+
   /** Returns the scenes that are not right. */
   List<Missed> missed() {
     return List.copyOf(missed);

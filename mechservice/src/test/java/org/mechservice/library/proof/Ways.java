@@ -38,6 +38,11 @@ final class Ways implements ProofSet {
   }
 
   @Override
+  public String before() {
+    return "";
+  }
+
+  @Override
   public Optional<Scene> scene(long seed) {
     Random random = new Random(15485863 * seed);
     Target target = Target.values()[(int) ((seed - 1) % Target.values().length)];
