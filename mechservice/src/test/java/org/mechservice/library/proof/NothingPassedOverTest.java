@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.LongStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Tag;
@@ -46,5 +47,19 @@ class NothingPassedOverTest {
     }
     ProofPage.write(PAGE, runs);
     assertThat(runs.stream().flatMap(run -> run.silent().stream())).isEmpty();
+  }
+
+  /** Writes the hits with their right ends for {@code benchmarks/peers/hits.py}. */
+  @Test
+  @Tag("soak")
+  void writesTheHitsForOtherPrograms() throws Exception {
+    ProofSet hits = new Hits();
+    for (long seed = 1; seed <= hits.size(); seed++) {
+      Optional<Scene> scene = hits.scene(seed);
+      if (scene.isPresent()) {
+        scene.get().write(MISSED.resolve("hits"), Long.toString(seed));
+      }
+    }
+    assertThat(MISSED.resolve("hits").resolve("1.csv")).exists();
   }
 }

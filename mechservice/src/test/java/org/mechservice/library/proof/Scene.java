@@ -1,5 +1,8 @@
 package org.mechservice.library.proof;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 
 /**
@@ -27,5 +30,14 @@ record Scene(
   /** Returns the scene with right values. */
   Scene expecting(List<Expected> values) {
     return new Scene(kind, detail, method, text, shortest, values);
+  }
+
+  /** Writes the model, and its kind and right values as CSV, into a folder. */
+  void write(Path folder, String name) throws IOException {
+    Files.createDirectories(folder);
+    Files.writeString(folder.resolve(name + ".xml"), text);
+    StringBuilder values = new StringBuilder("kind," + kind + "\n");
+    expected.forEach(e -> values.append(e.column() + "," + e.value() + "\n"));
+    Files.writeString(folder.resolve(name + ".csv"), values);
   }
 }
