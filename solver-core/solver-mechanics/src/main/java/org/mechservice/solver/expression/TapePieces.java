@@ -5,8 +5,8 @@ import org.mechservice.solver.expression.Expression.ParameterValue;
 import org.mechservice.solver.expression.Expression.Time;
 
 /**
- * The smooth pieces of a tape: which branch each of its choices takes, at a point and all over a
- * box of leaves, and which choices matter there.
+ * The smooth pieces of a tape: which branch each of its choices takes, at a point, along a short
+ * way and all over a box of leaves, and which choices matter there.
  *
  * <p>A choice is an operation that is made of pieces: {@code abs}, {@code min} and {@code max},
  * {@code step}, {@code signum}, {@code floor}, {@code smoothStep} and tables of straight lines. A
@@ -15,9 +15,17 @@ import org.mechservice.solver.expression.Expression.Time;
  * step} that keeps its value. Choices of time alone are left out, since steps end where they
  * change.
  *
+ * <p>Along a short way the values at its start, middle and end are given. An operation that changes
+ * evenly stays near the parabola through its three values, with a margin of {@value #MARGIN} of its
+ * bow; the others are bounded by interval arithmetic. A parabola passes its points by 1/8 of the
+ * second difference at most, so that the margin covers three times as much for what is none.
+ *
  * <p>Workspace of one thread; nothing allocates after construction.
  */
 public final class TapePieces {
+  /** Margin beside three values, relative to their second difference. */
+  private static final double MARGIN = 0.5;
+
   /** Change of an argument within which exponential and hyperbolic functions change evenly. */
   private static final double EVEN = 0.5;
 
@@ -30,10 +38,13 @@ public final class TapePieces {
   private final Tape tape;
   private final LocalDerivatives local = new LocalDerivatives();
   private final Enclosure enclosure = new Enclosure();
-  private final double[] value;
   private final double[] low;
   private final double[] high;
   private final boolean[] matters;
+
+  /** Slots whose way is no parabola. */
+  private final boolean[] rough;
+
 
   /** Steps that are choices of the state, and the index among them of each step, −1 of others. */
   private final int[] choices;
@@ -72,10 +83,10 @@ public final class TapePieces {
     this.tape = tape;
     this.formulas = formulas;
     int slots = tape.initial.length;
-    value = tape.initial.clone();
     low = tape.initial.clone();
     high = tape.initial.clone();
     matters = new boolean[slots];
+    rough = new boolean[slots];
     boolean[] moves = moving(tape, slots, ofTime);
     choiceAt = new int[tape.target.length];
     int[] found = new int[tape.target.length];
@@ -205,37 +216,44 @@ public final class TapePieces {
     return formulas;
   }
 
+  /** Returns an array for the values at a point. */
+  public double[] newPoint() {
+    return tape.initial.clone();
+  }
+
   /**
    * Evaluates the tape at a point.
    *
    * @param leaves values of the leaves; more numbers may follow them
+   * @param point as made by {@link #newPoint}; overwritten
    */
-  public void at(double[] leaves) {
+  public void at(double[] leaves, double[] point) {
     for (int leaf = 0; leaf < tape.leafSlot.length; leaf++) {
-      value[tape.leafSlot[leaf]] = leaves[leaf];
+      point[tape.leafSlot[leaf]] = leaves[leaf];
     }
     for (int i = 0; i < tape.target.length; i++) {
-      value[tape.target[i]] =
-          tape.operation[i].value(value[tape.first[i]], value[tape.second[i]], local);
+      point[tape.target[i]] =
+          tape.operation[i].value(point[tape.first[i]], point[tape.second[i]], local);
     }
   }
 
-  /** Returns a result at the point of the last {@link #at}. */
-  public double value(int result) {
-    return value[tape.result[result]];
+  /** Returns a formula's value at a point. */
+  public double value(int formula, double[] point) {
+    return point[tape.result[formula]];
+  }
+
+  /** Returns the value of a leaf at a point. */
+  public double leaf(int leaf, double[] point) {
+    return point[tape.leafSlot[leaf]];
   }
 
   /**
-   * Writes the number of the piece that each choice takes at the point of the last {@link #at}.
-   * Neighbouring pieces of a choice of one argument have neighbouring numbers.
-   *
-   * @param pieces one number per choice; overwritten
+   * Returns the number of the piece that a choice takes at a point. Neighbouring pieces of a choice
+   * of one argument have neighbouring numbers.
    */
-  public void pieces(double[] pieces) {
-    for (int c = 0; c < choices.length; c++) {
-      int i = choices[c];
-      pieces[c] = piece(tape.operation[i], value[tape.first[i]], value[tape.second[i]]);
-    }
+  public double piece(int choice, double[] point) {
+    int i = choices[choice];
+    return piece(tape.operation[i], point[tape.first[i]], point[tape.second[i]]);
   }
 
   private static double piece(TapeStep step, double a, double b) {
@@ -267,12 +285,76 @@ public final class TapePieces {
    */
   public boolean decide() {
     for (int i = 0; i < tape.target.length; i++) {
-      int a = tape.first[i];
-      int b = tape.second[i];
-      enclosure.of(tape.operation[i], low[a], high[a], low[b], high[b]);
-      low[tape.target[i]] = enclosure.low;
-      high[tape.target[i]] = enclosure.high;
+      enclose(i);
     }
+    return findOpen();
+  }
+
+  /**
+   * Bounds all values along a short way and finds the choices that matter and are not the same all
+   * along it.
+   *
+   * @param start point at its start; not modified
+   * @param middle point in the middle of its time; not modified
+   * @param end point at its end; not modified
+   * @return whether there is none
+   */
+  public boolean decide(double[] start, double[] middle, double[] end) {
+    for (int slot : tape.leafSlot) {
+      follow(slot, start, middle, end);
+    }
+    for (int i = 0; i < tape.target.length; i++) {
+      int target = tape.target[i];
+      rough[target] = rough[tape.first[i]] || rough[tape.second[i]] || !changesEvenly(i);
+      if (rough[target]) {
+        enclose(i);
+      } else {
+        follow(target, start, middle, end);
+      }
+    }
+    return findOpen();
+  }
+
+  private void enclose(int i) {
+    int a = tape.first[i];
+    int b = tape.second[i];
+    enclosure.of(tape.operation[i], low[a], high[a], low[b], high[b]);
+    low[tape.target[i]] = enclosure.low;
+    high[tape.target[i]] = enclosure.high;
+  }
+
+  private void follow(int slot, double[] start, double[] middle, double[] end) {
+    double a = start[slot];
+    double m = middle[slot];
+    double b = end[slot];
+    double bow = MARGIN * Math.abs(a - 2 * m + b);
+    low[slot] = Math.min(a, Math.min(m, b)) - bow;
+    high[slot] = Math.max(a, Math.max(m, b)) + bow;
+  }
+
+  /** Returns whether an operation changes evenly within the bounds of its operands. */
+  private boolean changesEvenly(int i) {
+    TapeStep step = tape.operation[i];
+    int a = tape.first[i];
+    int b = tape.second[i];
+    if (isNarrow(step)) {
+      return isEven(step, i);
+    } else if (!(step instanceof Operation)) {
+      return isDecided(step, a, b);
+    }
+    return switch ((Operation) step) {
+      case ADD, MULTIPLY, NEGATE, SQUARE -> true;
+      case SIN, COS -> high[a] - low[a] <= EVEN;
+      case SQRT, LOG -> changesLittle(low[a], high[a], RATIO);
+      case ABS, MIN, MAX, SIGNUM, FLOOR, STEP, SMOOTH_STEP -> isDecided(step, a, b);
+      case ASIN, ACOS -> high[a] < EVEN && low[a] > -EVEN;
+      case HYPOT -> changesLittle(low[a], high[a], RATIO) || changesLittle(low[b], high[b], RATIO);
+      case ATAN2 -> changesLittle(low[b], high[b], RATIO) && low[b] > 0;
+      case DIVIDE, TAN, ATAN, EXP, SINH, COSH, TANH, POWER -> isEven(step, i);
+    };
+  }
+
+  private boolean findOpen() {
     Arrays.fill(matters, false);
     for (int r = 0; r < formulas; r++) {
       matters[tape.result[r]] = true;
@@ -409,22 +491,16 @@ public final class TapePieces {
     } else if (step == Operation.ABS) {
       return Math.min(-low[a], high[a]);
     } else if (step == Operation.SMOOTH_STEP || !(step instanceof Operation)) {
-      return range(choice);
+      return Math.max(high[a] - low[a], high[b] - low[b]);
     }
     return Double.POSITIVE_INFINITY;
   }
 
-  /** Returns by how much the argument of a choice can change in the box of {@link #decide}. */
-  public double range(int choice) {
+  /** Returns the largest size of the arguments of a choice in the box of {@link #decide}. */
+  public double size(int choice) {
     int a = tape.first[choices[choice]];
     int b = tape.second[choices[choice]];
-    return Math.max(high[a] - low[a], high[b] - low[b]);
-  }
-
-  /** Returns the number of the piece of a choice at the point of the last {@link #at}. */
-  public double piece(int choice) {
-    int i = choices[choice];
-    return piece(tape.operation[i], value[tape.first[i]], value[tape.second[i]]);
+    return Math.max(Math.max(-low[a], high[a]), Math.max(-low[b], high[b]));
   }
 
   /** Returns the lower bound of a formula after {@link #decide}. */

@@ -226,15 +226,16 @@ final class TimePlaces {
       }
     }
     if (Double.isFinite(to - from)) {
-      halve(new Search(pieces, leaves, time, part), from, to, 0);
+  halve(new Search(pieces, leaves, time, pieces.newPoint()), from, to, 0);
     }
   }
 
   /**
    * @param leaves values of the leaves
    * @param time index of the time among them
+   * @param point values of the tape
    */
-  private record Search(TapePieces pieces, double[] leaves, int time, Expression part) {
+  private record Search(TapePieces pieces, double[] leaves, int time, double[] point) {
     boolean isDecided(double start, double end) {
       pieces.setLeaf(time, start, end);
       return pieces.decide();
@@ -243,8 +244,8 @@ final class TimePlaces {
     /** Returns the number of the piece of the choice. */
     double piece(double t) {
       leaves[time] = t;
-      pieces.at(leaves);
-      return pieces.piece(0);
+      pieces.at(leaves, point);
+      return pieces.piece(0, point);
     }
   }
 

@@ -8,12 +8,11 @@ import org.mechservice.solver.expression.TapePieces;
  * Searches an accepted step for what its ends do not show: a choice in the formulas that is taken
  * otherwise inside the step, or a formula that is larger there than its values at the ends tell.
  *
- * <p>The quantities of the formulas are evaluated on the interpolated solution, which costs
- * kinematics and no dynamics, at the ends and in the middle of a part of the step. Their paths
- * between are those of a parabola with a margin of {@value #MARGIN} of its bow, in parts in which
- * no body turns by more than {@value #TURN} rad relative to another. Interval arithmetic then
- * decides whether any choice that matters can change in the part, and how far each formula can go.
- * What is open is halved, down to the resolution of time.
+ * <p>The formulas are evaluated on the interpolated solution, which costs kinematics and no
+ * dynamics, at the ends and in the middle of a part of the step in which no body turns by more than
+ * {@value #TURN} rad relative to another. {@link TapePieces} decides from these three points
+ * whether any choice that matters can change in the part. What is open is halved, down to the
+ * resolution of time.
  *
  * <p>A change that the error test cannot have seen ends the step just behind it. A change that
  * shows at the end of the step ends it, too, so that the method begins anew on the other side; if
@@ -26,11 +25,7 @@ final class StepSearch {
   /** Largest turn of a body relative to another in a part of a step, rad. */
   private static final double TURN = 0.5;
 
-  /**
-   * Margin of a path beside the three points known of it, relative to their second difference: a
-   * parabola passes its points by 1/8 of it at most, and within {@value #TURN} rad a circle differs
-   * from the parabola by less than a quarter of that.
-   */
+  /** Margin of a way beside three points of it, relative to their second difference. */
   private static final double MARGIN = 0.5;
 
   /** Most evaluations in a step beyond its first division, after which halving ends. */
@@ -45,7 +40,10 @@ final class StepSearch {
   /** Width to which a change is narrowed down, in units of the last place of time. */
   private static final double RESOLUTION = 4;
 
-  /** Way beyond a boundary, relative to the way of the argument in the step, that is a touch. */
+  /**
+   * Way beyond a boundary that is a touch, relative to the largest size that the argument has had:
+   * where a step begins on a boundary, rounding takes it to one side or the other.
+   */
   private static final double TOUCH = 1e-12;
 
   /** Depth to which the first way to a hidden value is followed. */
@@ -78,18 +76,23 @@ final class StepSearch {
   private final int[][] turns;
   private final double[][] scratch;
   private final double[] atFrom;
+  private final double[] atMiddle;
   private final double[] atTo;
   private final double[] moving;
-  private final double[] ranges;
+  private final double[] narrowing;
+
+  /** Quantities at the point looked at. */
+  private final double[] here;
+
+  /** Fastest turn at the ends of the step, rad/s. */
+  private double turning;
+
+  private final double[] sizes;
   private final double[] piecesFrom;
   private final double[] piecesTo;
-  private final double[] piecesHere;
-  private final double[] piecesThere;
   private final double[] valueFrom;
   private final double[] valueTo;
   private final double[] valueBefore;
-  private final double[] valueHere;
-  private final double[] valueThere;
   private final double[] largest;
 
   /** Whether formulas that do not show are only looked at, and whether one was found. */
@@ -130,16 +133,18 @@ final class StepSearch {
     int count = watched.quantities().size();
     boxLow = new double[leaves];
     boxHigh = new double[leaves];
-    scratch = new double[DEPTH + 3][count];
-    atFrom = new double[count];
-    atTo = new double[count];
-    moving = new double[count];
+    here = new double[count];
+    scratch = new double[DEPTH + 1][];
+    Arrays.setAll(scratch, depth -> pieces.newPoint());
+    atFrom = pieces.newPoint();
+    atMiddle = pieces.newPoint();
+    atTo = pieces.newPoint();
+    moving = pieces.newPoint();
+    narrowing = pieces.newPoint();
     int choices = pieces.choiceCount();
-    ranges = new double[choices];
+    sizes = new double[choices];
     piecesFrom = new double[choices];
     piecesTo = new double[choices];
-    piecesHere = new double[choices];
-    piecesThere = new double[choices];
     sinceChange = new double[choices];
     closeChanges = new double[choices];
     Arrays.fill(sinceChange, CLOSE);
@@ -148,8 +153,6 @@ final class StepSearch {
     valueFrom = new double[formulas];
     valueTo = new double[formulas];
     valueBefore = new double[formulas];
-    valueHere = new double[formulas];
-    valueThere = new double[formulas];
     largest = new double[formulas];
   }
 
@@ -173,6 +176,7 @@ final class StepSearch {
     begin = from;
     longestFirstStep = Double.POSITIVE_INFINITY;
     evaluations = 0;
+    turning = 0;
     if (!evaluate(path, from, atFrom) || !evaluate(path, to, atTo)) {
       return to;
     }
@@ -202,14 +206,13 @@ final class StepSearch {
    * form.
    */
   private boolean staysInBox(ModelEvents.Path path, double from, double to) {
-    double[] atMiddle = scratch[0];
     if (!boxed || parts(to - from) > 1 || !evaluate(path, 0.5 * (from + to), atMiddle)) {
       return false;
     }
     for (int leaf = 0; leaf < leaves; leaf++) {
-      double a = atFrom[leaf];
-      double m = atMiddle[leaf];
-      double b = atTo[leaf];
+      double a = pieces.leaf(leaf, atFrom);
+      double m = pieces.leaf(leaf, atMiddle);
+      double b = pieces.leaf(leaf, atTo);
       double bow = MARGIN * Math.abs(a - 2 * m + b);
       if (Math.min(a, Math.min(m, b)) - bow < boxLow[leaf]
           || Math.max(a, Math.max(m, b)) + bow > boxHigh[leaf]) {
@@ -222,14 +225,14 @@ final class StepSearch {
   /** Finds a box for the steps to come, if nothing changes its form in one about this step. */
   private void findBox(ModelEvents.Path path, double from, double to) {
     boxed = false;
-    if (parts(to - from) > 1 || !evaluate(path, 0.5 * (from + to), scratch[0])) {
+    if (parts(to - from) > 1 || !evaluate(path, 0.5 * (from + to), atMiddle)) {
       return;
     }
     for (double growth = LARGE_BOX; !boxed && growth >= SMALL_BOX; growth *= SHRINKAGE) {
       for (int leaf = 0; leaf < leaves; leaf++) {
-        double a = atFrom[leaf];
-        double m = scratch[0][leaf];
-        double b = atTo[leaf];
+        double a = pieces.leaf(leaf, atFrom);
+        double m = pieces.leaf(leaf, atMiddle);
+        double b = pieces.leaf(leaf, atTo);
         double least = Math.min(a, Math.min(m, b));
         double most = Math.max(a, Math.max(m, b));
         double beside = growth * (most - least) + MARGIN * Math.abs(a - 2 * m + b);
@@ -243,16 +246,12 @@ final class StepSearch {
 
   /** Returns where a step has to end; NaN if it may stand. */
   private double searchAll(ModelEvents.Path path, double from, double to) {
-    pieces.at(atFrom);
-    pieces.pieces(piecesFrom);
-    read(valueFrom);
+    read(atFrom, piecesFrom, valueFrom);
     if (!begun) {
       System.arraycopy(valueFrom, 0, valueBefore, 0, valueFrom.length);
       begun = true;
     }
-    pieces.at(atTo);
-    pieces.pieces(piecesTo);
-    read(valueTo);
+    read(atTo, piecesTo, valueTo);
     for (int r = 0; r < largest.length; r++) {
       largest[r] =
           Math.max(largest[r], Math.max(Math.abs(valueFrom[r]), Math.abs(valueTo[r])));
@@ -281,32 +280,35 @@ final class StepSearch {
     return end;
   }
 
-  private void read(double[] values) {
+  private void read(double[] point, double[] taken, double[] values) {
+    for (int choice = 0; choice < taken.length; choice++) {
+      taken[choice] = pieces.piece(choice, point);
+    }
     for (int r = 0; r < values.length; r++) {
-      values[r] = pieces.value(r);
+      values[r] = pieces.value(r, point);
     }
   }
 
-  private boolean evaluate(ModelEvents.Path path, double t, double[] values) {
+  private boolean evaluate(ModelEvents.Path path, double t, double[] point) {
     evaluations++;
     if (!path.moveTo(t)) {
       return false;
     }
-    quantities.evaluate(t, path.state(), values);
+    quantities.evaluate(t, path.state(), here);
+    pieces.at(here, point);
+    for (int[] group : turns) {
+      double turn = 0;
+      for (int rate : group) {
+        turn += Math.abs(here[rate]);
+      }
+      turning = Math.max(turning, turn);
+    }
     return true;
   }
 
   /** Returns into how many parts a step is divided, so that bodies turn little in each. */
   private int parts(double h) {
-    double most = 0;
-    for (int[] path : turns) {
-      double turn = 0;
-      for (int rate : path) {
-        turn += Math.max(Math.abs(atFrom[rate]), Math.abs(atTo[rate]));
-      }
-      most = Math.max(most, turn * h);
-    }
-    double parts = Math.ceil(most / TURN);
+    double parts = Math.ceil(turning * h / TURN);
     return parts >= 1 ? (int) Math.min(MOST_PARTS, parts) : 1;
   }
 
@@ -315,7 +317,7 @@ final class StepSearch {
       return searchPart(path, 0, from, atFrom, to, atTo);
     }
     System.arraycopy(atFrom, 0, moving, 0, moving.length);
-    double[] next = scratch[DEPTH + 2];
+    double[] next = atMiddle;
     double start = from;
     for (int k = 1; k <= parts; k++) {
       double end = k == parts ? to : from + (to - from) * k / parts;
@@ -341,20 +343,13 @@ final class StepSearch {
       double end,
       double[] atEnd) {
     double middle = 0.5 * (start + end);
-    double[] atMiddle = scratch[depth];
-    if (!evaluate(path, middle, atMiddle)) {
+    double[] between = scratch[depth];
+    if (!evaluate(path, middle, between)) {
       return Double.NaN;
     }
-    for (int leaf = 0; leaf < leaves; leaf++) {
-      double a = atStart[leaf];
-      double m = atMiddle[leaf];
-      double b = atEnd[leaf];
-      double bow = MARGIN * Math.abs(a - 2 * m + b);
-      pieces.setLeaf(leaf, Math.min(a, Math.min(m, b)) - bow, Math.max(a, Math.max(m, b)) + bow);
-    }
-    boolean decided = pieces.decide();
+    boolean decided = pieces.decide(atStart, between, atEnd);
     if (depth == 0) {
-      noteRanges();
+      noteSizes();
     }
     boolean finest = depth >= DEPTH || evaluations > allowed || !(middle > start && middle < end);
     if (!decided && (finest || openByNothing())) {
@@ -362,28 +357,29 @@ final class StepSearch {
       if (changed < 0) {
         return Double.NaN;
       } else if (finest) {
-        return taken(changed, narrowed(path, changed, start, end));
+        return taken(changed, narrowed(path, changed, start, atStart, end));
       }
     } else if (finest) {
       return Double.NaN;
     }
     if (decided && pieces.isEven()) {
-      if (formulasShow(atStart, atMiddle, atEnd) || (start == begin && depth >= FORMULA_DEPTH)) {
+      if (formulasShow(atStart, between, atEnd) || (start == begin && depth >= FORMULA_DEPTH)) {
         return Double.NaN;
       } else if (start > begin) {
         longestFirstStep = FIRST_STEP * (end - start);
         return start;
       }
     }
-    double found = searchPart(path, depth + 1, start, atStart, middle, atMiddle);
+    double found = searchPart(path, depth + 1, start, atStart, middle, between);
     return Double.isNaN(found)
-        ? searchPart(path, depth + 1, middle, atMiddle, end, atEnd)
+        ? searchPart(path, depth + 1, middle, between, end, atEnd)
         : found;
   }
 
-  private void noteRanges() {
-    for (int choice = 0; choice < ranges.length; choice++) {
-      ranges[choice] = pieces.range(choice);
+  private void noteSizes() {
+    for (int choice = 0; choice < sizes.length; choice++) {
+      double size = pieces.size(choice);
+      sizes[choice] = Double.isFinite(size) ? Math.max(sizes[choice], size) : sizes[choice];
     }
   }
 
@@ -391,7 +387,7 @@ final class StepSearch {
   private boolean openByNothing() {
     for (int k = 0; k < pieces.undecidedCount(); k++) {
       int choice = pieces.undecided(k);
-      if (pieces.excursion(choice) > TOUCH * ranges[choice]) {
+      if (pieces.excursion(choice) > TOUCH * sizes[choice]) {
         return false;
       }
     }
@@ -400,13 +396,9 @@ final class StepSearch {
 
   /** Returns an open choice that differs at the ends of a part; −1 if there is none. */
   private int changed(double[] atStart, double[] atEnd) {
-    pieces.at(atStart);
-    pieces.pieces(piecesHere);
-    pieces.at(atEnd);
-    pieces.pieces(piecesThere);
     for (int k = 0; k < pieces.undecidedCount(); k++) {
       int choice = pieces.undecided(k);
-      if (piecesHere[choice] != piecesThere[choice]) {
+      if (pieces.piece(choice, atStart) != pieces.piece(choice, atEnd)) {
         return choice;
       }
     }
@@ -414,18 +406,18 @@ final class StepSearch {
   }
 
   /** Returns the time just behind the change of a choice in a part. */
-  private double narrowed(ModelEvents.Path path, int choice, double start, double end) {
-    double[] here = scratch[DEPTH + 1];
+  private double narrowed(
+      ModelEvents.Path path, int choice, double start, double[] atStart, double end) {
+    double piece = pieces.piece(choice, atStart);
     double before = start;
     double behind = end;
     double width = RESOLUTION * Math.ulp(end);
     while (behind - before > width) {
       double middle = 0.5 * (before + behind);
-      if (!evaluate(path, middle, here)) {
+      if (!evaluate(path, middle, narrowing)) {
         break;
       }
-      pieces.at(here);
-      if (pieces.piece(choice) == piecesHere[choice]) {
+      if (pieces.piece(choice, narrowing) == piece) {
         before = middle;
       } else {
         behind = middle;
@@ -467,23 +459,18 @@ final class StepSearch {
    * Returns whether the formulas stay near their values at the ends of the step all over a part in
    * which they change evenly.
    */
-  private boolean formulasShow(double[] atStart, double[] atMiddle, double[] atEnd) {
+  private boolean formulasShow(double[] atStart, double[] between, double[] atEnd) {
     if (!pieces.canBeNarrow()) {
       return true;
     }
-    pieces.at(atStart);
-    read(valueHere);
-    pieces.at(atEnd);
-    read(valueThere);
-    pieces.at(atMiddle);
     for (int r = 0; r < valueFrom.length; r++) {
       double least = Math.min(valueFrom[r], valueTo[r]);
       double most = Math.max(valueFrom[r], valueTo[r]);
       double expected =
           2 * (most - least) + 2 * Math.abs(valueFrom[r] - valueBefore[r]) + NOTHING * largest[r];
-      double a = valueHere[r];
-      double m = pieces.value(r);
-      double b = valueThere[r];
+      double a = pieces.value(r, atStart);
+      double m = pieces.value(r, between);
+      double b = pieces.value(r, atEnd);
       double bow = MARGIN * Math.abs(a - 2 * m + b);
       double lowest = Math.min(a, Math.min(m, b)) - bow;
       double highest = Math.max(a, Math.max(m, b)) + bow;
@@ -529,7 +516,7 @@ final class StepSearch {
 
   private double[][] parts() {
     return new double[][] {
-      valueBefore, largest, sinceChange, closeChanges, boxLow, boxHigh
+      valueBefore, largest, sizes, sinceChange, closeChanges, boxLow, boxHigh
     };
   }
 }
