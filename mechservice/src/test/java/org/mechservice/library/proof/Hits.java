@@ -46,7 +46,7 @@ final class Hits implements ProofSet {
 
   @Override
   public String before() {
-    return "";
+    return "173 of 928";
   }
 
   @Override

@@ -66,7 +66,7 @@ final class OneSided implements ProofSet {
 
   @Override
   public String before() {
-    return "";
+    return "X";
   }
 
   @Override

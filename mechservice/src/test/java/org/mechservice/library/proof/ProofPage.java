@@ -10,24 +10,26 @@ import java.util.Locale;
 
 /** The part of a report page that the sets write, between two marks in its text. */
 final class ProofPage {
-  private static final String BEGIN = "<!-- sets -->\n";
-  private static final String END = "<!-- end of sets -->\n";
-
   private ProofPage() {}
 
-  /** Writes the tables of some runs into a page; the rest of it stays. */
-  static void write(Path page, List<SetRun> runs) throws IOException {
+  /**
+   * Writes a part of a page; the rest of it stays.
+   *
+   * @param name of the part in its marks
+   */
+  static void write(Path page, String name, String part) throws IOException {
     String text = Files.readString(page);
-    int begin = text.indexOf(BEGIN);
-    int end = text.indexOf(END);
-    if (begin < 0 || end < begin) {
-      throw new IllegalStateException("the page " + page + " has lost its marks");
+    String begin = "<!-- " + name + " -->\n";
+    int from = text.indexOf(begin);
+    int to = text.indexOf("<!-- end of " + name + " -->");
+    if (from < 0 || to < from) {
+      throw new IllegalStateException("the page " + page + " has lost its marks of " + name);
     }
-    Files.writeString(
-        page, text.substring(0, begin) + BEGIN + tables(runs) + text.substring(end));
+    Files.writeString(page, text.substring(0, from) + begin + part + text.substring(to));
   }
 
-  private static String tables(List<SetRun> runs) {
+  /** Returns a table of all sets, and one of each. */
+  static String tables(List<SetRun> runs) {
     StringBuilder text = new StringBuilder();
     text.append(
         String.format(

@@ -41,7 +41,7 @@ final class Pulses implements ProofSet {
 
   @Override
   public String before() {
-    return "";
+    return "252 of 465";
   }
 
   @Override

@@ -56,7 +56,7 @@ final class Roads implements ProofSet {
 
   @Override
   public String before() {
-    return "";
+    return "X";
   }
 
   @Override

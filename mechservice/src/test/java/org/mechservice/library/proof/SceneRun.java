@@ -2,7 +2,9 @@ package org.mechservice.library.proof;
 
 import java.io.IOException;
 import java.util.Optional;
+import java.util.SortedSet;
 import java.util.TreeSet;
+import java.util.function.ToDoubleFunction;
 import org.mechservice.library.MechModel;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.sim.emit.plan.CodeForm;
@@ -46,11 +48,24 @@ record SceneRun(Scene scene, Verdict verdict, double error, String said, String 
       rows = Optional.empty();
       said.add(e.failure().code().toString());
     }
+    Optional<Trajectory> found = rows;
+    return judged(
+        scene,
+        column -> found.map(r -> r.column(column)[r.rows() - 1]).orElse(Double.NaN),
+        said);
+  }
+
+  /**
+   * Judges the end of a run.
+   *
+   * @param ends values of the last row by column; NaN if there is none
+   * @param said codes of warnings and failures
+   */
+  static SceneRun judged(Scene scene, ToDoubleFunction<String> ends, SortedSet<String> said) {
     double worst = 0;
     StringBuilder detail = new StringBuilder();
     for (Expected expected : scene.expected()) {
-      double actual =
-          rows.map(r -> r.column(expected.column())[r.rows() - 1]).orElse(Double.NaN);
+      double actual = ends.applyAsDouble(expected.column());
       double error = expected.error(actual);
       worst = Math.max(worst, error);
       detail.append(

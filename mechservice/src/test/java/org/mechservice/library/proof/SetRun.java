@@ -47,7 +47,7 @@ final class SetRun {
       largest = Math.max(largest, other.largest);
     }
 
-    private String row(String name) {
+    String row(String name) {
       return String.format(
           Locale.ROOT,
           "| %s | %d | %d | %d | %d | %d | %.2g |%n",
@@ -64,6 +64,11 @@ final class SetRun {
   /** Whether the scenes run in steps so short that nothing can be passed over: a check of the set. */
   private static final boolean SHORT_STEPS = Boolean.getBoolean("proof.shortSteps");
 
+  /** Head of a table of counts. */
+  static final String HEAD =
+      "| kind | scenes | right | told | wrong in silence | dropped | largest error over its bound"
+          + " |\n|---|---|---|---|---|---|---|\n";
+
   private final ProofSet set;
   private final Map<String, Counts> kinds = new LinkedHashMap<>();
   private final List<Missed> missed = new ArrayList<>();
@@ -72,16 +77,30 @@ final class SetRun {
     this.set = set;
   }
 
-  /** Runs the scenes of some seeds. */
-  static SetRun of(ProofSet set, LongStream seeds) throws IOException, MechmlException {
+  /** Runs a scene. */
+  interface Form {
+    /** Returns what came of it. */
+    SceneRun run(Scene scene) throws IOException, MechmlException, InterruptedException;
+  }
+
+  /** Runs the scenes of some seeds in this process. */
+  static SetRun of(ProofSet set, LongStream seeds)
+      throws IOException, MechmlException, InterruptedException {
+    return of(set, seeds, SceneRun::of);
+  }
+
+  /** Runs the scenes of some seeds in another form. */
+  static SetRun of(ProofSet set, LongStream seeds, Form form)
+      throws IOException, MechmlException, InterruptedException {
     SetRun result = new SetRun(set);
     for (long seed : seeds.toArray()) {
-      result.run(seed);
+      result.run(seed, form);
     }
     return result;
   }
 
-  private void run(long seed) throws IOException, MechmlException {
+  private void run(long seed, Form form)
+      throws IOException, MechmlException, InterruptedException {
     Optional<Scene> scene = set.scene(seed);
     if (scene.isEmpty()) {
       kinds.computeIfAbsent("sensitive, dropped", name -> new Counts()).dropped++;
@@ -92,7 +111,7 @@ final class SetRun {
       return;
     }
     Counts counts = kinds.computeIfAbsent(scene.get().kind(), name -> new Counts());
-    SceneRun run = SceneRun.of(SHORT_STEPS ? scene.get().inShortSteps() : scene.get());
+    SceneRun run = form.run(SHORT_STEPS ? scene.get().inShortSteps() : scene.get());
     switch (run.verdict()) {
       case RIGHT -> counts.right++;
       case TOLD -> counts.told++;
@@ -130,9 +149,7 @@ final class SetRun {
   /** Returns a table of the kinds. */
   String table() {
     StringBuilder table = new StringBuilder();
-    table.append(
-        "| kind | scenes | right | told | wrong in silence | dropped | largest error over its bound"
-            + " |\n|---|---|---|---|---|---|---|\n");
+    table.append(HEAD);
     kinds.forEach((name, counts) -> table.append(counts.row(name)));
     return table + all().row("all");
   }

@@ -45,7 +45,7 @@ final class ShortSteps {
         double other = allowed[place ? i + n / 2 : i - n / 2];
         expected.add(
             new Expected(columns[i], right[i], allowed[i] + other * (place ? 1 : 10), change)
-                .known(1e-6));
+                .known(3e-6));
       }
       return expected;
     } catch (MechmlException e) {

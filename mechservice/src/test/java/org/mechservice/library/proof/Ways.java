@@ -39,7 +39,7 @@ final class Ways implements ProofSet {
 
   @Override
   public String before() {
-    return "";
+    return "379 of 456";
   }
 
   @Override
