@@ -35,13 +35,8 @@ final class SettledCoefficients {
   private static List<Expression> of(ForceElement force) {
     List<Expression> all = new ArrayList<>();
     if (force instanceof Contact contact) {
-      all.add(contact.radius());
-      all.add(contact.stiffness());
-      all.add(contact.damping());
       all.add(contact.exponent());
       all.add(contact.smoothing());
-      all.add(contact.friction());
-      all.add(contact.frictionSpeed());
     } else if (force instanceof Bushing bushing) {
       all.addAll(bushing.stiffness());
       all.addAll(bushing.damping());

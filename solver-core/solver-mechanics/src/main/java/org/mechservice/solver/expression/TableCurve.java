@@ -22,7 +22,10 @@ public final class TableCurve implements TapeStep {
     knots = table.x().stream().mapToDouble(Double::doubleValue).toArray();
     double[] y = table.y().stream().mapToDouble(Double::doubleValue).toArray();
     polynomials = new double[NUMBERS * (knots.length + 1)];
-    double[] slope = slopes(table.method(), knots, y);
+    double[] slope =
+        table.slopes().isEmpty()
+            ? slopes(table.method(), knots, y)
+            : table.slopes().stream().mapToDouble(Double::doubleValue).toArray();
     int n = knots.length;
     for (int i = 0; i + 1 < n; i++) {
       double h = knots[i + 1] - knots[i];

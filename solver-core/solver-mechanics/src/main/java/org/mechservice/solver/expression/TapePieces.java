@@ -1,6 +1,7 @@
 package org.mechservice.solver.expression;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 import org.mechservice.solver.expression.Expression.ParameterValue;
 import org.mechservice.solver.expression.Expression.Time;
 
@@ -51,7 +52,7 @@ public final class TapePieces {
 
   private final int[] choiceAt;
 
-  /** Number of results that are formulas, and the choice of each other result, −1 without one. */
+  /** Number of results that are formulas, and the choices that the other results are. */
   private final int formulas;
 
   private final int[] signs;
@@ -107,16 +108,14 @@ public final class TapePieces {
     undecided = new int[count];
     isSign = new boolean[count];
     canBeNarrow = Arrays.stream(tape.operation).anyMatch(TapePieces::isNarrow);
-    signs = new int[tape.result.length - formulas];
-    Arrays.fill(signs, -1);
     for (int i = 0; i < found.length; i++) {
-      for (int s = 0; s < signs.length; s++) {
-        if (tape.result[formulas + s] == tape.target[i] && choiceAt[i] >= 0) {
-          signs[s] = choiceAt[i];
+      for (int r = formulas; r < tape.result.length; r++) {
+        if (choiceAt[i] >= 0 && tape.result[r] == tape.target[i]) {
           isSign[choiceAt[i]] = true;
         }
       }
     }
+    signs = IntStream.range(0, count).filter(choice -> isSign[choice]).toArray();
   }
 
   /** Returns whether a choice is one of those whose piece alone counts. */
@@ -367,9 +366,8 @@ public final class TapePieces {
       }
     }
     for (int choice : signs) {
-      int i = choice < 0 ? -1 : choices[choice];
-      if (i >= 0
-          && !matters[tape.target[i]]
+      int i = choices[choice];
+      if (!matters[tape.target[i]]
           && !isDecided(tape.operation[i], tape.first[i], tape.second[i])) {
         undecided[undecidedCount++] = choice;
       }

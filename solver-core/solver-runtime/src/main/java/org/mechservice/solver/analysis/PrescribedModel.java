@@ -11,22 +11,17 @@ import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.assembly.Assembly;
 import org.mechservice.solver.closure.assembly.LoopFinding;
 import org.mechservice.solver.closure.assembly.RankAnalysis;
+import org.mechservice.solver.closure.model.LoopContinuation;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.force.user.UserForceSource;
 
 /**
  * A mechanism whose coordinates all follow from prescribed motions, through driven joints and
- * loops. Positions come from Φ(q, t) = 0 by Newton's method, from one output time to the next in
- * steps small enough for a good prediction; velocities and accelerations from J v = −Φ_t and J a =
- * −γ. The necessary forces are separate columns.
+ * loops. Positions come from Φ(q, t) = 0, followed from one output time to the next ({@link
+ * LoopContinuation}); velocities and accelerations from J v = −Φ_t and J a = −γ. The necessary
+ * forces are separate columns.
  */
 final class PrescribedModel extends AnalysisModel {
-  /** Largest difference of a position from the predicted one, rad or lengths of the mechanism. */
-  private static final double NEAR = 0.05;
-
-  /** Shortest step, as a fraction of the interval between two output times. */
-  private static final double SHORTEST = 1e-9;
-
   /** Ratio of the smallest to the largest singular value below which a position is singular. */
   private static final double SINGULAR = 1e-8;
 
@@ -36,8 +31,9 @@ final class PrescribedModel extends AnalysisModel {
   private double reached;
 
   /** Sign of the determinant of J, whose rows are as many as its columns. */
-  private double orientation;
+  private int orientation;
 
+  private final LoopContinuation continuation = new LoopContinuation(new AllPositions());
   private int[] rows = new int[0];
   private long iterations;
 
@@ -118,40 +114,21 @@ final class PrescribedModel extends AnalysisModel {
   }
 
   private Optional<Defect> advance(double t) {
-    double step = t - reached;
-    double least = SHORTEST * step;
-    while (reached < t) {
-      double to = reached + step >= t ? t : reached + step;
-      double[] tried = y.clone();
-      equations.coordinates.move(tried, 0, y, equations.nq, to - reached);
-      double[] predicted = tried.clone();
-      iterations++;
-      if (equations.closePositions(to, tried) && isNear(tried, predicted)) {
-        System.arraycopy(tried, 0, y, 0, equations.nq);
-        reached = to;
-        Optional<Defect> why = move(to);
-        if (why.isPresent()) {
-          return why;
-        }
-        step *= 2;
-      } else {
-        step /= 2;
-        if (step < least) {
-          return Optional.of(stuck(to, predicted));
-        }
-      }
+    double[] rates = new double[equations.nq];
+    equations.coordinates.rates(y, 0, y, equations.nq, rates, 0);
+    double[] to = y.clone();
+    LoopContinuation.End end = continuation.follow(reached, y, rates, orientation, t, to, false);
+    if (end == LoopContinuation.End.REACHED && equations.closePositions(t, to)) {
+      System.arraycopy(to, 0, y, 0, equations.nq);
+      reached = t;
+      return move(t);
     }
-    return Optional.empty();
-  }
-
-  private boolean isNear(double[] found, double[] predicted) {
-    for (int i = 0; i < equations.nq; i++) {
-      double size = equations.coordinates.velocityOf(i) < 0 ? 1 : unitOf(i);
-      if (!(Math.abs(found[i] - predicted[i]) <= NEAR * size)) {
-        return false;
-      }
+    System.arraycopy(continuation.positions(), 0, y, 0, equations.nq);
+    if (end == LoopContinuation.End.LIMIT) {
+      return Optional.of(stuck(t, y));
     }
-    return true;
+    equations.place(reached + continuation.reached() * (t - reached), y);
+    return Optional.of(singular(new FreeDirections(equations)));
   }
 
   private double unitOf(int position) {
@@ -165,7 +142,7 @@ final class PrescribedModel extends AnalysisModel {
     equations.place(t, y);
     equations.solveLeast(equations.loops.rate);
     boolean lost = equations.rank() < n || (n > 0 && equations.jacobian.relative(n - 1) < SINGULAR);
-    if (lost || orientation() * orientation < 0) {
+    if (lost || orientation() != orientation) {
       return Optional.of(singular(new FreeDirections(equations)));
     }
     System.arraycopy(equations.step, 0, y, equations.nq, n);
@@ -179,14 +156,14 @@ final class PrescribedModel extends AnalysisModel {
   }
 
   /** Returns the sign of the determinant of J's independent rows: it changes at a dead centre. */
-  private double orientation() {
+  private int orientation() {
     int n = equations.nv;
     double[] a = new double[n * n];
     equations.jacobian.decompose();
     for (int i = 0; i < n && rows.length == n; i++) {
       System.arraycopy(equations.jacobian.elements(), rows[i] * n, a, i * n, n);
     }
-    double sign = 1;
+    int sign = 1;
     for (int k = 0; k < n; k++) {
       int pivot = k;
       for (int i = k + 1; i < n; i++) {
@@ -197,7 +174,7 @@ final class PrescribedModel extends AnalysisModel {
         a[k * n + j] = a[pivot * n + j];
         a[pivot * n + j] = element;
       }
-      sign *= pivot == k ? Math.signum(a[k * n + k]) : -Math.signum(a[k * n + k]);
+      sign *= (pivot == k ? 1 : -1) * (int) Math.signum(a[k * n + k]);
       for (int i = k + 1; i < n && a[k * n + k] != 0; i++) {
         double factor = a[i * n + k] / a[k * n + k];
         for (int j = k; j < n; j++) {
@@ -252,5 +229,48 @@ final class PrescribedModel extends AnalysisModel {
   @Override
   public List<Note> notes() {
     return List.copyOf(notes);
+  }
+
+  /** The equations of all positions, by least changes where some of them are redundant. */
+  private final class AllPositions implements LoopContinuation.Equations {
+    @Override
+    public int positionCount() {
+      return equations.nq;
+    }
+
+    @Override
+    public boolean isGiven(int position) {
+      return false;
+    }
+
+    @Override
+    public double unit(int position) {
+      return equations.coordinates.velocityOf(position) < 0 ? 1 : unitOf(position);
+    }
+
+    @Override
+    public double correct(double t, double[] q) {
+      iterations++;
+      double[] state = Arrays.copyOf(q, equations.nq + equations.nv);
+      equations.coordinates.normalize(state, 0);
+      equations.place(t, state);
+      equations.solveLeast(equations.loops.value);
+      int n = equations.nv;
+      if (n > 0 && !(equations.jacobian.relative(n - 1) >= SINGULAR)) {
+        return Double.NaN;
+      }
+      double largest = 0;
+      for (int j = 0; j < n; j++) {
+        largest = Math.max(largest, Math.abs(equations.step[j]) / equations.unit[j]);
+      }
+      equations.coordinates.move(state, 0, equations.step, 0, 1);
+      System.arraycopy(state, 0, q, 0, equations.nq);
+      return largest;
+    }
+
+    @Override
+    public int orientation() {
+      return PrescribedModel.this.orientation();
+    }
   }
 }

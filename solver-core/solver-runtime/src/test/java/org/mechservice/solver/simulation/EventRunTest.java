@@ -421,7 +421,7 @@ class EventRunTest {
     RunReport report = run(model(slidingPendulum(tear), "DSR"), "ode113", 6);
 
     Failure failure = ((Outcome.Failed) report.outcome()).failure();
-    assertThat(failure.code()).isEqualTo(MessageCode.EVENT_BREAKS_LOOPS);
+    assertThat(failure.code()).as(failure.message()).isEqualTo(MessageCode.EVENT_BREAKS_LOOPS);
     assertThat(failure.part()).contains("tear");
   }
 

@@ -8,6 +8,8 @@ import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.ode.StepResult;
 import org.mechservice.solver.ode.events.EventIntegration;
+import org.mechservice.solver.ode.jumps.UndeclaredJumps;
+import org.mechservice.solver.ode.step.WatchedIntegrator;
 
 /** One integration from its start, or from a checkpoint, to its end. */
 final class IntegrationRun {
@@ -71,9 +73,10 @@ final class IntegrationRun {
     this.problem = problem;
     this.options = options;
     events = new ComposedEvents(options.events());
-    Integrator steps =
+    WatchedIntegrator method =
         problem.integrator(
             options.settings(() -> !completing && options.cancelled().getAsBoolean()));
+    Integrator steps = options.searchesUndeclaredJumps() ? UndeclaredJumps.around(method) : method;
     integrator = options.events().isEmpty() ? steps : new EventIntegration(steps, events);
     stepHandlers = options.stepHandlers().toArray(StepHandler[]::new);
     step = new SolvedStep(integrator, problem.dimension());

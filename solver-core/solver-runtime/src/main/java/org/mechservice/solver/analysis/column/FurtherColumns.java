@@ -13,6 +13,7 @@ import org.mechservice.solver.api.capability.MomentumBalance;
 import org.mechservice.solver.api.capability.ResultColumns;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.result.Variable;
+import org.mechservice.solver.api.run.RunNotes.Note;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.dynamics.event.WrittenValues;
 import org.mechservice.solver.force.user.UserForceSource;
@@ -102,6 +103,18 @@ public final class FurtherColumns implements ResultColumns {
     } else {
       Arrays.fill(values, at, at + own.columns().size(), Double.NaN);
     }
+  }
+
+  @Override
+  public void observe(double t, double[] y) {
+    if (groups.values().stream().anyMatch(ColumnValues::observes) && evaluate(t, y)) {
+      groups.values().forEach(values -> values.observe(t));
+    }
+  }
+
+  @Override
+  public List<Note> notes() {
+    return groups.values().stream().flatMap(values -> values.notes().stream()).toList();
   }
 
   @Override
