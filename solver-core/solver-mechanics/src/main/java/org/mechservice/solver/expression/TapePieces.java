@@ -255,6 +255,28 @@ public final class TapePieces {
     return piece(tape.operation[i], point[tape.first[i]], point[tape.second[i]]);
   }
 
+  /**
+   * Returns how far the argument of a choice is, at a point, from where its piece ends, in the unit
+   * of the argument.
+   */
+  public double distance(int choice, double[] point) {
+    int i = choices[choice];
+    double a = point[tape.first[i]];
+    double b = point[tape.second[i]];
+    TapeStep step = tape.operation[i];
+    if (step instanceof Operation operation) {
+      return switch (operation) {
+        case MIN, MAX -> Math.abs(a - b);
+        case FLOOR -> Math.abs(a - Math.rint(a));
+        case SMOOTH_STEP -> Math.min(Math.abs(a), Math.abs(a - 1));
+        default -> Math.abs(a);
+      };
+    }
+    return step instanceof TableCurve curve
+        ? curve.distanceFromPoint(a)
+        : ((MapSurface) step).distanceFromLine(a, b);
+  }
+
   private static double piece(TapeStep step, double a, double b) {
     if (step instanceof Operation operation) {
       return switch (operation) {

@@ -44,6 +44,9 @@ final class StepSearch {
   /** Width to which a change is narrowed down, in units of the last place of time. */
   private static final double RESOLUTION = 4;
 
+  /** Distance from a boundary, relative to the size of the argument, beyond rounding. */
+  private static final double CLEAR = 1e-14;
+
   /**
    * Way beyond a boundary that is a touch, relative to the largest size that the argument has had:
    * where a step begins on a boundary, rounding takes it to one side or the other.
@@ -468,7 +471,23 @@ final class StepSearch {
         behind = middle;
       }
     }
-    return behind;
+    return clear(path, choice, behind, end, width);
+  }
+
+  /**
+   * Returns a time just behind a change at which the argument of the choice is off its boundary by
+   * more than rounding, so that equations that compute it in another order choose the same.
+   */
+  private double clear(
+      ModelEvents.Path path, int choice, double behind, double end, double width) {
+    double t = behind;
+    for (double beyond = width; t + beyond < end && evaluate(path, t, narrowing); beyond *= 2) {
+      if (pieces.distance(choice, narrowing) > CLEAR * sizes[choice]) {
+        return t;
+      }
+      t = behind + beyond;
+    }
+    return t;
   }
 
   /** Returns the place of a change if it ends the step, else NaN. */
