@@ -47,6 +47,9 @@ final class StepSearch {
   /** Distance from a boundary, relative to the size of the argument, beyond rounding. */
   private static final double CLEAR = 1e-14;
 
+  /** Roundings of t within which a change lies that steps cannot cross. */
+  private static final double ROUNDINGS = 16_384;
+
   /**
    * Way beyond a boundary that is a touch, relative to the largest size that the argument has had:
    * where a step begins on a boundary, rounding takes it to one side or the other.
@@ -550,6 +553,36 @@ final class StepSearch {
       }
     }
     return true;
+  }
+
+  /**
+   * Moves a state along its derivative across the next change of a choice that matters, if that is
+   * within {@value #ROUNDINGS} roundings of t.
+   *
+   * @param behind overwritten
+   * @return whether there is such a change
+   */
+  boolean moveAcross(double t, double[] y, double[] yDot, double[] behind) {
+    quantities.evaluate(t, y, here);
+    pieces.at(here, atFrom);
+    int crossed = -1;
+    for (double roundings = 1; roundings <= ROUNDINGS; roundings *= 2) {
+      double ahead = roundings * Math.ulp(t);
+      for (int l = 0; l < y.length; l++) {
+        behind[l] = y[l] + ahead * yDot[l];
+      }
+      quantities.evaluate(t, behind, here);
+      pieces.at(here, atTo);
+      if (crossed < 0 && !pieces.decide(atFrom, atTo, atTo)) {
+        crossed = changed(atFrom, atTo);
+      }
+      if (crossed >= 0 && pieces.distance(crossed, atTo) > CLEAR * sizes[crossed]) {
+        begun = false;
+        boxed = false;
+        return true;
+      }
+    }
+    return false;
   }
 
   /** Returns the length of {@link #save}. */
