@@ -14,9 +14,9 @@ import org.mechservice.solver.ode.SavedState;
  * <p>What may be off is measured by the energy that has moved: the largest of the ranges of kinetic
  * and of potential energy and of half the energy that forces without potential have added and
  * removed. At most {@value #LEAST_PART} to {@value #MOST_PART} of it may be missing, by the
- * tolerance; beside that, {@value #TOLERANCES} tolerances of all energy, but never more than {@value
- * #MOST_PART} of it, for what integration loses of an energy that stays where it is, as that of a
- * rotor.
+ * tolerance; beside that, {@value #TOLERANCES} tolerances of all energy, but never more than
+ * {@value #MOST_PART} of it, for what integration loses of an energy that stays where it is, as
+ * that of a rotor.
  *
  * <p>The balance is looked at every {@value #STRIDE} steps and at the end of the run. Whether a
  * drift is too large is decided by the energy that has moved up to then; when it began, from the
