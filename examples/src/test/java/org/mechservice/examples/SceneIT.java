@@ -133,13 +133,15 @@ class SceneIT {
         simulate(model, with(common, "--formulation", "DTR", "--integrator", "ode15s"));
     ResultRows implicit =
         simulate(model, with(common, "--formulation", "RR-JF", "--integrator", "ode15sR"));
-    assertThat(explicit.distanceTo(implicit, Double.MAX_VALUE)).isLessThan(1e-4);
+    assertThat(explicit.distanceTo(implicit, Double.MAX_VALUE)).isLessThan(1e-5);
     ResultRows forces = simulate(model, with(common, "--columns", "forces"));
     for (String belt : List.of("lap belt L", "lap belt R", "shoulder belt upper")) {
-      assertThat(forces.column(belt + ".tension")).allMatch(tension -> tension >= 0);
+      assertThat(Arrays.stream(forces.column(belt + ".tension")).min().orElseThrow())
+          .isGreaterThanOrEqualTo(0);
     }
     for (String seat : List.of("seat cushion L", "seat cushion R", "seat back")) {
-      assertThat(forces.column(seat + ".normal")).allMatch(normal -> normal >= 0);
+      assertThat(Arrays.stream(forces.column(seat + ".normal")).min().orElseThrow())
+          .isGreaterThanOrEqualTo(0);
     }
   }
 

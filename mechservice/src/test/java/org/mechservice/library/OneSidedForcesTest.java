@@ -26,8 +26,7 @@ import org.mechservice.solver.catalogue.MessageCode;
 class OneSidedForcesTest {
   private static MechModel model(String name) throws MechmlException {
     try (InputStream in =
-        Objects.requireNonNull(
-            OneSidedForcesTest.class.getResourceAsStream("onesided/" + name))) {
+        Objects.requireNonNull(OneSidedForcesTest.class.getResourceAsStream("onesided/" + name))) {
       return MechModel.of(name, new String(in.readAllBytes(), StandardCharsets.UTF_8));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
