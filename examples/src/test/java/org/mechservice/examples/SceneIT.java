@@ -136,11 +136,11 @@ class SceneIT {
     assertThat(explicit.distanceTo(implicit, Double.MAX_VALUE)).isLessThan(1e-5);
     ResultRows forces = simulate(model, with(common, "--columns", "forces"));
     for (String belt : List.of("lap belt L", "lap belt R", "shoulder belt upper")) {
-      assertThat(Arrays.stream(forces.column(belt + ".tension")).min().orElseThrow())
+      assertThat(Arrays.stream(forces.column("\"" + belt + ".tension\"")).min().orElseThrow())
           .isGreaterThanOrEqualTo(0);
     }
     for (String seat : List.of("seat cushion L", "seat cushion R", "seat back")) {
-      assertThat(Arrays.stream(forces.column(seat + ".normal")).min().orElseThrow())
+      assertThat(Arrays.stream(forces.column("\"" + seat + ".normal\"")).min().orElseThrow())
           .isGreaterThanOrEqualTo(0);
     }
   }
