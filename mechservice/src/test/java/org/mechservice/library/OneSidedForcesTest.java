@@ -11,6 +11,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -24,7 +25,8 @@ import org.mechservice.solver.catalogue.MessageCode;
 /** What acts on one side only pushes and never pulls, in runs of whole models. */
 class OneSidedForcesTest {
   private static MechModel model(String name) throws MechmlException {
-    try (InputStream in = OneSidedForcesTest.class.getResourceAsStream("onesided/" + name)) {
+    try (InputStream in =
+        Objects.requireNonNull(OneSidedForcesTest.class.getResourceAsStream("onesided/" + name))) {
       return MechModel.of(name, new String(in.readAllBytes(), StandardCharsets.UTF_8));
     } catch (IOException e) {
       throw new UncheckedIOException(e);

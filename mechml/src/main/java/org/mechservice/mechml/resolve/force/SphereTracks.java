@@ -371,7 +371,7 @@ final class SphereTracks {
         deepest = node;
       }
     }
-    if (deepest != from) {
+    if (depth > 0) {
       all.add(deepest);
     }
     double lowest =
