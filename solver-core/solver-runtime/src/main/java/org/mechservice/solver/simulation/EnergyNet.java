@@ -18,7 +18,8 @@ import org.mechservice.solver.ode.SavedState;
  * #MOST_PART} of it, for what integration loses of an energy that stays where it is, as that of a
  * rotor.
  *
- * <p>The balance is looked at every {@value #STRIDE} steps and at the end of the run. Whether a
+ * <p>The balance is looked at in every row, after {@value #STRIDE} steps without one and at the end
+ * of the run. Whether a
  * drift is too large is decided by the energy that has moved up to then; when it began, from the
  * times at which it has grown by a half. Nothing allocates in a step.
  */
@@ -101,16 +102,29 @@ final class EnergyNet {
    * @param turned energy added and removed since the start, J
    */
   void look(double t, double[] y, double work, double turned) {
-    sinceLook = 0;
     model.orElseThrow().energy(t, y, energy);
-    double off = Math.abs(energy[0] + energy[1] - work - start[0]);
+    look(t, energy[0], energy[1], work, turned);
+  }
+
+  /**
+   * Looks at the balance where the energies are known.
+   *
+   * @param t time, s
+   * @param kinetic kinetic energy, J
+   * @param potential potential energy, J
+   * @param work work since the start, J
+   * @param turned energy added and removed since the start, J
+   */
+  void look(double t, double kinetic, double potential, double work, double turned) {
+    sinceLook = 0;
+    double off = Math.abs(kinetic + potential - work - start[0]);
     unknown |= Double.isNaN(off);
-    range[0] = Math.max(range[0], energy[0]);
-    range[1] = Math.min(range[1], energy[0]);
-    range[2] = Math.max(range[2], energy[1]);
-    range[3] = Math.min(range[3], energy[1]);
+    range[0] = Math.max(range[0], kinetic);
+    range[1] = Math.min(range[1], kinetic);
+    range[2] = Math.max(range[2], potential);
+    range[3] = Math.min(range[3], potential);
     turnover = turned;
-    double sizes = energy[0] + Math.abs(energy[1]) + turned + Math.abs(start[0]);
+    double sizes = kinetic + Math.abs(potential) + turned + Math.abs(start[0]);
     rounding = Math.max(rounding, ROUNDING * sizes);
     if (off > rounding && off > GROWTH * drift && count < MOST_TIMES) {
       times[count] = t;
