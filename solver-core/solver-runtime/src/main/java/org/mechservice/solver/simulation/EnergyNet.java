@@ -14,9 +14,9 @@ import org.mechservice.solver.ode.SavedState;
  * <p>What may be off is measured by the energy that has moved: the largest of the ranges of kinetic
  * and of potential energy and of half the energy that forces without potential have added and
  * removed. At most {@value #LEAST_PART} to {@value #MOST_PART} of it may be missing, by the
- * tolerance; beside that, {@value #TOLERANCES} tolerances of all energy, but never more than {@value
- * #MOST_PART} of it, for what integration loses of an energy that stays where it is, as that of a
- * rotor.
+ * tolerance, or {@value #TOLERANCES} tolerances of all energy if that is more, but never more than
+ * {@value #MOST_PART} of it: integration loses some of an energy that stays where it is, too, as that
+ * of a rotor.
  *
  * <p>The balance is looked at in every row, after {@value #STRIDE} steps without one and at the end
  * of the run. Whether a
@@ -154,7 +154,7 @@ final class EnergyNet {
     double accumulated = Math.min(MOST_PART, TOLERANCES * tolerance);
     double all = Math.max(range[0], Math.max(range[2] - start[2], start[2] - range[3]));
     double part = Math.max(LEAST_PART, accumulated);
-    return part * moved() + accumulated * Math.max(all, turnover / 2) + rounding;
+    return Math.max(part * moved(), accumulated * Math.max(all, turnover / 2)) + rounding;
   }
 
   /** Returns the note that the balance is off, if it is. */
