@@ -51,7 +51,13 @@ final class EnergyNetTest {
   }
 
   private static String joint(
-      String name, String type, String more, String body1, String point, String body2, String axis) {
+      String name,
+      String type,
+      String more,
+      String body1,
+      String point,
+      String body2,
+      String axis) {
     return ("<joint name='%s' type='%s' %s><body1 name='%s' point='%s' vector='%s'/>"
             + "<body2 name='%s' point='o' vector='%s'/></joint>")
         .formatted(name, type, more, body1, point, axis, body2, axis);
@@ -100,9 +106,7 @@ final class EnergyNetTest {
     Model instance = model.instances().model();
     ModelParts parts = ModelParts.of(instance);
     Model equations =
-        searched
-            ? instance
-            : new ModelParts(parts.equations(), Optional.empty(), parts.columns());
+        searched ? instance : new ModelParts(parts.equations(), Optional.empty(), parts.columns());
     RunRequest request =
         new RunRequest(model.request().settings(), columns, strict, OptionalDouble.empty());
     return new RuntimeSolver().run(equations, request, rows, new RunControl());
@@ -174,7 +178,10 @@ final class EnergyNetTest {
 
   @ParameterizedTest
   @CsvSource({
-    "1e-3, ode113, 0.01", "1e-6, auto, 0.01", "1e-6, ode15s, 0.1", "1e-6, ode113, 0.0317",
+    "1e-3, ode113, 0.01",
+    "1e-6, auto, 0.01",
+    "1e-6, ode15s, 0.1",
+    "1e-6, ode113, 0.0317",
     "1e-10, DE, 0.01"
   })
   void theWorkOfADriveWhoseAccelerationJumpsIsExact(double rtol, String method, double tStep)
@@ -195,8 +202,7 @@ final class EnergyNetTest {
             joint("drive", "P", "", "G", "o", "truck", "x")
                 + joint("fall", "P", "", "G", "o", "ball", "z"),
             "<gravity gx='0' gy='0' gz='-9.81'/>",
-            "<jointVal name='drive'"
-                + " driven='5*(max(0,t-0.5)^2/2 - max(0,t-1.5)^2/2)'/>");
+            "<jointVal name='drive'" + " driven='5*(max(0,t-0.5)^2/2 - max(0,t-1.5)^2/2)'/>");
     Rows rows = new Rows();
     RunReport report = run(drive, Set.of(ColumnGroup.ENERGY), true, true, rows);
     double[] last = rows.rows.get(rows.rows.size() - 1);
@@ -237,14 +243,15 @@ final class EnergyNetTest {
       starts.append(
           "<jointVal name='j%d' %s/>"
               .formatted(
-                  i, driven ? "driven='" + drive + "'" : "posVals='" + between(random, -1, 1) + "'"));
+                  i,
+                  driven ? "driven='" + drive + "'" : "posVals='" + between(random, -1, 1) + "'"));
       before = name;
     }
     String floor =
         "<sphereContact name='c' box1='9;9;1' radius2='0.2' stiffness='%s' damping='%s'>"
-            .formatted(
-                StrictMath.pow(10, between(random, 4, 6)),
-                random.nextBoolean() ? between(random, 1, 100) : 0)
+                .formatted(
+                    StrictMath.pow(10, between(random, 4, 6)),
+                    random.nextBoolean() ? between(random, 1, 100) : 0)
             + "<body1 name='F' point='o' vector='z'/><body2 name='"
             + before
             + "' point='c'/></sphereContact>";

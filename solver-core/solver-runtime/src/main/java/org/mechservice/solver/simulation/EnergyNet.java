@@ -15,13 +15,12 @@ import org.mechservice.solver.ode.SavedState;
  * and of potential energy and of half the energy that forces without potential have added and
  * removed. At most {@value #LEAST_PART} to {@value #MOST_PART} of it may be missing, by the
  * tolerance, or {@value #TOLERANCES} tolerances of all energy if that is more, but never more than
- * {@value #MOST_PART} of it: integration loses some of an energy that stays where it is, too, as that
- * of a rotor.
+ * {@value #MOST_PART} of it: integration loses some of an energy that stays where it is, too, as
+ * that of a rotor.
  *
  * <p>The balance is looked at in every row, after {@value #STRIDE} steps without one and at the end
- * of the run. Whether a
- * drift is too large is decided by the energy that has moved up to then; when it began, from the
- * times at which it has grown by a half. Nothing allocates in a step.
+ * of the run. Whether a drift is too large is decided by the energy that has moved up to then; when
+ * it began, from the times at which it has grown by a half. Nothing allocates in a step.
  */
 final class EnergyNet {
   /** Largest part of the energy that has moved that may be missing at tight tolerances. */

@@ -471,8 +471,7 @@ public final class Simulation implements Solver {
         }
         boolean unmeasured = !rows.measuresWork() && stepWork.turnover() > 0;
         int badColumn =
-            rows.write(
-                t, equations.evaluationTime(t), y, work.work(), work.turnover(), unmeasured);
+            rows.write(t, equations.evaluationTime(t), y, work.work(), work.turnover(), unmeasured);
         if (badColumn != RowWriter.ALL_FINITE) {
           return badColumn;
         }

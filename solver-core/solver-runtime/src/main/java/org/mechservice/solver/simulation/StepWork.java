@@ -7,9 +7,9 @@ import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.simulation.equations.ModelEquations;
 
 /**
- * The work of all forces without potential energy to about a thousandth of the energy that they
- * add and remove, with one evaluation of their power in a step: enough to tell whether the balance
- * of energy holds, at a part of the cost of {@link WorkMeter}.
+ * The work of all forces without potential energy to about a thousandth of the energy that they add
+ * and remove, with one evaluation of their power in a step: enough to tell whether the balance of
+ * energy holds, at a part of the cost of {@link WorkMeter}.
  *
  * <p>The power at the ends of steps is interpolated by the cubic through the last four of them and
  * integrated over the last step. Where that differs from the parabola through the last three by
@@ -145,7 +145,8 @@ final class StepWork {
 
   /** Returns the mean of the interpolated power over a step, without the oldest values. */
   private double mean(double from, double h, int oldest) {
-    return 0.5 * (interpolated(from + GAUSS * h, oldest) + interpolated(from + (1 - GAUSS) * h, oldest));
+    return 0.5
+        * (interpolated(from + GAUSS * h, oldest) + interpolated(from + (1 - GAUSS) * h, oldest));
   }
 
   /** Returns the power by Lagrange's formula. */
@@ -165,7 +166,13 @@ final class StepWork {
 
   /** Adds the work of a part of the last step by Lobatto's rule; its ends are known. */
   private void along(
-      double from, double first, double firstFlow, double to, double last, double lastFlow, int more) {
+      double from,
+      double first,
+      double firstFlow,
+      double to,
+      double last,
+      double lastFlow,
+      int more) {
     double h = to - from;
     double t1 = from + INNER * h;
     double t2 = to - INNER * h;

@@ -59,7 +59,9 @@ class EnergyNetTest {
             note -> {
               assertThat(note.code()).isEqualTo(MessageCode.ENERGY_BALANCE_OFF);
               assertThat(note.warning()).isTrue();
-              assertThat(note.text()).containsPattern("by up to 0\\.\\d+ J, which is 0\\.\\d+ of the energy that has moved");
+              assertThat(note.text())
+                  .containsPattern(
+                      "by up to 0\\.\\d+ J, which is 0\\.\\d+ of the energy that has moved");
             });
   }
 

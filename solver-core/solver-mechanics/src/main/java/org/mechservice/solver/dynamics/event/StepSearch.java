@@ -65,7 +65,9 @@ final class StepSearch {
   /** Size of a formula, relative to the largest value it has had, that does not matter. */
   private static final double NOTHING = 1e-3;
 
-  /** Growth of a box beside a step, in lengths of the step's way: at most, at least, and between. */
+  /**
+   * Growth of a box beside a step, in lengths of the step's way: at most, at least, and between.
+   */
   private static final double LARGE_BOX = 16;
 
   private static final double SMALL_BOX = 1;
@@ -109,7 +111,6 @@ final class StepSearch {
 
   /** Where the sign of an event changes first, if that shows; NaN if it has not yet. */
   private final double[] firstSeen;
-
 
   private final double[] boxLow;
   private final double[] boxHigh;
@@ -271,8 +272,7 @@ final class StepSearch {
     }
     read(atTo, piecesTo, valueTo);
     for (int r = 0; r < largest.length; r++) {
-      largest[r] =
-          Math.max(largest[r], Math.max(Math.abs(valueFrom[r]), Math.abs(valueTo[r])));
+      largest[r] = Math.max(largest[r], Math.max(Math.abs(valueFrom[r]), Math.abs(valueTo[r])));
     }
     int parts = parts(to - from);
     Arrays.fill(firstSeen, Double.NaN);
@@ -392,9 +392,7 @@ final class StepSearch {
       }
     }
     double found = searchPart(path, depth + 1, start, atStart, middle, between);
-    return Double.isNaN(found)
-        ? searchPart(path, depth + 1, middle, between, end, atEnd)
-        : found;
+    return Double.isNaN(found) ? searchPart(path, depth + 1, middle, between, end, atEnd) : found;
   }
 
   /** Notes that this step is accepted without being searched to its end. */
