@@ -56,6 +56,10 @@ final class StepWork {
   private double flow;
   private double work;
   private double turnover;
+  private double turnoverBefore;
+
+  /** Whether the last step has its work from the cubic. */
+  private boolean even;
 
   private StepWork(ModelEquations equations, Integrator integrator, PowerInput source) {
     this.equations = equations;
@@ -85,6 +89,7 @@ final class StepWork {
     double from = integrator.previousTime();
     double to = integrator.time();
     double h = to - from;
+    turnoverBefore = turnover;
     if (source == NOTHING || !(h > 0)) {
       return;
     }
@@ -96,8 +101,10 @@ final class StepWork {
     if (Math.abs(cubic - parabola) <= EVEN * h * rate) {
       work += cubic;
       turnover += h * rate;
+      even = true;
       return;
     }
+    even = false;
     double last = powers[KEPT - 1];
     double lastFlow = flow;
     power(from + inset(from));
@@ -210,6 +217,17 @@ final class StepWork {
   /** Returns the work up to the end of the last step, J; positive into the mechanism. */
   double work() {
     return work;
+  }
+
+  /**
+   * Returns the work up to a time within the last step, J; NaN where the power is too uneven in it.
+   */
+  double work(double t) {
+    double left = integrator.time() - t;
+    if (left == 0 || turnover == turnoverBefore) {
+      return work;
+    }
+    return even ? work - left * mean(t, left, 0) : Double.NaN;
   }
 
   /** Returns the sum of added and removed energy up to then, J. */
