@@ -56,7 +56,7 @@ final class Roads implements ProofSet {
 
   @Override
   public String before() {
-    return "X";
+    return "15 of 44, seeds 1 to 60";
   }
 
   @Override
