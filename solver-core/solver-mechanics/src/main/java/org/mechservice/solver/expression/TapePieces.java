@@ -46,7 +46,6 @@ public final class TapePieces {
   /** Slots whose way is no parabola. */
   private final boolean[] rough;
 
-
   /** Steps that are choices of the state, and the index among them of each step, −1 of others. */
   private final int[] choices;
 
@@ -65,8 +64,8 @@ public final class TapePieces {
   /**
    * Makes a workspace for a tape.
    *
-   * @param formulas number of results that are formulas; the others, behind them, are choices
-   *     whose piece alone counts, whatever stands in their argument
+   * @param formulas number of results that are formulas; the others, behind them, are choices whose
+   *     piece alone counts, whatever stands in their argument
    */
   public TapePieces(Tape tape, int formulas) {
     this(tape, formulas, false);
@@ -96,9 +95,7 @@ public final class TapePieces {
       TapeStep step = tape.operation[i];
       boolean watched =
           moves[tape.target[i]]
-              && (ofTime
-                  ? tape.target[i] == tape.result[0] && hasPlaces(step)
-                  : hasPieces(step));
+              && (ofTime ? tape.target[i] == tape.result[0] && hasPlaces(step) : hasPieces(step));
       choiceAt[i] = watched ? count : -1;
       if (watched) {
         found[count++] = i;
@@ -170,7 +167,9 @@ public final class TapePieces {
     return step instanceof TableCurve curve ? curve.hasCorners() : ((MapSurface) step).hasCorners();
   }
 
-  /** Returns whether an operation that is no choice can change much while its argument hardly does. */
+  /**
+   * Returns whether an operation that is no choice can change much while its argument hardly does.
+   */
   private static boolean isNarrow(TapeStep step) {
     if (step instanceof Operation operation) {
       return switch (operation) {

@@ -141,21 +141,7 @@ final class TimePlaces {
     return switch (function) {
       case STEP, SIGNUM, FLOOR, ABS, SMOOTH_STEP, MIN, MAX -> true;
       // smooth wherever they are defined
-      case SQRT,
-          SIN,
-          COS,
-          TAN,
-          ASIN,
-          ACOS,
-          ATAN,
-          ATAN2,
-          EXP,
-          LOG,
-          POW,
-          SINH,
-          COSH,
-          TANH,
-          HYPOT ->
+      case SQRT, SIN, COS, TAN, ASIN, ACOS, ATAN, ATAN2, EXP, LOG, POW, SINH, COSH, TANH, HYPOT ->
           false;
     };
   }
@@ -175,8 +161,7 @@ final class TimePlaces {
 
   /** Adds the places of a choice. */
   private void choice(Expression part) {
-    List<Optional<Line>> arguments =
-        Expression.operands(part).stream().map(this::line).toList();
+    List<Optional<Line>> arguments = Expression.operands(part).stream().map(this::line).toList();
     if (!arguments.stream().allMatch(Optional::isPresent)) {
       searchInterval(part);
     } else if (part instanceof TableValue value) {
@@ -226,7 +211,7 @@ final class TimePlaces {
       }
     }
     if (Double.isFinite(to - from)) {
-  halve(new Search(pieces, leaves, time, pieces.newPoint()), from, to, 0);
+      halve(new Search(pieces, leaves, time, pieces.newPoint()), from, to, 0);
     }
   }
 

@@ -73,8 +73,7 @@ final class RowWriter {
    *     then not written
    * @throws IOException if the sink cannot keep the row
    */
-  int write(
-      double time, double t, double[] y, double work, double turnover, boolean unmeasured)
+  int write(double time, double t, double[] y, double work, double turnover, boolean unmeasured)
       throws IOException {
     row[0] = time;
     System.arraycopy(y, 0, row, 1, yDot.length);

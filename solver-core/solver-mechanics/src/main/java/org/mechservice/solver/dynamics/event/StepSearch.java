@@ -71,7 +71,9 @@ final class StepSearch {
   /** Size of a formula, relative to the largest value it has had, that does not matter. */
   private static final double NOTHING = 1e-3;
 
-  /** Growth of a box beside a step, in lengths of the step's way: at most, at least, and between. */
+  /**
+   * Growth of a box beside a step, in lengths of the step's way: at most, at least, and between.
+   */
   private static final double LARGE_BOX = 16;
 
   private static final double SMALL_BOX = 1;
@@ -115,7 +117,6 @@ final class StepSearch {
 
   /** Where the sign of an event changes first, if that shows; NaN if it has not yet. */
   private final double[] firstSeen;
-
 
   private final double[] boxLow;
   private final double[] boxHigh;
@@ -277,8 +278,7 @@ final class StepSearch {
     }
     read(atTo, piecesTo, valueTo);
     for (int r = 0; r < largest.length; r++) {
-      largest[r] =
-          Math.max(largest[r], Math.max(Math.abs(valueFrom[r]), Math.abs(valueTo[r])));
+      largest[r] = Math.max(largest[r], Math.max(Math.abs(valueFrom[r]), Math.abs(valueTo[r])));
     }
     int parts = parts(to - from);
     Arrays.fill(firstSeen, Double.NaN);
@@ -398,9 +398,7 @@ final class StepSearch {
       }
     }
     double found = searchPart(path, depth + 1, start, atStart, middle, between);
-    return Double.isNaN(found)
-        ? searchPart(path, depth + 1, middle, between, end, atEnd)
-        : found;
+    return Double.isNaN(found) ? searchPart(path, depth + 1, middle, between, end, atEnd) : found;
   }
 
   /** Notes that this step is accepted without being searched to its end. */
@@ -481,8 +479,7 @@ final class StepSearch {
    * Returns a time just behind a change at which the argument of the choice is off its boundary by
    * more than rounding, so that equations that compute it in another order choose the same.
    */
-  private double clear(
-      ModelEvents.Path path, int choice, double behind, double end, double width) {
+  private double clear(ModelEvents.Path path, int choice, double behind, double end, double width) {
     double t = behind;
     for (double beyond = width; t + beyond < end && evaluate(path, t, narrowing); beyond *= 2) {
       if (pieces.distance(choice, narrowing) > CLEAR * sizes[choice]) {

@@ -21,8 +21,7 @@ import org.mechservice.solver.ode.events.EventIntegration;
 import org.mechservice.solver.ode.events.NoEventLog;
 
 /** The events of a model in a run: it locates them, applies their actions and records them. */
-final class WatchedRun extends RunEvents
-    implements EventFunctions, ModelEvents.Path, SavedSystem {
+final class WatchedRun extends RunEvents implements EventFunctions, ModelEvents.Path, SavedSystem {
   /** Largest number of events with their own note; only the number of the others is reported. */
   private static final int MOST_TOLD = 200;
 
