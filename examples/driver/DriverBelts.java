@@ -7,8 +7,9 @@ import org.mechservice.solver.api.ForceState;
 import org.mechservice.solver.api.UserForce;
 
 /**
- * Four belts pull and never push: with the elongation x beyond the free length, the tension is
- * k pos(x) + c x' pos'(x), where pos(x) = (x + √(x² + ε²)) / 2.
+ * Four belts: with the elongation x beyond the free length, the tension is k pos(x) + c x' pos'(x),
+ * where pos(x) = (x + √(x² + ε²)) / 2. This is the law of the reference solution, whose damper can
+ * push for an instant while a belt slackens; a springDamper of MechML never does.
  */
 public final class DriverBelts implements UserForce.Derivatives {
   /** Smoothing ε, m. */

@@ -7,8 +7,9 @@ import org.mechservice.solver.api.ForceState;
 import org.mechservice.solver.api.UserForce;
 
 /**
- * Cushion and back of the seat push and never pull: with the depth d below the plane, the push along
- * its normal is k pos(d) + c d' pos'(d), where pos(d) = (d + √(d² + ε²)) / 2.
+ * Cushion and back of the seat: with the depth d below the plane, the push along its normal is
+ * k pos(d) + c d' pos'(d), where pos(d) = (d + √(d² + ε²)) / 2. This is the law of the reference
+ * solution, whose damper can pull for an instant while a body leaves; a contact of MechML never does.
  */
 public final class DriverSeat implements UserForce.Derivatives {
   /** Smoothing ε, m. */

@@ -17,10 +17,20 @@ def pos(x):
     return 0.5 * (x + root), 0.5 * (1 + x / root)
 
 
+def push(x, rate):
+    """A flank pushes and never pulls: E + D, rounded where the damper takes over half of E."""
+    above, slope = pos(x)
+    elastic = K * above
+    total = elastic + C * rate * slope
+    r = 2 * total / elastic
+    if abs(r) >= 1:
+        return max(0.0, total)
+    even = 63 + r * (-122 + r * (102 + r * (-42 + 7 * r)))
+    return 0.5 * elastic * (1 + r) ** 6 * even / 512
+
+
 def tooth(x, rate, half):
-    ahead, above = pos(x - half)
-    behind, below = pos(-x - half)
-    return K * (ahead - behind) + C * rate * (above + below)
+    return push(x - half, rate) - push(-x - half, -rate)
 
 
 M = np.zeros((5, 5))

@@ -10,9 +10,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.cli.shell.ExitStatus;
 
@@ -221,5 +223,59 @@ class SimulationKindsTest {
             "local");
     assertThat(status).isZero();
     assertThat(folder.resolve("all.csv")).hasSameBinaryContentAs(folder.resolve("local.csv"));
+  }
+
+  /** Bodies that hang side by side on joints with Euler parameters. */
+  private String hanging(String type, int count) throws IOException {
+    StringBuilder bodies = new StringBuilder();
+    StringBuilder joints = new StringBuilder();
+    for (int i = 0; i < count; i++) {
+      bodies.append(
+          "<body name='b%d'><point name='p' x='0' y='0' z='0'/><cog x='0' y='0' z='-1'/><mass value='1'/><inertiaTensor Ixx='0.1' Iyy='0.2' Izz='0.1'/></body>"
+              .formatted(i));
+      joints.append(
+          "<joint name='j%d' type='%s'><body1 name='G' point='p'/><body2 name='b%d' point='p'/></joint>"
+              .formatted(i, type, i));
+    }
+    Path model = folder.resolve(type + count + ".xml");
+    Files.writeString(
+        model,
+        "<MechML><MBSsimulation><linearize at='start'/></MBSsimulation><MBSmodel name='hanging'"
+            + " massUnits='kg' lengthUnits='m'><Bodies><body name='G'><point name='p' x='0' y='0'"
+            + " z='0'/></body>"
+            + bodies
+            + "</Bodies><Joints>"
+            + joints
+            + "</Joints><Forces><gravity gx='0' gy='0' gz='-9.81'/></Forces><topology><root"
+            + " name='G'/></topology></MBSmodel></MechML>");
+    return model.toString();
+  }
+
+  /**
+   * Rows of modes are not states: with Euler parameters they are shorter from six joints on. Each S
+   * joint has two modes of swinging, with the squares m g / (I + m) = 9.81 / 1.2 and 9.81 / 1.1; a
+   * free body has none.
+   */
+  @ParameterizedTest
+  @CsvSource({"S, 1", "S, 5", "S, 6", "S, 20", "F, 1", "F, 5", "F, 6", "F, 20"})
+  void modesOfJointsWithEulerParametersAreTheSameAtAServer(String type, int count)
+      throws IOException {
+    String model = hanging(type, count);
+    for (String mode : new String[] {"remote", "local"}) {
+      String rows = file(mode + ".csv");
+      mech("simulate", model, "--quiet", "--out", rows, "--mode", mode);
+    }
+    List<String> lines = Files.readAllLines(folder.resolve("remote.csv"));
+    assertThat(lines).isEqualTo(Files.readAllLines(folder.resolve("local.csv")));
+    double[] frequencies =
+        IntStream.range(1, lines.size())
+            .mapToDouble(row -> value(lines, row, "frequency"))
+            .filter(frequency -> frequency > 0.1)
+            .toArray();
+    assertThat(frequencies).hasSize(type.equals("S") ? 2 * count : 0);
+    for (int i = 0; i < frequencies.length; i++) {
+      double about = i < count ? 1.2 : 1.1;
+      assertThat(2 * Math.PI * frequencies[i]).isCloseTo(Math.sqrt(9.81 / about), within(1e-9));
+    }
   }
 }

@@ -38,6 +38,7 @@ import org.mechservice.sim.compile.ReusedCode;
 import org.mechservice.sim.model.ModelColumns;
 import org.mechservice.sim.packaging.JarImage;
 import org.mechservice.sim.packaging.ModelJars;
+import org.mechservice.sim.scene.forecast.RunForecast;
 import org.mechservice.sim.user.UserClasses;
 import org.mechservice.solver.api.ModelParameter;
 import org.mechservice.solver.api.ModelSource;
@@ -373,7 +374,11 @@ public final class MechModel {
     return new MechModel(file, other, model, userClasses);
   }
 
-  /** Returns the model with runs that end at their first warning. */
+  /**
+   * Returns the model with runs that take warnings for errors, as {@code mech simulate --strict}:
+   * one of a model with warnings in its {@link #check} does not begin, and a run ends at its first
+   * warning.
+   */
   public MechModel strict() {
     return chosen(choices.endingAtWarnings());
   }
@@ -407,7 +412,27 @@ public final class MechModel {
 
   /** Returns what is known about the model before it runs, as {@code mech check} tells it. */
   public CheckReport check() {
-    return CheckReport.of(model);
+    SimulationSettings asked = code.settings();
+    return CheckReport.of(model, asked.formulation(), asked.closure(), asked.run());
+  }
+
+  private void requireNoWarningsIfStrict() {
+    SimulationSettings asked = code.settings();
+    List<Diagnostic> warnings =
+        choices.strict
+            ? RunForecast.warnings(model, asked.formulation(), asked.closure(), asked.run())
+            : List.of();
+    if (!warnings.isEmpty()) {
+      throw new IllegalArgumentException(
+          warnings.stream()
+              .map(Diagnostic::toString)
+              .collect(
+                  Collectors.joining(
+                      "\n",
+                      MessageCode.WARNINGS_REFUSED
+                          + " the model has warnings, and strict was set:\n",
+                      "")));
+    }
   }
 
   /**
@@ -415,7 +440,8 @@ public final class MechModel {
    *
    * @return its rows
    * @throws RunFailedException if it could not go on to its end; has the rows up to there
-   * @throws IllegalArgumentException if a setting does not fit the model; says why
+   * @throws IllegalArgumentException if a setting does not fit the model, or the model is strict
+   *     and has warnings (S-164); says why
    */
   public Trajectory simulate() {
     return simulate(new RunControl());
@@ -480,10 +506,11 @@ public final class MechModel {
    * @return the run at its start
    * @throws MechmlException if the model cannot be used so
    * @throws IllegalArgumentException if a setting does not fit the model, or the simulation is not
-   *     integrated in time (S-195)
+   *     integrated in time (S-195), or the model is strict and has warnings (S-164)
    * @throws RunFailedException if the run cannot begin
    */
   public SteppedModel stepped(double step) throws MechmlException {
+    requireNoWarningsIfStrict();
     MechModel open = reread(choices.reading.withInputsFromOutside()).every(step);
     return SteppedModel.begin(
         new RuntimeSolver(),
@@ -503,6 +530,7 @@ public final class MechModel {
    * @throws IllegalArgumentException S-071 if the bytes do not belong to such a run of this model
    */
   public SteppedModel stepped(double step, byte[] saved) throws MechmlException {
+    requireNoWarningsIfStrict();
     MechModel open = reread(choices.reading.withInputsFromOutside()).every(step);
     return SteppedModel.restored(
         new RuntimeSolver(),
@@ -527,6 +555,7 @@ public final class MechModel {
 
   private RunReport run(ResultSink sink, RunControl control, Checkpoints checkpoints)
       throws IOException {
+    requireNoWarningsIfStrict();
     return new RuntimeSolver()
         .run(code.compiled().newInstance(), request(), sink, control, checkpoints);
   }

@@ -27,6 +27,7 @@ final class ModelCode {
   private final MechmlModel model;
   private final UserClasses userClasses;
   private final UnaryOperator<SimulationSettings> changes;
+  private Optional<IntegratorSelection> selection = Optional.empty();
   private Optional<CompiledModel> compiled = Optional.empty();
 
   /**
@@ -46,12 +47,20 @@ final class ModelCode {
   /** Returns how the runs are integrated, with {@code auto} resolved. */
   RunSettings run() {
     SimulationSettings asked = settings();
-    return asked.run().withIntegrator(selection(asked).integrator());
+    return asked.run().withIntegrator(selection().integrator());
   }
 
   /** Returns the class files of the classes that forces need, by binary name. */
   SortedMap<String, byte[]> userClassFiles() {
     return userClasses.classFiles();
+  }
+
+  /** Returns the integrator; the choice may take a trial, which is made once. */
+  private synchronized IntegratorSelection selection() {
+    if (selection.isEmpty()) {
+      selection = Optional.of(selection(settings()));
+    }
+    return selection.get();
   }
 
   private IntegratorSelection selection(SimulationSettings asked) {
@@ -104,7 +113,7 @@ final class ModelCode {
 
   private BuildOptions options(RunSettings run) {
     SimulationSettings asked = settings();
-    IntegratorSelection chosen = selection(asked);
+    IntegratorSelection chosen = selection();
     return new BuildOptions(
         asked.formulation(),
         asked.closure(),

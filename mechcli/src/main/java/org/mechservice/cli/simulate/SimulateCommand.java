@@ -83,7 +83,7 @@ public final class SimulateCommand implements Callable<Integer> {
 
   @Option(
       names = "--strict",
-      description = "Take warnings for errors, those of the model's file and those of the run.")
+      description = "Take warnings for errors, those before the run and those of the run.")
   private boolean strict;
 
   @Option(

@@ -12,8 +12,11 @@ import org.mechservice.mechml.resolve.body.BodyDefinition;
 import org.mechservice.mechml.resolve.joint.JointLink;
 import org.mechservice.mechml.resolve.value.ResolvedParameter;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.force.CouplingSpringDamper;
+import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.joint.Joint;
 import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Rotation;
@@ -22,7 +25,8 @@ import org.mechservice.solver.spatial.Vector3;
 /**
  * Remarks on a model that can be used as it is, but probably is not what its author meant: no word
  * of gravity, parameters that nothing uses, inertia that does not fit the size of its body, axes of
- * a joint that are almost parallel. Each is a warning that a model may silence.
+ * a joint that are almost parallel, forces within one body. Each is a warning that a model may
+ * silence.
  */
 final class ModelRemarks {
   /**
@@ -66,6 +70,37 @@ final class ModelRemarks {
     unused.forEach(this::unused);
     reader.names().bodies().forEach(this::inertia);
     reader.links().forEach(this::axes);
+    mechanism.forces().forEach(this::bodies);
+  }
+
+  /** A force whose ends all belong to one body, where its actions cancel each other. */
+  private void bodies(ForceElement force) {
+    List<Integer> bodies =
+        force instanceof CouplingSpringDamper rope
+            ? rope.points().stream().map(BodyPoint::body).toList()
+            : force.bodies();
+    if (bodies.size() > 1 && bodies.stream().distinct().count() == 1) {
+      int body = bodies.get(0);
+      String name =
+          body == Mechanism.ROOT ? mechanism.root().name() : mechanism.bodies().get(body).name();
+      Element element = element(force);
+      diagnostics.warning(
+          MessageCode.FORCE_WITHIN_ONE_BODY,
+          element.position(),
+          Phrase.of(
+              "%s: all its ends belong to body %s, so that it moves nothing; give one of them"
+                  + " another body, or leave it out",
+              element.label(), Quoted.of(name)));
+    }
+  }
+
+  /** Returns the element of a force; the model if none has its place. */
+  private Element element(ForceElement force) {
+    return model.child("Forces").stream()
+        .flatMap(forces -> forces.children().stream())
+        .filter(child -> diagnostics.origin(child.position()).equals(force.origin()))
+        .findFirst()
+        .orElse(model);
   }
 
   /** Gravity that the file does not mention, though bodies have mass. */

@@ -70,6 +70,9 @@ public final class ModelResolver {
     reader.orElseThrow().checkStates(mechanism.orElseThrow(), settings.get(chosen));
     TrimCheck.of(
         settings.get(chosen).task(), blocks.get(chosen), mechanism.get(), outputs, diagnostics);
+    if (!outputs.isEmpty()) {
+      new ColumnNames(mechanism.get()).refuse(model, diagnostics);
+    }
     Set<MessageCode> silenced = SilencedWarnings.of(model, options.silenced(), diagnostics);
     diagnostics.throwIfErrors();
     new ModelRemarks(model, reader.get(), mechanism.get(), diagnostics)

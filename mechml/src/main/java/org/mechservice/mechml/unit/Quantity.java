@@ -32,7 +32,9 @@ public enum Quantity {
   /** Torque per speed. */
   TORQUE_PER_SPEED(new Dimension(1, 1, -1, 0), 1),
   /** Length per angle: the pitch of a screw; likewise. */
-  PITCH(new Dimension(0, 1, 0, -1), 0);
+  PITCH(new Dimension(0, 1, 0, -1), 0),
+  /** Of a contact: per speed. */
+  DISSIPATION(new Dimension(0, -1, 1, 0), 0);
 
   @SuppressWarnings("ImmutableEnumChecker") // a record of numbers
   private final Dimension dimension;

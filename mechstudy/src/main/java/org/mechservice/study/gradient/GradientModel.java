@@ -28,6 +28,9 @@ final class GradientModel {
   /** Whether a column depends on y'. */
   final boolean columnsUseRates;
 
+  private final double[] here;
+  private final double[] margin;
+  private final double[] marginBeside;
   private final double[] column;
   private final double[][] beside;
   private final double[] seed;
@@ -47,8 +50,13 @@ final class GradientModel {
     p = directions.size();
     inputCount = (int) directions.stream().filter(d -> d.input() >= 0).count();
     columnsUseRates = columns.usesFrom(n);
+    here = new double[n];
+    margin = new double[functions.switches().count()];
+    marginBeside = new double[margin.length];
     column = new double[c];
-    int most = Math.max(Math.max(n, c), functions.triggers().count());
+    int most =
+        Math.max(
+            Math.max(n, c), Math.max(functions.triggers().count(), functions.switches().count()));
     beside = new double[SIDES][Math.max(most, functions.assignments().count())];
     seed = new double[n + 1 + inputCount];
     out = new double[2 * n];
@@ -94,13 +102,43 @@ final class GradientModel {
     }
   }
 
-  /** Adds the derivative of f by a folded parameter. */
+  /**
+   * Adds the derivative of f by a folded parameter. Where a switch lies between the values of the
+   * parameter, f has another form on one side of it, and the differences are taken on the other.
+   */
   private void addSettled(int k, double t, double[] y, double[] to, int at) {
     Direction direction = directions.get(k);
     for (int side = 0; side < SIDES; side++) {
       direction.beside().get(side).equations().derivative(t, y, beside[side]);
     }
-    addDifference(direction.step(), to, at, n);
+    boolean below = isSameForm(direction, 0, t, y) && isSameForm(direction, 1, t, y);
+    boolean above = isSameForm(direction, 2, t, y) && isSameForm(direction, 3, t, y);
+    if (below == above) {
+      addDifference(direction.step(), to, at, n);
+      return;
+    }
+    equations.derivative(t, y, here);
+    double[] near = beside[above ? 2 : 1];
+    double[] far = beside[above ? 3 : 0];
+    double h = above ? direction.step() : -direction.step();
+    for (int i = 0; i < n; i++) {
+      to[at + i] += (4 * (near[i] - here[i]) - (far[i] - here[i])) / (2 * h);
+    }
+  }
+
+  /** Returns whether no switch lies between the model and one beside it. */
+  private boolean isSameForm(Direction direction, int side, double t, double[] y) {
+    if (margin.length == 0) {
+      return true;
+    }
+    functions.switches().value(t, y, margin);
+    direction.beside().get(side).switches().value(t, y, marginBeside);
+    for (int i = 0; i < margin.length; i++) {
+      if (margin[i] > 0 != marginBeside[i] > 0) {
+        return false;
+      }
+    }
+    return true;
   }
 
   /** Adds differences of fourth order: (8 (f₁ − f₋₁) − (f₂ − f₋₂)) / 12h, error h⁴ f⁽⁵⁾ / 30. */

@@ -12,9 +12,11 @@ import org.mechservice.library.MechModel;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.sim.gradient.ModelFunctions;
+import org.mechservice.sim.scene.SettledCoefficients;
 import org.mechservice.solver.api.ModelParameter;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.mechanism.Parameter;
+import org.mechservice.solver.ode.solve.IntegrationException;
 import org.mechservice.solver.text.ShortestDecimal;
 import org.mechservice.study.ModelInputs;
 import org.mechservice.study.Reduction;
@@ -40,6 +42,12 @@ import org.mechservice.study.Reduction;
 public final class Gradients {
   /** Step of the differences, as a part of the value. */
   static final double STEP = 1e-3;
+
+  /**
+   * As {@link #STEP} where the forces have switches: near them differences are one-sided and of
+   * second order.
+   */
+  private static final double STEP_AT_SWITCHES = 1e-5;
 
   /** Places of differences of fourth order, in steps. */
   private static final double[] SIDES = {-2, -1, 1, 2};
@@ -110,14 +118,6 @@ public final class Gradients {
   }
 
   private List<ModelFunctions> shifted(String name) throws MechmlException {
-    if (functions.switches().count() > 0) {
-      throw new IllegalArgumentException(
-          "there is no gradient by \""
-              + name
-              + "\": masses, points or settings depend on it, and the model has a sign, step or"
-              + " contact, whose time depends on them; smooth it, or differentiate by parameters of"
-              + " forces only");
-    }
     List<ModelFunctions> models = new ArrayList<>();
     double value = parameter(name).value();
     for (double side : SIDES) {
@@ -129,7 +129,15 @@ public final class Gradients {
                 + name
                 + "\"; there is no gradient by it. Write an event that ends the run instead");
       }
-      models.add(new ModelFunctions(other.content(), run, columns, chosen));
+      ModelFunctions moved = new ModelFunctions(other.content(), run, columns, chosen);
+      if (moved.switches().count() != functions.switches().count()) {
+        throw new IllegalArgumentException(
+            "there is no gradient by \""
+                + name
+                + "\": beside its value the forces have another number of signs, steps and"
+                + " contacts");
+      }
+      models.add(moved);
     }
     return models;
   }
@@ -153,8 +161,9 @@ public final class Gradients {
     return value == 0 ? 1 : Math.abs(value);
   }
 
-  private static double step(double value) {
-    return STEP * size(value);
+  private double step(double value) {
+    boolean switching = functions.switches().count() > 0 && !functions.assembles();
+    return (switching ? STEP_AT_SWITCHES : STEP) * size(value);
   }
 
   /**
@@ -176,8 +185,18 @@ public final class Gradients {
       throw new IllegalArgumentException("a parameter is given twice");
     }
     List<String> parameters = by.stream().filter(name -> isParameter(model, name)).toList();
-    ModelInputs inputs = ModelInputs.of(model, parameters);
+    ModelInputs inputs = inputs(model, parameters);
     return new Gradients(inputs.model(), List.copyOf(by), outputs, inputs.names());
+  }
+
+  /** Makes those parameters inputs whose values the code does not depend on. */
+  private static ModelInputs inputs(MechModel model, List<String> parameters)
+      throws MechmlException {
+    ModelInputs all = ModelInputs.of(model, parameters);
+    Set<String> settled = SettledCoefficients.parameters(all.model().content().mechanism());
+    return all.names().stream().noneMatch(settled::contains)
+        ? all
+        : ModelInputs.of(model, parameters.stream().filter(p -> !settled.contains(p)).toList());
   }
 
   /** Sets the bound of the memory in which the adjoint keeps the motion, bytes. */
@@ -242,6 +261,21 @@ public final class Gradients {
                 adjoint)
             : "as asked for";
     double[] start = functions.start();
+    if (chooseAdjoint || method == GradientMethod.FORWARD || functions.switches().count() == 0) {
+      return gradient(equations, start, chooseAdjoint, reason);
+    }
+    try {
+      return gradient(equations, start, false, reason);
+    } catch (IntegrationException e) {
+      // The equations of tangents jump at a touch by stiffness times tangent, more than a step can
+      // pass over at tight tolerances. On the way back steps end there.
+      GradientModel again = new GradientModel(functions, directions());
+      return gradient(again, start, true, reason + "; forward steps do not pass a contact");
+    }
+  }
+
+  private Gradient gradient(
+      GradientModel equations, double[] start, boolean chooseAdjoint, String reason) {
     Outcomes found =
         chooseAdjoint
             ? new AdjointRun(equations, wanted, run, memory).run(start)

@@ -3,10 +3,12 @@ package org.mechservice.mechml.resolve.force;
 import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.call;
 import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.isZero;
 import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.larger;
+import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.minus;
 import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.power;
 import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.product;
 import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.quotient;
 import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.root;
+import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.smaller;
 import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.square;
 import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.sum;
 import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.times;
@@ -15,10 +17,13 @@ import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Function;
 
 /**
- * Coefficients of a contact: the push N = k pos(d)ⁿ + c d′ pos′(d) at the depth d, and friction.
+ * Coefficients of a contact: the push at the depth d, which is the law of {@code
+ * solver.force.law.OneSidedLaw}, N = max(0, E + c d′ pos′(d) + χ d′ E) with E = k pos(d)ⁿ, and
+ * friction.
  *
  * @param stiffness k, N/mⁿ
  * @param damping c, N·s/m
+ * @param dissipation χ, s/m
  * @param exponent n ≥ 1
  * @param smoothing ε of pos(d) = (d + √(d² + ε²)) / 2, m
  * @param friction coefficient μ; zero for none
@@ -29,12 +34,15 @@ import org.mechservice.solver.expression.Function;
 record ContactCoefficients(
     Expression stiffness,
     Expression damping,
+    Expression dissipation,
     double exponent,
     Expression smoothing,
     Expression friction,
     Expression slidingSpeed,
     Expression stickLength,
     Expression stickTime) {
+  /** Keeps the share of a push defined where it is zero, N. */
+  private static final Expression TINY = Expression.of(1e-300);
 
   boolean rubs() {
     return !isZero(friction);
@@ -75,9 +83,30 @@ record ContactCoefficients(
       return product(stiffness, power(value, exponent));
     }
 
-    /** Returns the push, N. */
+    /** Returns the push, never negative, N. */
     Expression push(Expression rate) {
-      return sum(elastic(), product(product(damping, rate), slope));
+      Expression elastic = elastic();
+      Expression damper =
+          sum(product(product(damping, rate), slope), product(product(dissipation, rate), elastic));
+      return isZero(damper) ? elastic : bounded(elastic, sum(elastic, damper));
+    }
+
+    private Expression bounded(Expression elastic, Expression sum) {
+      if (isZero(smoothing)) {
+        return larger(Expression.ZERO, sum);
+      }
+      // beyond ±1 of the share r the rounded part is constant: its slope there is 0
+      Expression half = times(0.5, elastic);
+      Expression share = quotient(sum, sum(half, TINY));
+      Expression r = larger(Expression.of(-1), smaller(Expression.of(1), share));
+      Expression above = sum(r, Expression.of(1));
+      Expression cube = product(square(above), above);
+      Expression factor = Expression.of(7);
+      for (int coefficient : new int[] {-42, 102, -122, 63}) {
+        factor = sum(product(r, factor), Expression.of(coefficient));
+      }
+      Expression rounded = product(half, times(1.0 / 512, product(square(cube), factor)));
+      return sum(rounded, larger(Expression.ZERO, minus(sum, half)));
     }
 
     /** Returns k ∫ posⁿ, J: from d = 0 for n = 1, else from d = −∞. */

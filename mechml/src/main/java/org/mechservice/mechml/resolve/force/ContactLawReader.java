@@ -16,11 +16,13 @@ final class ContactLawReader {
 
   private final ValueReader values;
   private final FormulaReader formulas;
+  private final DampingReader dampers;
   private final Diagnostics diagnostics;
 
   ContactLawReader(ValueReader values, FormulaReader formulas, Diagnostics diagnostics) {
     this.values = values;
     this.formulas = formulas;
+    this.dampers = new DampingReader(formulas, diagnostics);
     this.diagnostics = diagnostics;
   }
 
@@ -28,7 +30,7 @@ final class ContactLawReader {
   Optional<ContactCoefficients> read(Element element) {
     Optional<Expression> exponent = exponent(element);
     Optional<Expression> stiffness = exponent.flatMap(n -> stiffness(element, n));
-    Optional<Expression> damping = formulas.notNegative(element, "damping", Quantity.DAMPING);
+    Optional<DampingReader.Damping> damping = damping(element);
     Optional<Expression> smoothing = formulas.notNegative(element, "smoothing", Quantity.LENGTH);
     Optional<Expression> friction = formulas.notNegative(element, "friction", Quantity.NUMBER);
     boolean sticks = element.attribute("stickLength").isPresent();
@@ -50,13 +52,18 @@ final class ContactLawReader {
     return Optional.of(
         new ContactCoefficients(
             stiffness.get(),
-            damping.get(),
+            damping.get().linear(),
+            damping.get().dissipation(),
             n.value(),
             smoothing.get(),
             friction.get(),
             speed.get(),
             length.orElseThrow(),
             time.get()));
+  }
+
+  Optional<DampingReader.Damping> damping(Element element) {
+    return dampers.read(element, DampingReader.CONTACT, false);
   }
 
   private boolean isPossible(Element element, boolean sticks) {

@@ -1,5 +1,7 @@
 package org.mechservice.mechml.resolve.force;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.document.Element;
@@ -49,7 +51,7 @@ final class ContactReader {
     Optional<Expression> height = height(element, carrier);
     Optional<Expression> exponent = laws.anyExponent(element);
     Optional<Expression> stiffness = exponent.flatMap(n -> laws.stiffness(element, n));
-    Optional<Expression> damping = formulas.notNegative(element, "damping", Quantity.DAMPING);
+    Optional<DampingReader.Damping> damping = laws.damping(element);
     Optional<Expression> smoothing = formulas.notNegative(element, "smoothing", Quantity.LENGTH);
     Optional<Expression> friction = formulas.notNegative(element, "friction", Quantity.NUMBER);
     Optional<Expression> speed = laws.frictionSpeed(element);
@@ -66,13 +68,35 @@ final class ContactReader {
             radius.get(),
             surface.get(),
             height.get(),
+            tracks(element, height.get(), radius.get()),
             stiffness.get(),
-            damping.get(),
+            damping.get().linear(),
+            damping.get().dissipation(),
             exponent.orElseThrow(),
             smoothing.get(),
             friction.get(),
             speed.get(),
             names.origin(element)));
+  }
+
+  /** Returns the tracks of the centre; none where the closest point is sought on the height. */
+  private static List<Expression> tracks(Element element, Expression height, Expression radius) {
+    boolean sphere = radius instanceof Expression.Constant number && number.value() > 0;
+    if (!sphere) {
+      return List.of();
+    }
+    List<Expression> tracks = new ArrayList<>();
+    double size = ((Expression.Constant) radius).value();
+    HeightPieces.of(height)
+        .map(pieces -> SphereTracks.of(pieces, size))
+        .orElse(List.of())
+        .forEach(
+            track ->
+                tracks.add(
+                    new Expression.TableValue(
+                        track.table(element.required("name") + ".track" + (tracks.size() + 1)),
+                        List.of(new Expression.Argument()))));
+    return tracks;
   }
 
   private Optional<Expression> height(Element element, Element carrier) {

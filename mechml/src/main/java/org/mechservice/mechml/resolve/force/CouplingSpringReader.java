@@ -24,6 +24,7 @@ import org.mechservice.solver.mechanism.force.Side;
 final class CouplingSpringReader {
   private final ValueReader values;
   private final FormulaReader formulas;
+  private final DampingReader dampers;
   private final RelationReader relations;
   private final RopeReader ropes;
   private final MechanismNames names;
@@ -33,6 +34,7 @@ final class CouplingSpringReader {
       ValueReader values, FormulaReader formulas, MechanismNames names, Diagnostics diagnostics) {
     this.values = values;
     this.formulas = formulas;
+    this.dampers = new DampingReader(formulas, diagnostics);
     this.relations = new RelationReader(formulas, names, diagnostics);
     this.ropes = new RopeReader(values, formulas, names, diagnostics);
     this.names = names;
@@ -40,14 +42,14 @@ final class CouplingSpringReader {
   }
 
   /** The coefficients of a spring and damper. */
-  private record Law(Expression k, Expression c, Expression rest, Expression smoothing) {}
+  private record Law(
+      Expression k, DampingReader.Damping c, Expression rest, Expression smoothing) {}
 
   private Optional<Law> law(Element element, String rest, boolean angle) {
     Optional<Expression> k =
         formulas.notNegative(
             element, "k", angle ? Quantity.TORSIONAL_STIFFNESS : Quantity.STIFFNESS);
-    Optional<Expression> c =
-        formulas.notNegative(element, "c", angle ? Quantity.TORSIONAL_DAMPING : Quantity.DAMPING);
+    Optional<DampingReader.Damping> c = dampers.read(element, DampingReader.SPRING, angle);
     Quantity position = angle ? Quantity.ANGLE : Quantity.LENGTH;
     Optional<Expression> at = formulas.coefficient(element, rest, position, 0);
     Optional<Expression> smoothing = formulas.notNegative(element, "smoothing", position);
@@ -123,11 +125,12 @@ final class CouplingSpringReader {
           along,
           angle,
           law.k(),
-          law.c(),
+          law.c().linear(),
           rest,
           force0,
           side,
           law.smoothing(),
+          law.c().dissipation(),
           points,
           names.origin(element));
     }
@@ -154,10 +157,13 @@ final class CouplingSpringReader {
     if ((backlash || oneSided) && element.attribute("force0").isPresent()) {
       return refuse(element, "force0 has no meaning for a spring that acts on one side");
     }
-    if (!backlash && !oneSided && element.attribute("smoothing").isPresent()) {
-      return refuse(
-          element,
-          "smoothing has no meaning for a spring that acts on both sides; add side or backlash");
+    for (String attribute : List.of("smoothing", "restitution", "restitutionSpeed")) {
+      if (!backlash && !oneSided && element.attribute(attribute).isPresent()) {
+        return refuse(
+            element,
+            attribute
+                + " has no meaning for a spring that acts on both sides; add side or backlash");
+      }
     }
     return true;
   }

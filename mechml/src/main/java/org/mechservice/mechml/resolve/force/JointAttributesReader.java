@@ -28,15 +28,24 @@ public final class JointAttributesReader {
   private static final List<String> SPRING = List.of("stiffness", "damping", "freePosition");
   private static final List<String> FRICTION = List.of("friction", "frictionSpeed");
   private static final List<String> STOPS =
-      List.of("lower", "upper", "stopStiffness", "stopDamping", "stopSmoothing");
+      List.of(
+          "lower",
+          "upper",
+          "stopStiffness",
+          "stopDamping",
+          "stopRestitution",
+          "stopRestitutionSpeed",
+          "stopSmoothing");
 
   private final FormulaReader formulas;
+  private final DampingReader dampers;
   private final MechanismNames names;
   private final Diagnostics diagnostics;
 
   public JointAttributesReader(
       FormulaReader formulas, MechanismNames names, Diagnostics diagnostics) {
     this.formulas = formulas;
+    this.dampers = new DampingReader(formulas, diagnostics);
     this.names = names;
     this.diagnostics = diagnostics;
   }
@@ -105,7 +114,8 @@ public final class JointAttributesReader {
         element,
         bound
             ? "lower and upper are stops and need a stopStiffness"
-            : "stopStiffness, stopDamping and stopSmoothing need a lower or an upper stop");
+            : "stopStiffness, stopDamping, stopRestitution and stopSmoothing need a lower or an"
+                + " upper stop");
     return false;
   }
 
@@ -177,7 +187,8 @@ public final class JointAttributesReader {
   private Optional<JointSpringDamper> stop(
       CoordinateValues values, String attribute, Expression at, Side side) {
     Optional<Expression> k = values.positive("stopStiffness", values.stiffness());
-    Optional<Expression> c = values.notNegative("stopDamping", values.damping());
+    Optional<DampingReader.Damping> c =
+        dampers.read(values.element(), DampingReader.STOP, values.turns(), values::coefficient);
     Optional<Expression> smoothing = values.notNegative("stopSmoothing", values.position());
     boolean given = values.element().attribute(attribute).isPresent();
     if (!given || k.isEmpty() || c.isEmpty() || smoothing.isEmpty()) {
@@ -188,11 +199,12 @@ public final class JointAttributesReader {
             values.name(attribute),
             values.coordinate(),
             k.get(),
-            c.get(),
+            c.get().linear(),
             at,
             Expression.ZERO,
             side,
             smoothing.get(),
+            c.get().dissipation(),
             names.origin(values.element())));
   }
 

@@ -12,7 +12,7 @@ import org.mechservice.mechml.unit.Quantity;
 import org.mechservice.mechml.unit.Unit;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.expression.Function;
+import org.mechservice.solver.expression.Table;
 
 /**
  * Reads {@code profile}: heights at stations, joined by a smoothStep from each to the next. The
@@ -64,22 +64,16 @@ final class ProfileReader {
     return true;
   }
 
+  /** The cubics with the slope 0 at both ends are smoothSteps. */
   private static Expression height(List<Double> stations, List<Double> heights) {
-    Expression height = Expression.of(heights.get(0));
-    for (int i = 1; i < stations.size(); i++) {
-      double rise = heights.get(i) - heights.get(i - 1);
-      if (rise != 0) {
-        height = new Expression.Sum(height, step(stations.get(i - 1), stations.get(i), rise));
-      }
-    }
-    return height;
-  }
-
-  private static Expression step(double from, double to, double rise) {
-    Expression way = new Expression.Sum(new Expression.Argument(), Expression.of(0 - from));
-    Expression share = new Expression.Quotient(way, Expression.of(to - from));
-    return new Expression.Product(
-        Expression.of(rise), new Expression.Call(Function.SMOOTH_STEP, List.of(share)));
+    Table profile =
+        Table.hermite(
+            "profile",
+            stations,
+            heights,
+            Collections.nCopies(stations.size(), 0.0),
+            Table.Extrapolation.HOLD);
+    return new Expression.TableValue(profile, List.of(new Expression.Argument()));
   }
 
   private void error(Element element, String message) {

@@ -1,5 +1,6 @@
 package org.mechservice.mechml.resolve.force;
 
+import java.util.List;
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.document.Element;
@@ -15,11 +16,13 @@ import org.mechservice.solver.mechanism.force.SpringDamper;
 /** Reads {@code springDamper}. */
 final class SpringReader {
   private final FormulaReader formulas;
+  private final DampingReader dampers;
   private final MechanismNames names;
   private final Diagnostics diagnostics;
 
   SpringReader(FormulaReader formulas, MechanismNames names, Diagnostics diagnostics) {
     this.formulas = formulas;
+    this.dampers = new DampingReader(formulas, diagnostics);
     this.names = names;
     this.diagnostics = diagnostics;
   }
@@ -29,7 +32,7 @@ final class SpringReader {
     Optional<BodyPoint> point1 = names.point(element.requiredChild("body1"));
     Optional<BodyPoint> point2 = names.point(element.requiredChild("body2"));
     Optional<Expression> k = formulas.notNegative(element, "k", Quantity.STIFFNESS);
-    Optional<Expression> c = formulas.notNegative(element, "c", Quantity.DAMPING);
+    Optional<DampingReader.Damping> c = dampers.read(element, DampingReader.SPRING, false);
     Optional<Expression> length0 = formulas.notNegative(element, "length0", Quantity.LENGTH);
     Optional<Expression> force0 = formulas.coefficient(element, "force0", Quantity.FORCE, 0);
     Optional<Expression> smoothing = formulas.notNegative(element, "smoothing", Quantity.LENGTH);
@@ -49,11 +52,12 @@ final class SpringReader {
             point1.get(),
             point2.get(),
             k.get(),
-            c.get(),
+            c.get().linear(),
             length0.get(),
             force0.get(),
             side,
             smoothing.get(),
+            c.get().dissipation(),
             names.origin(element)));
   }
 
@@ -66,17 +70,20 @@ final class SpringReader {
   }
 
   private boolean isPossible(Element element, Side side) {
-    String given = side == Side.BOTH ? "smoothing" : "force0";
-    if (element.attribute(given).isEmpty()) {
-      return true;
+    for (String attribute : List.of("smoothing", "restitution", "restitutionSpeed")) {
+      if (side == Side.BOTH && element.attribute(attribute).isPresent()) {
+        return refuse(
+            element, attribute + " has no meaning for a spring that acts on both sides; add side");
+      }
     }
+    return side == Side.BOTH
+        || element.attribute("force0").isEmpty()
+        || refuse(element, "force0 has no meaning for a spring that acts on one side");
+  }
+
+  private boolean refuse(Element element, String message) {
     diagnostics.error(
-        MessageCode.FORCE_ATTRIBUTES,
-        element.position(),
-        element.label()
-            + (side == Side.BOTH
-                ? ": smoothing has no meaning for a spring that acts on both sides; add side"
-                : ": force0 has no meaning for a spring that acts on one side"));
+        MessageCode.FORCE_ATTRIBUTES, element.position(), element.label() + ": " + message);
     return false;
   }
 }

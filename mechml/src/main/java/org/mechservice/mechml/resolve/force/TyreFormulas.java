@@ -2,7 +2,6 @@ package org.mechservice.mechml.resolve.force;
 
 import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.call;
 import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.isZero;
-import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.larger;
 import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.minus;
 import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.negated;
 import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.product;
@@ -182,6 +181,7 @@ final class TyreFormulas {
         new ContactCoefficients(
             vertical.stiffness(),
             vertical.damping(),
+            Expression.ZERO,
             1,
             vertical.smoothing(),
             Expression.ZERO,
@@ -189,7 +189,7 @@ final class TyreFormulas {
             Expression.ZERO,
             ONE);
     ContactCoefficients.Positive positive = law.new Positive(deflection);
-    Expression fz = larger(Expression.ZERO, positive.push(rate));
+    Expression fz = positive.push(rate);
     Expression share = quotient(fz, load);
 
     // velocities of the contact, the rotation about the axle left out

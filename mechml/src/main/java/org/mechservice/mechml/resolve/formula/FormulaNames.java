@@ -48,6 +48,13 @@ final class FormulaNames {
    */
   Expression leaf(ParsedExpression.Reference name, FormulaRole role) throws ExpressionException {
     Optional<ResolvedParameter> parameter = parameters.find(name);
+    if (parameter.isPresent() && name.text().equals("s") && role == FormulaRole.HEIGHT) {
+      throw new ExpressionException(
+          MessageCode.UNUSABLE_NAME,
+          name.offset(),
+          "s is the arc length along the surface here, and the name of a parameter, too; rename"
+              + " the parameter");
+    }
     if (parameter.isPresent()) {
       return parameter(parameter.get());
     }
@@ -100,9 +107,25 @@ final class FormulaNames {
     return Optional.empty();
   }
 
+  /** Returns whether a name that is no parameter is an angle or an angular speed of a joint. */
+  boolean isInRadians(ParsedExpression.Reference name) {
+    return name.names().size() == 2
+        && names.signal(String.join(".", name.names())).isEmpty()
+        && names
+            .joint(name.names().get(0))
+            .filter(
+                joint ->
+                    unit(joint, name.index().orElse(0), name.names().get(1).equals("v"))
+                        .startsWith("rad"))
+            .isPresent();
+  }
+
+  private static String unit(ResolvedJoint joint, int component, boolean velocity) {
+    return velocity ? joint.type().velocityUnit(component) : joint.type().positionUnit(component);
+  }
+
   private static Dimension dimension(ResolvedJoint joint, int component, boolean velocity) {
-    String unit =
-        velocity ? joint.type().velocityUnit(component) : joint.type().positionUnit(component);
+    String unit = unit(joint, component, velocity);
     Dimension length = unit.startsWith("m") ? Dimension.LENGTH : Dimension.NONE;
     return velocity ? length.times(Dimension.TIME.power(-1)) : length;
   }

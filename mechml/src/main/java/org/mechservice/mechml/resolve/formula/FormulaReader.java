@@ -45,7 +45,7 @@ public final class FormulaReader {
           && !Double.isFinite(unit.toSi(constant.value()))) {
         throw new ExpressionException(MessageCode.EXPRESSION_VALUE, 0, "too large in SI units");
       }
-      values.warnOfDegrees(text, parsed, unit);
+      values.warnOfDegrees(text, parsed, unit, names::isInRadians);
       DimensionCheck.check(text, parsed, unit, values.parameters(), names::dimension, diagnostics);
       return Optional.of(FormulaNames.toSi(formula, unit));
     } catch (ExpressionException e) {

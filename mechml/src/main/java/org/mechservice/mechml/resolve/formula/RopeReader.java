@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.mechml.diagnosis.Diagnostics;
+import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.mechml.unit.Quantity;
@@ -30,7 +31,9 @@ import org.mechservice.solver.spatial.Vector3;
  * </pre>
  *
  * The arc on a pulley is R times the angle from the direction before it to that behind it, which is
- * taken between −π/2 and 3π/2. An offset h along n makes a straight part √(ℓ² + h²) long.
+ * taken between −π/2 and 3π/2. Where it is negative the rope has left the pulley and runs straight
+ * past it; length and slope of the length are continuous there. An offset h along n makes a
+ * straight part √(ℓ² + h²) long.
  */
 public final class RopeReader {
   private final FormulaReader formulas;
@@ -68,11 +71,20 @@ public final class RopeReader {
    * @param radius R
    * @param turns whole turns on the pulley beside the arc
    */
-  private record Stop(
-      BodyPoint centre, Expression signedRadius, Expression radius, Expression turns) {}
+  record Stop(BodyPoint centre, Expression signedRadius, Expression radius, Expression turns) {
+    boolean isEye() {
+      return radius.equals(Expression.ZERO);
+    }
 
-  /** The straight part behind a stop: its direction in the plane and its length. */
-  private record Straight(Expression ux, Expression uy, Expression length) {}
+    boolean isLeft() {
+      return signedRadius.equals(radius);
+    }
+
+    /** Returns whether the rope can leave it, which it does not with whole turns on it. */
+    boolean canBeLeft() {
+      return !isEye() && turns.equals(Expression.ZERO);
+    }
+  }
 
   /** Returns the rope of an element; empty after a reported error. */
   public Optional<Rope> read(Element element) {
@@ -90,6 +102,16 @@ public final class RopeReader {
     if (!isPossible(element, pulleys, plane.isPresent())) {
       return Optional.empty();
     }
+    int most = mostBetweenEyes(stops);
+    if (most > RopeSection.MOST_PULLEYS) {
+      relations.report(
+          element,
+          Phrase.of(
+              "%d pulleys follow each other without an eye; there may be %d, because the rope can"
+                  + " leave each of them; write a via between them",
+              most, RopeSection.MOST_PULLEYS));
+      return Optional.empty();
+    }
     Optional<BodyFrame> frame = plane.flatMap(this::frame);
     Optional<Expression> more =
         relations
@@ -102,6 +124,17 @@ public final class RopeReader {
     return Optional.of(
         new Rope(
             RelationReader.plus(more.get(), length), stops.stream().map(Stop::centre).toList()));
+  }
+
+  /** Returns the largest number of pulleys between two eyes that the rope can leave. */
+  private static int mostBetweenEyes(List<Stop> stops) {
+    int most = 0;
+    int count = 0;
+    for (Stop stop : stops) {
+      count = stop.isEye() ? 0 : stop.canBeLeft() ? count + 1 : count;
+      most = Math.max(most, count);
+    }
+    return most;
   }
 
   private boolean isPossible(Element element, boolean pulleys, boolean plane) {
@@ -165,54 +198,21 @@ public final class RopeReader {
   }
 
   private static Expression overPulleys(BodyFrame plane, List<Stop> stops) {
-    Vector3 x = plane.axes().apply(new Vector3(1, 0, 0));
-    Vector3 y = plane.axes().apply(new Vector3(0, 1, 0));
-    Vector3 z = plane.axes().apply(new Vector3(0, 0, 1));
-    List<Straight> straights = new ArrayList<>();
     Expression length = Expression.ZERO;
+    int from = 0;
     for (int i = 1; i < stops.size(); i++) {
-      Stop from = stops.get(i - 1);
-      Stop to = stops.get(i);
-      Expression dx = along(plane, x, from.centre(), to.centre());
-      Expression dy = along(plane, y, from.centre(), to.centre());
-      Expression h = along(plane, z, from.centre(), to.centre());
-      Expression delta = minus(to.signedRadius(), from.signedRadius());
-      Expression square = new Sum(new Product(dx, dx), new Product(dy, dy));
-      Expression inPlane = minus(square, new Product(delta, delta));
-      Expression tangent = root(inPlane);
-      Expression ux = new Sum(new Product(tangent, dx), new Product(delta, dy));
-      Expression uy = minus(new Product(tangent, dy), new Product(delta, dx));
-      Straight straight = new Straight(ux, uy, root(new Sum(inPlane, new Product(h, h))));
-      if (i > 1) {
-        length = new Sum(length, arc(from, straights.get(i - 2), straight));
+      if (stops.get(i).isEye()) {
+        length =
+            RelationReader.plus(
+                length, new RopeSection(plane, stops.subList(from, i + 1)).length());
+        from = i;
       }
-      straights.add(straight);
-      length = RelationReader.plus(length, straight.length());
     }
     return length;
   }
 
-  /** R (π/2 + atan2(−u·w, s n·(u × w)) + 2π turns), u before the pulley, w behind it. */
-  private static Expression arc(Stop pulley, Straight before, Straight behind) {
-    if (pulley.radius().equals(Expression.ZERO)) {
-      return Expression.ZERO;
-    }
-    Expression dot =
-        new Sum(new Product(before.ux(), behind.ux()), new Product(before.uy(), behind.uy()));
-    Expression cross =
-        minus(new Product(before.ux(), behind.uy()), new Product(before.uy(), behind.ux()));
-    boolean left = pulley.signedRadius().equals(pulley.radius());
-    Expression angle =
-        Expression.call(
-            Function.ATAN2, List.of(new Negation(dot), left ? cross : new Negation(cross)));
-    Expression start =
-        new Sum(
-            Expression.of(Math.PI / 2), new Product(Expression.of(2 * Math.PI), pulley.turns()));
-    return new Product(pulley.radius(), new Sum(start, angle));
-  }
-
   /** Returns the way between two points along a vector fixed in the plane's body. */
-  private static Expression along(BodyFrame plane, Vector3 axis, BodyPoint from, BodyPoint to) {
+  static Expression along(BodyFrame plane, Vector3 axis, BodyPoint from, BodyPoint to) {
     BodyPoint origin = new BodyPoint(plane.body(), plane.position());
     BodyPoint tip = new BodyPoint(plane.body(), plane.position().plus(axis));
     Expression sum = Expression.ZERO;
@@ -224,11 +224,11 @@ public final class RopeReader {
     return sum;
   }
 
-  private static Expression minus(Expression left, Expression right) {
+  static Expression minus(Expression left, Expression right) {
     return right.equals(Expression.ZERO) ? left : new Sum(left, new Negation(right));
   }
 
-  private static Expression root(Expression square) {
+  static Expression root(Expression square) {
     return Expression.call(Function.SQRT, List.of(square));
   }
 }

@@ -1,7 +1,6 @@
 package org.mechservice.mechml.resolve.value;
 
 import org.mechservice.mechml.document.Element;
-import org.mechservice.mechml.unit.Dimension;
 import org.mechservice.mechml.unit.Unit;
 
 /**
@@ -25,8 +24,10 @@ public record ResolvedParameter(
     return element.attribute("unit").map(String::strip).orElse("1");
   }
 
-  /** Returns whether expressions see it in rad. */
-  boolean isAngle() {
-    return unit.dimension().equals(Dimension.ANGLE);
+  /**
+   * Returns whether expressions see it in rad, rad/s or another unit with the first power of rad.
+   */
+  boolean isOfAngles() {
+    return unit.dimension().angle() == 1;
   }
 }

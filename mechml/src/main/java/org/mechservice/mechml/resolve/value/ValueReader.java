@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.Predicate;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
@@ -13,6 +14,7 @@ import org.mechservice.mechml.expression.ExpressionException;
 import org.mechservice.mechml.expression.ExpressionParser;
 import org.mechservice.mechml.expression.ParsedExpression;
 import org.mechservice.mechml.expression.References;
+import org.mechservice.mechml.unit.Dimension;
 import org.mechservice.mechml.unit.Quantity;
 import org.mechservice.mechml.unit.Unit;
 import org.mechservice.mechml.unit.UnitException;
@@ -181,7 +183,7 @@ public final class ValueReader {
       if (!Double.isFinite(value)) {
         throw new ExpressionException(MessageCode.EXPRESSION_VALUE, 0, "too large in SI units");
       }
-      warnOfDegrees(text, expression, unit);
+      warnOfDegrees(text, expression, unit, name -> false);
       DimensionCheck.check(
           text, expression, unit, parameters, name -> Optional.empty(), diagnostics);
       return OptionalDouble.of(value + 0.0);
@@ -212,25 +214,35 @@ public final class ValueReader {
   }
 
   /**
-   * Warns of a parameter that is an angle, hence in rad in expressions, in an attribute that is
-   * read in degrees.
+   * Warns of a value in rad, as expressions have angles, in an attribute that is read in degrees.
+   *
+   * @param inRadians whether a name that is no parameter stands for an angle or an angular speed
    */
-  public void warnOfDegrees(AttributeText text, ParsedExpression expression, Unit unit) {
-    boolean inRadians = unit.numerator() == unit.denominator();
-    if (unit.dimension().angle() != 1 || inRadians) {
+  public void warnOfDegrees(
+      AttributeText text,
+      ParsedExpression expression,
+      Unit unit,
+      Predicate<ParsedExpression.Reference> inRadians) {
+    if (unit.dimension().angle() != 1 || unit.numerator() == unit.denominator()) {
       return;
     }
-    References.in(expression).stream()
-        .filter(
-            reference -> parameters.find(reference).map(ResolvedParameter::isAngle).orElse(false))
-        .findFirst()
+    String read = unit.dimension().equals(Dimension.ANGLE) ? "deg" : "deg/s";
+    RadianCheck check =
+        new RadianCheck(
+            name ->
+                parameters
+                    .find(name)
+                    .map(ResolvedParameter::isOfAngles)
+                    .orElseGet(() -> inRadians.test(name)));
+    check
+        .source(expression)
         .ifPresent(
-            angle ->
+            source ->
                 diagnostics.warning(
                     MessageCode.ANGLE_IN_DEGREES,
                     text.element().position(),
                     Phrase.of(
-                        "%s: %s is in rad in expressions, but %s is read in deg; add unit=\"rad\"",
-                        text.element().label(), Quoted.of(angle.text()), text.attribute())));
+                        "%s: %s is in rad in expressions, but %s is read in %s; add unit=\"rad\"",
+                        text.element().label(), Quoted.of(source), text.attribute(), read)));
   }
 }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.mechml.MechmlModel;
+import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.sim.model.CodeForecast;
 import org.mechservice.sim.scene.Finding;
 import org.mechservice.sim.scene.LoopAnalysis;
@@ -11,6 +12,7 @@ import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.sim.scene.RoadmapEntry;
 import org.mechservice.sim.scene.SceneAnalysis;
 import org.mechservice.sim.scene.forecast.RunForecast;
+import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.Mechanism;
 
@@ -41,18 +43,25 @@ public record CheckReport(
     findings = List.copyOf(findings);
   }
 
-  /** Checks a model. */
+  /** Checks a model with the settings of its file. */
   public static CheckReport of(MechmlModel model) {
+    SimulationSettings settings = model.settings();
+    return of(model, settings.formulation(), settings.closure(), settings.run());
+  }
+
+  /**
+   * Checks a model.
+   *
+   * @param formulation of the run, {@code auto} or a name
+   * @param closure of the run, {@code auto} or a name
+   * @param run settings of the run
+   */
+  public static CheckReport of(
+      MechmlModel model, String formulation, String closure, RunSettings run) {
     Mechanism mechanism = model.mechanism();
     SceneAnalysis scene = SceneAnalysis.of(mechanism);
     LoopAnalysis loops = LoopAnalysis.of(model);
-    List<Finding> findings = new ArrayList<>(loops.findings());
-    findings.addAll(
-        RunForecast.of(
-            model,
-            model.settings().formulation(),
-            model.settings().closure(),
-            model.settings().run()));
+    List<Finding> findings = RunForecast.of(model, formulation, closure, run);
     try {
       return new CheckReport(
           model, scene, loops, findings, Optional.of(CodeForecast.of(model)), "");

@@ -7,6 +7,8 @@ import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.IntegratorFactory;
 import org.mechservice.solver.ode.IntegratorSettings;
+import org.mechservice.solver.ode.jumps.UndeclaredJumps;
+import org.mechservice.solver.ode.step.WatchedIntegrator;
 import org.mechservice.solver.simulation.AnalysisSolver;
 import org.mechservice.solver.simulation.Simulation;
 import org.mechservice.solver.simulation.equations.EquationForm;
@@ -38,8 +40,10 @@ import org.objectweb.asm.Type;
  * }
  * }</pre>
  *
- * <p>The class itself implements the factory, which avoids a lambda. For an analysis without
- * integration the solver is an {@link AnalysisSolver}, and there is no factory.
+ * <p>The class itself implements the factory, which avoids a lambda. For a model with forces by
+ * classes of users it returns {@code UndeclaredJumps.around(new De(settings))}; only then does the
+ * JAR have these classes. For an analysis without integration the solver is an {@link
+ * AnalysisSolver}, and there is no factory.
  */
 public final class MainClass {
   private static final String OBJECT = "java/lang/Object";
@@ -55,6 +59,7 @@ public final class MainClass {
    * @param className its own fully qualified name
    * @param model fully qualified name of the class of the model
    * @param integrator fully qualified name of the class of the integrator
+   * @param userClasses whether classes of users compute some of its forces
    * @param form form of the equations for the integrator
    * @param built labels of the column groups of the model, separated by commas
    * @param shown labels of the groups of the default output
@@ -63,13 +68,14 @@ public final class MainClass {
       String className,
       String model,
       String integrator,
+      boolean userClasses,
       EquationForm form,
       String built,
       String shown) {
     MainClass main = new MainClass();
     String own = internal(className);
     main.begin(own, Type.getInternalName(IntegratorFactory.class));
-    main.create(internal(integrator));
+    main.create(internal(integrator), userClasses);
     main.main(internal(model), code -> simulation(code, own, form), built, shown);
     main.classFile.visitEnd();
     return main.classFile.toByteArray();
@@ -129,7 +135,7 @@ public final class MainClass {
     ClassMethods.end(code, Opcodes.RETURN);
   }
 
-  private void create(String integrator) {
+  private void create(String integrator, boolean userClasses) {
     String settings = Type.getDescriptor(IntegratorSettings.class);
     MethodVisitor code =
         ClassMethods.begin(
@@ -141,6 +147,15 @@ public final class MainClass {
     code.visitInsn(Opcodes.DUP);
     code.visitVarInsn(Opcodes.ALOAD, 1);
     code.visitMethodInsn(Opcodes.INVOKESPECIAL, integrator, "<init>", "(" + settings + ")V", false);
+    if (userClasses) {
+      String watched = Type.getDescriptor(WatchedIntegrator.class);
+      code.visitMethodInsn(
+          Opcodes.INVOKESTATIC,
+          Type.getInternalName(UndeclaredJumps.class),
+          "around",
+          "(" + watched + ")" + watched,
+          false);
+    }
     ClassMethods.end(code, Opcodes.ARETURN);
   }
 

@@ -16,6 +16,11 @@ import org.mechservice.solver.text.ShortestDecimal;
 
 /** The files {@code modelDescription.xml} and {@code sources/buildDescription.xml} of an FMU. */
 final class FmuDescription {
+  /** What importers should know of closed loops. */
+  private static final String LOOPS =
+      "Closed loops stay on their assembly as far as the error test of the method leads; a position"
+          + " in which a loop locks, or two of its assemblies meet, is not noticed.";
+
   private static final String TOOL = "MechService";
 
   /** A variable with all that both versions say about it. */
@@ -172,6 +177,9 @@ final class FmuDescription {
               TOOL,
               "variableNamingConvention",
               "flat");
+          if (model.hasLoops()) {
+            xml.writeAttribute("description", LOOPS);
+          }
           if (two) {
             xml.writeAttribute("numberOfEventIndicators", Integer.toString(model.events().size()));
           }

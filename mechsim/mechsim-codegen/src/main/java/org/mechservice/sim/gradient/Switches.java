@@ -49,13 +49,20 @@ final class Switches {
             "floor() of the state or of a parameter jumps at every whole number, and has no"
                 + " derivative there; write what it stands for by step() or sign()");
       } else if (node.function() == MathFunction.SIGNUM && varies[node.first().id()]) {
-        margins.add(node.first());
+        add(margins, node.first());
       } else if (node.function() == MathFunction.CHOOSE
           && (varies[node.first().id()] || varies[node.second().id()])) {
-        margins.add(node.first().minus(node.second()));
+        add(margins, node.first().minus(node.second()));
       }
     }
     return margins;
+  }
+
+  /** Adds a margin; the same one with the other sign is no further place. */
+  private static void add(Set<Scalar> margins, Scalar margin) {
+    if (!margins.contains(margin.negated())) {
+      margins.add(margin);
+    }
   }
 
   /** Returns which nodes depend on the state or on a chosen parameter. */

@@ -14,7 +14,9 @@ import org.mechservice.solver.closure.assembly.ClosedStart;
 import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.closure.CoordinateClosure;
 import org.mechservice.solver.mechanism.closure.JointClosure;
+import org.mechservice.solver.mechanism.closure.RollingClosure;
 
 /**
  * Column groups of a model: those that it can output, those that its results show, and those
@@ -82,11 +84,24 @@ public final class ModelColumns {
             case DRIVES -> isDriven(model.mechanism());
             case JOINTS, ACCELERATIONS, BODIES, ENERGY -> false;
           };
-      if (some && options.columns().contains(group)) {
+      boolean watched =
+          group == ColumnGroup.CONSTRAINTS
+              && model.settings().task() instanceof SimulationTask.Dynamic
+              && hasOneSided(model.mechanism());
+      if (some && (watched || options.columns().contains(group))) {
         groups.add(group);
       }
     }
     return groups;
+  }
+
+  /** Returns whether ropes or wheels push or pull only, so that their multipliers are watched. */
+  private static boolean hasOneSided(Mechanism mechanism) {
+    return mechanism.closures().stream()
+        .anyMatch(
+            closure ->
+                closure instanceof RollingClosure
+                    || (closure instanceof CoordinateClosure rope && !rope.points().isEmpty()));
   }
 
   private static boolean isDriven(Mechanism mechanism) {

@@ -51,6 +51,7 @@ public final class StandaloneMain {
         name,
         model.generated().className(),
         IntegrationMethod.of(integrator).className(),
+        model.hasUserClasses(),
         RuntimeSolver.formOf(model.withoutUserClasses(), integrator),
         built,
         shown);

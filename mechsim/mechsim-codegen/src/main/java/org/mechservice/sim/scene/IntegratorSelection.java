@@ -24,8 +24,10 @@ import org.mechservice.solver.mechanism.force.SpringDamper;
  * implicit method instead if its fastest motion decays many times within the run and its forces are
  * linear: springs, dampers, bushings and drives that are linear in joint coordinates have constant
  * coefficients, whereas stiffness at the start from contacts, friction and other formulas may
- * vanish later. A larger chain gets {@code ode15sR}, which has derivatives by recursion and solves
- * for half as many unknowns.
+ * vanish later. For a larger chain the residual form with {@code ode15sR}, which has derivatives by
+ * recursion and solves for half as many unknowns, and {@code ode15s} are tried, {@link
+ * MethodTrial}; so are they where nothing damps the fastest motion, which may be too small to be
+ * followed.
  *
  * @param integrator its name
  * @param reason the reason as a clause; empty if {@code switching} decides during the run
@@ -62,27 +64,59 @@ public record IntegratorSelection(String integrator, Optional<String> reason) {
         .isPresent()) {
       return new IntegratorSelection(RESIDUAL, Optional.empty());
     }
-    return lastingStiffness(mechanism, settings)
-        .map(motion -> stiff(formulation, mechanism, motion))
+    Optional<FastestMotion> lasting = lastingMotion(mechanism, settings);
+    return lasting
+        .filter(FastestMotion::isDamped)
+        .map(motion -> stiff(formulation, mechanism, settings, motion))
+        .or(
+            () ->
+                lasting
+                    .filter(motion -> formulation.equalsIgnoreCase(MethodNames.AUTO))
+                    .flatMap(motion -> hardlyExcited(mechanism, settings, motion)))
         .orElseGet(() -> new IntegratorSelection(SWITCHING, Optional.empty()));
   }
 
+  /**
+   * Chooses an implicit method for a fast motion without damping if the whole run takes it no more
+   * than the steps of a trial: a spring that swings below the tolerance need not be followed, but
+   * limits the steps of an Adams method.
+   */
+  private static Optional<IntegratorSelection> hardlyExcited(
+      Mechanism mechanism, RunSettings settings, FastestMotion motion) {
+    MethodTrial implicit =
+        MethodTrial.of(mechanism, Formulation.RR_JF, IntegrationMethod.ODE15SR, settings);
+    if (!implicit.isWhole()) {
+      return Optional.empty();
+    }
+    MethodTrial explicit =
+        implicit.against(mechanism, Formulation.DTR, IntegrationMethod.ODE113, settings);
+    String why = "joint \"" + motion.joint().name() + "\" " + motion.text();
+    return MethodTrial.better(explicit, implicit) == implicit
+        ? Optional.of(
+            new IntegratorSelection(RESIDUAL, MethodTrial.reason(why, implicit, explicit)))
+        : Optional.empty();
+  }
+
   private static IntegratorSelection stiff(
-      String formulation, Mechanism mechanism, FastestMotion motion) {
-    boolean residual =
-        formulation.equalsIgnoreCase(MethodNames.AUTO)
-            && mechanism.velocityCount() >= RESIDUAL_VELOCITIES;
+      String formulation, Mechanism mechanism, RunSettings settings, FastestMotion motion) {
+    String why = "joint \"" + motion.joint().name() + "\" " + motion.text();
+    if (!formulation.equalsIgnoreCase(MethodNames.AUTO)
+        || mechanism.velocityCount() < RESIDUAL_VELOCITIES) {
+      return new IntegratorSelection(STIFF, Optional.of(why));
+    }
+    MethodTrial residual =
+        MethodTrial.of(mechanism, Formulation.RR_JF, IntegrationMethod.ODE15SR, settings);
+    MethodTrial articulated =
+        residual.against(mechanism, Formulation.DTR, IntegrationMethod.ODE15S, settings);
     return new IntegratorSelection(
-        residual ? RESIDUAL : STIFF,
-        Optional.of("joint \"" + motion.joint().name() + "\" " + motion.text()));
+        MethodTrial.better(residual, articulated).integrator(),
+        MethodTrial.reason(why, residual, articulated));
   }
 
   /**
-   * Returns the fastest motion if it is damped, much shorter than the run, and has constant
-   * coefficients.
+   * Returns the fastest motion if it is much shorter than the run and has constant coefficients.
    */
-  private static Optional<FastestMotion> lastingStiffness(
-      Mechanism mechanism, RunSettings settings) {
+  private static Optional<FastestMotion> lastingMotion(Mechanism mechanism, RunSettings settings) {
     List<ForceElement> lasting =
         mechanism.forces().stream().filter(IntegratorSelection::holdsAllAlong).toList();
     if (!mechanism.closures().isEmpty() || lasting.isEmpty()) {
@@ -91,7 +125,6 @@ public record IntegratorSelection(String integrator, Optional<String> reason) {
     double length = settings.tEnd() - settings.tStart();
     Mechanism forced = withForces(mechanism, lasting);
     return FastestMotion.of(forced, settings, () -> new ClosedStart(forced, settings.tStart()))
-        .filter(FastestMotion::isDamped)
         .filter(motion -> motion.modulus() * length >= MANY_TIME_CONSTANTS);
   }
 

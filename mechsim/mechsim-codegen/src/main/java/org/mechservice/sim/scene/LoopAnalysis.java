@@ -20,18 +20,15 @@ import org.mechservice.solver.text.Origin;
  * @param loops constraints in the mechanism's order
  * @param equations number of all their equations
  * @param independent number of independent equations; −1 if unknown
- * @param findings findings for the author of the model
  */
-public record LoopAnalysis(
-    List<LoopEntry> loops, int equations, int independent, List<Finding> findings) {
+public record LoopAnalysis(List<LoopEntry> loops, int equations, int independent) {
   /** A mechanism that is a tree. */
-  public static final LoopAnalysis NONE = new LoopAnalysis(List.of(), 0, 0, List.of());
+  public static final LoopAnalysis NONE = new LoopAnalysis(List.of(), 0, 0);
 
   private static final int NOT_JUDGED = -1;
 
   public LoopAnalysis {
     loops = List.copyOf(loops);
-    findings = List.copyOf(findings);
   }
 
   /**
@@ -56,9 +53,19 @@ public record LoopAnalysis(
     List<LoopEntry> entries = entries(mechanism, loops);
     ClosedStart start = model.closedStart(startTime);
     int independent = start.isAssembled() ? start.rank() : NOT_JUDGED;
-    List<Finding> findings = findings(mechanism, start.findings());
-    findings.removeIf(finding -> model.silenced().contains(finding.code()));
-    return new LoopAnalysis(entries, loops.count(), independent, findings);
+    return new LoopAnalysis(entries, loops.count(), independent);
+  }
+
+  /**
+   * Returns the findings about the loops of a model.
+   *
+   * @param startTime start of the run, s
+   */
+  public static List<Finding> findings(MechmlModel model, double startTime) {
+    Mechanism mechanism = model.mechanism();
+    return mechanism.closures().isEmpty()
+        ? List.of()
+        : findings(mechanism, model.closedStart(startTime).findings());
   }
 
   private static List<LoopEntry> entries(Mechanism mechanism, LoopEquations loops) {

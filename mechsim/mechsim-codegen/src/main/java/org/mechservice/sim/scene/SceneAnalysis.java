@@ -83,15 +83,6 @@ public record SceneAnalysis(
     return IntStream.range(0, count).mapToObj(unit).collect(Collectors.joining(" "));
   }
 
-  /**
-   * Returns suspicious data or, if there are none, a joint that moves no inertia at the start.
-   *
-   * @param t time of the start, s
-   */
-  public List<Finding> findingsAtStart(double t) {
-    return findings.isEmpty() ? InertiaCheck.of(mechanism, t).stream().toList() : findings;
-  }
-
   /** Returns suggestions of simpler models, as sentences. */
   public List<String> offers() {
     return SphericalChains.of(mechanism);

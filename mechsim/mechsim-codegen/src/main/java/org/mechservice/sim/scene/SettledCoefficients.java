@@ -1,7 +1,9 @@
 package org.mechservice.sim.scene;
 
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Set;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.Bushing;
@@ -14,7 +16,9 @@ import org.mechservice.solver.mechanism.force.SpringDamper;
 /**
  * Coefficients whose values determine the generated code; they must not contain tunable parameters.
  */
-final class SettledCoefficients {
+public final class SettledCoefficients {
+  private static final int ANY = -1;
+
   private SettledCoefficients() {}
 
   /** Returns the names of the forces that have a parameter in such a coefficient. */
@@ -32,16 +36,31 @@ final class SettledCoefficients {
     return names;
   }
 
+  /** Returns the names of the parameters that the generated code needs the values of. */
+  public static Set<String> parameters(Mechanism mechanism) {
+    Set<String> names = new LinkedHashSet<>();
+    for (ForceElement force : mechanism.forces()) {
+      for (Expression coefficient : numbers(force)) {
+        for (int i = 0; i < mechanism.parameters().size(); i++) {
+          if (has(coefficient, i)) {
+            names.add(mechanism.parameters().get(i).name());
+          }
+        }
+      }
+    }
+    return names;
+  }
+
+  /** Returns the coefficients that are numbers in the code itself. */
+  private static List<Expression> numbers(ForceElement force) {
+    return force instanceof SpringDamper spring ? List.of(spring.smoothing()) : of(force);
+  }
+
   private static List<Expression> of(ForceElement force) {
     List<Expression> all = new ArrayList<>();
     if (force instanceof Contact contact) {
-      all.add(contact.radius());
-      all.add(contact.stiffness());
-      all.add(contact.damping());
       all.add(contact.exponent());
       all.add(contact.smoothing());
-      all.add(contact.friction());
-      all.add(contact.frictionSpeed());
     } else if (force instanceof Bushing bushing) {
       all.addAll(bushing.stiffness());
       all.addAll(bushing.damping());
@@ -60,23 +79,28 @@ final class SettledCoefficients {
   }
 
   private static boolean hasParameter(Expression e) {
-    if (e instanceof Expression.ParameterValue) {
-      return true;
+    return has(e, ANY);
+  }
+
+  /** Returns whether a formula has the parameter with a number. */
+  private static boolean has(Expression e, int parameter) {
+    if (e instanceof Expression.ParameterValue value) {
+      return parameter == ANY || value.index() == parameter;
     } else if (e instanceof Expression.Sum sum) {
-      return hasParameter(sum.left()) || hasParameter(sum.right());
+      return has(sum.left(), parameter) || has(sum.right(), parameter);
     } else if (e instanceof Expression.Product product) {
-      return hasParameter(product.left()) || hasParameter(product.right());
+      return has(product.left(), parameter) || has(product.right(), parameter);
     } else if (e instanceof Expression.Quotient quotient) {
-      return hasParameter(quotient.dividend()) || hasParameter(quotient.divisor());
+      return has(quotient.dividend(), parameter) || has(quotient.divisor(), parameter);
     } else if (e instanceof Expression.Power power) {
-      return hasParameter(power.base()) || hasParameter(power.exponent());
+      return has(power.base(), parameter) || has(power.exponent(), parameter);
     } else if (e instanceof Expression.Negation negation) {
-      return hasParameter(negation.operand());
+      return has(negation.operand(), parameter);
     }
     if (e instanceof Expression.TableValue value) {
-      return value.arguments().stream().anyMatch(SettledCoefficients::hasParameter);
+      return value.arguments().stream().anyMatch(argument -> has(argument, parameter));
     }
     return e instanceof Expression.Call call
-        && call.arguments().stream().anyMatch(SettledCoefficients::hasParameter);
+        && call.arguments().stream().anyMatch(argument -> has(argument, parameter));
   }
 }

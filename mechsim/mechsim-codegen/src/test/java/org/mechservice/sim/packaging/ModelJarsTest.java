@@ -2,6 +2,7 @@ package org.mechservice.sim.packaging;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import java.io.ByteArrayInputStream;
 import java.io.File;
@@ -33,12 +34,20 @@ import org.mechservice.sim.compile.ReachableClasses;
 import org.mechservice.sim.compile.SolverClasses;
 import org.mechservice.sim.model.BuildOptions;
 import org.mechservice.sim.model.CompiledModel;
+import org.mechservice.sim.model.KeptRows;
 import org.mechservice.sim.model.ModelFactory;
 import org.mechservice.sim.model.Scenes;
 import org.mechservice.sim.user.PushedCart;
 import org.mechservice.sim.user.UserClasses;
+import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.api.run.RunControl;
+import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.catalogue.IntegrationMethod;
+import org.mechservice.solver.ode.adams.De;
+import org.mechservice.solver.simulation.RuntimeSolver;
+import org.mechservice.solver.simulation.Simulation;
 import org.mechservice.solver.text.Sha256;
 
 class ModelJarsTest {
@@ -273,17 +282,62 @@ class ModelJarsTest {
     assertThat(printed).startsWith("S-069 the class path has no model JAR");
   }
 
+  /**
+   * What formulas of a model file state needs no search; of a user's class only values are known.
+   */
   @Test
-  void stackTracesInUserForcesShowFileAndLine(@TempDir Path folder) throws Exception {
-    String text =
-        PushedCart.harmlessSource()
-            .replace("(slide, 3)", "(slide, 3 / (int) Math.min(0.0, state.time()))");
+  void onlyModelsWithUserClassesCarryTheSearchForUndeclaredJumps() throws Exception {
+    for (IntegrationMethod method : IntegrationMethod.values()) {
+      JarImage jar = ModelJars.standalone(pendulum(method.label()), SHA);
+      assertThat(entries(jar).keySet())
+          .as(method.label())
+          .contains("org/mechservice/solver/ode/step/StepWatch.class")
+          .noneMatch(name -> name.startsWith("org/mechservice/solver/ode/jumps/"));
+    }
+    assertThat(entries(ModelJars.standalone(pushed("3"), SHA)).keySet())
+        .contains(
+            "org/mechservice/solver/ode/jumps/UndeclaredJumps.class",
+            "org/mechservice/solver/ode/jumps/PulseProbe.class");
+  }
+
+  /** The push begins and ends inside of a step from rest, which shows nothing of it. */
+  @Test
+  void shortPushByAUserClassIsFoundInEveryForm(@TempDir Path folder) throws Exception {
+    CompiledModel model = pushed("state.time() > 1.31 && state.time() < 1.41 ? 3 : 0");
+    RunRequest request = new RunRequest(Scenes.SETTINGS, Set.of());
+    KeptRows plain = new KeptRows();
+    Model equations = model.newInstance();
+    new Simulation(De::new, RuntimeSolver.formOf(equations, "DE"))
+        .run(equations, request, plain, new RunControl());
+    assertThat(speedAtEnd(plain)).isZero();
+    KeptRows searched = new KeptRows();
+    new RuntimeSolver().run(model.newInstance(), request, searched, new RunControl());
+    // 3 N over 0.1 s on 2 kg; a tolerance for each of the two jumps.
+    assertThat(speedAtEnd(searched)).isCloseTo(0.15, within(2e-5));
+    JarImage jar = ModelJars.standalone(model, SHA);
+    Files.write(folder.resolve(jar.fileName()), jar.bytes());
+    finished(java(folder, "-jar", jar.fileName(), "--out", "rows.csv", "--quiet"));
+    List<String> rows = Files.readAllLines(folder.resolve("rows.csv"));
+    String[] last = rows.get(rows.size() - 1).split(",", -1);
+    assertThat(Double.parseDouble(last[2])).isEqualTo(speedAtEnd(searched));
+  }
+
+  private static double speedAtEnd(KeptRows kept) {
+    return kept.rows().get(kept.rows().size() - 1)[2];
+  }
+
+  private static CompiledModel pushed(String force) throws Exception {
+    String text = PushedCart.harmlessSource().replace("(slide, 3)", "(slide, " + force + ")");
     MechmlModel file = MechmlReader.read("pushed.xml", PushedCart.file());
     UserClasses user =
         UserClasses.admit(file.mechanism(), List.of(PushedCart.asSource(text)), true);
     BuildOptions options = new BuildOptions("auto", Set.of(), Scenes.SETTINGS);
-    CompiledModel model =
-        ModelFactory.compile(file, options, ModelFactory.generate(file, options), user);
+    return ModelFactory.compile(file, options, ModelFactory.generate(file, options), user);
+  }
+
+  @Test
+  void stackTracesInUserForcesShowFileAndLine(@TempDir Path folder) throws Exception {
+    CompiledModel model = pushed("3 / (int) Math.min(0.0, state.time())");
     Path jar = folder.resolve("pushed.jar");
     Files.write(jar, ModelJars.standalone(model, SHA).bytes());
     try (URLClassLoader loader =

@@ -14,6 +14,9 @@ import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.sim.scene.forecast.StiffnessForecast;
+import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.catalogue.Formulation;
+import org.mechservice.solver.catalogue.IntegrationMethod;
 
 /** The automatic integrator goes by what of the spectrum at the start will last. */
 class IntegratorSelectionTest {
@@ -138,6 +141,104 @@ class IntegratorSelectionTest {
                 "</Forces>",
                 "<jointForce name=\"m\" joint=\"j1\" expression=\"" + force + "\"/></Forces>");
     assertThat(choice("auto", driven).integrator()).isEqualTo(integrator);
+  }
+
+  /** A mass that lies on a spring; it swings with 1e5 rad/s by the amplitude given, m. */
+  private static String lyingOnASpring(double off) {
+    return """
+        <MechML><MBSsimulation><dynamic><timeSet tini="0" tend="10" tstep="0.1"/>
+          <integrator name="auto" relTol="1e-6" absTol="1e-6"/></dynamic></MBSsimulation>
+        <MBSmodel name="spring" massUnits="kg" lengthUnits="m"><Bodies>
+          <body name="G"><point name="o" x="0" y="0" z="0"/><vector name="z" vx="0" vy="0"
+            vz="1"/></body><body name="a"><point name="o" x="0" y="0" z="0"/><vector name="z"
+            vx="0" vy="0" vz="1"/><mass value="1"/></body></Bodies>
+        <Joints><joint name="z" type="P"><body1 name="G" point="o" vector="z"/><body2 name="a"
+          point="o" vector="z"/></joint></Joints>
+        <Forces><jointForce name="k" joint="z" expression="-1e10*z.q"/></Forces>
+        <topology><root name="G"/><relCoorVals><jointVal name="z" posVals="%s"/></relCoorVals>
+        </topology></MBSmodel></MechML>
+        """
+        .formatted(off);
+  }
+
+  /** Below the tolerances the spring need not be followed; above them every method has to. */
+  @ParameterizedTest
+  @CsvSource({"1e-14, ode15sR", "1e-3, switching"})
+  void undampedSpringIsFollowedOnlyIfItSwings(double off, String integrator) throws Exception {
+    assertThat(choice("auto", lyingOnASpring(off)).integrator()).isEqualTo(integrator);
+    assertThat(choice("DTR", lyingOnASpring(off)).integrator()).isEqualTo("switching");
+  }
+
+  /**
+   * A beam of links on ball joints with bushings.
+   *
+   * @param damping of a joint, N·m·s
+   */
+  private static String beam(int links, double damping) {
+    StringBuilder bodies = new StringBuilder();
+    StringBuilder joints = new StringBuilder();
+    StringBuilder forces = new StringBuilder();
+    double length = 0.5 / links;
+    double mass = 0.0566 / links;
+    double turned = mass * length * length / 12;
+    for (int i = 1; i <= links; i++) {
+      String before = i == 1 ? "G" : "b" + (i - 1);
+      bodies.append(
+          ("<body name='b%d'><point name='s' x='0' y='0' z='0'/><point name='e' x='%s' y='0'"
+                  + " z='0'/><cog x='%s' y='0' z='0'/><mass value='%s'/><inertiaTensor Ixx='2.4e-8'"
+                  + " Iyy='%s' Izz='%s'/></body>")
+              .formatted(i, length, length / 2, mass, turned, turned + 2e-8));
+      joints.append(
+          ("<joint name='j%d' type='S'><body1 name='%s' point='e'/><body2 name='b%d' point='s'/>"
+                  + "</joint>")
+              .formatted(i, before, i));
+      double k = 6.0 * links;
+      double c = damping * links / 32;
+      forces.append(
+          ("<bushing name='k%d' k='0;0;0;%s;%s;%s' c='0;0;0;%s;%s;%s'><body1 name='%s' point='e'/>"
+                  + "<body2 name='b%d' point='s'/></bushing>")
+              .formatted(i, k, k, 12 * k, c, c, 12 * c, before, i));
+    }
+    return ("<MechML><MBSsimulation><dynamic><timeSet tini='0' tend='0.2' tstep='0.01'/><integrator"
+            + " name='auto' relTol='1e-5' absTol='1e-6'/></dynamic></MBSsimulation><MBSmodel"
+            + " name='beam' massUnits='kg' lengthUnits='m'><Bodies><body name='G'><point name='e'"
+            + " x='0' y='0' z='0'/></body>%s</Bodies><Joints>%s</Joints><Forces>%s<forceTorque"
+            + " name='tip' body='b%d' point='e' frame='world' fy='-6.29' fz='6.29'/></Forces>"
+            + "<topology><root name='G'/></topology></MBSmodel></MechML>")
+        .formatted(bodies, joints, forces, links);
+  }
+
+  /**
+   * What the trial prefers does no more than 1.5 times the operations of the other method over a
+   * stretch that it has not seen: four times as many steps.
+   */
+  @ParameterizedTest
+  @CsvSource({"8, 0.004", "8, 0.4", "16, 0.004", "16, 0.4", "32, 0.004"})
+  void whatTheTrialPrefersIsTheCheaperOneBeyondIt(int links, double damping) throws Exception {
+    MechmlModel model =
+        MechmlReader.read("beam.xml", beam(links, damping).getBytes(StandardCharsets.UTF_8));
+    RunSettings run = model.settings().run();
+    IntegratorSelection choice = IntegratorSelection.of("auto", model.mechanism(), run);
+    assertThat(choice.reason())
+        .hasValueSatisfying(why -> assertThat(why).contains("operations counted in a trial"));
+    MethodTrial trial =
+        MethodTrial.of(model.mechanism(), Formulation.RR_JF, IntegrationMethod.ODE15SR, run);
+    double later = Math.min(run.tEnd(), 4 * trial.end());
+    RunSettings longer = run.withOutput(later, later);
+    MethodTrial residual =
+        MethodTrial.whole(model.mechanism(), Formulation.RR_JF, IntegrationMethod.ODE15SR, longer);
+    MethodTrial articulated =
+        MethodTrial.whole(model.mechanism(), Formulation.DTR, IntegrationMethod.ODE15S, longer);
+    double chosen =
+        choice.integrator().equals("ode15s") ? articulated.operations() : residual.operations();
+    assertThat(chosen)
+        .isLessThanOrEqualTo(1.5 * Math.min(articulated.operations(), residual.operations()));
+  }
+
+  @Test
+  void trialsAreTheSameEachTime() throws Exception {
+    String beam = beam(8, 0.004);
+    assertThat(choice("auto", beam)).isEqualTo(choice("auto", beam));
   }
 
   @Test

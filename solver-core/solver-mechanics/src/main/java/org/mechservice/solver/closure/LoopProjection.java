@@ -1,6 +1,8 @@
 package org.mechservice.solver.closure;
 
 import java.util.Arrays;
+import java.util.Optional;
+import org.mechservice.solver.closure.assembly.NearestPositions;
 import org.mechservice.solver.closure.equations.LoopRounding;
 import org.mechservice.solver.linear.SparseMatrix;
 
@@ -42,6 +44,9 @@ public final class LoopProjection {
 
   /** Velocities that must not change; empty if none can be held. */
   private final boolean[] held;
+
+  /** Finds positions after jumps that leave Newton's method without a way. */
+  private Optional<NearestPositions> nearest = Optional.empty();
 
   private final double[] none;
   private final double[] offset;
@@ -89,7 +94,8 @@ public final class LoopProjection {
 
   /**
    * Closes the loops after a jump: first with some velocities and their positions held fixed, then,
-   * if a residual remains, with all free.
+   * if a residual remains, with all free. Where Newton's method finds no way, as at half a turn,
+   * the positions are found as at a start.
    *
    * @param positionSet velocities whose positions are held
    * @param velocitySet velocities that are held
@@ -97,11 +103,37 @@ public final class LoopProjection {
    */
   public boolean jump(double t, double[] y, boolean[] positionSet, boolean[] velocitySet) {
     System.arraycopy(positionSet, 0, held, 0, held.length);
-    closePositions(t, y);
+    double[] given = y.clone();
+    if (!closePositions(t, y) && closeFromFar(t, given, positionSet)) {
+      System.arraycopy(given, 0, y, 0, y.length);
+    }
     System.arraycopy(velocitySet, 0, held, 0, held.length);
     projectVelocities(t, y, Double.POSITIVE_INFINITY);
     Arrays.fill(held, false);
     return closePositions(t, y) && projectVelocities(t, y, Double.POSITIVE_INFINITY);
+  }
+
+  /**
+   * Closes the loops as at a start, by the nearest positions, with those held that were set.
+   *
+   * @return whether it could; if not, the state is unchanged
+   */
+  private boolean closeFromFar(double t, double[] y, boolean[] positionSet) {
+    ClosedTree data = work.ofData();
+    if (nearest.isEmpty()) {
+      nearest =
+          Optional.of(
+              new NearestPositions(
+                  data.motion, data.loops, data.coordinates, data.units, rounding));
+    }
+    double[] willing = new double[work.nv];
+    Arrays.setAll(willing, j -> positionSet[j] ? 0 : 1);
+    double[] closed = y.clone();
+    boolean closes = nearest.get().closeInTurn(t, closed, willing);
+    if (closes) {
+      System.arraycopy(closed, 0, y, 0, y.length);
+    }
+    return closes;
   }
 
   /** Newton's method in steps of limited length. */
@@ -148,9 +180,12 @@ public final class LoopProjection {
     return false;
   }
 
-  /** Returns whether a residual is small, or whether the last iteration hardly reduced it. */
+  /**
+   * Returns whether a residual is small, or whether the last iteration hardly reduced it: then it
+   * is a misfit of redundant equations.
+   */
   private static boolean isClosed(double residual, double before) {
-    return residual <= CLOSED || (residual <= LoopRounding.CLOSED && residual > 0.5 * before);
+    return residual <= CLOSED || (residual <= LoopRounding.MISFIT && residual > 0.5 * before);
   }
 
   private void solvePositions(double[] y) {

@@ -156,23 +156,10 @@ public abstract class OpenTreeModel
       weakPivots.observe(t, check());
       return REGULAR;
     }
-    double[] unresisted = unresistedMotion(singular);
-    return joints.isSingle(unresisted)
+    SingularInertia found = SingularInertia.of(motion, t, singular);
+    return joints.isSingle(found.motion()) && !found.isOfDifferentSizes()
         ? joints.jointOf(singular)
-        : fail(joints.singular(unresisted));
-  }
-
-  /** Returns the motion without inertia; the velocity alone if the motion is not clear. */
-  private double[] unresistedMotion(int velocity) {
-    SemiRecursive.Workspace w = new SemiRecursive(tree).newWorkspace(motion);
-    w.formMassMatrix();
-    int found = w.factorMassMatrix();
-    if (found != REGULAR) {
-      return w.massMatrix().unresistedMotion(found);
-    }
-    double[] alone = new double[tree.stateVelocityCount];
-    alone[velocity] = 1;
-    return alone;
+        : fail(joints.singular(found));
   }
 
   /** Stores why an evaluation failed; returns DEFECT. */

@@ -75,13 +75,17 @@ final class StateJoints {
     return moving(motion).size() == 1 && !hasSeveral(moving(motion).get(0));
   }
 
-  /**
-   * Returns the defect of a motion without inertia.
-   *
-   * @param motion one number per velocity
-   */
-  Defect singular(double[] motion) {
-    List<Integer> moving = moving(motion);
+  /** Returns the defect of a motion without inertia. */
+  Defect singular(SingularInertia found) {
+    if (found.isOfDifferentSizes()) {
+      return new Defect(
+          MessageCode.SINGULAR_INERTIA,
+          name(found.velocity()),
+          "The inertia is singular to double precision: " + found.sizes() + ".",
+          "Bring the masses or inertias of the two bodies nearer together, connect them rigidly, or"
+              + " leave the light one out.");
+    }
+    List<Integer> moving = moving(found.motion());
     String names = moving.stream().map(this::name).collect(Collectors.joining(" and "));
     return moving.size() == 1
         ? new Defect(

@@ -8,11 +8,17 @@ import java.util.List;
  * @param name name in the model file
  * @param x arguments, strictly ascending, at least two
  * @param y values, as many
+ * @param slopes slopes at the points of a curve of cubics; empty if the method chooses them
  * @param method curve between the points
  * @param outside values beyond the first and the last point
  */
 public record Table(
-    String name, List<Double> x, List<Double> y, Method method, Extrapolation outside)
+    String name,
+    List<Double> x,
+    List<Double> y,
+    List<Double> slopes,
+    Method method,
+    Extrapolation outside)
     implements PointFunction {
   /** Curves between points. */
   public enum Method {
@@ -40,11 +46,27 @@ public record Table(
   public Table {
     x = List.copyOf(x);
     y = List.copyOf(y);
+    slopes = List.copyOf(slopes);
     checkAscending(name, x);
+    if (!slopes.isEmpty() && (slopes.size() != x.size() || method == Method.LINEAR)) {
+      throw new IllegalArgumentException(
+          "table " + name + " has " + slopes.size() + " slopes by method " + method);
+    }
     if (y.size() != x.size()) {
       throw new IllegalArgumentException(
           "table " + name + " has " + x.size() + " arguments and " + y.size() + " values");
     }
+  }
+
+  /** A table whose method chooses the slopes at the points. */
+  public Table(String name, List<Double> x, List<Double> y, Method method, Extrapolation outside) {
+    this(name, x, y, List.of(), method, outside);
+  }
+
+  /** A table of cubics with given slopes at the points; the curvature jumps there. */
+  public static Table hermite(
+      String name, List<Double> x, List<Double> y, List<Double> slopes, Extrapolation outside) {
+    return new Table(name, x, y, slopes, Method.AKIMA, outside);
   }
 
   static void checkAscending(String name, List<Double> arguments) {

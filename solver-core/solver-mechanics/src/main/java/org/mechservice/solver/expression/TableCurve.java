@@ -22,7 +22,10 @@ public final class TableCurve implements TapeStep {
     knots = table.x().stream().mapToDouble(Double::doubleValue).toArray();
     double[] y = table.y().stream().mapToDouble(Double::doubleValue).toArray();
     polynomials = new double[NUMBERS * (knots.length + 1)];
-    double[] slope = slopes(table.method(), knots, y);
+    double[] slope =
+        table.slopes().isEmpty()
+            ? slopes(table.method(), knots, y)
+            : table.slopes().stream().mapToDouble(Double::doubleValue).toArray();
     int n = knots.length;
     for (int i = 0; i + 1 < n; i++) {
       double h = knots[i + 1] - knots[i];
@@ -192,6 +195,18 @@ public final class TableCurve implements TapeStep {
   /** Returns the number of points that are not above an argument. */
   int place(double x) {
     return (int) NumberTable.interval(knots, 0, knots.length, x);
+  }
+
+  /** Returns the distance of an argument from the nearest point. */
+  double distanceFromPoint(double x) {
+    return distance(knots, x);
+  }
+
+  static double distance(double[] knots, double x) {
+    int place = (int) NumberTable.interval(knots, 0, knots.length, x);
+    double before = place == 0 ? Double.POSITIVE_INFINITY : x - knots[place - 1];
+    double ahead = place == knots.length ? Double.POSITIVE_INFINITY : knots[place] - x;
+    return Math.min(before, ahead);
   }
 
   /** Finds the bounds of the values for arguments in an interval. */

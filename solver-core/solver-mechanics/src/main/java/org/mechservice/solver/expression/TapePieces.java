@@ -1,6 +1,7 @@
 package org.mechservice.solver.expression;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 import org.mechservice.solver.expression.Expression.ParameterValue;
 import org.mechservice.solver.expression.Expression.Time;
 
@@ -45,13 +46,12 @@ public final class TapePieces {
   /** Slots whose way is no parabola. */
   private final boolean[] rough;
 
-
   /** Steps that are choices of the state, and the index among them of each step, −1 of others. */
   private final int[] choices;
 
   private final int[] choiceAt;
 
-  /** Number of results that are formulas, and the choice of each other result, −1 without one. */
+  /** Number of results that are formulas, and the choices that the other results are. */
   private final int formulas;
 
   private final int[] signs;
@@ -64,8 +64,8 @@ public final class TapePieces {
   /**
    * Makes a workspace for a tape.
    *
-   * @param formulas number of results that are formulas; the others, behind them, are choices
-   *     whose piece alone counts, whatever stands in their argument
+   * @param formulas number of results that are formulas; the others, behind them, are choices whose
+   *     piece alone counts, whatever stands in their argument
    */
   public TapePieces(Tape tape, int formulas) {
     this(tape, formulas, false);
@@ -95,9 +95,7 @@ public final class TapePieces {
       TapeStep step = tape.operation[i];
       boolean watched =
           moves[tape.target[i]]
-              && (ofTime
-                  ? tape.target[i] == tape.result[0] && hasPlaces(step)
-                  : hasPieces(step));
+              && (ofTime ? tape.target[i] == tape.result[0] && hasPlaces(step) : hasPieces(step));
       choiceAt[i] = watched ? count : -1;
       if (watched) {
         found[count++] = i;
@@ -107,16 +105,14 @@ public final class TapePieces {
     undecided = new int[count];
     isSign = new boolean[count];
     canBeNarrow = Arrays.stream(tape.operation).anyMatch(TapePieces::isNarrow);
-    signs = new int[tape.result.length - formulas];
-    Arrays.fill(signs, -1);
     for (int i = 0; i < found.length; i++) {
-      for (int s = 0; s < signs.length; s++) {
-        if (tape.result[formulas + s] == tape.target[i] && choiceAt[i] >= 0) {
-          signs[s] = choiceAt[i];
+      for (int r = formulas; r < tape.result.length; r++) {
+        if (choiceAt[i] >= 0 && tape.result[r] == tape.target[i]) {
           isSign[choiceAt[i]] = true;
         }
       }
     }
+    signs = IntStream.range(0, count).filter(choice -> isSign[choice]).toArray();
   }
 
   /** Returns whether a choice is one of those whose piece alone counts. */
@@ -171,7 +167,9 @@ public final class TapePieces {
     return step instanceof TableCurve curve ? curve.hasCorners() : ((MapSurface) step).hasCorners();
   }
 
-  /** Returns whether an operation that is no choice can change much while its argument hardly does. */
+  /**
+   * Returns whether an operation that is no choice can change much while its argument hardly does.
+   */
   private static boolean isNarrow(TapeStep step) {
     if (step instanceof Operation operation) {
       return switch (operation) {
@@ -254,6 +252,28 @@ public final class TapePieces {
   public double piece(int choice, double[] point) {
     int i = choices[choice];
     return piece(tape.operation[i], point[tape.first[i]], point[tape.second[i]]);
+  }
+
+  /**
+   * Returns how far the argument of a choice is, at a point, from where its piece ends, in the unit
+   * of the argument.
+   */
+  public double distance(int choice, double[] point) {
+    int i = choices[choice];
+    double a = point[tape.first[i]];
+    double b = point[tape.second[i]];
+    TapeStep step = tape.operation[i];
+    if (step instanceof Operation operation) {
+      return switch (operation) {
+        case MIN, MAX -> Math.abs(a - b);
+        case FLOOR -> Math.abs(a - Math.rint(a));
+        case SMOOTH_STEP -> Math.min(Math.abs(a), Math.abs(a - 1));
+        default -> Math.abs(a);
+      };
+    }
+    return step instanceof TableCurve curve
+        ? curve.distanceFromPoint(a)
+        : ((MapSurface) step).distanceFromLine(a, b);
   }
 
   private static double piece(TapeStep step, double a, double b) {
@@ -367,9 +387,8 @@ public final class TapePieces {
       }
     }
     for (int choice : signs) {
-      int i = choice < 0 ? -1 : choices[choice];
-      if (i >= 0
-          && !matters[tape.target[i]]
+      int i = choices[choice];
+      if (!matters[tape.target[i]]
           && !isDecided(tape.operation[i], tape.first[i], tape.second[i])) {
         undecided[undecidedCount++] = choice;
       }

@@ -182,6 +182,25 @@ public final class StateCoordinates {
     }
   }
 
+  /**
+   * Writes the move along the tangent that leads from one set of positions to another: the inverse
+   * of {@link #move}, with rotations of at most half a turn.
+   *
+   * @param from positions; not modified
+   * @param to positions; not modified
+   * @param delta nv numbers, rad or m; overwritten
+   */
+  public void moveBetween(double[] from, double[] to, double[] delta) {
+    for (int i = 0; i < velocityOfPosition.length; i++) {
+      if (velocityOfPosition[i] >= 0) {
+        delta[velocityOfPosition[i]] = to[i] - from[i];
+      }
+    }
+    for (int b = 0; b < ballPosition.length; b++) {
+      EulerParameters.turnBetween(from, to, ballPosition[b], delta, ballVelocity[b]);
+    }
+  }
+
   /** Scales all Euler parameters to norm 1. */
   public void normalize(double[] q, int qAt) {
     for (int at : ballPosition) {

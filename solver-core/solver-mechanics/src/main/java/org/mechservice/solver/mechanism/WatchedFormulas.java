@@ -1,7 +1,6 @@
 package org.mechservice.solver.mechanism;
 
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
@@ -55,6 +54,9 @@ final class WatchedFormulas implements ForceVisitor<List<Expression>> {
   /** Largest exponent that counts as even: higher powers of a cosine are pulses. */
   private static final double EVEN_POWER = 3;
 
+  /** Way over which the slope of a surface is taken, m. */
+  private static final double SHORT = 1e-6;
+
   private final IdentityHashMap<Expression, Optional<Expression>> contents =
       new IdentityHashMap<>();
   private final IdentityHashMap<Expression, Boolean> fixed = new IdentityHashMap<>();
@@ -102,21 +104,7 @@ final class WatchedFormulas implements ForceVisitor<List<Expression>> {
   private static boolean isMadeOfPieces(Function function) {
     return switch (function) {
       case ABS, MIN, MAX, SIGNUM, FLOOR, STEP, SMOOTH_STEP -> true;
-      case SQRT,
-          SIN,
-          COS,
-          TAN,
-          ASIN,
-          ACOS,
-          ATAN,
-          ATAN2,
-          EXP,
-          LOG,
-          POW,
-          SINH,
-          COSH,
-          TANH,
-          HYPOT ->
+      case SQRT, SIN, COS, TAN, ASIN, ACOS, ATAN, ATAN2, EXP, LOG, POW, SINH, COSH, TANH, HYPOT ->
           false;
     };
   }
@@ -227,8 +215,7 @@ final class WatchedFormulas implements ForceVisitor<List<Expression>> {
 
   @Override
   public List<Expression> jointSpringDamper(JointSpringDamper force) {
-    return oneSided(
-        force.side(), new CoordinatePosition(force.coordinate()), force.position0());
+    return oneSided(force.side(), new CoordinatePosition(force.coordinate()), force.position0());
   }
 
   @Override
@@ -238,15 +225,44 @@ final class WatchedFormulas implements ForceVisitor<List<Expression>> {
     return all;
   }
 
+  /**
+   * Returns by how much the centre is below the heights at which the sphere touches. Without tracks
+   * these are h + R √(1 + h′²), which is exact on a straight slope, with h′ from a difference.
+   */
   @Override
   public List<Expression> contact(Contact force) {
     BodyPoint center = force.center();
     BodyFrame ball = new BodyFrame(center.body(), center.position(), Rotation.IDENTITY);
-    Map<Expression, Expression> station = new HashMap<>();
-    station.put(new Argument(), new RelativeMotion(force.surface(), ball, 0));
-    Expression height = replaced(force.height(), station);
-    Expression z = new RelativeMotion(force.surface(), ball, 2);
-    return List.of(pressed(new Sum(new Sum(force.radius(), height), new Negation(z))));
+    Expression x = new RelativeMotion(force.surface(), ball, 0);
+    Expression below = new Negation(new RelativeMotion(force.surface(), ball, 2));
+    List<Expression> touches = new ArrayList<>();
+    for (Expression track : force.tracks()) {
+      touches.add(pressed(new Sum(at(x, track), below)));
+    }
+    if (touches.isEmpty()) {
+      touches.add(pressed(new Sum(touching(force, x), below)));
+    }
+    return touches;
+  }
+
+  private static Expression touching(Contact force, Expression x) {
+    Expression height = at(x, force.height());
+    Expression radius = force.radius();
+    if (force.height() instanceof Constant || radius.equals(Expression.ZERO)) {
+      return new Sum(height, radius);
+    }
+    Expression ahead = at(new Sum(x, Expression.of(SHORT)), force.height());
+    Expression behind = at(new Sum(x, Expression.of(-SHORT)), force.height());
+    Expression slope =
+        new Product(Expression.of(0.5 / SHORT), new Sum(ahead, new Negation(behind)));
+    Expression length =
+        Expression.call(
+            Function.SQRT, List.of(new Sum(Expression.of(1), new Product(slope, slope))));
+    return new Sum(height, new Product(radius, length));
+  }
+
+  private static Expression at(Expression x, Expression curve) {
+    return replaced(curve, Map.of(new Argument(), x));
   }
 
   /** Returns a formula with leaves replaced by others. */

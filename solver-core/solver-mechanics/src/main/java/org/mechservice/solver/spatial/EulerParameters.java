@@ -129,6 +129,35 @@ public final class EulerParameters {
     e[ie + 3] = cos * e3 + s * (z * e0 + x * e2 - y * e1);
   }
 
+  /**
+   * Writes the rotation vector that turns one orientation into another, e ∘ e₀⁻¹, of at most half a
+   * turn: the inverse of {@link #turn}.
+   *
+   * @param from e₀, four parameters from {@code at}; not modified
+   * @param to e, likewise
+   * @param delta rotation vector in the outer axes, rad, from {@code id}; overwritten
+   */
+  public static void turnBetween(double[] from, double[] to, int at, double[] delta, int id) {
+    double a0 = from[at];
+    double a1 = from[at + 1];
+    double a2 = from[at + 2];
+    double a3 = from[at + 3];
+    double b0 = to[at];
+    double b1 = to[at + 1];
+    double b2 = to[at + 2];
+    double b3 = to[at + 3];
+    double cosine = a0 * b0 + a1 * b1 + a2 * b2 + a3 * b3;
+    double x = a0 * b1 - b0 * a1 - b2 * a3 + b3 * a2;
+    double y = a0 * b2 - b0 * a2 - b3 * a1 + b1 * a3;
+    double z = a0 * b3 - b0 * a3 - b1 * a2 + b2 * a1;
+    double sine = Math.sqrt(x * x + y * y + z * z);
+    double angle = 2 * StrictMath.atan2(sine, Math.abs(cosine));
+    double scale = sine == 0 ? 0 : Math.copySign(angle / sine, cosine);
+    delta[id] = scale * x;
+    delta[id + 1] = scale * y;
+    delta[id + 2] = scale * z;
+  }
+
   private static void set(double[] e, int ie, double e0, double e1, double e2, double e3) {
     double norm = Math.sqrt(e0 * e0 + e1 * e1 + e2 * e2 + e3 * e3);
     double scale = e0 < 0 ? -1 / norm : 1 / norm;

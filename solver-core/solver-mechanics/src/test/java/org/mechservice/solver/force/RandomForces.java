@@ -134,8 +134,7 @@ public final class RandomForces {
       case FORCE_TORQUE_BODY -> wrench(name, ForceTorque.Axes.BODY);
       case JOINT_FORCE -> new JointForce(name, pick(velocities), formula(3), Origin.NONE);
       case CONTACT_PLANE -> contact(name, Expression.ZERO, 1.5);
-      case CONTACT_PROFILE ->
-          contact(name, new Call(Function.SIN, List.of(new Argument())), 1 + random.nextInt(2));
+      case CONTACT_PROFILE -> contact(name, hills(), 1 + random.nextInt(2));
       case FRICTION -> friction(name, pick(velocities));
       case USER_WITH_DIFFERENCES -> user(name, "differences");
       case USER_WITH_DERIVATIVES -> user(name, "derivatives");
@@ -149,12 +148,13 @@ public final class RandomForces {
     return new JointSpringDamper(
         name,
         coordinate,
-        number(),
-        number(),
+        coefficient(side),
+        coefficient(side),
         number(),
         side == Side.BOTH ? number() : Expression.ZERO,
         side,
         Expression.of(0.4),
+        dissipation(side),
         Origin.NONE);
   }
 
@@ -190,12 +190,13 @@ public final class RandomForces {
         name,
         along,
         false,
-        number(),
-        number(),
+        coefficient(side),
+        coefficient(side),
         number(),
         side == Side.BOTH ? number() : Expression.ZERO,
         side,
         Expression.of(0.4),
+        dissipation(side),
         List.of(),
         Origin.NONE);
   }
@@ -205,13 +206,24 @@ public final class RandomForces {
         name,
         point(),
         point(),
-        number(),
-        number(),
+        coefficient(side),
+        coefficient(side),
         positive(),
         side == Side.BOTH ? number() : Expression.ZERO,
         side,
         Expression.of(0.3),
+        dissipation(side),
         Origin.NONE);
+  }
+
+  /** A coefficient of a spring; one that acts on one side has no negative ones. */
+  private Expression coefficient(Side side) {
+    Expression any = number();
+    return side == Side.BOTH ? any : Expression.of(Math.abs(((Expression.Constant) any).value()));
+  }
+
+  private Expression dissipation(Side side) {
+    return side == Side.BOTH ? Expression.ZERO : Expression.of(random.nextDouble());
   }
 
   private Bushing bushing(String name, Bushing.Law law) {
@@ -224,6 +236,12 @@ public final class RandomForces {
     return new ForceTorque(name, point(), axes, six, Origin.NONE);
   }
 
+  /** Hills that bend less than spheres of the size of the mechanism. */
+  private static Expression hills() {
+    Call wave = new Call(Function.SIN, List.of(new Argument()));
+    return new Product(Expression.of(0.1), wave);
+  }
+
   private Contact contact(String name, Expression height, double exponent) {
     return new Contact(
         name,
@@ -231,8 +249,10 @@ public final class RandomForces {
         Expression.of(0.3),
         frame(),
         height,
+        List.of(),
         positive(),
         positive(),
+        Expression.of(random.nextDouble()),
         Expression.of(exponent),
         Expression.of(0.5),
         Expression.of(0.7),

@@ -10,10 +10,10 @@ import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.mechanism.force.Bushing;
-import org.mechservice.solver.mechanism.force.Contact;
 import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.ForceTorque;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
+import org.mechservice.solver.mechanism.force.PairForce;
 import org.mechservice.solver.mechanism.force.Side;
 import org.mechservice.solver.mechanism.force.SpringDamper;
 import org.mechservice.solver.spatial.Rotation;
@@ -80,18 +80,84 @@ final class SceneForces {
         scene.bodyIndex(force.get("body").getAsString()), JsonSceneReader.vector(force, "point"));
   }
 
+  /** A belt between a point and an anchor of the ground, by the law of the scenes. */
   private ForceElement belt(JsonObject force) {
-    return new SpringDamper(
-        name(force),
-        point(force),
-        new BodyPoint(BodyPoint.ROOT, JsonSceneReader.vector(force, "anchor")),
-        number(force, "k"),
-        number(force, "c"),
-        number(force, "L0"),
-        Expression.ZERO,
-        Side.ABOVE,
-        number(force, "eps"),
-        Origin.NONE);
+    BodyPoint held = point(force);
+    RelativePoint motion =
+        new RelativePoint(
+            new BodyFrame(
+                BodyPoint.ROOT, JsonSceneReader.vector(force, "anchor"), Rotation.IDENTITY),
+            new BodyFrame(held.body(), held.position(), Rotation.IDENTITY));
+    Expression squares = Expression.ZERO;
+    Expression along = Expression.ZERO;
+    for (int i = 0; i < 3; i++) {
+      squares = plus(squares, times(motion.place(i), motion.place(i)));
+      along = plus(along, times(motion.place(i), motion.rate(i)));
+    }
+    Expression length = new Expression.Call(Function.SQRT, List.of(squares));
+    Expression elongation = minus(length, number(force, "L0"));
+    Expression tension =
+        oneSided(
+            elongation,
+            new Expression.Quotient(along, length),
+            number(force, "k"),
+            number(force, "c"),
+            number(force, "eps"));
+    List<Expression> pull = new ArrayList<>();
+    for (int i = 0; i < 3; i++) {
+      Expression share = new Expression.Quotient(motion.place(i), length);
+      pull.add(new Expression.Negation(times(tension, share)));
+    }
+    return motion.force(name(force), pull);
+  }
+
+  /**
+   * Returns k pos(x) + c x' pos'(x), pos(x) = (x + √(x² + ε²))/2: the law of the scenes, with which
+   * their references were computed. Its damper can turn the force around; the one-sided elements of
+   * the product are bounded at zero.
+   */
+  private static Expression oneSided(
+      Expression x, Expression rate, Expression k, Expression c, Expression eps) {
+    Expression root =
+        new Expression.Call(Function.SQRT, List.of(plus(times(x, x), times(eps, eps))));
+    Expression positive = times(Expression.of(0.5), plus(x, root));
+    Expression slope =
+        times(Expression.of(0.5), plus(Expression.of(1), new Expression.Quotient(x, root)));
+    return plus(times(k, positive), times(times(c, rate), slope));
+  }
+
+  /**
+   * The motion of a point relative to a frame.
+   *
+   * @param frame1 the frame
+   * @param frame2 at the point
+   */
+  private record RelativePoint(BodyFrame frame1, BodyFrame frame2) {
+    Expression place(int axis) {
+      return new Expression.RelativeMotion(frame1, frame2, axis);
+    }
+
+    Expression rate(int axis) {
+      return new Expression.RelativeMotion(frame1, frame2, Expression.RelativeMotion.RATE + axis);
+    }
+
+    /** Returns a force on the point, by its components in the axes of the frame. */
+    ForceElement force(String name, List<Expression> components) {
+      List<Expression> wrench = new ArrayList<>(Collections.nCopies(3, Expression.ZERO));
+      wrench.addAll(components);
+      return new PairForce(
+          name,
+          "force of a scene",
+          frame1,
+          frame2,
+          wrench,
+          Expression.ZERO,
+          Expression.ZERO,
+          List.of(),
+          0,
+          false,
+          Origin.NONE);
+    }
   }
 
   private ForceElement bushing(JsonObject force) {
@@ -122,19 +188,17 @@ final class SceneForces {
             BodyPoint.ROOT,
             z.times(force.get("offset").getAsDouble()),
             Rotation.least(new Vector3(0, 0, 1), z));
-    return new Contact(
-        name(force),
-        point(force),
-        Expression.ZERO,
-        surface,
-        Expression.ZERO,
-        number(force, "k"),
-        number(force, "c"),
-        Expression.of(1),
-        number(force, "eps"),
-        Expression.ZERO,
-        Expression.of(1),
-        Origin.NONE);
+    BodyPoint held = point(force);
+    RelativePoint motion =
+        new RelativePoint(surface, new BodyFrame(held.body(), held.position(), Rotation.IDENTITY));
+    Expression push =
+        oneSided(
+            new Expression.Negation(motion.place(2)),
+            new Expression.Negation(motion.rate(2)),
+            number(force, "k"),
+            number(force, "c"),
+            number(force, "eps"));
+    return motion.force(name(force), List.of(Expression.ZERO, Expression.ZERO, push));
   }
 
   /** Road and tyre at the wheel's centre, and the car that pulls the frame (SCENES §4). */
@@ -193,15 +257,7 @@ final class SceneForces {
         minus(
             times(slope, new Expression.PointVelocity(center, 0)),
             new Expression.PointVelocity(center, 2));
-    Expression eps = number(force, "eps");
-    Expression root =
-        new Expression.Call(Function.SQRT, List.of(plus(times(d, d), times(eps, eps))));
-    Expression positive = times(Expression.of(0.5), plus(d, root));
-    Expression positiveSlope =
-        times(Expression.of(0.5), plus(Expression.of(1), new Expression.Quotient(d, root)));
-    return plus(
-        times(number(force, "kt"), positive),
-        times(times(number(force, "ct"), rate), positiveSlope));
+    return oneSided(d, rate, number(force, "kt"), number(force, "ct"), number(force, "eps"));
   }
 
   /** kd (v0 t − x) + cd (v0 − x') of the frame's guide. */

@@ -16,6 +16,9 @@ public final class DenseLu extends LuFactors {
   /** Row of A that stands at k after all interchanges, length n. */
   private final int[] rowOf;
 
+  /** 1, or -1 if the interchanges of rows are odd in number. */
+  private int parity;
+
   /** Right-hand side on its way through L, or on its way out, length n. */
   private final double[] partial;
 
@@ -83,6 +86,7 @@ public final class DenseLu extends LuFactors {
 
   @Override
   int eliminate() {
+    parity = 1;
     for (int k = 0; k < n; k++) {
       rowOf[k] = k;
     }
@@ -122,6 +126,7 @@ public final class DenseLu extends LuFactors {
       lu[k * n + j] = lu[p * n + j];
       lu[p * n + j] = a;
     }
+    parity = -parity;
     int row = rowOf[k];
     rowOf[k] = rowOf[p];
     rowOf[p] = row;
@@ -139,6 +144,15 @@ public final class DenseLu extends LuFactors {
     for (int j = k + 1; j < n; j++) {
       lu[ofI + j] -= factor * lu[ofK + j];
     }
+  }
+
+  /** Returns the sign of the determinant of the last matrix factored, which is regular. */
+  public int signOfDeterminant() {
+    int sign = parity;
+    for (int k = 0; k < n; k++) {
+      sign = inversePivot[k] < 0 ? -sign : sign;
+    }
+    return sign;
   }
 
   @Override

@@ -190,6 +190,18 @@ public final class SparseLu {
   }
 
   /**
+   * Returns the sign of the determinant of the last block factored, its rows and columns in the
+   * order of the steps.
+   */
+  public int signOfDeterminant() {
+    int sign = 1;
+    for (int k = 0; k < size; k++) {
+      sign = pivot[k] < 0 ? -sign : sign;
+    }
+    return sign;
+  }
+
+  /**
    * Solves with the last factors.
    *
    * @param b one number per step, in the order of the steps: of its row before, of its column after

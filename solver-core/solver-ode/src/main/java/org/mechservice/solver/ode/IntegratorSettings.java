@@ -68,12 +68,10 @@ public record IntegratorSettings(
     /** Nothing: the same decisions, so the same steps but for rounding. */
     FAITHFUL,
     /**
-     * Jumps of the equations are narrowed down, or left behind without history, instead of being
-     * met again and again. Implicit methods hold systems with algebraic components, which are in no
-     * test themselves, to a third of the tolerances, and steps of an explicit problem in which
-     * nothing is stiff to a hundredth ({@link org.mechservice.solver.ode.stiff.Ode15s}); they trust
-     * a measured rate of convergence somewhat more, and take differences in residual form along the
-     * step.
+     * Implicit methods hold systems with algebraic components, which are in no test themselves, to
+     * a third of the tolerances, and steps of an explicit problem in which nothing is stiff to a
+     * hundredth ({@link org.mechservice.solver.ode.stiff.Ode15s}); they trust a measured rate of
+     * convergence somewhat more, and take differences in residual form along the step.
      */
     STANDARD,
     /**

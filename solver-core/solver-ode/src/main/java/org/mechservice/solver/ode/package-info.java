@@ -119,10 +119,12 @@
  * org.mechservice.solver.ode.events.EventFunctions} in the steps of any method, on the interpolated
  * solution, and lets the state or the equations be changed there. A right-hand side that jumps at
  * known places says so by {@link org.mechservice.solver.ode.PiecewiseSystem}: steps end there and
- * nothing is evaluated across. Jumps that are not declared are narrowed down. Components that
- * follow from others ({@link org.mechservice.solver.ode.CompletedSystem}) are in the history but in
- * no test; a solution on a manifold ({@link org.mechservice.solver.ode.ProjectedSystem}) is moved
- * back onto it inside every step.
+ * nothing is evaluated across. Jumps that are not declared are met by failing error tests; of an f
+ * of which only values are known {@link org.mechservice.solver.ode.jumps.UndeclaredJumps}, put
+ * around any integrator, searches for jumps, pulses and poles. Components that follow from others
+ * ({@link org.mechservice.solver.ode.CompletedSystem}) are in the history but in no test; a
+ * solution on a manifold ({@link org.mechservice.solver.ode.ProjectedSystem}) is moved back onto it
+ * inside every step.
  *
  * <h2>Saving an integration</h2>
  *
@@ -147,8 +149,8 @@
  * <caption>What each mode does beyond the published program</caption>
  * <tr><th>mode</th><th>Adams methods</th><th>stiff methods</th><th>when</th></tr>
  * <tr><td>faithful</td><td>nothing</td><td>nothing</td><td>to compare counts and steps</td></tr>
- * <tr><td>standard</td><td>narrow down jumps</td><td>the same; fewer iterations; shorter steps
- * where nothing is stiff</td><td>the default</td></tr>
+ * <tr><td>standard</td><td>nothing</td><td>fewer iterations; shorter steps where nothing is
+ * stiff</td><td>the default</td></tr>
  * <tr><td>strict</td><td>a 20th of the tolerances, 1.3 times the evaluations</td><td>the same,
  * 1.4 times the evaluations</td><td>the digits asked for have to arrive</td></tr>
  * </table>
@@ -171,23 +173,23 @@
  * org.mechservice.solver.ode.StepResult#FAILED}, keeps the last accepted step, and {@link
  * org.mechservice.solver.ode.IntegrationFailure} names cause, place, component and the last steps.
  * f says that it is not defined somewhere by a value that is not finite; the step is then tried
- * shorter. A jump of f costs some rejected steps but is found; a pulse shorter than the steps
- * around it can be missed: bound the step by {@link
- * org.mechservice.solver.ode.IntegratorSettings#maxStep}. An implicit step may have no solution,
- * where f jumps against the motion, or a singular matrix; both are tried with a new Jacobian and
- * shorter steps before they are reported. Wrong use is an exception.
+ * shorter. A jump of f costs some tens of rejected steps; one that changes little within a step, a
+ * pulse shorter than the steps around it, and at loose tolerances a pole can be passed over: bound
+ * the step by {@link org.mechservice.solver.ode.IntegratorSettings#maxStep}. An implicit step may
+ * have no solution, where f jumps against the motion, or a singular matrix; both are tried with a
+ * new Jacobian and shorter steps before they are reported. Wrong use is an exception.
  *
  * <p>A law that changes within less than the tolerance of its argument, such as friction by tanh(v
  * / w) with w below the error allowed of v, is a jump that only looks smooth. Where a block that
  * stuck to a moving belt breaks loose, stiff methods can pass the place with the derivatives of the
- * time when it stuck, or of a step before. What is left of the equations is watched for that: of
- * 3000 random runs each with w from 1e-8 to 1e-4 and tolerances from 1e-11 to 1e-3, up to one in
- * 300 still completed with a wrong state by the standard mode, one in 3000 by the strict one; with
- * steps held equal by a maxStep of a hundredth of the interval up to one in 1000 and none. Of 120
- * random loops each with such friction in a joint none went wrong with multipliers, up to one in 60
- * in independent coordinates. Declare sticking and slipping as {@link
- * org.mechservice.solver.ode.events.EventFunctions events}, or integrate again in the strict mode
- * and compare.
+ * time when it stuck, or of a step before. What is left of the equations is watched for that: with
+ * a search for undeclared jumps, of 3000 random runs each with w from 1e-8 to 1e-4 and tolerances
+ * from 1e-11 to 1e-3, up to one in 300 still completed with a wrong state by the standard mode, one
+ * in 3000 by the strict one; with steps held equal by a maxStep of a hundredth of the interval up
+ * to one in 1000 and none. Of 120 random loops each with such friction in a joint none went wrong
+ * with multipliers, up to one in 60 in independent coordinates. Declare sticking and slipping as
+ * {@link org.mechservice.solver.ode.events.EventFunctions events}, or integrate again in the strict
+ * mode and compare.
  *
  * <p>Results are the same to the bit on every machine if those of f are.
  *

@@ -8,6 +8,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.mechservice.solver.ode.IntegratorSettings.Mode;
+import org.mechservice.solver.ode.jumps.UndeclaredJumps;
+import org.mechservice.solver.ode.step.WatchedIntegrator;
 import org.mechservice.solver.ode.suite.FunctionOde;
 import org.mechservice.solver.ode.suite.Run;
 
@@ -24,6 +26,11 @@ public abstract class AdamsContract extends IntegratorContract {
     return 0.25;
   }
 
+  /** Returns the integrator with a search for jumps that nobody has declared. */
+  private Integrator searched(IntegratorSettings settings) {
+    return UndeclaredJumps.around((WatchedIntegrator) create(settings));
+  }
+
   /** A block on a spring with friction as a jump: once at rest, it would have to stay there. */
   @Test
   void slidingAlongAJumpEndsTheRunInsteadOfCrossingItForEver() {
@@ -34,7 +41,8 @@ public abstract class AdamsContract extends IntegratorContract {
               yDot[0] = y[1];
               yDot[1] = -Math.signum(y[1]) - y[0];
             });
-    Run run = Run.of(create(1e-8), dry, 0, new double[] {3.3, 0}, 20);
+    Run run =
+        Run.of(searched(new IntegratorSettings(1e-8, 1e-8)), dry, 0, new double[] {3.3, 0}, 20);
     assertThat(run.result()).isEqualTo(StepResult.FAILED);
     assertThat(run.integrator().failure().cause())
         .isEqualTo(IntegrationFailure.Cause.STEP_TOO_SMALL);
@@ -50,7 +58,7 @@ public abstract class AdamsContract extends IntegratorContract {
     FunctionOde relay = new FunctionOde(1, (t, y, yDot) -> yDot[0] = 0.5 - Math.signum(y[0]));
     for (double tolerance : new double[] {1e-6, 1e-9}) {
       IntegratorSettings settings = new IntegratorSettings(tolerance, tolerance).withMode(mode);
-      Run run = Run.of(create(settings), relay, 0, new double[] {1}, 10);
+      Run run = Run.of(searched(settings), relay, 0, new double[] {1}, 10);
       assertThat(run.result()).isEqualTo(StepResult.FAILED);
       assertThat(run.integrator().failure().slidesAlongJump()).isTrue();
       assertThat(run.integrator().time()).isCloseTo(2, within(0.01));

@@ -5,8 +5,10 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -18,6 +20,9 @@ import org.mechservice.solver.ode.suite.Run;
 public abstract class BreakpointContract {
   /** State of the pushed oscillator at t = 2.5 and t = 5, in closed form (suite: step_force). */
   private static final double[] AT_CHECKPOINT = {0.3950552192759746, 6.758143140404665};
+
+  /** By which a piece of some ten steps may err, each by a tolerance. */
+  private static final double TOLERANCES_A_PIECE = 10;
 
   private static final double[] AT_END = {0.18039197239119287, 4.400526629628046};
 
@@ -68,6 +73,49 @@ public abstract class BreakpointContract {
       worst = Math.max(worst, Math.abs(y[i] - reference[i]) / (1 + Math.abs(reference[i])));
     }
     return -StrictMath.log10(worst);
+  }
+
+  /** A mass on a spring under a force that changes its sign a hundred times: arcs about ±0.1. */
+  @ParameterizedTest
+  @ValueSource(ints = {3, 4, 5, 6, 7, 8, 9, 10, 11, 12})
+  void squareWaveIsIntegratedAtEveryTolerance(int k) {
+    double[] places = IntStream.rangeClosed(1, 99).mapToDouble(i -> i / 50.0).toArray();
+    class Wave implements OdeSystem, PiecewiseSystem {
+      @Override
+      public int dimension() {
+        return 2;
+      }
+
+      @Override
+      public void derivative(double t, double[] y, double[] yDot) {
+        yDot[0] = y[1];
+        int piece = -Arrays.binarySearch(places, t) - 1;
+        yDot[1] = (piece % 2 == 0 ? 10 : -10) - 100 * y[0];
+      }
+
+      @Override
+      public List<Double> breakpoints() {
+        return Arrays.stream(places).boxed().toList();
+      }
+    }
+    double[] exact = new double[2];
+    double cosine = StrictMath.cos(0.2);
+    double sine = StrictMath.sin(0.2);
+    for (int i = 0; i < 100; i++) {
+      double place = i % 2 == 0 ? 0.1 : -0.1;
+      double off = exact[0] - place;
+      double speed = exact[1];
+      exact[0] = place + off * cosine + 0.1 * speed * sine;
+      exact[1] = speed * cosine - 10 * off * sine;
+    }
+    assertThat(exact[0]).isCloseTo(0.009160006236372595, within(1e-14));
+    double tolerance = StrictMath.pow(10, -k);
+    IntegratorSettings settings = new IntegratorSettings(tolerance, 0.01 * tolerance);
+    Run run = Run.of(create(settings), new Wave(), 0, new double[2], 2);
+    assertThat(run.result()).isEqualTo(StepResult.REACHED_END);
+    // A hundred pieces, each of which may err by some tolerances of a state of size 0.1.
+    assertThat(run.atEnd()[0])
+        .isCloseTo(exact[0], within(TOLERANCES_A_PIECE * 100 * 0.1 * tolerance));
   }
 
   @ParameterizedTest

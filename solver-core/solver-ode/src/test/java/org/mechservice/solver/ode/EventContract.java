@@ -220,6 +220,38 @@ public abstract class EventContract extends EventLocationContract {
     assertThat(run.atEnd()[0]).isCloseTo(0, within(0.1 + 1e-9));
   }
 
+  @Test
+  void changeOfTheStateAtTheEndNeedsNoValuesBehindIt() {
+    class UntilTwo implements OdeSystem, PiecewiseSystem {
+      @Override
+      public int dimension() {
+        return 1;
+      }
+
+      @Override
+      public void derivative(double t, double[] y, double[] yDot) {
+        yDot[0] = t > 2 ? Double.NaN : 1;
+      }
+
+      @Override
+      public List<Double> breakpoints() {
+        return List.of(2.0);
+      }
+    }
+    Watch last =
+        new Watch(1, Direction.RISING, Reaction.RESTART, (t, y, g) -> g[0] = t - 2) {
+          @Override
+          public Reaction occurred(double t, double[] y, boolean[] occurred) {
+            y[0] = 0;
+            return super.occurred(t, y, occurred);
+          }
+        };
+    EventIntegration integrator = new EventIntegration(create(TENTH), last);
+    Run run = run(integrator, new UntilTwo(), new double[] {0}, 2);
+    assertThat(run.result()).isEqualTo(StepResult.REACHED_END);
+    assertThat(last.times).containsExactly(2.0);
+  }
+
   // Restart
 
   @Test

@@ -5,12 +5,14 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.solver.ode.events.EventFunctions;
 import org.mechservice.solver.ode.events.EventFunctions.Direction;
+import org.mechservice.solver.ode.events.EventFunctions.NoEvent;
 import org.mechservice.solver.ode.events.EventFunctions.Reaction;
 import org.mechservice.solver.ode.events.EventIntegration;
 import org.mechservice.solver.ode.events.EventSearch;
@@ -56,7 +58,11 @@ public abstract class EventLocationContract {
     private final Values values;
     private final Direction direction;
     private final Reaction reaction;
+    final List<Double> touches = new ArrayList<>();
+    final List<Double> poles = new ArrayList<>();
+    final List<NoEvent> atStart = new ArrayList<>();
     private double hysteresis;
+    private double resolution = 1e-9;
 
     interface Values {
       void evaluate(double t, double[] y, double[] g);
@@ -72,6 +78,25 @@ public abstract class EventLocationContract {
     Watch withHysteresis(double band) {
       hysteresis = band;
       return this;
+    }
+
+    Watch withResolution(double part) {
+      resolution = part;
+      return this;
+    }
+
+    @Override
+    public double resolution() {
+      return resolution;
+    }
+
+    @Override
+    public void noEvent(int function, NoEvent why, double t, double value) {
+      switch (why) {
+        case TOUCH -> touches.add(t);
+        case POLE -> poles.add(t);
+        case ZERO_AT_START, PASSED_AT_START -> atStart.add(why);
+      }
     }
 
     @Override
@@ -283,5 +308,198 @@ public abstract class EventLocationContract {
     assertThat(level.times.get(0)).isCloseTo(1 - speed, within(tolerance / speed));
     assertThat(level.times.get(1)).isCloseTo(1, within(10 * tolerance));
     assertThat(level.times.get(2)).isCloseTo(1 + speed, within(tolerance / speed));
+  }
+
+  // Zero without an event, and events that look like none
+
+  /** The time itself: y' = 1 from 0, in steps of at most 0.1. */
+  private Watch watchTime(Direction direction, Watch.Values values, double tEnd) {
+    FunctionOde time = new FunctionOde(1, (t, y, yDot) -> yDot[0] = 1);
+    Watch watch = new Watch(1, direction, Reaction.CONTINUE, values);
+    run(new EventIntegration(create(TENTH), watch), time, new double[] {0}, tEnd);
+    return watch;
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {0.013, 0.31, 0.5, 1.777})
+  void functionThatRestsAtZeroHasItsEventWhereItLeavesZero(double leaves) {
+    List<Watch.Values> rises =
+        List.of(
+            (t, y, g) -> g[0] = Math.max(0, y[0] - leaves),
+            (t, y, g) -> g[0] = y[0] < leaves ? 0 : 1,
+            (t, y, g) -> g[0] = 1e-9 * Math.max(0, y[0] - leaves));
+    for (Watch.Values rise : rises) {
+      for (Direction direction : List.of(Direction.RISING, Direction.EITHER)) {
+        Watch watch = watchTime(direction, rise, 2);
+        assertThat(watch.times).hasSize(1);
+        assertThat(watch.times.get(0)).isCloseTo(leaves, within(1e-9));
+        assertThat(watch.atStart).isEmpty();
+      }
+      assertThat(watchTime(Direction.FALLING, rise, 2).times).isEmpty();
+      Watch falls = watchTime(Direction.FALLING, (t, y, g) -> negated(rise, t, y, g), 2);
+      assertThat(falls.times).hasSize(1);
+      assertThat(falls.times.get(0)).isCloseTo(leaves, within(1e-9));
+    }
+  }
+
+  private static void negated(Watch.Values values, double t, double[] y, double[] g) {
+    values.evaluate(t, y, g);
+    g[0] = -g[0];
+  }
+
+  @Test
+  void functionThatReturnsToFlatZeroAndRisesAgainHasAnEventEachTime() {
+    Watch watch = watchTime(Direction.RISING, (t, y, g) -> g[0] = Math.max(0, hill(y[0])), 4);
+    assertThat(watch.times).hasSize(2);
+    assertThat(watch.times.get(0)).isCloseTo(0.6, within(1e-9));
+    assertThat(watch.times.get(1)).isCloseTo(2.6, within(1e-9));
+  }
+
+  /** Above zero from 0.6 to 1.4 and from 2.6 to 3.4. */
+  private static double hill(double x) {
+    return 0.4 - Math.abs(x - 2 * Math.floor(x / 2) - 1);
+  }
+
+  @Test
+  void ballLetGoExactlyAtTheLevelLeavesItWithoutAnEvent() {
+    // The height differs from the level by rounding only at first: zero, but not at rest there.
+    for (double level : new double[] {0, 5, 123.456}) {
+      Watch watch =
+          new Watch(1, Direction.FALLING, Reaction.CONTINUE, (t, y, g) -> g[0] = y[0] - level);
+      run(new EventIntegration(create(1e-8), watch), FALL, new double[] {level, 0}, 1);
+      assertThat(watch.times).as("level %s", level).isEmpty();
+      assertThat(watch.atStart).as("level %s", level).containsExactly(NoEvent.ZERO_AT_START);
+    }
+  }
+
+  @Test
+  void functionBeyondZeroAtTheStartIsTold() {
+    for (double sign : new double[] {1, -1}) {
+      Watch.Values values = (t, y, g) -> g[0] = sign * (y[0] + 1);
+      Direction passed = sign > 0 ? Direction.RISING : Direction.FALLING;
+      Direction ahead = sign > 0 ? Direction.FALLING : Direction.RISING;
+      assertThat(watchTime(passed, values, 1).atStart).containsExactly(NoEvent.PASSED_AT_START);
+      assertThat(watchTime(ahead, values, 1).atStart).isEmpty();
+      assertThat(watchTime(Direction.EITHER, values, 1).atStart).isEmpty();
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {0.011, 0.5, 0.7, 1.23456})
+  void poleIsNoEventAndIsTold(double at) {
+    List<Watch.Values> poles =
+        List.of(
+            (t, y, g) -> g[0] = 1 / (y[0] - at),
+            (t, y, g) -> g[0] = 1 / Math.pow(y[0] - at, 3),
+            (t, y, g) -> g[0] = 1 / Math.cbrt(y[0] - at),
+            (t, y, g) -> g[0] = 1 / (y[0] - at) - 3,
+            (t, y, g) -> g[0] = Math.tan(y[0] - at + 0.5 * Math.PI));
+    for (Watch.Values pole : poles) {
+      Watch watch = watchTime(Direction.EITHER, pole, 2);
+      assertThat(watch.poles).hasSize(1);
+      assertThat(watch.poles.get(0)).isCloseTo(at, within(1e-9));
+    }
+    assertThat(watchTime(Direction.EITHER, poles.get(0), 2).times).isEmpty();
+    // The one with - 3 also passes zero, which is an event.
+    Watch shifted = watchTime(Direction.EITHER, poles.get(3), 2 + at);
+    assertThat(shifted.times).hasSize(1);
+    assertThat(shifted.times.get(0)).isCloseTo(at + 1 / 3.0, within(1e-9));
+  }
+
+  @Test
+  void steepFunctionsAndJumpsPassZeroWithEvents() {
+    List<Watch.Values> steep =
+        List.of(
+            (t, y, g) -> g[0] = Math.signum(y[0] - 0.7),
+            (t, y, g) -> g[0] = Math.signum(y[0] - 0.7) * (2 - Math.abs(y[0] - 0.7)),
+            (t, y, g) -> g[0] = Math.atan(1e9 * (y[0] - 0.7)),
+            (t, y, g) -> g[0] = Math.cbrt(y[0] - 0.7),
+            (t, y, g) -> g[0] = 1e12 * (y[0] - 0.7));
+    for (Watch.Values values : steep) {
+      Watch watch = watchTime(Direction.EITHER, values, 2);
+      assertThat(watch.times).hasSize(1);
+      assertThat(watch.times.get(0)).isCloseTo(0.7, within(1e-9));
+      assertThat(watch.poles).isEmpty();
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {0.011, 0.5, 0.7, 1.23456, 1.5})
+  void touchIsNoEventAndIsTold(double at) {
+    List<Watch.Values> touching =
+        List.of(
+            (t, y, g) -> g[0] = Math.abs(y[0] - at),
+            (t, y, g) -> g[0] = (y[0] - at) * (y[0] - at),
+            (t, y, g) -> g[0] = -Math.abs(y[0] - at),
+            (t, y, g) -> g[0] = 1 - StrictMath.cos(y[0] - at));
+    for (Watch.Values touch : touching) {
+      for (Direction direction : Direction.values()) {
+        Watch watch = watchTime(direction, touch, 2);
+        assertThat(watch.times).isEmpty();
+        assertThat(watch.touches).hasSize(1);
+        // The square is below the resolution of 1e-9 within 3e-5.
+        assertThat(watch.touches.get(0)).isCloseTo(at, within(1e-4));
+      }
+    }
+  }
+
+  @Test
+  void functionThatStaysAwayFromZeroDoesNotTouchIt() {
+    List<Watch.Values> away =
+        List.of(
+            (t, y, g) -> g[0] = Math.abs(y[0] - 0.7) + 1e-6,
+            (t, y, g) -> g[0] = 1.000001 + StrictMath.sin(7 * y[0]),
+            (t, y, g) -> g[0] = 1 + y[0]);
+    for (Watch.Values values : away) {
+      Watch watch = watchTime(Direction.EITHER, values, 5);
+      assertThat(watch.times).isEmpty();
+      assertThat(watch.touches).isEmpty();
+    }
+  }
+
+  /** Dips below zero of any shape between two points of the search are two events. */
+  @Test
+  void dipsBetweenTwoPointsOfTheSearchAreFound() {
+    long seed = 42;
+    Random random = new Random(seed);
+    for (int k = 0; k < 400; k++) {
+      double at = 0.05 + 1.9 * random.nextDouble();
+      double depth = Math.pow(10, -3 - 8 * random.nextDouble());
+      boolean kink = random.nextBoolean();
+      double sign = random.nextBoolean() ? 1 : -1;
+      double half = kink ? depth : Math.sqrt(depth);
+      Watch.Values dip =
+          (t, y, g) -> {
+            double x = Math.abs(y[0] - at);
+            g[0] = sign * ((kink ? x : x * x) - depth);
+          };
+      Watch watch = watchTime(Direction.EITHER, dip, 2);
+      assertThat(watch.times).as("seed %d, dip %d, %s at %s", seed, k, depth, at).hasSize(2);
+      // The level of the search, u, over the slope at the zero.
+      double width = 1e-12 + (kink ? 0 : 1e-15 / half);
+      assertThat(watch.times.get(0)).isCloseTo(at - half, within(width));
+      assertThat(watch.times.get(1)).isCloseTo(at + half, within(width));
+    }
+  }
+
+  /** A body thrown to a height of 0.5 that rises 1e-9 above a level, for 90 µs. */
+  @Test
+  void levelThatIsOnlyJustCrossedIsSeen() {
+    double over = 1e-9;
+    FunctionOde flight =
+        new FunctionOde(
+            2,
+            (t, y, yDot) -> {
+              yDot[0] = y[1];
+              yDot[1] = -1;
+            });
+    Watch.Values height = (t, y, g) -> g[0] = y[0] - (0.5 - over);
+    Watch level = new Watch(1, Direction.EITHER, Reaction.CONTINUE, height);
+    run(new EventIntegration(create(1e-10), level), flight, new double[] {0, 1}, 2);
+    assertThat(level.times).hasSize(2);
+    // An error of 1e-10 in the height of a parabola that stands 1e-9 above the level.
+    double half = Math.sqrt(2 * over);
+    assertThat(level.times.get(0)).isCloseTo(1 - half, within(0.1 * half));
+    assertThat(level.times.get(1)).isCloseTo(1 + half, within(0.1 * half));
   }
 }

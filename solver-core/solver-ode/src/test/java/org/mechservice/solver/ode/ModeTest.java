@@ -15,10 +15,8 @@ import org.mechservice.solver.ode.adams.De;
 import org.mechservice.solver.ode.adams.Ode113;
 import org.mechservice.solver.ode.stiff.Ode15s;
 import org.mechservice.solver.ode.stiff.Ode15sR;
-import org.mechservice.solver.ode.suite.FunctionOde;
 import org.mechservice.solver.ode.suite.Run;
 import org.mechservice.solver.ode.suite.SuiteProblem;
-import org.mechservice.solver.ode.switching.Switching;
 
 /** What the modes promise beyond, or in spite of, the published programs. */
 class ModeTest {
@@ -112,51 +110,5 @@ class ModeTest {
         .isCloseTo(IntegratorSettings.SMALLEST_RELATIVE_TOLERANCE / 1e-13, within(1e-12));
     Run run = Run.of(new Ode113(tight), SuiteProblem.named("EulerRigidBody"));
     assertThat(run.result()).isEqualTo(StepResult.REACHED_END);
-  }
-
-  @ParameterizedTest
-  @ValueSource(ints = {3, 4, 5, 6, 7, 8, 9})
-  void undeclaredJumpsCostAtMost25RejectedStepsEach(int k) {
-    // Suite: step_force, not declared.
-    FunctionOde pushed =
-        new FunctionOde(
-            2,
-            (t, y, yDot) -> {
-              yDot[0] = y[1];
-              yDot[1] = (t >= 1 && t < 2 ? 50 : 0) - 0.4 * y[1] - 100 * y[0];
-            });
-    double tolerance = StrictMath.pow(10, -k);
-    IntegratorSettings standard = new IntegratorSettings(tolerance, tolerance);
-    List<Integrator> integrators =
-        List.of(
-            new Ode113(standard),
-            new De(standard),
-            new Ode15s(standard),
-            new Ode15sR(standard),
-            new Switching(standard),
-            new Ode15s(standard.withMode(Mode.STRICT)),
-            new Ode15sR(standard.withMode(Mode.STRICT)));
-    for (Integrator integrator : integrators) {
-      integrator.start(pushed, 0, new double[2], 5);
-      long atFirst = 0;
-      long atSecond = 0;
-      StepResult result = StepResult.ADVANCED;
-      while (result == StepResult.ADVANCED) {
-        long before = integrator.statistics().rejectedSteps();
-        double from = integrator.time();
-        result = integrator.step();
-        long rejected = integrator.statistics().rejectedSteps() - before;
-        atFirst += from < 1.1 ? rejected : 0;
-        atSecond += from >= 1.8 && from < 2.1 ? rejected : 0;
-      }
-      assertThat(atFirst).isLessThanOrEqualTo(25);
-      assertThat(atSecond).isLessThanOrEqualTo(25);
-      double[] atEnd = Run.state(integrator, 5, 2);
-      double worst =
-          Math.max(
-              Math.abs(atEnd[0] - 0.18039197239119287) / 1.18,
-              Math.abs(atEnd[1] - 4.400526629628046) / 5.4);
-      assertThat(-StrictMath.log10(worst)).isGreaterThanOrEqualTo(k - 2);
-    }
   }
 }

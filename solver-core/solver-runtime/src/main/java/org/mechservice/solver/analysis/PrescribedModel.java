@@ -6,38 +6,45 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import org.mechservice.solver.analysis.equation.DriveShares;
 import org.mechservice.solver.analysis.equation.FreeDirections;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.assembly.Assembly;
 import org.mechservice.solver.closure.assembly.LoopFinding;
 import org.mechservice.solver.closure.assembly.RankAnalysis;
+import org.mechservice.solver.closure.model.LoopContinuation;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.force.user.UserForceSource;
+import org.mechservice.solver.mechanism.MotionJump;
 
 /**
  * A mechanism whose coordinates all follow from prescribed motions, through driven joints and
- * loops. Positions come from Φ(q, t) = 0 by Newton's method, from one output time to the next in
- * steps small enough for a good prediction; velocities and accelerations from J v = −Φ_t and J a =
- * −γ. The necessary forces are separate columns.
+ * loops. Positions come from Φ(q, t) = 0, followed from one output time to the next ({@link
+ * LoopContinuation}); velocities and accelerations from J v = −Φ_t and J a = −γ. The necessary
+ * forces are separate columns.
  */
 final class PrescribedModel extends AnalysisModel {
-  /** Largest difference of a position from the predicted one, rad or lengths of the mechanism. */
-  private static final double NEAR = 0.05;
-
-  /** Shortest step, as a fraction of the interval between two output times. */
-  private static final double SHORTEST = 1e-9;
-
   /** Ratio of the smallest to the largest singular value below which a position is singular. */
   private static final double SINGULAR = 1e-8;
 
+  /** Largest number of jumps that are told one by one, as of the events of an integrated run. */
+  private static final int MOST_TOLD = 200;
+
   private final CoordinateNames names;
+  private List<MotionJump> jumps = List.of();
+
+  /** Number of jumps up to the present time. */
+  private int passed;
+
   private final List<Note> notes = new ArrayList<>();
   private double[] y = new double[0];
+  private boolean started;
   private double reached;
 
   /** Sign of the determinant of J, whose rows are as many as its columns. */
-  private double orientation;
+  private int orientation;
 
+  private final LoopContinuation continuation = new LoopContinuation(new AllPositions());
   private int[] rows = new int[0];
   private long iterations;
 
@@ -47,8 +54,16 @@ final class PrescribedModel extends AnalysisModel {
   }
 
   @Override
+  public void begin(double from, double to) {
+    jumps = mechanism.motionJumps(from, to);
+  }
+
+  @Override
   public int find(double t, double[] out) {
-    Optional<Defect> why = y.length == 0 ? begin(t) : advance(t);
+    Optional<Defect> why = !started ? start(t) : advance(t);
+    if (why.isEmpty()) {
+      why = jump(t);
+    }
     if (why.isPresent()) {
       return fail(why.get());
     }
@@ -56,7 +71,44 @@ final class PrescribedModel extends AnalysisModel {
     return REGULAR;
   }
 
-  private Optional<Defect> begin(double t) {
+  /** Tells the jumps of prescribed motions up to a time. */
+  private Optional<Defect> jump(double t) {
+    while (passed < jumps.size() && jumps.get(passed).time() <= t) {
+      MotionJump jump = jumps.get(passed++);
+      if (jump.ofPosition()) {
+        return Optional.of(positionJumps(jump));
+      }
+      if (passed <= MOST_TOLD) {
+        notes.add(velocityJumps(jump));
+      }
+    }
+    return Optional.empty();
+  }
+
+  private static Defect positionJumps(MotionJump jump) {
+    return new Defect(
+        MessageCode.DRIVEN_POSITION_JUMPS,
+        jump.joint(),
+        String.format(
+            Locale.ROOT,
+            "The position that is prescribed for the joint jumps at t=%s s.",
+            jump.time()),
+        "End the run before, or write a motion that takes time, such as smoothStep((t-1)/0.1).");
+  }
+
+  private static Note velocityJumps(MotionJump jump) {
+    String text =
+        String.format(
+            Locale.ROOT,
+            "The velocity of driven joint \"%s\" jumps from %.4g to %.4g: its acceleration is not"
+                + " finite there, and the drive exerts an impulse, which no row contains.",
+            jump.joint(),
+            jump.before(),
+            jump.after());
+    return new Note(MessageCode.DRIVEN_VELOCITY_JUMPED, jump.time(), true, text);
+  }
+
+  private Optional<Defect> start(double t) {
     double[] start = new double[mechanism.stateCount()];
     mechanism.initialState(start);
     if (!equations.loops.isHolonomic()) {
@@ -74,6 +126,7 @@ final class PrescribedModel extends AnalysisModel {
       return Optional.of(free(t, start));
     }
     y = start;
+    started = true;
     reached = t;
     equations.place(t, y);
     FreeDirections directions = new FreeDirections(equations);
@@ -82,7 +135,19 @@ final class PrescribedModel extends AnalysisModel {
       return Optional.of(singular(directions));
     }
     orientation = orientation();
-    return move(t);
+    Optional<Defect> why = move(t);
+    if (why.isEmpty()) {
+      new DriveShares(equations).redundant().ifPresent(text -> notes.add(redundant(t, text)));
+    }
+    return why;
+  }
+
+  private static Note redundant(double t, String drives) {
+    String text =
+        "The motion does not determine the forces of driven joints "
+            + drives
+            + ", which others or the loops move as well; they are those of least norm.";
+    return new Note(MessageCode.REDUNDANT_CONSTRAINTS, t, false, text);
   }
 
   private Defect rolls() {
@@ -118,40 +183,21 @@ final class PrescribedModel extends AnalysisModel {
   }
 
   private Optional<Defect> advance(double t) {
-    double step = t - reached;
-    double least = SHORTEST * step;
-    while (reached < t) {
-      double to = reached + step >= t ? t : reached + step;
-      double[] tried = y.clone();
-      equations.coordinates.move(tried, 0, y, equations.nq, to - reached);
-      double[] predicted = tried.clone();
-      iterations++;
-      if (equations.closePositions(to, tried) && isNear(tried, predicted)) {
-        System.arraycopy(tried, 0, y, 0, equations.nq);
-        reached = to;
-        Optional<Defect> why = move(to);
-        if (why.isPresent()) {
-          return why;
-        }
-        step *= 2;
-      } else {
-        step /= 2;
-        if (step < least) {
-          return Optional.of(stuck(to, predicted));
-        }
-      }
+    double[] rates = new double[equations.nq];
+    equations.coordinates.rates(y, 0, y, equations.nq, rates, 0);
+    double[] to = y.clone();
+    LoopContinuation.End end = continuation.follow(reached, y, rates, orientation, t, to, false);
+    if (end == LoopContinuation.End.REACHED && equations.closePositions(t, to)) {
+      System.arraycopy(to, 0, y, 0, equations.nq);
+      reached = t;
+      return move(t);
     }
-    return Optional.empty();
-  }
-
-  private boolean isNear(double[] found, double[] predicted) {
-    for (int i = 0; i < equations.nq; i++) {
-      double size = equations.coordinates.velocityOf(i) < 0 ? 1 : unitOf(i);
-      if (!(Math.abs(found[i] - predicted[i]) <= NEAR * size)) {
-        return false;
-      }
+    System.arraycopy(continuation.positions(), 0, y, 0, equations.nq);
+    if (end == LoopContinuation.End.LIMIT) {
+      return Optional.of(stuck(t, y));
     }
-    return true;
+    equations.place(reached + continuation.reached() * (t - reached), y);
+    return Optional.of(singular(new FreeDirections(equations)));
   }
 
   private double unitOf(int position) {
@@ -165,7 +211,7 @@ final class PrescribedModel extends AnalysisModel {
     equations.place(t, y);
     equations.solveLeast(equations.loops.rate);
     boolean lost = equations.rank() < n || (n > 0 && equations.jacobian.relative(n - 1) < SINGULAR);
-    if (lost || orientation() * orientation < 0) {
+    if (lost || orientation() != orientation) {
       return Optional.of(singular(new FreeDirections(equations)));
     }
     System.arraycopy(equations.step, 0, y, equations.nq, n);
@@ -179,14 +225,14 @@ final class PrescribedModel extends AnalysisModel {
   }
 
   /** Returns the sign of the determinant of J's independent rows: it changes at a dead centre. */
-  private double orientation() {
+  private int orientation() {
     int n = equations.nv;
     double[] a = new double[n * n];
     equations.jacobian.decompose();
     for (int i = 0; i < n && rows.length == n; i++) {
       System.arraycopy(equations.jacobian.elements(), rows[i] * n, a, i * n, n);
     }
-    double sign = 1;
+    int sign = 1;
     for (int k = 0; k < n; k++) {
       int pivot = k;
       for (int i = k + 1; i < n; i++) {
@@ -197,7 +243,7 @@ final class PrescribedModel extends AnalysisModel {
         a[k * n + j] = a[pivot * n + j];
         a[pivot * n + j] = element;
       }
-      sign *= pivot == k ? Math.signum(a[k * n + k]) : -Math.signum(a[k * n + k]);
+      sign *= (pivot == k ? 1 : -1) * (int) Math.signum(a[k * n + k]);
       for (int i = k + 1; i < n && a[k * n + k] != 0; i++) {
         double factor = a[i * n + k] / a[k * n + k];
         for (int j = k; j < n; j++) {
@@ -251,6 +297,55 @@ final class PrescribedModel extends AnalysisModel {
 
   @Override
   public List<Note> notes() {
-    return List.copyOf(notes);
+    List<Note> all = new ArrayList<>(notes);
+    if (passed > MOST_TOLD) {
+      String text = (passed - MOST_TOLD) + " more jumps of driven velocities after this time.";
+      double last = jumps.get(MOST_TOLD - 1).time();
+      all.add(new Note(MessageCode.DRIVEN_VELOCITY_JUMPED, last, true, text));
+    }
+    return all;
+  }
+
+  /** The equations of all positions, by least changes where some of them are redundant. */
+  private final class AllPositions implements LoopContinuation.Equations {
+    @Override
+    public int positionCount() {
+      return equations.nq;
+    }
+
+    @Override
+    public boolean isGiven(int position) {
+      return false;
+    }
+
+    @Override
+    public double unit(int position) {
+      return equations.coordinates.velocityOf(position) < 0 ? 1 : unitOf(position);
+    }
+
+    @Override
+    public double correct(double t, double[] q) {
+      iterations++;
+      double[] state = Arrays.copyOf(q, equations.nq + equations.nv);
+      equations.coordinates.normalize(state, 0);
+      equations.place(t, state);
+      equations.solveLeast(equations.loops.value);
+      int n = equations.nv;
+      if (n > 0 && !(equations.jacobian.relative(n - 1) >= SINGULAR)) {
+        return Double.NaN;
+      }
+      double largest = 0;
+      for (int j = 0; j < n; j++) {
+        largest = Math.max(largest, Math.abs(equations.step[j]) / equations.unit[j]);
+      }
+      equations.coordinates.move(state, 0, equations.step, 0, 1);
+      System.arraycopy(state, 0, q, 0, equations.nq);
+      return largest;
+    }
+
+    @Override
+    public int orientation() {
+      return PrescribedModel.this.orientation();
+    }
   }
 }

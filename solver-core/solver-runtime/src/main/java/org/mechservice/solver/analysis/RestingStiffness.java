@@ -25,7 +25,7 @@ interface RestingStiffness {
   int velocity(int direction);
 
   /**
-   * Solves (K + λD) z = −r.
+   * Solves (K + λD) z = −r with D as the metric says.
    *
    * @param shift λ
    * @param xi displacements of all coordinates; overwritten
@@ -39,14 +39,22 @@ interface RestingStiffness {
   /** Returns notes if this is an equilibrium that is unstable or not isolated. */
   List<Note> judged(double t);
 
+  /** What D is. */
+  enum Metric {
+    /** Diagonal, with the scales of stiffness and of residual forces. */
+    FORCES,
+    /** The mass matrix, so that what nothing holds moves as it would from rest. */
+    MASS
+  }
+
   /** Returns dense matrices in the free directions at the state of a linearisation. */
-  static RestingStiffness dense(EquationsOfMotion equations, Linearisation linear) {
-    return new Dense(equations, linear);
+  static RestingStiffness dense(EquationsOfMotion equations, Linearisation linear, Metric metric) {
+    return new Dense(equations, linear, metric);
   }
 
   /** Returns matrices by links at the state where they were evaluated last. */
-  static RestingStiffness byLinks(EquationsOfMotion equations, RestingLinks links) {
-    return new ByLinks(equations, links);
+  static RestingStiffness byLinks(EquationsOfMotion equations, RestingLinks links, Metric metric) {
+    return new ByLinks(equations, links, metric);
   }
 
   /** Directions are those of the independent coordinates; D has the scales of K and r. */
@@ -56,17 +64,35 @@ interface RestingStiffness {
 
     private final EquationsOfMotion equations;
     private final Linearisation linear;
+    private final Metric metric;
     private final double[] left;
     private final double[] scale;
     private final double[] z;
 
-    private Dense(EquationsOfMotion equations, Linearisation linear) {
+    private Dense(EquationsOfMotion equations, Linearisation linear, Metric metric) {
       this.equations = equations;
       this.linear = linear;
+      this.metric = metric;
       left = new double[linear.freedom()];
       linear.project(equations.residual, left);
       z = new double[linear.freedom()];
-      scale = scale();
+      scale = metric == Metric.FORCES ? scale() : leastScale();
+    }
+
+    /** Returns what the diagonal of the mass matrix is raised by, where nothing has inertia. */
+    private double[] leastScale() {
+      int f = linear.freedom();
+      double[] scale = new double[f];
+      double most = Double.MIN_NORMAL;
+      for (int j = 0; j < f; j++) {
+        double unit = equations.unit[linear.independent()[j]];
+        most = Math.max(most, linear.mass[j * f + j] * unit * unit);
+      }
+      for (int j = 0; j < f; j++) {
+        double unit = equations.unit[linear.independent()[j]];
+        scale[j] = LEAST_SCALE * most / (unit * unit);
+      }
+      return scale;
     }
 
     @Override
@@ -106,6 +132,9 @@ interface RestingStiffness {
       int f = linear.freedom();
       double[] symmetric = new double[f * f];
       double[] matrix = linear.stiffness.clone();
+      for (int i = 0; i < f * f && metric == Metric.MASS; i++) {
+        matrix[i] += shift * linear.mass[i];
+      }
       for (int i = 0; i < f; i++) {
         matrix[i * f + i] += shift * scale[i];
         for (int j = 0; j <= i; j++) {
@@ -148,13 +177,15 @@ interface RestingStiffness {
   final class ByLinks implements RestingStiffness {
     private final EquationsOfMotion equations;
     private final RestingLinks links;
+    private final Metric metric;
     private final double[] left;
     private final double[] z;
     private final double[] product;
 
-    private ByLinks(EquationsOfMotion equations, RestingLinks links) {
+    private ByLinks(EquationsOfMotion equations, RestingLinks links, Metric metric) {
       this.equations = equations;
       this.links = links;
+      this.metric = metric;
       left = Arrays.copyOf(equations.residual, equations.nv);
       z = new double[left.length];
       product = new double[left.length];
@@ -177,7 +208,9 @@ interface RestingStiffness {
 
     @Override
     public boolean solve(double shift, double[] xi) {
-      if (!links.factor(0, 0, 1, shift)) {
+      boolean regular =
+          metric == Metric.MASS ? links.factor(shift, 0, 1, 0) : links.factor(0, 0, 1, shift);
+      if (!regular) {
         return false;
       }
       for (int j = 0; j < z.length; j++) {

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import org.mechservice.solver.analysis.RestingStiffness.Metric;
 import org.mechservice.solver.analysis.equation.EquationsOfMotion;
 import org.mechservice.solver.analysis.equation.Linearisation;
 import org.mechservice.solver.analysis.equation.RestingLinks;
@@ -29,6 +30,12 @@ import org.mechservice.solver.spatial.Vector3;
  * is accepted if the forces along it have done work; the trust radius grows if the work agrees with
  * the prediction of K and shrinks otherwise. The work is that of the mean of the forces at both
  * ends of the step, so that non-conservative forces are included.
+ *
+ * <p>A body above a floor that it does not touch has no stiffness, and the forces alone do not say
+ * how it comes there. If the descent fails and there are one-sided forces, another one begins at
+ * the start with the mass matrix as D: λ is then that of pseudo-transient continuation (Kelley and
+ * Keyes, SIAM J. Numer. Anal. 35 (1998) 508), and what nothing holds falls as it would from rest, a
+ * crate without turning.
  *
  * <p>Large mechanisms have K kept by their {@linkplain RestingLinks links}, with D by the rotations
  * of links in space: rotations of joints add up along a chain, whose steps they would shorten the
@@ -63,6 +70,15 @@ final class StaticEquilibrium {
 
   private static final int TRIES = 60;
 
+  /** Largest number of corrections of a fall, in those of a descent. */
+  private static final int FALLING = 10;
+
+  /**
+   * Number of parts of a step of a fall at which forces are evaluated, so that no body passes
+   * through another one that is thicker than a part of the longest step.
+   */
+  private static final int PARTS_OF_A_FALL = 8;
+
   private final Mechanism mechanism;
   private final UserForceSource userForces;
   private final CoordinateNames names;
@@ -74,6 +90,7 @@ final class StaticEquilibrium {
   private double[] y = new double[0];
   private Optional<Defect> defect = Optional.empty();
   private long iterations;
+  private Metric metric = Metric.FORCES;
 
   /** Stiffness by links, unless matrices are dense. */
   private Optional<RestingLinks> links = Optional.empty();
@@ -154,14 +171,32 @@ final class StaticEquilibrium {
     Arrays.fill(y, equations.nq, equations.nq + equations.nv, 0);
     equations.closePositions(t, y);
     try {
-      return descend(t);
+      double[] start = y.clone();
+      if (descend(t, Metric.FORCES, most)) {
+        return true;
+      }
+      if (!OneSidedForces.in(held)) {
+        return false;
+      }
+      y = start;
+      if (descend(t, Metric.MASS, FALLING * most)) {
+        defect = Optional.empty();
+        return true;
+      }
+      return false;
     } catch (Linearisation.NotLinearised e) {
       defect = Optional.of(e.defect());
       return false;
     }
   }
 
-  private boolean descend(double t) throws Linearisation.NotLinearised {
+  /**
+   * Descends from the present state.
+   *
+   * @param most largest number of corrections
+   */
+  private boolean descend(double t, Metric metric, int most) throws Linearisation.NotLinearised {
+    this.metric = metric;
     links =
         equations.nv >= large && RestingLinks.fits(equations)
             ? Optional.of(new RestingLinks(equations))
@@ -202,7 +237,7 @@ final class StaticEquilibrium {
     if (links.isPresent()) {
       links.get().evaluate(t, y);
       if (links.get().isStiffnessSymmetric()) {
-        found = RestingStiffness.byLinks(equations, links.get());
+        found = RestingStiffness.byLinks(equations, links.get(), metric);
         residual = equations.residual.clone();
         return found;
       }
@@ -210,7 +245,7 @@ final class StaticEquilibrium {
     }
     found =
         RestingStiffness.dense(
-            equations, new Linearisation(equations, t, y, new double[equations.nv]));
+            equations, new Linearisation(equations, t, y, new double[equations.nv]), metric);
     residual = equations.residual.clone();
     return found;
   }
@@ -286,16 +321,22 @@ final class StaticEquilibrium {
    *     closed there or a force has no value
    */
   private double move(double t, RestingStiffness here, double[] xi) {
-    double[] tried = y.clone();
-    equations.coordinates.move(tried, 0, xi, 0, 1);
-    boolean fits = equations.closePositions(t, tried);
-    equations.place(t, tried);
-    if (!fits || !equations.applyForces(t)) {
-      return Double.NaN;
-    }
-    equations.formResidual(new double[equations.nv], 0);
     double before = dot(residual, xi);
-    double part = 0.5 * (before + dot(equations.residual, xi)) / (before + 0.5 * here.curvature());
+    int parts = metric == Metric.MASS ? PARTS_OF_A_FALL : 1;
+    double work = 0.5 * before;
+    double[] tried = y;
+    for (int i = 1; i <= parts; i++) {
+      tried = y.clone();
+      equations.coordinates.move(tried, 0, xi, 0, (double) i / parts);
+      boolean fits = equations.closePositions(t, tried);
+      equations.place(t, tried);
+      if (!fits || !equations.applyForces(t)) {
+        return Double.NaN;
+      }
+      equations.formResidual(new double[equations.nv], 0);
+      work += (i < parts ? 1 : 0.5) * dot(equations.residual, xi);
+    }
+    double part = work / parts / (before + 0.5 * here.curvature());
     if (part > TAKEN) {
       y = tried;
     }
@@ -331,10 +372,14 @@ final class StaticEquilibrium {
                 String.format(
                     Locale.ROOT,
                     "No equilibrium was found in %d correction%s: the largest force left over is"
-                        + " %.3g times those in play.",
+                        + " %.3g times those in play.%s",
                     iterations,
                     iterations == 1 ? "" : "s",
-                    worstPart),
+                    worstPart,
+                    OneSidedForces.in(mechanism)
+                        ? " Contacts hold along their normals alone: their friction is zero at"
+                            + " rest, so that a body on a slope slides."
+                        : ""),
                 "Add a restoring force to free motions, start nearer to the equilibrium, or allow"
                     + " more corrections with maxIterations."));
     return false;

@@ -3,6 +3,7 @@ package org.mechservice.solver.simulation;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.Solver;
@@ -37,12 +38,13 @@ public final class AnalysisSolver implements Solver {
     }
     ModelParts parts = ModelParts.of(model);
     return parts.equations() instanceof ResultTable table
-        ? tabulate(table, request.settings(), sink)
+        ? tabulate(table, request, sink)
         : new States(parts, request, sink, control).toEnd();
   }
 
-  private static RunReport tabulate(ResultTable table, RunSettings settings, ResultSink sink)
+  private static RunReport tabulate(ResultTable table, RunRequest request, ResultSink sink)
       throws IOException {
+    RunSettings settings = request.settings();
     long begun = System.nanoTime();
     long[] rows = {0};
     sink.begin(table.columns());
@@ -59,11 +61,32 @@ public final class AnalysisSolver implements Solver {
                 rows[0]++;
               }
             });
+    List<RunNotes.Note> notes = notes(table, List.of(), request);
     Outcome outcome =
         result == ExplicitModel.REGULAR
-            ? new Outcome.Completed()
+            ? ofStrict(notes, request).orElseGet(Outcome.Completed::new)
             : failed(table, settings.tStart());
-    return report(table, outcome, settings, 0, rows[0], settings.tStart(), begun, List.of());
+    return report(table, outcome, settings, 0, rows[0], settings.tStart(), begun, notes);
+  }
+
+  /** Returns the notes of a model and of its rows, but silenced ones. */
+  private static List<RunNotes.Note> notes(
+      Model model, List<RunNotes.Note> ofRows, RunRequest request) {
+    List<RunNotes.Note> notes = new ArrayList<>();
+    if (model instanceof RunNotes noted) {
+      notes.addAll(noted.notes());
+    }
+    notes.addAll(ofRows);
+    notes.removeIf(note -> request.silenced().contains(note.code()));
+    return notes;
+  }
+
+  /** Returns the failure of a strict run with a warning. */
+  private static Optional<Outcome> ofStrict(List<RunNotes.Note> notes, RunRequest request) {
+    return notes.stream()
+        .filter(note -> request.strict() && note.warning())
+        .findFirst()
+        .map(warning -> new Outcome.Failed(FailureText.ofStrict(warning)));
   }
 
   private static Outcome failed(Defects model, double t) {
@@ -78,11 +101,7 @@ public final class AnalysisSolver implements Solver {
       long rows,
       double reached,
       long begun,
-      List<RunNotes.Note> ofRows) {
-    List<RunNotes.Note> notes = new ArrayList<>(ofRows);
-    if (model instanceof RunNotes noted) {
-      notes.addAll(0, noted.notes());
-    }
+      List<RunNotes.Note> notes) {
     return new RunReport(
         outcome,
         model.description().name(),
@@ -107,6 +126,7 @@ public final class AnalysisSolver implements Solver {
   /** States at all output times. */
   private static final class States {
     private final AlgebraicModel model;
+    private final RunRequest request;
     private final RunSettings settings;
     private final RunControl control;
     private final RowWriter rows;
@@ -118,6 +138,7 @@ public final class AnalysisSolver implements Solver {
         throws IOException {
       model = (AlgebraicModel) parts.equations();
       this.control = control;
+      this.request = request;
       settings = request.settings();
       reached = settings.tStart();
       rows = new RowWriter(model, parts.columns(), request, sink);
@@ -127,15 +148,24 @@ public final class AnalysisSolver implements Solver {
     RunReport toEnd() throws IOException {
       Outcome outcome = walk();
       return report(
-          model, outcome, settings, model.iterations(), rows.rows(), reached, begun, rows.notes());
+          model, outcome, settings, model.iterations(), rows.rows(), reached, begun, notes());
+    }
+
+    private List<RunNotes.Note> notes() {
+      return AnalysisSolver.notes(model, rows.notes(), request);
     }
 
     private Outcome walk() throws IOException {
       OutputTimes times = new OutputTimes(settings);
+      model.begin(settings.tStart(), settings.tEnd());
       for (long row = 0; row < times.count(); row++) {
         double t = times.time(row);
         if (model.find(t, y) != ExplicitModel.REGULAR) {
           return failed(model, t);
+        }
+        Optional<Outcome> warned = ofStrict(notes(), request);
+        if (warned.isPresent()) {
+          return warned.get();
         }
         int column = rows.write(t, y);
         if (column != RowWriter.ALL_FINITE) {

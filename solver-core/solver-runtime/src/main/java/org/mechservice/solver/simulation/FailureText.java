@@ -13,6 +13,7 @@ import org.mechservice.solver.api.capability.ResidualModel;
 import org.mechservice.solver.api.run.Failure;
 import org.mechservice.solver.api.run.RunNotes;
 import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.catalogue.IntegrationMethod;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.IntegrationFailure;
 import org.mechservice.solver.ode.Integrator;
@@ -55,6 +56,7 @@ final class FailureText {
    * @param event the event it may lie at; empty if none can be named
    * @param motion motion of the state that keeps steps short, followed by a space; empty if unknown
    * @param loops how an implicit step on the residual closes loops
+   * @param integrator label of the method that runs, which is not advised
    */
   static Failure of(
       IntegrationFailure failure,
@@ -62,7 +64,8 @@ final class FailureText {
       int singularJoint,
       String event,
       String motion,
-      ImplicitLoops loops) {
+      ImplicitLoops loops,
+      String integrator) {
     return switch (failure.cause()) {
       case NOT_FINITE ->
           singularJoint == ExplicitModel.REGULAR
@@ -89,8 +92,11 @@ final class FailureText {
                               + " steps do not reduce: if the absolute tolerance is finer, loosen it,"
                               + " or use closure projection or DSR. Otherwise check the forces on"
                               + " this joint."
-                          : "The motion is singular or very stiff there; use ode15s, loosen the"
-                              + " tolerances, or check the forces on this joint."));
+                          : "The motion is singular"
+                              + (isExplicit(integrator)
+                                  ? " or very stiff there; use ode15s,"
+                                  : " there;")
+                              + " loosen the tolerances, or check the forces on this joint."));
       case UNBOUNDED ->
           failure(
               MessageCode.STEP_TOO_SMALL,
@@ -158,9 +164,17 @@ final class FailureText {
               failure,
               state(model, failure.worstComponent()),
               motion
-                  + "Lower the stiffness or frequency of the forces on this joint, add damping and"
-                  + " use ode15s, allow longer steps, or end the run earlier.");
+                  + "Lower the stiffness or frequency of the forces on this joint, add damping"
+                  + (isExplicit(integrator) ? " and use ode15s" : "")
+                  + ", allow longer steps, or end the run earlier.");
     };
+  }
+
+  /** Returns whether a method takes explicit steps only, which stiff motions keep short. */
+  private static boolean isExplicit(String integrator) {
+    return IntegrationMethod.find(integrator)
+        .filter(method -> method.family() == IntegrationMethod.Family.ADAMS)
+        .isPresent();
   }
 
   /** Returns the advice where an implicit step cannot be solved. */
@@ -282,7 +296,9 @@ final class FailureText {
         integrator.order(),
         limiting.map(s -> "state \"" + s + "\", which limits the steps most").orElse(""),
         tighter
-            + (stiff ? "; the motion is stiff, so take an implicit integrator such as ode15s" : "")
+            + (stiff && isExplicit(settings.integrator())
+                ? "; the motion is stiff, so take an implicit integrator such as ode15s"
+                : "")
             + ". A force that jumps needs an event, or a smaller largest step.");
   }
 
@@ -313,13 +329,16 @@ final class FailureText {
       double t, double stepSize, int order, ModelDescription model, int joint) {
     return new Failure(
         MessageCode.SINGULAR_INERTIA,
-        "The inertia is singular: no body beyond this joint has inertia about its axis.",
+        "The inertia at this joint is singular to double precision: when the joints beyond it move"
+            + " freely, the bodies there do not resist its motion, or by less than one part in 7e13"
+            + " of what hangs on it.",
         t,
         stepSize,
         order,
         "joint \"" + model.joints().get(joint).name() + "\"",
-        "Give a body beyond it mass or inertia, or remove the joint; two axes that coincide are"
-            + " another cause.");
+        "If they have no inertia about its axis, give them some, or remove the joint. Other causes"
+            + " are two axes that coincide, with bodies without inertia between them, and a light"
+            + " body that carries one 1e13 times as heavy.");
   }
 
   private static Failure failure(

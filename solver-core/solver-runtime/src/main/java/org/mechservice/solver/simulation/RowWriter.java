@@ -1,6 +1,7 @@
 package org.mechservice.solver.simulation;
 
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.solver.api.capability.BodyPoses;
 import org.mechservice.solver.api.capability.Energies;
@@ -98,6 +99,9 @@ final class RowWriter {
         further.values(group, t, y, row, layout.offset(group));
       }
     }
+    if (layout.offset(ColumnGroup.CONSTRAINTS) == RowLayout.ABSENT) {
+      further.observe(t, y);
+    }
     for (int i = 0; i < row.length; i++) {
       if (!Double.isFinite(row[i])) {
         return i;
@@ -172,7 +176,9 @@ final class RowWriter {
 
   /** Returns the notes of the rows. */
   List<Note> notes() {
-    return unitOutput.notes();
+    List<Note> notes = new ArrayList<>(unitOutput.notes());
+    notes.addAll(further.notes());
+    return notes;
   }
 
   EnergyMonitor energyMonitor() {

@@ -110,7 +110,8 @@ final class RunFailures {
                     ? LocalMotion.of(equations, failure.worstComponent(), integrator.time(), y)
                         .sentence()
                     : "",
-                FailureText.ImplicitLoops.of(equations.model()));
+                FailureText.ImplicitLoops.of(equations.model()),
+                settings.integrator());
     return failed(told.after(tried));
   }
 

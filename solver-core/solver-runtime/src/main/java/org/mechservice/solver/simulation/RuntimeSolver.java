@@ -16,8 +16,11 @@ import org.mechservice.solver.api.run.StepwiseRun;
 import org.mechservice.solver.catalogue.IntegrationMethod;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.ode.IntegratorFactory;
+import org.mechservice.solver.ode.IntegratorSettings;
 import org.mechservice.solver.ode.adams.De;
 import org.mechservice.solver.ode.adams.Ode113;
+import org.mechservice.solver.ode.jumps.UndeclaredJumps;
+import org.mechservice.solver.ode.step.WatchedIntegrator;
 import org.mechservice.solver.ode.stiff.Ode15s;
 import org.mechservice.solver.ode.stiff.Ode15sR;
 import org.mechservice.solver.ode.switching.Switching;
@@ -29,7 +32,8 @@ import org.mechservice.solver.simulation.equations.WatchedForm;
 
 /**
  * The solver of the runtime JAR: selects the integrator that a run names, with the form of the
- * equations that fits the integrator and the model.
+ * equations that fits the integrator and the model, and with {@link UndeclaredJumps} around it
+ * exactly where a model has forces by classes of users.
  */
 public final class RuntimeSolver implements Solver {
   @Override
@@ -48,7 +52,7 @@ public final class RuntimeSolver implements Solver {
     String name = request.settings().integrator();
     MotionObserver seen = new MotionObserver(sink, model.description());
     RunReport report =
-        new Simulation(integrator(name), formOf(model, name))
+        new Simulation(integrators(model, name), formOf(model, name))
             .run(model, request, seen, control, checkpoints);
     return seen.completed(report, request);
   }
@@ -65,7 +69,7 @@ public final class RuntimeSolver implements Solver {
               + " simulation of kind <dynamic>");
     }
     String name = request.settings().integrator();
-    return new Simulation(integrator(name), formOf(model, name))
+    return new Simulation(integrators(model, name), formOf(model, name))
         .stepped(model, request, sink, modelHash);
   }
 
@@ -88,14 +92,26 @@ public final class RuntimeSolver implements Solver {
     return IntegrationMethod.find(integrator).filter(IntegrationMethod::takesResidual).isPresent();
   }
 
-  /** Returns the factory of the integrator of a name; the compiler requires a branch for each. */
-  private static IntegratorFactory integrator(String name) {
-    return switch (IntegrationMethod.of(name)) {
-      case ODE113 -> Ode113::new;
-      case DE -> De::new;
-      case ODE15S -> Ode15s::new;
-      case ODE15SR -> Ode15sR::new;
-      case SWITCHING -> Switching::new;
+  /**
+   * Returns the factory of the integrator of a name, which searches for jumps in what classes of
+   * users compute, if the model has any.
+   */
+  private static IntegratorFactory integrators(Model model, String name) {
+    IntegrationMethod method = IntegrationMethod.of(name);
+    return ModelParts.of(model).userClasses()
+        ? settings -> UndeclaredJumps.around(integrator(method, settings))
+        : settings -> integrator(method, settings);
+  }
+
+  /** Returns the integrator of a method; the compiler requires a branch for each. */
+  private static WatchedIntegrator integrator(
+      IntegrationMethod method, IntegratorSettings settings) {
+    return switch (method) {
+      case ODE113 -> new Ode113(settings);
+      case DE -> new De(settings);
+      case ODE15S -> new Ode15s(settings);
+      case ODE15SR -> new Ode15sR(settings);
+      case SWITCHING -> new Switching(settings);
     };
   }
 }

@@ -10,6 +10,7 @@ import java.util.Set;
 import org.mechservice.solver.analysis.column.FurtherColumns;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.RunSettings;
@@ -33,7 +34,7 @@ final class ColumnsAt {
         new CompactModel(
             mechanism, open ? "DTR" : "DSR", open ? "none" : "projection", SETTINGS, outputs);
     Model made = DataDriven.model(data, UserForceSource.NONE);
-    model = (ExplicitModel) made;
+    model = (ExplicitModel) ModelParts.of(made).equations();
     this.groups = List.of(groups);
     columns =
         new FurtherColumns(model, data, Set.of(groups), UserForceSource.NONE, Optional.empty());

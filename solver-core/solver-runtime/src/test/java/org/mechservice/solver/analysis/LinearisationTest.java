@@ -13,8 +13,10 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.solver.analysis.equation.EquationsOfMotion;
 import org.mechservice.solver.analysis.equation.Linearisation;
+import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.DependentStates;
 import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.compact.DataDriven;
@@ -58,7 +60,8 @@ class LinearisationTest {
       boolean open = mechanism.closures().isEmpty();
       CompactModel data =
           new CompactModel(mechanism, "DSR", open ? "none" : "projection", SETTINGS);
-      model = (ExplicitModel) DataDriven.model(data, UserForceSource.NONE);
+      Model made = DataDriven.model(data, UserForceSource.NONE);
+      model = (ExplicitModel) ModelParts.of(made).equations();
       nq = mechanism.positionCount();
       nv = mechanism.velocityCount();
       coordinates = new StateCoordinates(mechanism);

@@ -9,8 +9,11 @@ import java.util.Collections;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.solver.analysis.column.FurtherColumns;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.ExplicitModel;
@@ -23,17 +26,28 @@ import org.mechservice.solver.api.run.RunControl;
 import org.mechservice.solver.api.run.RunReport;
 import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.compact.CompactModel;
+import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.force.user.UserForceSource;
+import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.PrescribedMotion;
+import org.mechservice.solver.mechanism.Root;
+import org.mechservice.solver.mechanism.closure.DistanceClosure;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
+import org.mechservice.solver.mechanism.joint.Attachment;
+import org.mechservice.solver.mechanism.joint.Prismatic;
 import org.mechservice.solver.mechanism.joint.StartRole;
 import org.mechservice.solver.scenes.SharedScene;
 import org.mechservice.solver.simulation.RuntimeSolver;
+import org.mechservice.solver.spatial.InertiaTensor;
+import org.mechservice.solver.spatial.Rotation;
+import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.text.Origin;
 
 /** The slider-crank, crank 0.2 m and rod 0.5 m, with its crank or its slider driven. */
 class PrescribedModelTest {
@@ -48,6 +62,11 @@ class PrescribedModelTest {
     RunReport report;
 
     Rows(Mechanism mechanism, double end, String groups) throws IOException {
+      this(mechanism, end, groups, false, Set.of());
+    }
+
+    Rows(Mechanism mechanism, double end, String groups, boolean strict, Set<MessageCode> silenced)
+        throws IOException {
       RunSettings settings = new RunSettings(0, end, 0.01, "none", 1e-5, 1e-5);
       CompactModel data = new CompactModel(mechanism, "kinematic", "none", settings);
       ExplicitModel model = new PrescribedModel(data, UserForceSource.NONE);
@@ -57,7 +76,9 @@ class PrescribedModelTest {
           ModelParts.of(model)
               .with(
                   new FurtherColumns(model, data, further, UserForceSource.NONE, Optional.empty()));
-      RunRequest request = new RunRequest(settings, ColumnGroup.of(groups));
+      RunRequest request =
+          new RunRequest(
+              settings, ColumnGroup.of(groups), strict, OptionalDouble.empty(), silenced);
       report = new RuntimeSolver().run(extended, request, this, new RunControl());
     }
 
@@ -233,6 +254,146 @@ class PrescribedModelTest {
     Rows found = new Rows(driven(2, there), 3, "joints");
     assertThat(failure(found)).startsWith("N-062");
     assertThat(found.rows.get(found.rows.size() - 1)[0]).isLessThan(Math.PI / 2);
+  }
+
+  /** A body that slides along z under gravity, on as many driven slides as there are motions. */
+  private static Mechanism onSlides(int drives, Expression motion) {
+    Vector3 z = new Vector3(0, 0, 1);
+    Attachment both = new Attachment(-1, Vector3.ZERO, 0, Vector3.ZERO, Rotation.IDENTITY);
+    List<LoopClosure> cut = new ArrayList<>();
+    for (int i = 1; i < drives; i++) {
+      Prismatic slide = new Prismatic("z" + i, both, z, 0, 0, Origin.NONE);
+      cut.add(new JointClosure(slide, StartRole.PREFERRED, List.of(motion)));
+    }
+    return new Mechanism(
+        "slides",
+        new Root("ground", Vector3.ZERO, Rotation.IDENTITY),
+        new Vector3(0, 0, -9.81),
+        List.of(
+            new Body("body", 2, Vector3.ZERO, new InertiaTensor(1, 1, 1, 0, 0, 0), Origin.NONE)),
+        List.of(new Prismatic("z0", both, z, 0, 0, Origin.NONE)),
+        List.of(new PrescribedMotion(0, List.of(motion))),
+        List.of(StartRole.PREFERRED),
+        cut,
+        List.of(),
+        List.of());
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {1, 2, 3, 7})
+  void drivesOfOneFreedomShareItsForceEvenly(int drives) throws IOException {
+    Expression motion = times(0.1, new Expression.Call(Function.SIN, List.of(times(3, T))));
+    Rows found = new Rows(onSlides(drives, motion), 0.5, "joints,forces,reactions,drives");
+    for (int row = 0; row < found.rows.size(); row++) {
+      double t = found.rows.get(row)[0];
+      double force = 2 * (9.81 - 0.9 * Math.sin(3 * t));
+      for (int i = 0; i < drives; i++) {
+        assertThat(found.value(row, "z" + i + ".drive")).isCloseTo(force / drives, within(1e-13));
+        assertThat(found.value(row, "z" + i + ".fz")).isCloseTo(force / drives, within(1e-13));
+      }
+    }
+    assertThat(found.report.notes())
+        .filteredOn(note -> note.code() == MessageCode.REDUNDANT_CONSTRAINTS)
+        .hasSize(drives == 1 ? 0 : 1)
+        .allSatisfy(note -> assertThat(note.text()).contains("\"z0\", \"z1\""));
+  }
+
+  /**
+   * Crank and slider are driven so that they fit: torque and force do the work that the torque of
+   * the crank alone does, τ + s'(φ) F, and the least norm has F proportional to s'(φ) τ.
+   */
+  @Test
+  void crankAndSliderShareWorkByTheLeastNorm() throws IOException {
+    Expression angle = new Expression.Sum(Expression.of(0.3), times(4, T));
+    Expression sin = new Expression.Call(Function.SIN, List.of(angle));
+    Expression along = times(R, new Expression.Call(Function.COS, List.of(angle)));
+    Expression under =
+        new Expression.Sum(Expression.of(L * L), times(-R * R, new Expression.Product(sin, sin)));
+    Expression way = new Expression.Sum(along, new Expression.Call(Function.SQRT, List.of(under)));
+    Rows alone = new Rows(driven(0, angle), 1, "joints,forces,reactions,drives");
+    Mechanism both =
+        with(
+            driven(0, angle),
+            List.of(new PrescribedMotion(0, List.of(angle)), new PrescribedMotion(2, List.of(way))),
+            driven(0, angle).closures());
+    Rows found = new Rows(both, 1, "joints,forces,reactions,drives");
+    assertThat(found.report.notes())
+        .anyMatch(note -> note.text().contains("\"j_crank\", \"j_slider\""));
+    double perTorque = Double.NaN;
+    for (int row = 0; row < found.rows.size(); row++) {
+      double phi = 0.3 + 4 * found.rows.get(row)[0];
+      double root = Math.sqrt(L * L - R * R * Math.sin(phi) * Math.sin(phi));
+      double slope = -R * Math.sin(phi) - R * R * Math.sin(phi) * Math.cos(phi) / root;
+      double torque = found.value(row, "j_crank.drive");
+      double force = found.value(row, "j_slider.drive");
+      double expected = alone.value(row, "j_crank.drive");
+      // forces of some hundreds, by equations of condition some ten
+      assertThat(torque + slope * force).isCloseTo(expected, within(1e-10));
+      double share = force / (slope * torque);
+      if (Math.abs(slope * torque) > 1e-3) {
+        assertThat(share).isPositive();
+        perTorque = Double.isNaN(perTorque) ? share : perTorque;
+        assertThat(share).isCloseTo(perTorque, within(1e-8 * perTorque));
+      }
+    }
+  }
+
+  /** A second slide without a drive holds nothing along z; a body that is fixed as well does. */
+  @Test
+  void loopThatForbidsTheDrivenFreedomTakesTheForceOfTheDrive() throws IOException {
+    Mechanism slides = onSlides(1, Expression.of(0));
+    BodyPoint ofGround = new BodyPoint(-1, new Vector3(0, 0, -1));
+    BodyPoint ofBody = new BodyPoint(0, Vector3.ZERO);
+    Mechanism hung =
+        with(
+            slides,
+            slides.motions(),
+            List.of(new DistanceClosure("rod", ofGround, ofBody, 1, 0, Origin.NONE)));
+    Rows found = new Rows(hung, 0.1, "joints,constraints,forces,drives");
+    for (int row = 0; row < found.rows.size(); row++) {
+      assertThat(found.value(row, "z0.drive")).isCloseTo(0, within(1e-13));
+      assertThat(found.value(row, "rod.lambda")).isCloseTo(-19.62, within(1e-13));
+    }
+    assertThat(found.report.notes()).anyMatch(note -> note.text().contains("\"z0\""));
+  }
+
+  /** A triangle wave: its corners are jumps of the velocity, between which nothing accelerates. */
+  private static Expression triangles() {
+    Expression late = new Expression.Sum(T, Expression.of(-0.255));
+    return new Expression.Call(Function.ABS, List.of(late));
+  }
+
+  @Test
+  void jumpsOfVelocityAreToldAsWarnings() throws IOException {
+    Rows found = new Rows(onSlides(1, triangles()), 0.5, "joints,forces");
+    assertThat(found.report.outcome()).isInstanceOf(Outcome.Completed.class);
+    assertThat(found.report.notes())
+        .singleElement()
+        .satisfies(note -> assertThat(note.code()).isEqualTo(MessageCode.DRIVEN_VELOCITY_JUMPED))
+        .satisfies(note -> assertThat(note.warning()).isTrue())
+        .satisfies(note -> assertThat(note.time()).isCloseTo(0.255, within(1e-12)))
+        .satisfies(note -> assertThat(note.text()).contains("\"z0\" jumps from -1.000 to 1.000"));
+  }
+
+  @Test
+  void jumpOfVelocityEndsAStrictRunUnlessItIsSilenced() throws IOException {
+    Mechanism slide = onSlides(1, triangles());
+    Rows strict = new Rows(slide, 0.5, "joints,forces", true, Set.of());
+    assertThat(failure(strict)).startsWith("N-027");
+    assertThat(strict.rows).hasSize(26);
+    Set<MessageCode> silenced = Set.of(MessageCode.DRIVEN_VELOCITY_JUMPED);
+    Rows silent = new Rows(slide, 0.5, "joints,forces", true, silenced);
+    assertThat(silent.report.outcome()).isInstanceOf(Outcome.Completed.class);
+    assertThat(silent.report.notes()).isEmpty();
+  }
+
+  @Test
+  void jumpOfPositionEndsTheRun() throws IOException {
+    Expression late = new Expression.Sum(T, Expression.of(-0.25));
+    Expression step = new Expression.Call(Function.STEP, List.of(late));
+    Rows found = new Rows(onSlides(1, step), 0.5, "joints");
+    assertThat(failure(found)).startsWith("N-026");
+    assertThat(found.rows).hasSize(25);
   }
 
   private static String failure(Rows found) {

@@ -1,5 +1,6 @@
 package org.mechservice.solver.closure;
 
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.closure.model.LinearisedProjectionModel;
 import org.mechservice.solver.closure.model.LoopModel;
@@ -40,5 +41,10 @@ final class LoopModels {
   /** Runs a mechanism as the settings say. */
   static SceneRun run(Mechanism mechanism, String formulation, RunSettings settings) {
     return SceneRun.of(of(mechanism, formulation, settings));
+  }
+
+  /** Runs a mechanism with a search for jumps, as if a class of a user computed its forces. */
+  static SceneRun runSearched(Mechanism mechanism, String formulation, RunSettings settings) {
+    return SceneRun.of(ModelParts.of(of(mechanism, formulation, settings)).withUserClasses());
   }
 }

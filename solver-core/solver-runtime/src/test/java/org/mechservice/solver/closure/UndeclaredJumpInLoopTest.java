@@ -17,9 +17,9 @@ import org.mechservice.solver.closure.JumpingLoops.Law;
 import org.mechservice.solver.closure.JumpingLoops.Side;
 
 /**
- * A closed loop in which a force jumps, or is too steep for any step, moves as it should up to
- * where the run is refused; hardly a run slides along the jump, or sticks where it should have
- * broken loose.
+ * A closed loop in which a force of which only values are known jumps, or is too steep for any
+ * step, moves as it should up to where the run is refused; hardly a run slides along the jump, or
+ * sticks where it should have broken loose.
  */
 class UndeclaredJumpInLoopTest {
   /** Tolerances by which a run of some hundred steps may err, if nothing becomes of its errors. */
@@ -87,7 +87,7 @@ class UndeclaredJumpInLoopTest {
             "switching",
             5.561403180379128e-6,
             5.561403180379128e-5);
-    SceneRun run = LoopModels.run(scene.mechanism(Side.OWN), "DSR", settings);
+    SceneRun run = LoopModels.runSearched(scene.mechanism(Side.OWN), "DSR", settings);
     assertThat(run.report.outcome()).isEqualTo(new Outcome.Completed());
     assertThat(committed(scene, settings, run)).isLessThan(1);
     // A thousand crossings are evidence; each takes some steps.
@@ -145,7 +145,7 @@ class UndeclaredJumpInLoopTest {
     double distance = scene.end() / ROWS;
     RunSettings settings =
         new RunSettings(0, scene.end(), distance, integrator, relative, absolute);
-    SceneRun run = LoopModels.run(scene.mechanism(Side.OWN), formulation, settings);
+    SceneRun run = LoopModels.runSearched(scene.mechanism(Side.OWN), formulation, settings);
     double committed = committed(scene, settings, run);
     return committed <= 1
         ? Optional.empty()

@@ -23,7 +23,6 @@ import org.mechservice.sim.symbolic.Expressions;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarVector;
-import org.mechservice.sim.symbolic.Substitution;
 import org.mechservice.solver.api.capability.DirectedForces;
 import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.BodyPoint;
@@ -223,6 +222,7 @@ public final class AppliedForces {
               s.side(),
               formulas.scalar(s.stiffness()),
               formulas.scalar(s.damping()),
+              formulas.scalar(s.dissipation()),
               formulas.scalar(s.rest()),
               formulas.scalar(s.force0()),
               number(s.smoothing()));
@@ -257,6 +257,7 @@ public final class AppliedForces {
           s.side(),
           formulas.scalar(s.stiffness()),
           formulas.scalar(s.damping()),
+          formulas.scalar(s.dissipation()),
           formulas.scalar(s.length0()),
           formulas.scalar(s.force0()),
           number(s.smoothing()));
@@ -275,6 +276,7 @@ public final class AppliedForces {
               s.side(),
               formulas.scalar(s.stiffness()),
               formulas.scalar(s.damping()),
+              formulas.scalar(s.dissipation()),
               formulas.scalar(s.position0()),
               formulas.scalar(s.force0()).negated(),
               number(s.smoothing()));
@@ -327,22 +329,26 @@ public final class AppliedForces {
     public ForceTerm contact(Contact f) {
       BodyFrame sphere = new BodyFrame(f.center().body(), f.center().position(), Rotation.IDENTITY);
       RelativeFrameMotion frames = new RelativeFrameMotion(kinematics, points, f.surface(), sphere);
-      Scalar x = frames.displacement().x();
       Profile profile = new Profile(expressions);
-      Scalar height = profile.scalar(f.height());
-      Substitution place = new Substitution(profile.way(), x);
+      boolean ofCentre = !f.tracks().isEmpty();
+      List<ClosestPointSearch.Curve> curves =
+          (ofCentre ? f.tracks() : List.of(f.height())).stream().map(profile::curve).toList();
+      PushLaw push =
+          new PushLaw(
+              formulas.scalar(f.stiffness()),
+              number(f.exponent()),
+              formulas.scalar(f.damping()),
+              formulas.scalar(f.dissipation()),
+              number(f.smoothing()));
       return new ContactTerm(
           frames,
           new ContactTerm.Coefficients(
-              number(f.radius()),
-              number(f.stiffness()),
-              number(f.damping()),
-              number(f.exponent()),
-              number(f.smoothing()),
-              number(f.friction()),
-              number(f.frictionSpeed())),
-          place.of(height),
-          place.of(profile.slope(height)));
+              formulas.scalar(f.radius()),
+              push,
+              formulas.scalar(f.friction()),
+              formulas.scalar(f.frictionSpeed()),
+              ofCentre),
+          curves);
     }
 
     @Override
@@ -379,8 +385,14 @@ public final class AppliedForces {
       throw new IllegalArgumentException("a profile depends on " + leaf);
     }
 
-    Scalar slope(Scalar height) {
-      return new Differentiation(expressions, Map.of(way(), expressions.one())).of(height);
+    ClosestPointSearch.Curve curve(Expression height) {
+      Scalar h = scalar(height);
+      Scalar slope = byWay(h);
+      return new ClosestPointSearch.Curve(way(), h, slope, byWay(slope));
+    }
+
+    private Scalar byWay(Scalar value) {
+      return new Differentiation(expressions, Map.of(way(), expressions.one())).of(value);
     }
   }
 }

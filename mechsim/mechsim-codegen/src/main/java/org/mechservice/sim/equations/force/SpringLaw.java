@@ -6,17 +6,19 @@ import org.mechservice.solver.mechanism.force.Side;
 
 /**
  * A spring and damper of one coordinate z with rate z′: the tension T, positive against growing z.
- * With x = z − z0: T = F0 + k x + c x′ on both sides, k pos(x) + c x′ pos′(x) above, −(k pos(y) + c
- * y′ pos′(y)) with y = −x below.
+ * With x = z − z0: T = F0 + k x + c x′ on both sides, the push of a {@link PushLaw} of x above, and
+ * its opposite with y = −x below.
  *
  * @param side side on which it acts
  * @param k stiffness
  * @param c damping
+ * @param chi dissipation
  * @param rest z0
  * @param preload F0
  * @param eps smoothing of pos
  */
-record SpringLaw(Side side, Scalar k, Scalar c, Scalar rest, Scalar preload, double eps) {
+record SpringLaw(
+    Side side, Scalar k, Scalar c, Scalar chi, Scalar rest, Scalar preload, double eps) {
   /** Tension, relative to its terms, that counts as zero. */
   private static final double NO_TENSION = 1e-9;
 
@@ -24,9 +26,13 @@ record SpringLaw(Side side, Scalar k, Scalar c, Scalar rest, Scalar preload, dou
     return z.minus(rest);
   }
 
-  private SmoothPart part(Scalar z) {
-    Scalar x = elongation(z);
-    return new SmoothPart(side == Side.ABOVE ? x : x.negated(), eps);
+  private PushLaw push() {
+    return new PushLaw(k, 1, c, chi, eps);
+  }
+
+  /** Returns a value with the sign of the side. */
+  private Scalar signed(Scalar value) {
+    return side == Side.ABOVE ? value : value.negated();
   }
 
   /** Returns whether there is no tension at z = z′ = 0, up to rounding of its terms. */
@@ -37,34 +43,28 @@ record SpringLaw(Side side, Scalar k, Scalar c, Scalar rest, Scalar preload, dou
     return tension.isConstant() && Math.abs(tension.value()) <= NO_TENSION * scale;
   }
 
-  /** Returns the damper's part of the tension. */
+  /** Returns the part of the tension without potential energy: that of the damper. */
   Scalar dampingForce(Scalar z, Scalar rate) {
-    if (c.isZero()) {
-      return z.expressions().zero();
+    if (side == Side.BOTH) {
+      return c.isZero() ? z.expressions().zero() : rate.times(c);
     }
-    Scalar force = rate.times(c);
-    return side == Side.BOTH ? force : force.times(part(z).slope());
+    return signed(push().dissipative(signed(elongation(z)), signed(rate)));
   }
 
   /** Returns the tension. */
   Scalar tension(Scalar z, Scalar rate) {
-    Expressions e = z.expressions();
-    Scalar damping = dampingForce(z, rate);
     if (side == Side.BOTH) {
-      return preload.plus(elongation(z).times(k)).plus(damping);
+      return preload.plus(elongation(z).times(k)).plus(dampingForce(z, rate));
     }
-    Scalar spring =
-        k.isZero() ? e.zero() : part(z).value().times(side == Side.ABOVE ? k : k.negated());
-    return spring.plus(damping);
+    return signed(push().force(signed(elongation(z)), signed(rate)));
   }
 
   /** Returns the energy of the spring, zero at the rest position. */
   Scalar potential(Scalar z) {
-    Expressions e = z.expressions();
     if (side == Side.BOTH) {
       Scalar x = elongation(z);
       return x.times(k.times(0.5)).plus(preload).times(x);
     }
-    return k.isZero() ? e.zero() : part(z).integral(1).times(k);
+    return push().potential(signed(elongation(z)));
   }
 }

@@ -25,7 +25,8 @@ final class DenseForecast {
   /** Pairs of coordinates that influence each other, likewise; a chain of 300 links has as many. */
   private static final long MANY_PAIRS = 44_000;
 
-  private static final String ADVICE = "formulation RR-JF with ode15sR";
+  private static final String BESIDE_ODE15S = "formulation RR-JF with ode15sR";
+  private static final String BESIDE_RR = "formulation RR-JF";
 
   private DenseForecast() {}
 
@@ -54,7 +55,8 @@ final class DenseForecast {
         findings.add(ofStates(free, tree));
       }
     } else if (formulation.equalsIgnoreCase(Formulation.RR.label()) && pairs(tree) >= MANY_PAIRS) {
-      findings.add(ofPairs("RR takes differences of its residual for", tree, advice(tree)));
+      findings.add(
+          ofPairs("RR takes differences of its residual for", tree, advice(BESIDE_RR, tree)));
     } else if (formulation.equalsIgnoreCase(Formulation.RR_JF.label())
         && pairs(tree) >= MANY_PAIRS
         && !obstacle(tree).isEmpty()) {
@@ -82,13 +84,17 @@ final class DenseForecast {
                 + " accelerations for each of them; its factors cost the cube of their number%s",
             unknowns,
             Math.round(8e-6 * unknowns * unknowns),
-            advice(tree)));
+            advice(BESIDE_ODE15S, tree)));
   }
 
-  /** Returns the advice to keep the equations of a step by links, if that is possible. */
-  private static String advice(TreeGeometry tree) {
+  /**
+   * Returns the advice to keep the equations of a step by links, if that is possible.
+   *
+   * @param method another than the one that runs
+   */
+  private static String advice(String method, TreeGeometry tree) {
     return pairs(tree) < MANY_PAIRS || obstacle(tree).isEmpty()
-        ? "; " + ADVICE + " keeps the equations of a step in their sparsity"
+        ? "; " + method + " keeps the equations of a step in their sparsity"
         : "";
   }
 

@@ -20,6 +20,8 @@ import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.mechanism.closure.CoordinateClosure;
+import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.UserForceElement;
@@ -27,7 +29,8 @@ import org.mechservice.solver.mechanism.joint.Joint;
 
 /**
  * Finds bodies that nothing moves: they start at rest, the forces on them balance there, and no
- * drive, input or formula of time acts on them, so that they stay where they are during the run.
+ * drive, input or formula of time, in a force or in a constraint, acts on them, so that they stay
+ * where they are during the run.
  *
  * <p>The bodies are taken in groups: those beyond one joint of the root, together with those that
  * constraints and forces between bodies connect to them.
@@ -84,10 +87,13 @@ final class RestCheck {
       moving[group[j]] |= mechanism.isDriven(j);
     }
     for (ForceElement force : mechanism.forces()) {
-      boolean timed = force.formulas().stream().anyMatch(f -> isTimed(f.expression()));
-      if (timed) {
-        force.bodies().stream().filter(b -> b != Mechanism.ROOT).forEach(b -> moves(groupOf(b)));
-        force.jointCoordinate().ifPresent(coordinate -> moves(groupOf(coordinate)));
+      if (force.formulas().stream().anyMatch(f -> isTimed(f.expression()))) {
+        moves(force);
+      }
+    }
+    for (LoopClosure closure : mechanism.closures()) {
+      if (formulas(closure).stream().anyMatch(RestCheck::isTimed)) {
+        moves(LoopPaths.indices(closure));
       }
     }
     return accelerate(model, settings) ? finding() : Optional.empty();
@@ -109,8 +115,26 @@ final class RestCheck {
                     || part instanceof Expression.RelativeMotion);
   }
 
-  private void moves(int number) {
-    moving[number] = true;
+  private static List<Expression> formulas(LoopClosure closure) {
+    if (closure instanceof JointClosure joint) {
+      return joint.motion();
+    }
+    return closure instanceof CoordinateClosure coupling ? List.of(coupling.relation()) : List.of();
+  }
+
+  /** Marks what a force acts on; a coupling of coordinates may act on everything that it reads. */
+  private void moves(ForceElement force) {
+    if (force.jointCoordinate().isPresent()) {
+      moving[groupOf(force.jointCoordinate().get())] = true;
+    } else {
+      moves(force.bodies());
+    }
+  }
+
+  /** Marks the groups of bodies; all of them if no bodies are named. */
+  private void moves(List<Integer> bodies) {
+    List<Integer> moved = bodies.isEmpty() ? all() : bodies;
+    moved.stream().filter(b -> b != Mechanism.ROOT).forEach(b -> moving[groupOf(b)] = true);
   }
 
   /** Joins what hangs at the root to groups. */

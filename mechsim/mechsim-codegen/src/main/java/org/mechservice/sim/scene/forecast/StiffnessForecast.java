@@ -105,8 +105,8 @@ public final class StiffnessForecast {
             ? "use integrator \"auto\", \"ode15s\" or \"ode15sR\", whose steps such a motion does"
                 + " not limit once it has died away"
             : "hardly damped, it has to be followed by every method as long as it is excited: end"
-                + " the run earlier, lower the stiffness, make the part rigid, or give it damping"
-                + " and use integrator \"auto\"";
+                + " the run earlier, lower the stiffness, make the part rigid, or give it damping,"
+                + " with which the steps of an implicit integrator grow once it has died away";
     return new Finding(
         MessageCode.VERY_MANY_STEPS,
         String.format(

@@ -104,6 +104,29 @@ class RestCheckTest {
     assertThat(warnings(parts[0].replace("length0='1'", ""), swinging)).isEmpty();
   }
 
+  /** A coupling and a torque on a point over time, and constraints that time moves. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "<couplingSpringDamper name='k' expression='spin.q - 0.1*smoothStep(t-1)' quantity='angle'"
+            + " k='100'/>",
+        "<forceTorque name='f' body='disc' point='o' tz='0.1*smoothStep(t-1)'/>",
+        "|<CoordConstraint name='c' expression='spin.q - swing.q - 0.1*smoothStep(t-1)'/>",
+        "|<CoordConstraint name='c' expression='spin.q - ramp(t)'/>"
+      })
+  void bodyThatAFormulaOfTimeMovesLaterIsNot(String forcesAndConstraints) throws MechmlException {
+    String[] parts = (forcesAndConstraints + "|").split("\\|", -1);
+    String text =
+        model("", parts[0], "")
+            .replace("<Forces>", "<Constraints>" + parts[1] + "</Constraints><Forces>")
+            .replace("<Constraints></Constraints>", "")
+            .replace(
+                "<Bodies>", "<Tables><table name='ramp' x='0;1;2' y='0;0;1'/></Tables><Bodies>");
+
+    assertThat(warnings(text, ReadOptions.NONE))
+        .noneMatch(warning -> warning.contains("N-036") && warning.contains("\"disc\""));
+  }
+
   @Test
   void silencedWarningsAreNotGiven() throws MechmlException {
     String still = model("silence='body-stays-at-rest'", "", "");

@@ -75,13 +75,22 @@ public final class ContractErrors {
         ContractTypes.diagnostics(diagnostics));
   }
 
-  /** Returns the refusal of a model with warnings by a strict request. */
-  public static InvalidModel strict(List<Diagnostic> warnings) {
+  /**
+   * Refuses a strict request of a model with warnings.
+   *
+   * @throws InvalidModel if there are any
+   */
+  public static void requireNoWarnings(List<Diagnostic> warnings) throws InvalidModel {
     int count = warnings.size();
-    return new InvalidModel(
-        MessageCode.WARNINGS_REFUSED.code(),
-        "the model has " + count + (count == 1 ? " warning" : " warnings") + ", and strict was set",
-        ContractTypes.diagnostics(warnings));
+    if (count > 0) {
+      throw new InvalidModel(
+          MessageCode.WARNINGS_REFUSED.code(),
+          "the model has "
+              + count
+              + (count == 1 ? " warning" : " warnings")
+              + ", and strict was set",
+          ContractTypes.diagnostics(warnings));
+    }
   }
 
   /**

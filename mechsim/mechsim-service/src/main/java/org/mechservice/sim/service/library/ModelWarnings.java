@@ -1,6 +1,5 @@
 package org.mechservice.sim.service.library;
 
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -8,12 +7,11 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.ReadOptions;
+import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.mechml.diagnosis.Diagnostic;
-import org.mechservice.sim.scene.Finding;
 import org.mechservice.sim.scene.forecast.RunForecast;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.catalogue.Severity;
 
 /** The warnings of a model and of its runs that are known before a run begins. */
 public final class ModelWarnings {
@@ -21,33 +19,8 @@ public final class ModelWarnings {
 
   /** Returns the warnings of a run with the settings of the file. */
   static List<Diagnostic> of(MechmlModel model) {
-    return of(
-        model, model.settings().formulation(), model.settings().closure(), model.settings().run());
-  }
-
-  /**
-   * Returns the reader's warnings, then joints that move nothing or that no inertia resists, and
-   * whether a run will take very many steps.
-   *
-   * @param formulation requested
-   * @param closure requested
-   * @param run settings of the run
-   */
-  static List<Diagnostic> of(
-      MechmlModel model, String formulation, String closure, RunSettings run) {
-    List<Diagnostic> warnings = new ArrayList<>(model.warnings());
-    for (Finding finding : RunForecast.of(model, formulation, closure, run)) {
-      warnings.add(
-          new Diagnostic(
-              Severity.WARNING,
-              finding.code(),
-              finding.text(),
-              finding.origin().file(),
-              finding.origin().line(),
-              0,
-              ""));
-    }
-    return warnings;
+    SimulationSettings settings = model.settings();
+    return RunForecast.warnings(model, settings.formulation(), settings.closure(), settings.run());
   }
 
   /**
@@ -63,7 +36,7 @@ public final class ModelWarnings {
             && closure.equals(source.model().settings().closure());
     return source.options().equals(ReadOptions.NONE) && sameMethods && RunForecast.isSame(run, file)
         ? Optional.empty()
-        : Optional.of(of(source.model(), formulation, closure, run));
+        : Optional.of(RunForecast.warnings(source.model(), formulation, closure, run));
   }
 
   /**

@@ -21,6 +21,13 @@ final class RunOutput implements ResultSink {
   private final ResultSpool spool;
   private final RunControl control;
   private final double[] lastState;
+
+  /**
+   * Whether the rows have the state behind their time: those of motions. Rows of an analysis, such
+   * as modes, need not, and may be shorter.
+   */
+  private final boolean stateInRows;
+
   private final Object stateWatch = new Object();
   private final CurveHistory curves = new CurveHistory();
   private final int kineticColumn;
@@ -49,7 +56,11 @@ final class RunOutput implements ResultSink {
     potentialColumn = columns.indexOf("energy.potential");
     workColumn = columns.indexOf("energy.work");
     residualColumn = columns.indexOf("constraint.position");
-    lastState = new double[task.description().stateCount()];
+    List<Variable> states = task.description().states();
+    lastState = new double[states.size()];
+    List<Variable> variables = columns.variables();
+    stateInRows =
+        variables.size() > states.size() && variables.subList(1, states.size() + 1).equals(states);
     startFrom(task);
   }
 
@@ -77,7 +88,9 @@ final class RunOutput implements ResultSink {
       throw new IOException("the run was taken for ended");
     }
     lastTime = values[0];
-    System.arraycopy(values, 1, lastState, 0, lastState.length);
+    if (stateInRows) {
+      System.arraycopy(values, 1, lastState, 0, lastState.length);
+    }
     observe(values);
     sampleCurves(lastTime);
     spool.append(values);

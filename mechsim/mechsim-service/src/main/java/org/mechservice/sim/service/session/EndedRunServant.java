@@ -93,7 +93,11 @@ final class EndedRunServant implements IMechSimRemoteOperations {
     double[] state = new double[kept.run().states().size()];
     for (int i = 0; i < state.length; i++) {
       Variable wanted = kept.run().states().get(i);
-      state[i] = values[kept.run().columns().indexOf(wanted.name())];
+      int at = kept.run().columns().indexOf(wanted.name());
+      if (at < 0) {
+        throw hasEnded("asked for a state: its rows are those of an analysis, without one");
+      }
+      state[i] = values[at];
     }
     simTime.value = values[0];
     return state;

@@ -39,6 +39,7 @@ import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.sim.check.CheckReport;
 import org.mechservice.sim.model.BuildOptions;
 import org.mechservice.sim.model.ModelFactory;
+import org.mechservice.sim.scene.forecast.RunForecast;
 import org.mechservice.sim.service.contract.ContractErrors;
 import org.mechservice.sim.service.contract.ContractTypes;
 import org.mechservice.sim.service.library.LoadedModel;
@@ -171,13 +172,15 @@ final class MechSimServant implements MechSimOperations {
     }
   }
 
-  /** Returns a parsed request; refuses a strict one if the reader of the file has warnings. */
+  /** Returns a parsed request; refuses a strict one if there are warnings before its run. */
   private Parsed parsedToBuild(NameValue[] options)
       throws InvalidState, InvalidOption, InvalidModel {
     Parsed parsed = parsed(options);
-    MechmlModel model = parsed.model().model();
-    if (parsed.request().strict() && !model.warnings().isEmpty()) {
-      throw ContractErrors.strict(model.warnings());
+    SimulationRequest asked = parsed.request();
+    if (asked.strict()) {
+      ContractErrors.requireNoWarnings(
+          RunForecast.warnings(
+              parsed.model().model(), asked.formulation(), asked.closure(), asked.settings()));
     }
     return parsed;
   }
@@ -206,11 +209,10 @@ final class MechSimServant implements MechSimOperations {
   @Override
   public String checkReport(boolean asJson) throws InvalidState {
     MechmlModel model = requireModel().model();
-    return longTexts.of(List.of(model, asJson), () -> checkReport(model, asJson));
+    return longTexts.of(List.of(model, asJson), () -> text(CheckReport.of(model), asJson));
   }
 
-  private static String checkReport(MechmlModel model, boolean asJson) {
-    CheckReport report = CheckReport.of(model);
+  private static String text(CheckReport report, boolean asJson) {
     return asJson ? report.json() : report.text();
   }
 
@@ -227,9 +229,17 @@ final class MechSimServant implements MechSimOperations {
   @Override
   public String checkReportWith(NameValue[] options, boolean asJson)
       throws InvalidModel, InvalidOption, InvalidState {
-    MechmlModel model = parsed(options).model().model();
+    Parsed parsed = parsed(options);
+    MechmlModel model = parsed.model().model();
+    SimulationRequest asked = parsed.request();
     OptionalInt part = SimulationRequest.textPart(RequestOptions.of(options));
-    String text = longTexts.of(List.of(model, asJson), () -> checkReport(model, asJson));
+    String text =
+        longTexts.of(
+            List.of(model, asJson, asked.formulation(), asked.closure(), asked.settings()),
+            () ->
+                text(
+                    CheckReport.of(model, asked.formulation(), asked.closure(), asked.settings()),
+                    asJson));
     return part.isEmpty() ? text : LongTexts.part(text, part.getAsInt());
   }
 

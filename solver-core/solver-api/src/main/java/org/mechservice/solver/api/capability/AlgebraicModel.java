@@ -6,6 +6,14 @@ package org.mechservice.solver.api.capability;
  */
 public interface AlgebraicModel extends ExplicitModel, Defects {
   /**
+   * Prepares for the states of a run, before the first of them.
+   *
+   * @param from start time, s
+   * @param to end time, s
+   */
+  default void begin(double from, double to) {}
+
+  /**
    * Finds the state at an output time.
    *
    * @param t time, s; not before the time of the last call

@@ -7,13 +7,16 @@ import org.mechservice.solver.api.ModelDescription;
 /**
  * The parts of a model: its equations, its events, and its result columns beside joints, energies
  * and poses. {@link #of} returns the parts of any model; a model that consists of equations only
- * has no events and no columns.
+ * has no events, no columns and no user classes.
  *
  * @param equations the equations, with the capabilities they implement
  * @param events the events; empty if the model has none
  * @param columns the further columns; {@link ResultColumns#NONE} if there are none
+ * @param userClasses whether classes of users compute some of its forces: nothing is known of these
+ *     but their values, so that a run searches for jumps in them
  */
-public record ModelParts(Model equations, Optional<ModelEvents> events, ResultColumns columns)
+public record ModelParts(
+    Model equations, Optional<ModelEvents> events, ResultColumns columns, boolean userClasses)
     implements Model {
   /** Returns the parts of a model. */
   public static ModelParts of(Model model) {
@@ -21,17 +24,22 @@ public record ModelParts(Model equations, Optional<ModelEvents> events, ResultCo
       return parts;
     }
     ResultColumns own = model instanceof ResultColumns columns ? columns : ResultColumns.NONE;
-    return new ModelParts(model, Optional.empty(), own);
+    return new ModelParts(model, Optional.empty(), own, false);
   }
 
   /** Returns these parts with events. */
   public ModelParts with(ModelEvents along) {
-    return new ModelParts(equations, Optional.of(along), columns);
+    return new ModelParts(equations, Optional.of(along), columns, userClasses);
   }
 
   /** Returns these parts with other columns. */
   public ModelParts with(ResultColumns further) {
-    return new ModelParts(equations, events, further);
+    return new ModelParts(equations, events, further, userClasses);
+  }
+
+  /** Returns these parts as those of a model with forces by classes of users. */
+  public ModelParts withUserClasses() {
+    return new ModelParts(equations, events, columns, true);
   }
 
   @Override

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.result.Variable;
+import org.mechservice.solver.api.run.RunNotes.Note;
 
 /**
  * A model that was built with further groups of result columns: residuals and multipliers of
@@ -34,6 +35,20 @@ public interface ResultColumns {
    * @param at index of the first
    */
   void values(ColumnGroup group, double t, double[] y, double[] values, int at);
+
+  /**
+   * Watches a state of the motion for what notes tell: constraints that push only, and pull there.
+   * Rows call it; a state in between may be given as well.
+   *
+   * @param t time, s
+   * @param y state [q; v]; not modified
+   */
+  default void observe(double t, double[] y) {}
+
+  /** Returns the notes on the states observed so far. */
+  default List<Note> notes() {
+    return List.of();
+  }
 
   /** Returns the balance of momentum that a run must update, if its columns are among these. */
   default Optional<MomentumBalance> momentum() {

@@ -3,7 +3,6 @@ package org.mechservice.solver.closure.assembly;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Random;
 import java.util.function.Predicate;
 import org.mechservice.solver.closure.equations.CoordinateUnits;
 import org.mechservice.solver.closure.equations.LoopEquations;
@@ -11,46 +10,32 @@ import org.mechservice.solver.closure.equations.LoopRounding;
 import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
-import org.mechservice.solver.linear.Interruption;
 import org.mechservice.solver.linear.SparseMatrix;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.joint.StartRole;
 
 /**
- * Closes the loops at the start: positions by damped Gauss-Newton iteration, weighted by how far
- * each joint may move, and velocities by the least change (NUMERICS §3). A state that satisfies the
- * loops is not changed in any bit. Runs once at set-up and allocates memory.
+ * Closes the loops at the start: positions by the nearest ones that satisfy them, and velocities by
+ * the least change (NUMERICS §3). Joints without given start values move first; given ones move, as
+ * little as possible, only if these do not suffice. A state that satisfies the loops is not changed
+ * in any bit. Runs once at set-up and allocates memory.
+ *
+ * <p>A residual counts as closed below the rounding errors of the mechanism ({@link LoopRounding}).
+ * What no motion reduces is the misfit of redundant equations; it is accepted up to {@link
+ * LoopRounding#MISFIT} of the size of the mechanism.
  */
 public final class Assembly {
-  /** Relative residual beyond rounding below which a state is not changed. */
-  private static final double CLOSED = 1e-13;
-
-  /** Relative residual above which a correction is reported as a warning. */
-  private static final double NOTEWORTHY = 1e-9;
-
-  private static final int ITERATIONS = 60;
-
-  /** Longest move of a coordinate in one iteration, rad or lengths of the mechanism. */
-  private static final double LONGEST_STEP = 0.4;
-
-  /** Sizes of random moves of the start with which a failed iteration is tried again. */
-  private static final double[] KICKS = {0, 0.01, 0.1, 0.3, 0.6};
-
-  /** Weight of a joint with a given start value; a free joint has weight 1. */
-  private static final double RELUCTANCE = 1e-3;
+  /** Rate over the speed below which velocities are not changed. */
+  private static final double FITTING = 1e-13;
 
   private final TreeMotion motion;
   private final LoopEquations loops;
-  private final StateCoordinates coordinates;
-  private final LoopRounding rounding;
   private final CoordinateUnits units;
   private final StartRole[] positionRoles;
   private final StartRole[] velocityRoles;
 
-  /** Those of what is being assembled: positions or velocities. */
-  private StartRole[] role;
-
   private final LeastMoves least;
+  private final NearestPositions nearest;
 
   /** J, rows divided by their sizes and columns multiplied by their weights. */
   private final SparseMatrix matrix;
@@ -74,14 +59,11 @@ public final class Assembly {
     motion = new TreeMotion(tree);
     loops = new LoopEquations(tree, true);
     Mechanism mechanism = tree.mechanism();
-    coordinates = new StateCoordinates(mechanism);
-    rounding = new LoopRounding(tree, loops, coordinates);
     units = new CoordinateUnits(mechanism, loops.length());
     nq = mechanism.positionCount();
     nv = mechanism.velocityCount();
     positionRoles = new StartRole[nv];
     velocityRoles = new StartRole[nv];
-    role = positionRoles;
     for (int j = 0; j < mechanism.joints().size(); j++) {
       if (!mechanism.isDriven(j)) {
         int at = mechanism.velocityOffset(j);
@@ -92,10 +74,10 @@ public final class Assembly {
       }
     }
     matrix = loops.jacobian.sameShape();
-    least =
-        isLarge.test(loops)
-            ? new SparseLeastMoves(matrix, nv)
-            : new DenseLeastMoves(loops.count(), nv);
+    least = LeastMoves.of(loops, nv, isLarge.test(loops));
+    StateCoordinates coordinates = new StateCoordinates(mechanism);
+    LoopRounding rounding = new LoopRounding(tree, loops, coordinates);
+    nearest = new NearestPositions(motion, loops, coordinates, units, rounding, least);
     right = new double[loops.count()];
     step = new double[nv];
   }
@@ -116,171 +98,61 @@ public final class Assembly {
     return findings;
   }
 
+  /**
+   * Closes the loops near a state by the first positions found, whatever the roles of the joints.
+   *
+   * @param t s
+   * @param y state [q; v]; its positions are overwritten
+   */
+  void closeNear(double t, double[] y) {
+    nearest.close(t, y);
+  }
+
   private void assemblePositions(double t, double[] y, List<LoopFinding> findings) {
-    double residual = residual(t, y);
-    if (residual <= CLOSED) {
+    double residual = nearest.place(t, y);
+    if (residual <= NearestPositions.CLOSED) {
       return;
     }
     int worst = loops.worst(loops.value);
     LoopFinding moved =
         finding(LoopFinding.Kind.START_MOVED, worst, Math.abs(loops.value[worst]), t);
-    if (closePositions(t, y)) {
-      if (!(residual <= NOTEWORTHY)) {
+    if (nearest.closeInTurn(t, y, willing(positionRoles, StartRole.PREFERRED))) {
+      if (!(residual <= LoopRounding.MISFIT)) {
         findings.add(moved);
       }
       return;
     }
-    residual(t, y);
+    nearest.place(t, y);
     worst = loops.worst(loops.value);
     double least = Math.abs(loops.value[worst]);
     findings.add(finding(LoopFinding.Kind.NOT_CLOSED, worst, least, t));
   }
 
-  private double residual(double t, double[] y) {
-    motion.sweep(t, y);
-    loops.place(motion, t);
-    loops.differentiate(motion);
-    return rounding.excess(y);
-  }
-
-  /** Moves only free joints if that suffices, otherwise given ones too; then tries other starts. */
-  private boolean closePositions(double t, double[] y) {
-    role = positionRoles;
-    double[] best = y.clone();
-    double least = residual(t, y);
-    for (double kick : KICKS) {
-      for (StartRole reluctant : new StartRole[] {StartRole.FREE, StartRole.PREFERRED}) {
-        double[] tried = y.clone();
-        kick(tried, kick, reluctant);
-        double reached = iterate(t, tried, reluctant);
-        if (reached < least) {
-          least = reached;
-          best = tried;
-        }
-        if (least <= (reluctant == StartRole.FREE ? CLOSED : NOTEWORTHY)) {
-          System.arraycopy(best, 0, y, 0, y.length);
-          return true;
-        }
-      }
+  /** Returns how willingly coordinates move: 0 if they must not. */
+  private static double[] willing(StartRole[] role, StartRole last) {
+    double[] willing = new double[role.length];
+    for (int j = 0; j < willing.length; j++) {
+      boolean moves = last == StartRole.PREFERRED && role[j] == StartRole.PREFERRED;
+      willing[j] = role[j] == StartRole.FREE ? 1 : moves ? NearestPositions.RELUCTANT : 0;
     }
-    System.arraycopy(best, 0, y, 0, y.length);
-    return false;
-  }
-
-  private void kick(double[] y, double size, StartRole last) {
-    Random random = new Random(271828);
-    double[] move = new double[nv];
-    for (int j = 0; j < nv; j++) {
-      move[j] = (2 * random.nextDouble() - 1) * weight(j, last);
-    }
-    coordinates.move(y, 0, move, 0, size);
-  }
-
-  /** Returns the weight of a velocity's coordinate; 0 if it must not move. */
-  private double weight(int velocity, StartRole last) {
-    if (role[velocity] == StartRole.FREE) {
-      return units.velocities[velocity];
-    }
-    boolean moves = last == StartRole.PREFERRED && role[velocity] == StartRole.PREFERRED;
-    return moves ? RELUCTANCE * units.velocities[velocity] : 0;
-  }
-
-  /** Iterates from a state; returns the final residual. */
-  private double iterate(double t, double[] y, StartRole last) {
-    double merit = merit(t, y);
-    double damping = 0;
-    for (int i = 0; i < ITERATIONS && rounding.excess(y) > CLOSED; i++) {
-      Interruption.check();
-      differentiate(last, true);
-      double[] tried = y.clone();
-      least.solve(damping, right, step);
-      advance(tried, last);
-      double reached = merit(t, tried);
-      if (reached < merit) {
-        boolean slow = reached > 0.5 * merit;
-        merit = reached;
-        damping = slow ? damping : damping / 10;
-        damping = damping < 1e-14 ? 0 : damping;
-        System.arraycopy(tried, 0, y, 0, y.length);
-      } else {
-        damping = Math.max(10 * damping, 1e-8);
-        if (damping > 1e3) {
-          break;
-        }
-        merit(t, y);
-      }
-    }
-    return residual(t, y);
-  }
-
-  private double merit(double t, double[] y) {
-    residual(t, y);
-    double sum = 0;
-    for (int row = 0; row < loops.count(); row++) {
-      double part = loops.value[row] / loops.size(row);
-      right[row] = -part;
-      sum += part * part;
-    }
-    return Double.isNaN(sum) ? Double.POSITIVE_INFINITY : sum;
-  }
-
-  /**
-   * Forms J with rows divided by their sizes and columns multiplied by their weights relative to
-   * the largest.
-   *
-   * @param ofPositions whether positions are to change, which non-holonomic equations do not
-   *     restrict
-   */
-  private void differentiate(StartRole last, boolean ofPositions) {
-    loops.differentiate(motion);
-    double most = mostReady(last);
-    for (int row = 0; row < loops.count(); row++) {
-      for (int e = matrix.start[row]; e < matrix.start[row + 1]; e++) {
-        int j = matrix.column[e];
-        boolean counts = j < nv && (loops.isHolonomic(row) || !ofPositions);
-        matrix.value[e] =
-            counts ? loops.jacobian.value[e] * weight(j, last) / most / loops.size(row) : 0;
-      }
-    }
-    least.take(matrix);
-  }
-
-  /** Returns the largest weight divided by its unit, so that moves are in units. */
-  private double mostReady(StartRole last) {
-    double most = 0;
-    for (int j = 0; j < nv; j++) {
-      most = Math.max(most, weight(j, last) / units.velocities[j]);
-    }
-    return most > 0 ? most : 1;
-  }
-
-  private void advance(double[] y, StartRole last) {
-    double most = mostReady(last);
-    double longest = 0;
-    for (int j = 0; j < nv; j++) {
-      double scale = weight(j, last) / most;
-      longest = Math.max(longest, Math.abs(step[j]) * scale / units.velocities[j]);
-      step[j] *= scale;
-    }
-    coordinates.move(y, 0, step, 0, longest > LONGEST_STEP ? LONGEST_STEP / longest : 1);
+    return willing;
   }
 
   private void assembleVelocities(double t, double[] y, List<LoopFinding> findings) {
     double speed = Math.max(units.speed(y, nq), rateResidual(t, y));
     double residual = rateResidual(t, y);
-    if (!(residual > CLOSED * speed)) {
+    if (!(residual > FITTING * speed)) {
       return;
     }
     int worst = loops.worst(loops.rate);
     LoopFinding changed =
         finding(LoopFinding.Kind.START_VELOCITY_CHANGED, worst, residual * loops.size(worst), t);
     double[] before = y.clone();
-    role = velocityRoles;
     for (StartRole last : new StartRole[] {StartRole.FREE, StartRole.PREFERRED}) {
       System.arraycopy(before, 0, y, 0, y.length);
-      if (fitVelocities(t, y, last) <= NOTEWORTHY * speed) {
+      if (fitVelocities(t, y, last) <= LoopRounding.MISFIT * speed) {
         // velocities that nobody gave are chosen, not corrected
-        if (last == StartRole.PREFERRED && residual > NOTEWORTHY * speed) {
+        if (last == StartRole.PREFERRED && residual > LoopRounding.MISFIT * speed) {
           findings.add(changed);
         }
         return;
@@ -304,16 +176,25 @@ public final class Assembly {
    * errors of the first.
    */
   private double fitVelocities(double t, double[] y, StartRole last) {
+    double[] unit = willing(velocityRoles, last);
+    double most = Arrays.stream(unit).max().orElse(0);
+    for (int j = 0; j < nv; j++) {
+      unit[j] *= most > 0 ? units.velocities[j] / most : 0;
+    }
     double reached = rateResidual(t, y);
     for (int pass = 0; pass < 2; pass++) {
-      differentiate(last, false);
+      loops.differentiate(motion);
       for (int row = 0; row < loops.count(); row++) {
+        for (int e = matrix.start[row]; e < matrix.start[row + 1]; e++) {
+          int j = matrix.column[e];
+          matrix.value[e] = j < nv ? loops.jacobian.value[e] * unit[j] / loops.size(row) : 0;
+        }
         right[row] = -loops.rate[row] / loops.size(row);
       }
+      least.take(matrix);
       least.solve(0, right, step);
-      double most = mostReady(last);
       for (int j = 0; j < nv; j++) {
-        y[nq + j] += step[j] * weight(j, last) / most;
+        y[nq + j] += step[j] * unit[j];
       }
       reached = rateResidual(t, y);
     }

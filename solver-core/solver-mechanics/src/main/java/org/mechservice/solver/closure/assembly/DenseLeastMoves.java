@@ -1,5 +1,6 @@
 package org.mechservice.solver.closure.assembly;
 
+import java.util.OptionalDouble;
 import org.mechservice.solver.linear.SparseMatrix;
 import org.mechservice.solver.linear.spectrum.SingularValues;
 
@@ -37,6 +38,17 @@ final class DenseLeastMoves implements LeastMoves {
     } else {
       singular.solve(rank(), right, x);
     }
+  }
+
+  @Override
+  public OptionalDouble largestOverSmallest() {
+    int rank = rank();
+    return OptionalDouble.of(rank == 0 ? 1 : singular.value(0) / singular.value(rank - 1));
+  }
+
+  @Override
+  public void solveTransposed(double[] right, double[] x) {
+    singular.solveTransposed(rank(), right, x);
   }
 
   private int rank() {

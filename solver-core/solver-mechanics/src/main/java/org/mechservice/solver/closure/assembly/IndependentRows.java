@@ -1,6 +1,7 @@
 package org.mechservice.solver.closure.assembly;
 
 import java.util.List;
+import org.mechservice.solver.closure.equations.LoopRounding;
 
 /** The rank of a matrix, and its redundant rows. */
 interface IndependentRows {
@@ -8,7 +9,7 @@ interface IndependentRows {
   double GAP = 1e4;
 
   /** Fraction of the largest singular value that all values beyond the gap are below. */
-  double NEGLIGIBLE = 1e-8;
+  double NEGLIGIBLE = LoopRounding.MISFIT;
 
   /** Returns the number of independent rows. */
   int rank();

@@ -1,6 +1,8 @@
 package org.mechservice.solver.closure.assembly;
 
+import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
 import org.mechservice.solver.api.capability.Defects.Defect;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.MessageCode;
@@ -37,7 +39,10 @@ public final class LoopDefect {
   private static String other(String formulation, boolean penalty) {
     boolean solvesThere =
         formulation.equals(Formulation.RR_JF.label()) || solvesPenalty(formulation, penalty);
-    return solvesThere ? "DSR with penalty closure and ode113" : "RR-JF with ode15sR";
+    if (solvesThere) {
+      return penalty ? "DSR with ode113" : "DSR with penalty closure and ode113";
+    }
+    return formulation.equals(Formulation.RR.label()) ? "RR-JF" : "RR-JF with ode15sR";
   }
 
   /** Returns whether implicit steps are solved with the forces of the penalty. */
@@ -54,6 +59,57 @@ public final class LoopDefect {
             + " neighbouring positions, and no independent coordinates can be chosen.",
         "Start at a neighbouring position, or choose penalty closure, which needs no independent"
             + " coordinates.");
+  }
+
+  /**
+   * A coordinate that differs between two assemblies of a loop that meet.
+   *
+   * @param name of the coordinate
+   * @param value where they meet, rad or m
+   * @param grows whether it is larger in the first of them
+   */
+  public record Way(String name, double value, boolean grows) {}
+
+  /**
+   * Two assemblies of a loop meet.
+   *
+   * @param t time at which they meet, s
+   * @param ways the coordinates that differ between them
+   * @param crossing whether positions exist beyond
+   */
+  public static Defect assembliesMeet(String equation, double t, List<Way> ways, boolean crossing) {
+    String values =
+        ways.stream()
+            .map(way -> String.format(Locale.ROOT, "%s = %.6g", way.name, way.value))
+            .collect(Collectors.joining(", "));
+    return new Defect(
+        MessageCode.LOOPS_NOT_CLOSED,
+        equation,
+        String.format(Locale.ROOT, "Two assemblies of this loop meet at t = %.6g s", t)
+            + (values.isEmpty() ? ": " : ", at " + values + ": ")
+            + branches(ways)
+            + (crossing
+                ? " Both continue beyond, and nothing in the motion says which one follows."
+                : " Neither continues beyond: the loop locks there."),
+        "Change a dimension or the range of the drive, so that the loop keeps away from this"
+            + " position, or end the run before.");
+  }
+
+  private static String branches(List<Way> ways) {
+    String first = names(ways, true);
+    String second = names(ways, false);
+    if (first.isEmpty() || second.isEmpty()) {
+      String only = first + second;
+      return only.isEmpty() ? "" : "in one of them " + only + " is larger than in the other.";
+    }
+    return "in one of them " + first + " is larger and " + second + " smaller than in the other.";
+  }
+
+  private static String names(List<Way> ways, boolean grows) {
+    return ways.stream()
+        .filter(way -> way.grows == grows)
+        .map(Way::name)
+        .collect(Collectors.joining(", "));
   }
 
   /** No positions or velocities fit the independent ones. */

@@ -12,6 +12,7 @@ import java.util.stream.IntStream;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.closure.equations.CoordinateUnits;
 import org.mechservice.solver.closure.equations.LoopEquations;
+import org.mechservice.solver.closure.equations.LoopRounding;
 import org.mechservice.solver.dynamics.OpenTree;
 import org.mechservice.solver.dynamics.SemiRecursive;
 import org.mechservice.solver.kinematics.StateCoordinates;
@@ -30,10 +31,17 @@ import org.mechservice.solver.linear.SparseMatrix;
  */
 public final class RankAnalysis {
   /**
-   * Fraction of its bound below which a row is zero. The bound is the sum of the sizes of its
-   * products, or a change by the mechanism's size when every coordinate changes by its unit.
+   * Fraction of the sum of the sizes of its products below which a row consists of their rounding
+   * errors, and is zero.
    */
   private static final double NOTHING = 1e-11;
+
+  /**
+   * Fraction of its size below which an equation does not change when every coordinate changes by
+   * its unit: its row is zero. Scaled to unit length, such a row of misfits of the data would count
+   * as an independent one.
+   */
+  private static final double UNMOVED = LoopRounding.MISFIT;
 
   /**
    * Distance of the neighbouring states from the assembled one, rad or lengths of the mechanism,
@@ -106,7 +114,7 @@ public final class RankAnalysis {
       move[j] = (2 * random.nextDouble() - 1) * units.velocities[j];
     }
     coordinates.move(near, 0, move, 0, NEARBY);
-    assembly.assemble(t, near);
+    assembly.closeNear(t, near);
     return near;
   }
 
@@ -186,7 +194,7 @@ public final class RankAnalysis {
       if (regular) {
         open.massMatrix().halfSolve(scaled, row * n);
       }
-      boolean moves = largest > NOTHING * loops.size(row);
+      boolean moves = largest > UNMOVED * loops.size(row);
       scaleToUnit(scaled, row, moves && size > NOTHING * bound);
     }
     return scaled;
@@ -217,7 +225,7 @@ public final class RankAnalysis {
         largest = Math.max(largest, Math.abs(scaled.value[e]));
         bound = Math.hypot(bound, bounds.value[e] * unit);
       }
-      boolean counts = largest > NOTHING * loops.size(row) && length > NOTHING * bound;
+      boolean counts = largest > UNMOVED * loops.size(row) && length > NOTHING * bound;
       for (int e = scaled.start[row]; e < scaled.start[row + 1]; e++) {
         scaled.value[e] = counts ? scaled.value[e] / length : 0;
       }

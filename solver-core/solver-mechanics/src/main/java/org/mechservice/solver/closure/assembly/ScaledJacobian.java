@@ -16,7 +16,7 @@ public final class ScaledJacobian {
    * Singular values below this fraction of the largest are taken as zero, as in a singular
    * position.
    */
-  private static final double NEGLIGIBLE = 1e-10;
+  public static final double NEGLIGIBLE = 1e-10;
 
   private final LoopEquations loops;
   private final double[] unit;

@@ -3,6 +3,7 @@ package org.mechservice.solver.closure.assembly;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.OptionalDouble;
 import org.mechservice.solver.linear.SparseMatrix;
 import org.mechservice.solver.linear.SparseSymmetric;
 
@@ -125,13 +126,13 @@ final class SparseLeastMoves implements LeastMoves {
     }
   }
 
-  /**
-   * Solves Aᵀ x ≈ b with the least error and, among those, the smallest x.
-   *
-   * @param right b; not modified
-   * @param x overwritten
-   */
-  void solveTransposed(double[] right, double[] x) {
+  @Override
+  public OptionalDouble largestOverSmallest() {
+    return OptionalDouble.empty();
+  }
+
+  @Override
+  public void solveTransposed(double[] right, double[] x) {
     factor(REGULAR);
     Arrays.fill(x, 0, rows, 0);
     for (int i = 0; i < REPETITIONS; i++) {

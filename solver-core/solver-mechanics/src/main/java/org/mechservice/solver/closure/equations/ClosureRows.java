@@ -46,6 +46,14 @@ abstract class ClosureRows {
   /** Evaluates values and gradients. */
   abstract void place(TreeMotion motion, double t);
 
+  /**
+   * As {@link #place}, with values and gradients that are of use however far the positions are from
+   * closing the loops.
+   *
+   * @see org.mechservice.solver.kinematics.pair.PairFunction#evaluateFar
+   */
+  abstract void placeFar(TreeMotion motion, double t);
+
   /** Evaluates rates. */
   abstract void move(TreeMotion motion, double t);
 

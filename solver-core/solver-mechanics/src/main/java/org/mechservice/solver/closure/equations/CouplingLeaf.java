@@ -30,6 +30,11 @@ abstract class CouplingLeaf {
   /** Returns the value; places a cut joint's coordinate as well. */
   abstract double value(TreeMotion motion, double t);
 
+  /** As {@link ClosureRows#placeFar}. */
+  double valueFar(TreeMotion motion, double t) {
+    return value(motion, t);
+  }
+
   abstract double rate(TreeMotion motion);
 
   abstract double acceleration(TreeMotion motion);

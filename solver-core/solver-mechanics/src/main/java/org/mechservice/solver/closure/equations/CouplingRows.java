@@ -78,6 +78,18 @@ final class CouplingRows extends ClosureRows {
     for (int i = 0; i < leaves.length; i++) {
       evaluation.setLeaf(i, leaves[i].value(motion, t));
     }
+    differentiate();
+  }
+
+  @Override
+  void placeFar(TreeMotion motion, double t) {
+    for (int i = 0; i < leaves.length; i++) {
+      evaluation.setLeaf(i, leaves[i].valueFar(motion, t));
+    }
+    differentiate();
+  }
+
+  private void differentiate() {
     evaluation.derivatives();
     evaluation.gradient(0, gradient);
     size = 0;

@@ -55,6 +55,15 @@ final class LengthScale {
     return largest;
   }
 
+  /** Returns the length of a way through links, from one reference point to the next, m. */
+  static double reach(TreeGeometry tree, int[] links) {
+    double sum = 0;
+    for (int link : links) {
+      sum += tree.parent[link] == TreeGeometry.ROOT ? 0 : norm(tree.offset, 3 * link);
+    }
+    return sum;
+  }
+
   private static double of(LoopClosure closure, TreeGeometry tree) {
     double largest = 0;
     if (closure instanceof DistanceClosure rod) {

@@ -230,6 +230,11 @@ public final class LoopEquations {
     return "constraint \"" + closure(row).name() + "\" (" + label(row) + ")";
   }
 
+  /** Returns whether an equation measures a displacement, so that places enter it as they are. */
+  public boolean isLength(int row) {
+    return !closureOfRow[row].unit(rowInClosure[row]).equals("rad");
+  }
+
   /** Returns the SI unit of an equation's residual. */
   public String unit(int row) {
     return closureOfRow[row].unit(rowInClosure[row]);
@@ -250,6 +255,22 @@ public final class LoopEquations {
     for (int i = 0; i < closures.size(); i++) {
       closures.get(i).place(motion, t);
     }
+    takeValues();
+  }
+
+  /**
+   * As {@link #place}, with values of Φ and J that are finite in every position and lead to one
+   * that closes the loops; both equal those of {@link #place} to first order where the loops are
+   * closed. Velocities and accelerations must not be evaluated after it.
+   */
+  public void placeFar(TreeMotion motion, double t) {
+    for (int i = 0; i < closures.size(); i++) {
+      closures.get(i).placeFar(motion, t);
+    }
+    takeValues();
+  }
+
+  private void takeValues() {
     for (int row = 0; row < closureOfRow.length; row++) {
       value[row] = closureOfRow[row].value(rowInClosure[row]);
     }

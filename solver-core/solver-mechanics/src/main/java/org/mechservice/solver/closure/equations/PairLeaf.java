@@ -60,7 +60,16 @@ final class PairLeaf extends CouplingLeaf {
   @Override
   double value(TreeMotion motion, double t) {
     relative.place(motion);
-    double found = function.evaluate(relative);
+    return counted(function.evaluate(relative));
+  }
+
+  @Override
+  double valueFar(TreeMotion motion, double t) {
+    relative.place(motion);
+    return counted(function.evaluateFar(relative));
+  }
+
+  private double counted(double found) {
     if (reference == NOT_COUNTED) {
       return found;
     }

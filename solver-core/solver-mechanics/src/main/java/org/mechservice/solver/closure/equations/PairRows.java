@@ -168,26 +168,34 @@ final class PairRows extends ClosureRows {
 
   @Override
   double size(int row) {
-    return displaces(row) ? length : 1;
+    return functions[row].isLength() ? length : 1;
   }
 
   @Override
   String unit(int row) {
-    return displaces(row) ? "m" : "rad";
-  }
-
-  private boolean displaces(int row) {
-    double[] gradient = functions[row].gradient;
-    return gradient[3] != 0 || gradient[4] != 0 || gradient[5] != 0;
+    return functions[row].isLength() ? "m" : "rad";
   }
 
   @Override
   void place(TreeMotion motion, double t) {
     relative.place(motion);
-    driven.evaluate(atStart ? 0 : t);
     for (int i = 0; i < functions.length; i++) {
       value[i] = functions[i].evaluate(relative);
     }
+    subtractDriven(t);
+  }
+
+  @Override
+  void placeFar(TreeMotion motion, double t) {
+    relative.place(motion);
+    for (int i = 0; i < functions.length; i++) {
+      value[i] = functions[i].evaluateFar(relative);
+    }
+    subtractDriven(t);
+  }
+
+  private void subtractDriven(double t) {
+    driven.evaluate(atStart ? 0 : t);
     for (int i = vanishing; i < functions.length; i++) {
       value[i] = functions[i].difference(value[i], driven.value(i - vanishing));
     }

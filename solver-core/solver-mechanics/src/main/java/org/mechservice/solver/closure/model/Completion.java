@@ -1,8 +1,11 @@
 package org.mechservice.solver.closure.model;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.IntFunction;
 import org.mechservice.solver.api.capability.Defects.Defect;
 import org.mechservice.solver.closure.ClosedTree;
 import org.mechservice.solver.closure.assembly.ClosedStart;
@@ -18,20 +21,28 @@ import org.mechservice.solver.linear.SparseMatrix;
 /**
  * Computes dependent positions and velocities from independent ones: positions by Newton's method,
  * velocities by the differentiated equations. Chooses other independent coordinates when the
- * dependent block becomes ill-conditioned. Workspace of one thread.
+ * dependent block becomes ill-conditioned.
+ *
+ * <p>A solution near the prediction is taken if it plainly continues the last accepted state: the
+ * determinant of the dependent block has kept its sign, and positions and velocities fit together
+ * over the time between. Otherwise {@link LoopContinuation} follows the positions from that state.
+ * An attempted step is accepted only if it leads to the same solution; at a time within the last
+ * step its solution is the one. Workspace of one thread.
  */
 public final class Completion {
-  /**
-   * Correction at which Newton's method has converged: the next one would be its square, below
-   * round-off.
-   */
-  private static final double CONVERGED = 1e-8;
+  /** Largest correction of one iteration, in the units of positions. */
+  private static final double TOO_FAR = 0.5;
 
   /**
-   * Largest total move of a coordinate; beyond half a radian the solution may belong to another
-   * assembly.
+   * Largest difference, in the units of positions, of a solution from its prediction, and from the
+   * trapezoidal rule over the time since the last accepted state, that is taken without following
+   * the positions. Assemblies of a loop far from a change point are many times farther apart; near
+   * one, the sign of the determinant tells them apart.
    */
-  private static final double TOO_FAR = 0.5;
+  private static final double NEAR = 0.05;
+
+  /** Largest difference of two solutions that are the same one, in the units of positions. */
+  private static final double SAME = 1e-6;
 
   private static final int ITERATIONS = 12;
 
@@ -46,9 +57,8 @@ public final class Completion {
   private static final double BETTER = 2;
 
   /**
-   * Relative difference from the expected velocities above which dependent velocities belong to
-   * another branch. Expected velocities are the predicted ones in the argument, and those that the
-   * equations of the last accepted state give.
+   * Relative difference from the predicted velocities above which a solution is not taken without
+   * following the positions.
    */
   private static final double OTHER_BRANCH = 0.25;
 
@@ -58,6 +68,12 @@ public final class Completion {
    * own size.
    */
   private static final double AT_REST = 1e-12;
+
+  /** How far ahead of a state near a singular position this is searched for, s or parts of t. */
+  private static final double AHEAD = 1e-2;
+
+  /** Part of the largest move between two assemblies with which a coordinate is named. */
+  private static final double PART_OF_WAY = 0.1;
 
   private final ClosedTree work;
   private final LoopEquations loops;
@@ -71,10 +87,99 @@ public final class Completion {
   private final double[] correction;
   private final double[] velocityCorrection;
   private final SingularityMonitor watch;
-  private final Partition before;
-  private final SparseMatrix acceptedJacobian;
-  private final double[] acceptedOffset;
-  private double acceptedSpeed;
+  private final LoopContinuation continuation;
+
+  /** The last accepted state, or the one after an event since then. */
+  private Reached reached;
+
+  /** The last accepted state if an event has changed the state since then. */
+  private Reached beforeEvent;
+
+  private boolean changedByEvent;
+
+  /** Sign of the determinant of the dependent block at the last solution for positions. */
+  private int orientation;
+
+  /** Positions that {@link #complete} was given, those that were followed to, and rates there. */
+  private final double[] given;
+
+  private final double[] followed;
+  private final double[] rates;
+
+  /** State [q; v; s] with the positions that are being followed. */
+  private final double[] state;
+
+  /** Largest change of velocities by the last {@link #completeVelocities}, scaled, 1/s. */
+  private double velocityChange;
+
+  /** Where the positions could not be followed any further in the last {@link #complete}. */
+  private Optional<Obstacle> obstacle = Optional.empty();
+
+  /** A state that closes the loops, from which others are found. */
+  private static final class Reached {
+    double time;
+
+    /** Time of the accepted state before: the last step is between the two. */
+    double timeBefore;
+
+    /** Positions, and their rates. */
+    final double[] positions;
+
+    final double[] rates;
+
+    /** Largest scaled velocity, 1/s. */
+    double speed;
+
+    /** Sign of the determinant of the dependent block. */
+    int orientation;
+
+    Reached(int nq) {
+      positions = new double[nq];
+      rates = new double[nq];
+    }
+
+    /** Returns whether a time is within the last step. */
+    boolean hasPassed(double t) {
+      return (t - timeBefore) * (t - time) <= 0;
+    }
+
+    int stateLength() {
+      return 2 * positions.length + 4;
+    }
+
+    void save(double[] state, int at) {
+      int n = positions.length;
+      System.arraycopy(positions, 0, state, at, n);
+      System.arraycopy(rates, 0, state, at + n, n);
+      state[at + 2 * n] = time;
+      state[at + 2 * n + 1] = timeBefore;
+      state[at + 2 * n + 2] = speed;
+      state[at + 2 * n + 3] = orientation;
+    }
+
+    void restore(double[] state, int at) {
+      int n = positions.length;
+      System.arraycopy(state, at, positions, 0, n);
+      System.arraycopy(state, at + n, rates, 0, n);
+      time = state[at + 2 * n];
+      timeBefore = state[at + 2 * n + 1];
+      speed = state[at + 2 * n + 2];
+      orientation = (int) state[at + 2 * n + 3];
+    }
+  }
+
+  /** End of the positions that can be followed. */
+  private static final class Obstacle {
+    final LoopContinuation.End end;
+    final double time;
+    final double[] positions;
+
+    Obstacle(LoopContinuation.End end, double time, double[] positions) {
+      this.end = end;
+      this.time = time;
+      this.positions = positions.clone();
+    }
+  }
 
   /**
    * @param start ranks of the equations of the loops
@@ -99,9 +204,13 @@ public final class Completion {
     velocityCorrection = new double[rank];
     SingularityMonitor.Method method = new SingularityMonitor.Method(formulation, false);
     watch = new SingularityMonitor(loops, ofVelocities, method, notes);
-    before = Partition.of(loops.jacobian, nv, rank, large);
-    acceptedJacobian = loops.jacobian.sameShape();
-    acceptedOffset = new double[loops.count()];
+    continuation = new LoopContinuation(new DependentPositions());
+    reached = new Reached(nq);
+    beforeEvent = new Reached(nq);
+    given = new double[nq];
+    followed = new double[nq];
+    rates = new double[nq];
+    state = new double[work.stateCount];
   }
 
   /** Returns the partition of the velocities; factored by {@link #complete}. */
@@ -131,6 +240,21 @@ public final class Completion {
         : ofVelocities.isIndependent(component - nq);
   }
 
+  /** Gives dependent positions and velocities the size of the largest, in their units. */
+  void enlarge(double[] sizes) {
+    double farthest = 0;
+    for (int i = 0; i < nq; i++) {
+      farthest = Math.max(farthest, sizes[i] / units.positions[i]);
+    }
+    double fastest = units.speed(sizes, nq);
+    for (int i : ofPositions.dependent) {
+      sizes[i] = farthest * units.positions[i];
+    }
+    for (int j : ofVelocities.dependent) {
+      sizes[nq + j] = fastest * units.velocities[j];
+    }
+  }
+
   /**
    * Chooses the independent coordinates at a state that closes the loops.
    *
@@ -145,9 +269,10 @@ public final class Completion {
     double[] loopRows = new double[loops.count()];
     Arrays.setAll(loopRows, row -> 1 / loops.size(row));
     ofVelocities.scale(loopRows, units.velocities);
-    remember(y);
     boolean positionsChosen = ofPositions.choose(positions.matrix);
     boolean velocitiesChosen = ofVelocities.choose(loops.jacobian);
+    reached.time = t;
+    remember(t, y, positionsChosen);
     return watch.begin(t) && positionsChosen && velocitiesChosen;
   }
 
@@ -158,10 +283,88 @@ public final class Completion {
 
   /** Overwrites dependent positions and velocities; returns false if there is no solution. */
   boolean complete(double t, double[] y) {
-    boolean done =
-        !watch.stallsAtSingularity() && completePositions(t, y) && completeVelocities(t, y);
+    obstacle = Optional.empty();
+    boolean done = !watch.stallsAtSingularity() && find(t, y);
     watch.tried(done);
     return done;
+  }
+
+  private boolean find(double t, double[] y) {
+    Reached from = reachedBefore(t);
+    System.arraycopy(y, 0, given, 0, nq);
+    boolean solved = completePositions(t, y);
+    orientation = ofPositions.orientation();
+    if (solved && isNear(given, y, NEAR)) {
+      if (!completeVelocities(t, y)) {
+        return false;
+      }
+      if (continuesPlainly(from, t, y)) {
+        return true;
+      }
+    }
+    System.arraycopy(given, 0, followed, 0, nq);
+    LoopContinuation.End end =
+        continuation.follow(
+            from.time,
+            from.positions,
+            from.rates,
+            from.orientation,
+            t,
+            followed,
+            ofPositions.freedom() > 0);
+    if (end != LoopContinuation.End.REACHED) {
+      double time = from.time + continuation.reached() * (t - from.time);
+      obstacle = Optional.of(new Obstacle(end, time, continuation.positions()));
+      return false;
+    }
+    orientation = continuation.orientation();
+    boolean same = solved && isNear(followed, y, SAME);
+    if (!same && !from.hasPassed(t)) {
+      return false;
+    }
+    if (!same) {
+      System.arraycopy(followed, 0, y, 0, nq);
+    }
+    return completePositions(t, y) && completeVelocities(t, y);
+  }
+
+  /**
+   * Returns whether a completed state continues the last accepted one without a doubt: the same
+   * sign of the determinant, velocities as predicted, and positions q = q₀ + (t − t₀)(q₀' + q')/2.
+   */
+  private boolean continuesPlainly(Reached from, double t, double[] y) {
+    double speed = Math.max(from.speed, units.speed(y, nq));
+    if (orientation != from.orientation
+        || !(velocityChange <= Math.max(AT_REST, OTHER_BRANCH * speed))) {
+      return false;
+    }
+    work.coordinates.rates(y, 0, y, nq, rates, 0);
+    double half = 0.5 * (t - from.time);
+    for (int i = 0; i < nq; i++) {
+      double expected = from.positions[i] + half * (from.rates[i] + rates[i]);
+      if (!(Math.abs(y[i] - expected) <= NEAR * units.positions[i])) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private boolean isNear(double[] q, double[] others, double distance) {
+    for (int i = 0; i < nq; i++) {
+      if (!(Math.abs(q[i] - others[i]) <= distance * units.positions[i])) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Returns the state to begin from: rows before an event are asked for after it. */
+  private Reached reachedBefore(double t) {
+    boolean before =
+        changedByEvent
+            && t != reached.time
+            && (t - beforeEvent.timeBefore) * (t - reached.time) <= 0;
+    return before ? beforeEvent : reached;
   }
 
   /** Returns the defect of a failed {@link #begin}. */
@@ -175,11 +378,68 @@ public final class Completion {
   }
 
   /**
-   * Returns the reason why the motion cannot continue from the last accepted state: a singular
-   * position, or a failed completion of the last attempted state.
+   * Returns the reason why the motion cannot continue from the last accepted state: an end of the
+   * positions that can be followed, a singular position, or a failed completion of the last
+   * attempted state.
+   *
+   * @param names of the positions
    */
-  Optional<Defect> obstacle() {
-    return watch.obstacle();
+  Optional<Defect> obstacle(IntFunction<String> names) {
+    return obstacle.or(this::ahead).map(where -> defect(where, names)).or(watch::obstacle);
+  }
+
+  /**
+   * Returns where assemblies meet shortly after the last accepted state, if that is near a singular
+   * position and drives alone move the mechanism.
+   */
+  private Optional<Obstacle> ahead() {
+    if (!watch.isNearSingular() || ofPositions.freedom() > 0) {
+      return Optional.empty();
+    }
+    double longest = AHEAD * Math.max(1, Math.abs(reached.time));
+    for (double ahead = Math.ulp(reached.time); ahead < longest; ahead *= 2) {
+      double t = reached.time + Math.copySign(ahead, reached.time - reached.timeBefore);
+      System.arraycopy(reached.positions, 0, followed, 0, nq);
+      LoopContinuation.End end =
+          continuation.follow(
+              reached.time,
+              reached.positions,
+              reached.rates,
+              reached.orientation,
+              t,
+              followed,
+              false);
+      if (end != LoopContinuation.End.REACHED) {
+        return Optional.of(new Obstacle(end, t, continuation.positions()));
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** Names the equations and the coordinates of the loops that meet another assembly. */
+  private Defect defect(Obstacle where, IntFunction<String> names) {
+    System.arraycopy(where.positions, 0, state, 0, nq);
+    work.placeLoops(where.time, state);
+    differentiate(state);
+    double[] direction = new double[ofPositions.rank()];
+    if (ofPositions.factor(positions.matrix)) {
+      Arrays.fill(direction, 1);
+      ofPositions.solve(direction);
+    }
+    for (int i = 0; i < direction.length; i++) {
+      direction[i] /= units.positions[ofPositions.dependent[i]];
+    }
+    double largest = Arrays.stream(direction).map(Math::abs).max().orElse(0);
+    List<LoopDefect.Way> ways = new ArrayList<>();
+    for (int i = 0; i < direction.length; i++) {
+      if (Math.abs(direction[i]) > PART_OF_WAY * largest) {
+        int position = ofPositions.dependent[i];
+        ways.add(
+            new LoopDefect.Way(names.apply(position), where.positions[position], direction[i] > 0));
+      }
+    }
+    boolean crossing = where.end == LoopContinuation.End.CHANGE_POINT;
+    return LoopDefect.assembliesMeet(loops.name(watch.weakestRow()), where.time, ways, crossing);
   }
 
   private boolean completePositions(double t, double[] y) {
@@ -193,7 +453,7 @@ public final class Completion {
       if (!(size <= TOO_FAR)) {
         return false;
       }
-      if (size <= CONVERGED) {
+      if (size <= LoopContinuation.CONVERGED) {
         return true;
       }
     }
@@ -229,59 +489,27 @@ public final class Completion {
       velocityCorrection[i] = loops.rate[ofVelocities.kept[i]];
     }
     ofVelocities.solve(velocityCorrection);
-    double change = 0;
+    velocityChange = 0;
     for (int i = 0; i < velocityCorrection.length; i++) {
       int j = ofVelocities.dependent[i];
       y[nq + j] -= velocityCorrection[i];
-      change = larger(change, Math.abs(velocityCorrection[i]) / units.velocities[j]);
+      velocityChange =
+          larger(velocityChange, Math.abs(velocityCorrection[i]) / units.velocities[j]);
     }
-    double speed = Math.max(acceptedSpeed, units.speed(y, nq));
-    return change <= Math.max(AT_REST, OTHER_BRANCH * speed) || asBefore(y, OTHER_BRANCH * speed);
+    return velocityChange < Double.POSITIVE_INFINITY;
   }
 
-  /** Returns whether the equations of the last accepted state give nearly the same velocities. */
-  private boolean asBefore(double[] y, double tolerance) {
-    before.copyChoice(ofVelocities);
-    if (!before.factor(acceptedJacobian)) {
-      return false;
+  /** Stores the state that the next ones continue; the positions must be differentiated there. */
+  private void remember(double t, double[] y, boolean otherChoice) {
+    reached.timeBefore = reached.time;
+    reached.time = t;
+    reached.speed = units.speed(y, nq);
+    System.arraycopy(y, 0, reached.positions, 0, nq);
+    work.coordinates.rates(y, 0, y, nq, reached.rates, 0);
+    if (otherChoice && ofPositions.factor(positions.matrix)) {
+      orientation = ofPositions.orientation();
     }
-    for (int i = 0; i < velocityCorrection.length; i++) {
-      int row = ofVelocities.kept[i];
-      double rate = acceptedOffset[row];
-      for (int e = acceptedJacobian.start[row]; e < endOfState(row); e++) {
-        rate += acceptedJacobian.value[e] * y[nq + acceptedJacobian.column[e]];
-      }
-      velocityCorrection[i] = rate;
-    }
-    before.solve(velocityCorrection);
-    double change = 0;
-    for (int i = 0; i < velocityCorrection.length; i++) {
-      double unit = units.velocities[ofVelocities.dependent[i]];
-      change = larger(change, Math.abs(velocityCorrection[i]) / unit);
-    }
-    return change <= tolerance;
-  }
-
-  /** Returns the end of the elements of a row of J that belong to velocities of the state. */
-  private int endOfState(int row) {
-    int end = loops.jacobian.start[row + 1];
-    while (end > loops.jacobian.start[row] && loops.jacobian.column[end - 1] >= nv) {
-      end--;
-    }
-    return end;
-  }
-
-  /** Stores J and Φ_t = Φ' − J v for comparison with the next state. */
-  private void remember(double[] y) {
-    acceptedSpeed = units.speed(y, nq);
-    acceptedJacobian.copy(loops.jacobian);
-    for (int row = 0; row < loops.count(); row++) {
-      double rate = loops.rate[row];
-      for (int e = acceptedJacobian.start[row]; e < endOfState(row); e++) {
-        rate -= acceptedJacobian.value[e] * y[nq + acceptedJacobian.column[e]];
-      }
-      acceptedOffset[row] = rate;
-    }
+    reached.orientation = orientation;
   }
 
   /**
@@ -300,9 +528,7 @@ public final class Completion {
   int stateLength() {
     return ofPositions.stateLength()
         + ofVelocities.stateLength()
-        + acceptedJacobian.value.length
-        + acceptedOffset.length
-        + 1
+        + reached.stateLength()
         + watch.stateLength();
   }
 
@@ -313,12 +539,9 @@ public final class Completion {
     next += ofPositions.stateLength();
     ofVelocities.save(state, next);
     next += ofVelocities.stateLength();
-    System.arraycopy(acceptedJacobian.value, 0, state, next, acceptedJacobian.value.length);
-    next += acceptedJacobian.value.length;
-    System.arraycopy(acceptedOffset, 0, state, next, acceptedOffset.length);
-    next += acceptedOffset.length;
-    state[next] = acceptedSpeed;
-    watch.save(state, next + 1);
+    reached.save(state, next);
+    next += reached.stateLength();
+    watch.save(state, next);
   }
 
   /** Restores what {@link #save} wrote. */
@@ -328,12 +551,10 @@ public final class Completion {
     next += ofPositions.stateLength();
     ofVelocities.restore(state, next);
     next += ofVelocities.stateLength();
-    System.arraycopy(state, next, acceptedJacobian.value, 0, acceptedJacobian.value.length);
-    next += acceptedJacobian.value.length;
-    System.arraycopy(state, next, acceptedOffset, 0, acceptedOffset.length);
-    next += acceptedOffset.length;
-    acceptedSpeed = state[next];
-    watch.restore(state, next + 1);
+    reached.restore(state, next);
+    changedByEvent = false;
+    next += reached.stateLength();
+    watch.restore(state, next);
   }
 
   private boolean keptAreClosed(double[] y) {
@@ -353,8 +574,9 @@ public final class Completion {
   boolean accepted(double t, double[] y) {
     work.place(t, y);
     differentiate(y);
-    remember(y);
+    changedByEvent = false;
     boolean other = ofPositions.renew(positions.matrix, BETTER);
+    remember(t, y, other);
     boolean others = ofVelocities.renew(loops.jacobian, BETTER) || other;
     watch.accepted(t);
     return others;
@@ -368,8 +590,51 @@ public final class Completion {
   void jumped(double t, double[] y, boolean closed) {
     work.place(t, y);
     differentiate(y);
-    remember(y);
+    if (closed) {
+      Reached before = changedByEvent ? beforeEvent : reached;
+      reached = changedByEvent ? reached : beforeEvent;
+      beforeEvent = before;
+      changedByEvent = true;
+      reached.time = t;
+      remember(t, y, true);
+    }
     ofVelocities.chooseBetter(loops.jacobian, Double.POSITIVE_INFINITY);
     watch.jumped(t, closed);
+  }
+
+  /** The equations of the dependent positions along a path of the independent ones. */
+  private final class DependentPositions implements LoopContinuation.Equations {
+    @Override
+    public int positionCount() {
+      return nq;
+    }
+
+    @Override
+    public boolean isGiven(int position) {
+      return ofPositions.isIndependent(position);
+    }
+
+    @Override
+    public double unit(int position) {
+      return units.positions[position];
+    }
+
+    @Override
+    public double correct(double t, double[] q) {
+      System.arraycopy(q, 0, state, 0, nq);
+      work.placeLoops(t, state);
+      differentiate(state);
+      if (!ofPositions.factor(positions.matrix)) {
+        return Double.NaN;
+      }
+      double change = Completion.this.correct(state);
+      System.arraycopy(state, 0, q, 0, nq);
+      return change;
+    }
+
+    @Override
+    public int orientation() {
+      return ofPositions.orientation();
+    }
   }
 }

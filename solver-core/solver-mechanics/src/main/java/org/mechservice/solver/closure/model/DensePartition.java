@@ -139,6 +139,11 @@ final class DensePartition extends Partition {
   }
 
   @Override
+  int orientation() {
+    return factors.signOfDeterminant();
+  }
+
+  @Override
   void solve(double[] b) {
     factors.solve(b);
   }

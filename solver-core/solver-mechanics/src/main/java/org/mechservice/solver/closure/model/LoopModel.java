@@ -39,7 +39,8 @@ public abstract class LoopModel
   private final Map<Kind, Integer> noted = new EnumMap<>(Kind.class);
   private final double[] derivative;
 
-  private final boolean movedByTime;
+  /** Whether a drive or a constraint of time moves the mechanism. */
+  final boolean movedByTime;
 
   private Optional<Reactions> reactions = Optional.empty();
   private Optional<LoopProjection> afterJumps = Optional.empty();

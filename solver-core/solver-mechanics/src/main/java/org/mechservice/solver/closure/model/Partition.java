@@ -194,6 +194,12 @@ public abstract class Partition {
   /** Factors the dependent block; returns whether it is regular. */
   abstract boolean factor(SparseMatrix a);
 
+  /**
+   * Returns the sign of the determinant of the block last factored, which is regular. It may be
+   * compared between matrices as long as the choice is the same.
+   */
+  abstract int orientation();
+
   /** Solves A_kept,dependent x = b in place. */
   abstract void solve(double[] b);
 

@@ -27,6 +27,14 @@ public class PenaltyModel extends LoopModel implements ProjectedStates, ModelSta
   final LoopProjection projection;
   private final SingularityMonitor watch;
   private final Partition partition;
+
+  /**
+   * Whether drives alone move the mechanism: the determinant of the equations then keeps its sign,
+   * which is that at the last accepted state.
+   */
+  private final boolean determined;
+
+  private int orientation;
   private final double[] right;
   private final double[] offset;
 
@@ -46,6 +54,7 @@ public class PenaltyModel extends LoopModel implements ProjectedStates, ModelSta
     String formulation = closed.description().formulation();
     SingularityMonitor.Method method = new SingularityMonitor.Method(formulation, true);
     watch = new SingularityMonitor(work.loops, partition, method, this::note);
+    determined = movedByTime && closed.freedom() == 0 && work.loops.isHolonomic();
     right = new double[work.nv];
     offset = new double[work.loops.count()];
     note(new Note(MessageCode.PENALTY_SETTINGS, closed.start().time(), false, settings.text()));
@@ -59,6 +68,7 @@ public class PenaltyModel extends LoopModel implements ProjectedStates, ModelSta
     partition.scale(rows, work.units.velocities);
     partition.choose(work.loops.jacobian);
     watch.begin(t);
+    orient();
   }
 
   @Override
@@ -90,9 +100,23 @@ public class PenaltyModel extends LoopModel implements ProjectedStates, ModelSta
 
   @Override
   public final boolean project(double t, double[] y) {
-    boolean done = !watch.stallsAtSingularity() && projection.project(t, y);
+    boolean done = !watch.stallsAtSingularity() && projection.project(t, y) && isSameAssembly(t, y);
     watch.tried(done);
     return done;
+  }
+
+  private void orient() {
+    if (determined && partition.factor(work.loops.jacobian)) {
+      orientation = partition.orientation();
+    }
+  }
+
+  private boolean isSameAssembly(double t, double[] y) {
+    if (!determined) {
+      return true;
+    }
+    work.place(t, y);
+    return partition.factor(work.loops.jacobian) && partition.orientation() == orientation;
   }
 
   @Override
@@ -104,6 +128,7 @@ public class PenaltyModel extends LoopModel implements ProjectedStates, ModelSta
   public final void accepted(double t, double[] y) {
     work.place(t, y);
     partition.choose(work.loops.jacobian);
+    orient();
     watch.accepted(t);
     work.accepted(t);
   }
@@ -111,6 +136,7 @@ public class PenaltyModel extends LoopModel implements ProjectedStates, ModelSta
   @Override
   final void jumped(double t, double[] y, boolean closed) {
     partition.choose(work.loops.jacobian);
+    orient();
     watch.jumped(t, closed);
   }
 
@@ -121,18 +147,20 @@ public class PenaltyModel extends LoopModel implements ProjectedStates, ModelSta
 
   @Override
   public final int stateLength() {
-    return work.stateLength() + watch.stateLength();
+    return work.stateLength() + watch.stateLength() + 1;
   }
 
   @Override
   public final void saveState(double[] state) {
     work.save(state, 0);
     watch.save(state, work.stateLength());
+    state[stateLength() - 1] = orientation;
   }
 
   @Override
   public final void restoreState(double[] state) {
     work.restore(state, 0);
     watch.restore(state, work.stateLength());
+    orientation = (int) state[stateLength() - 1];
   }
 }

@@ -47,6 +47,19 @@ public class ProjectionModel extends LoopModel implements DependentStates, Model
     return component >= work.furtherAt || completion.independent(component);
   }
 
+  /** {@inheritDoc} Dependent components are tested too where drives or time move them. */
+  @Override
+  public final boolean tested(int component) {
+    return movedByTime || independent(component);
+  }
+
+  @Override
+  public final void enlarge(double[] sizes) {
+    if (movedByTime) {
+      completion.enlarge(sizes);
+    }
+  }
+
   @Override
   public final boolean complete(double t, double[] y) {
     return completion.complete(t, y);
@@ -78,7 +91,8 @@ public class ProjectionModel extends LoopModel implements DependentStates, Model
 
   @Override
   public final Optional<Defect> obstacle() {
-    return broken.or(completion::obstacle);
+    List<Variable> states = description().states();
+    return broken.or(() -> completion.obstacle(position -> states.get(position).name()));
   }
 
   @Override

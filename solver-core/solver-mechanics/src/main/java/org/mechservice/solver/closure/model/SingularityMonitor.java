@@ -168,12 +168,17 @@ final class SingularityMonitor {
    * position, or loops that do not close at the last attempted state.
    */
   Optional<Defect> obstacle() {
-    if (closenessBefore < CLEAR) {
+    if (isNearSingular()) {
       return Optional.of(singular(closenessBefore));
     }
     return failed
         ? Optional.of(LoopDefect.open(loops.name(failedRow), failedResidual, loops.unit(failedRow)))
         : Optional.empty();
+  }
+
+  /** Returns whether the last accepted state is near a singular position. */
+  boolean isNearSingular() {
+    return closenessBefore < CLEAR;
   }
 
   /** Returns the defect of a singular position. */

@@ -202,6 +202,11 @@ final class SparsePartition extends Partition {
   }
 
   @Override
+  int orientation() {
+    return factors.signOfDeterminant();
+  }
+
+  @Override
   void solve(double[] b) {
     for (int k = 0; k < rank; k++) {
       work[k] = b[keptPlace[factors.row(k)]];

@@ -1,11 +1,11 @@
 package org.mechservice.solver.force.law;
 
+import java.util.Arrays;
 import java.util.List;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Expression.Argument;
 import org.mechservice.solver.expression.Expression.ParameterValue;
-import org.mechservice.solver.expression.Tape;
-import org.mechservice.solver.expression.TapeEvaluation;
 import org.mechservice.solver.force.applied.AppliedForce;
 import org.mechservice.solver.force.applied.Coefficients;
 import org.mechservice.solver.force.applied.FrameLaw;
@@ -13,15 +13,17 @@ import org.mechservice.solver.force.applied.FrameMotion;
 import org.mechservice.solver.mechanism.force.Contact;
 
 /**
- * Normal force and friction of a surface. Legend: (x, y, z) the centre in the surface's frame; d =
- * R + h(x) − z; N = k pos(d)ⁿ + c d′ pos′(d); (sx, sy) sliding velocity at the lowest point; p =
- * √(s² + v0²).
+ * Push and friction of a surface at the closest point of each of its curves, summed up. Legend: R
+ * the radius; (x, y, z) the centre in the surface's frame; d the depth; n = (−sin θ, 0, cos θ) the
+ * normal and t = (cos θ, 0, sin θ) the tangent; (s, r) sliding velocity along t and y at the point
+ * R below the centre along n; p = √(s² + r² + v0²).
  */
 public final class ContactLaw implements FrameLaw {
   private static final String[] NAMES = {
     "radius",
     "stiffness",
     "damping",
+    "dissipation",
     "exponent",
     "smoothing",
     "friction coefficient",
@@ -30,23 +32,14 @@ public final class ContactLaw implements FrameLaw {
   private static final int RADIUS = 0;
   private static final int STIFFNESS = 1;
   private static final int DAMPING = 2;
-  private static final int EXPONENT = 3;
-  private static final int SMOOTHING = 4;
-  private static final int FRICTION = 5;
-  private static final int FRICTION_SPEED = 6;
+  private static final int DISSIPATION = 3;
+  private static final int EXPONENT = 4;
+  private static final int SMOOTHING = 5;
+  private static final int FRICTION = 6;
+  private static final int FRICTION_SPEED = 7;
 
   private final Coefficients coefficients;
-  private final TapeEvaluation height;
-  private double slope;
-  private double bend;
-  private double depth;
-  private double depthRate;
-  private double normal;
-  private double normalByDepth;
-  private double normalByRate;
-  private final double[] slide = new double[2];
-  private double root;
-  private final double[] change = new double[6];
+  private final Touch[] touches;
 
   public ContactLaw(Contact element) {
     coefficients =
@@ -56,18 +49,26 @@ public final class ContactLaw implements FrameLaw {
                 element.radius(),
                 element.stiffness(),
                 element.damping(),
+                element.dissipation(),
                 element.exponent(),
                 element.smoothing(),
                 element.friction(),
                 element.frictionSpeed()));
-    height = new TapeEvaluation(new Tape(List.of(element.height())));
-    for (Expression leaf : height.tape().leaves()) {
-      if (!(leaf instanceof ParameterValue || leaf instanceof Argument)) {
-        throw new IllegalArgumentException(
-            "the profile of contact "
-                + element.name()
-                + " may contain its argument and parameters but not "
-                + leaf);
+    boolean ofCentre = !element.tracks().isEmpty();
+    List<Expression> curves = ofCentre ? element.tracks() : List.of(element.height());
+    touches =
+        curves.stream()
+            .map(curve -> new Touch(new ClosestPoint(curve), ofCentre))
+            .toArray(Touch[]::new);
+    for (Touch touch : touches) {
+      for (Expression leaf : touch.point.leaves()) {
+        if (!(leaf instanceof ParameterValue || leaf instanceof Argument)) {
+          throw new IllegalArgumentException(
+              "the profile of contact "
+                  + element.name()
+                  + " may contain its argument and parameters but not "
+                  + leaf);
+        }
       }
     }
   }
@@ -89,128 +90,186 @@ public final class ContactLaw implements FrameLaw {
     if (coefficients.at(FRICTION) > 0 && coefficients.at(FRICTION_SPEED) == 0) {
       return force.refuse(NAMES[FRICTION_SPEED], 0, "positive where there is friction");
     }
-    List<Expression> leaves = height.tape().leaves();
-    for (int i = 0; i < leaves.size(); i++) {
-      if (leaves.get(i) instanceof ParameterValue parameter) {
-        height.setLeaf(i, values[parameter.index()], 0, 0);
-      }
+    for (Touch touch : touches) {
+      touch.parameters(values);
     }
     return true;
   }
 
   @Override
   public boolean wrench(FrameMotion motion, double[] w, AppliedForce force) {
-    if (!readHeight(motion.displacement[0], force)) {
-      return false;
-    }
-    double radius = coefficients.at(RADIUS);
-    double eps = coefficients.at(SMOOTHING);
-    double n = coefficients.at(EXPONENT);
-    double k = coefficients.at(STIFFNESS);
-    double c = coefficients.at(DAMPING);
-    depth = radius + height.value(0) - motion.displacement[2];
-    depthRate = slope * motion.twist[3] - motion.twist[5];
-    double positive = SmoothPositive.value(depth, eps);
-    double positiveSlope = SmoothPositive.slope(depth, eps);
-    normal = k * SmoothPositive.power(positive, n) + c * depthRate * positiveSlope;
-    normalByDepth =
-        k * n * SmoothPositive.power(positive, n - 1) * positiveSlope
-            + c * depthRate * SmoothPositive.bend(depth, eps);
-    normalByRate = c * positiveSlope;
-    slide[0] = motion.twist[3] - radius * motion.twist[1];
-    slide[1] = motion.twist[4] + radius * motion.twist[0];
-    double speed = coefficients.at(FRICTION_SPEED);
-    root = Math.sqrt(slide[0] * slide[0] + slide[1] * slide[1] + speed * speed);
-    double fx = friction(0);
-    double fy = friction(1);
-    w[0] = radius * fy;
-    w[1] = -radius * fx;
-    w[2] = 0;
-    w[3] = fx - normal * slope;
-    w[4] = fy;
-    w[5] = normal;
-    return true;
-  }
-
-  private double friction(int i) {
-    double coefficient = coefficients.at(FRICTION);
-    return coefficient == 0 ? 0 : -coefficient * normal * (slide[i] / root);
-  }
-
-  private boolean readHeight(double x, AppliedForce force) {
-    List<Expression> leaves = height.tape().leaves();
-    for (int i = 0; i < leaves.size(); i++) {
-      if (leaves.get(i) instanceof Argument) {
-        height.setLeaf(i, x, 1, 0);
+    Arrays.fill(w, 0);
+    for (Touch touch : touches) {
+      if (!touch.evaluate(motion, w, force)) {
+        return false;
       }
     }
-    height.derivatives();
-    height.rates();
-    slope = height.rate(0);
-    bend = height.secondRate(0);
-    double sum = height.value(0) + slope + bend;
-    return Double.isFinite(sum)
-        || force.notFinite("height of the profile, or its slope, at x = " + x + " m", sum);
+    return true;
   }
 
   @Override
   public void jacobian(FrameMotion motion, double[] byPlace, double[] byVelocity) {
-    double radius = coefficients.at(RADIUS);
-    double[] u = motion.twist;
-    // by x, by z with the twist held
-    column(byPlace, 3, normalByDepth * slope + normalByRate * bend * u[3], bend, 0, 0);
-    column(byPlace, 5, -normalByDepth, 0, 0, 0);
-    // by ωx, ωy, ux, uy, uz
-    column(byVelocity, 0, 0, 0, 0, radius);
-    column(byVelocity, 1, 0, 0, -radius, 0);
-    column(byVelocity, 3, normalByRate * slope, 0, 1, 0);
-    column(byVelocity, 4, 0, 0, 0, 1);
-    column(byVelocity, 5, -normalByRate, 0, 0, 0);
-  }
-
-  /**
-   * Writes the change of the wrench for a change of N, of the slope and of the sliding velocity.
-   */
-  private void column(double[] out, int j, double dN, double dSlope, double dsx, double dsy) {
-    double coefficient = coefficients.at(FRICTION);
-    double dfx = 0;
-    double dfy = 0;
-    if (coefficient != 0) {
-      double along = (slide[0] * dsx + slide[1] * dsy) / root / root;
-      dfx = -coefficient * (dN * slide[0] + normal * (dsx - slide[0] * along)) / root;
-      dfy = -coefficient * (dN * slide[1] + normal * (dsy - slide[1] * along)) / root;
-    }
-    double radius = coefficients.at(RADIUS);
-    change[0] = radius * dfy;
-    change[1] = -radius * dfx;
-    change[2] = 0;
-    change[3] = dfx - dN * slope - normal * dSlope;
-    change[4] = dfy;
-    change[5] = dN;
-    for (int i = 0; i < 6; i++) {
-      out[6 * i + j] = change[i];
+    for (Touch touch : touches) {
+      touch.jacobian(motion, byPlace, byVelocity);
     }
   }
 
   @Override
   public double potentialEnergy(FrameMotion motion) {
-    return coefficients.at(STIFFNESS)
-        * SmoothPositive.integral(depth, coefficients.at(SMOOTHING), coefficients.at(EXPONENT));
+    double sum = 0;
+    for (Touch touch : touches) {
+      sum += touch.push.potentialEnergy(touch.depth);
+    }
+    return sum;
   }
 
   @Override
   public double energyRate(FrameMotion motion) {
-    double positive = SmoothPositive.value(depth, coefficients.at(SMOOTHING));
-    return coefficients.at(STIFFNESS)
-        * SmoothPositive.power(positive, coefficients.at(EXPONENT))
-        * depthRate;
+    double sum = 0;
+    for (Touch touch : touches) {
+      sum += touch.push.elastic() * touch.depthRate;
+    }
+    return sum;
   }
 
   @Override
   public void values(FrameMotion motion, double[] out, int at) {
-    out[at] = depth;
-    out[at + 1] = normal;
-    out[at + 2] = friction(0);
-    out[at + 3] = friction(1);
+    out[at] = Double.NEGATIVE_INFINITY;
+    for (int i = 1; i < 4; i++) {
+      out[at + i] = 0;
+    }
+    for (Touch touch : touches) {
+      out[at] = Math.max(out[at], touch.depth);
+      out[at + 1] += touch.push.force();
+      out[at + 2] += touch.friction(0);
+      out[at + 3] += touch.friction(1);
+    }
+  }
+
+  /** Push and friction at the closest point of one curve. */
+  private final class Touch {
+    private final ClosestPoint point;
+
+    /** Whether the curve is that of the centre, else the surface. */
+    private final boolean ofCentre;
+
+    private final OneSidedLaw push = new OneSidedLaw();
+    private double depth;
+    private double depthRate;
+    private final double[] slide = new double[2];
+    private double root;
+    private final double[] change = new double[6];
+
+    Touch(ClosestPoint point, boolean ofCentre) {
+      this.point = point;
+      this.ofCentre = ofCentre;
+    }
+
+    void parameters(double[] values) {
+      point.parameters(values);
+      push.set(
+          coefficients.at(STIFFNESS),
+          coefficients.at(EXPONENT),
+          coefficients.at(DAMPING),
+          coefficients.at(DISSIPATION),
+          coefficients.at(SMOOTHING));
+    }
+
+    boolean evaluate(FrameMotion motion, double[] w, AppliedForce force) {
+      double radius = coefficients.at(RADIUS);
+      double reach = ofCentre ? 0 : radius;
+      double x = motion.displacement[0];
+      if (!point.find(x, motion.displacement[2], reach)) {
+        return force.notFinite(
+            "height of the profile, or its slope, at x = " + x + " m", Double.NaN);
+      }
+      if (!point.isFound()) {
+        return force.fail(
+            MessageCode.FORCE_WITHOUT_DIRECTION,
+            "At x = "
+                + x
+                + " m the surface bends more than the sphere, so that its closest point is"
+                + " not unique.",
+            "Give the height by <profile> or by a table, enlarge the radius of its hollows, or make"
+                + " the sphere smaller.");
+      }
+      double sine = point.sine();
+      double cosine = point.cosine();
+      double[] u = motion.twist;
+      depth = reach - point.distance();
+      depthRate = sine * u[3] - cosine * u[5];
+      push.evaluate(depth, depthRate);
+      slide[0] = cosine * u[3] + sine * u[5] - radius * u[1];
+      slide[1] = u[4] + radius * (cosine * u[0] + sine * u[2]);
+      double speed = coefficients.at(FRICTION_SPEED);
+      root = Math.sqrt(slide[0] * slide[0] + slide[1] * slide[1] + speed * speed);
+      double along = friction(0);
+      double across = friction(1);
+      w[0] += radius * cosine * across;
+      w[1] -= radius * along;
+      w[2] += radius * sine * across;
+      w[3] += cosine * along - sine * push.force();
+      w[4] += across;
+      w[5] += sine * along + cosine * push.force();
+      return true;
+    }
+
+    /** Returns the friction along t or along y, N. */
+    double friction(int i) {
+      double coefficient = coefficients.at(FRICTION);
+      return coefficient == 0 ? 0 : -coefficient * push.force() * (slide[i] / root);
+    }
+
+    void jacobian(FrameMotion motion, double[] byPlace, double[] byVelocity) {
+      double radius = coefficients.at(RADIUS);
+      double sine = point.sine();
+      double cosine = point.cosine();
+      double[] u = motion.twist;
+      double along = cosine * u[3] + sine * u[5];
+      double towards = cosine * u[5] - sine * u[3];
+      double across = radius * (cosine * u[2] - sine * u[0]);
+      // by x, by z with the twist held: the normal turns by dθ
+      for (int j = 3; j < 6; j += 2) {
+        double turn = point.turning() * (j == 3 ? cosine : sine);
+        double deeper = j == 3 ? sine : -cosine;
+        double dN = push.byDepth() * deeper + push.byRate() * along * turn;
+        column(byPlace, j, dN, turn, towards * turn, across * turn);
+      }
+      // by ωx, ωy, ωz, ux, uy, uz
+      column(byVelocity, 0, 0, 0, 0, radius * cosine);
+      column(byVelocity, 1, 0, 0, -radius, 0);
+      column(byVelocity, 2, 0, 0, 0, radius * sine);
+      column(byVelocity, 3, push.byRate() * sine, 0, cosine, 0);
+      column(byVelocity, 4, 0, 0, 0, 1);
+      column(byVelocity, 5, -push.byRate() * cosine, 0, sine, 0);
+    }
+
+    /** Adds the change of the wrench for a change of N, of θ and of the sliding velocity. */
+    private void column(double[] out, int j, double dN, double turn, double ds, double dr) {
+      double coefficient = coefficients.at(FRICTION);
+      double along = friction(0);
+      double across = friction(1);
+      double dAlong = 0;
+      double dAcross = 0;
+      if (coefficient != 0) {
+        double share = (slide[0] * ds + slide[1] * dr) / root / root;
+        double normal = push.force();
+        dAlong = -coefficient * (dN * slide[0] + normal * (ds - slide[0] * share)) / root;
+        dAcross = -coefficient * (dN * slide[1] + normal * (dr - slide[1] * share)) / root;
+      }
+      double radius = coefficients.at(RADIUS);
+      double sine = point.sine();
+      double cosine = point.cosine();
+      double normal = push.force();
+      change[0] = radius * (cosine * dAcross - sine * across * turn);
+      change[1] = -radius * dAlong;
+      change[2] = radius * (sine * dAcross + cosine * across * turn);
+      change[3] = cosine * dAlong - sine * along * turn - sine * dN - cosine * normal * turn;
+      change[4] = dAcross;
+      change[5] = sine * dAlong + cosine * along * turn + cosine * dN - sine * normal * turn;
+      for (int i = 0; i < 6; i++) {
+        out[6 * i + j] += change[i];
+      }
+    }
   }
 }

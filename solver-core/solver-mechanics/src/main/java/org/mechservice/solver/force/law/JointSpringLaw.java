@@ -24,7 +24,8 @@ public final class JointSpringLaw implements ScalarLaw {
             element.damping(),
             element.position0(),
             new Negation(element.force0()),
-            element.smoothing()));
+            element.smoothing(),
+            element.dissipation()));
   }
 
   public JointSpringLaw(CouplingSpringDamper element) {
@@ -36,7 +37,8 @@ public final class JointSpringLaw implements ScalarLaw {
             element.damping(),
             element.rest(),
             element.force0(),
-            element.smoothing()));
+            element.smoothing(),
+            element.dissipation()));
   }
 
   private JointSpringLaw(String name, Side side, List<Expression> numbers) {

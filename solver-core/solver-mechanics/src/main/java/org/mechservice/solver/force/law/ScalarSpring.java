@@ -6,15 +6,16 @@ import org.mechservice.solver.mechanism.force.Side;
 
 /**
  * A spring and damper of one coordinate z with rate z′: the tension T, positive against growing z.
- * With x = z − z0: T = F0 + k x + c x′ on both sides, k pos(x) + c x′ pos′(x) above, −(k pos(y) + c
- * y′ pos′(y)) with y = −x below. Coefficients in the order k, c, z0, F0, ε.
+ * With x = z − z0: T = F0 + k x + c x′ on both sides, the push of a {@link OneSidedLaw} of x above,
+ * and its opposite with y = −x below. Coefficients in the order k, c, z0, F0, ε, χ.
  */
 final class ScalarSpring {
   private static final String[] NAMES = {
-    "stiffness", "damping", "rest position", "preload", "smoothing"
+    "stiffness", "damping", "rest position", "preload", "smoothing", "dissipation"
   };
 
   private final Side side;
+  private final OneSidedLaw push = new OneSidedLaw();
   private double k;
   private double c;
   private double rest;
@@ -42,9 +43,19 @@ final class ScalarSpring {
     if (eps < 0) {
       return force.refuse(NAMES[4], eps, "zero or positive");
     }
-    if (side != Side.BOTH && preload != 0) {
+    return side == Side.BOTH || isOneSided(coefficients, force);
+  }
+
+  private boolean isOneSided(Coefficients coefficients, AppliedForce force) {
+    if (preload != 0) {
       return force.refuse(NAMES[3], preload, "zero for a force that acts on one side only");
     }
+    for (int i : new int[] {0, 1, 5}) {
+      if (coefficients.at(i) < 0) {
+        return force.refuse(NAMES[i], coefficients.at(i), "zero or positive");
+      }
+    }
+    push.set(k, 1, c, coefficients.at(5), eps);
     return true;
   }
 
@@ -59,18 +70,18 @@ final class ScalarSpring {
       return;
     }
     double sign = side == Side.ABOVE ? 1 : -1;
-    double slope = SmoothPositive.slope(sign * x, eps);
-    dampingForce = c * rate * slope;
-    tension = sign * k * SmoothPositive.value(sign * x, eps) + dampingForce;
-    byPosition = k * slope + sign * c * rate * SmoothPositive.bend(sign * x, eps);
-    byVelocity = c * slope;
+    push.evaluate(sign * x, sign * rate);
+    tension = sign * push.force();
+    dampingForce = sign * (push.force() - push.elastic());
+    byPosition = push.byDepth();
+    byVelocity = push.byRate();
   }
 
   double tension() {
     return tension;
   }
 
-  /** Returns the part of the tension that comes from the damper. */
+  /** Returns the part of the tension without potential energy: that of the damper. */
   double dampingForce() {
     return dampingForce;
   }
@@ -88,8 +99,8 @@ final class ScalarSpring {
     double x = z - rest;
     return switch (side) {
       case BOTH -> (0.5 * k * x + preload) * x;
-      case ABOVE -> k * SmoothPositive.integral(x, eps, 1);
-      case BELOW -> k * SmoothPositive.integral(-x, eps, 1);
+      case ABOVE -> push.potentialEnergy(x);
+      case BELOW -> push.potentialEnergy(-x);
     };
   }
 

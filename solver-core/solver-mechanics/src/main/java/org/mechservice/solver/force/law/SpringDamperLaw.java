@@ -31,7 +31,8 @@ public final class SpringDamperLaw implements FrameLaw {
                 element.damping(),
                 element.length0(),
                 element.force0(),
-                element.smoothing()));
+                element.smoothing(),
+                element.dissipation()));
     spring = new ScalarSpring(element.side());
   }
 

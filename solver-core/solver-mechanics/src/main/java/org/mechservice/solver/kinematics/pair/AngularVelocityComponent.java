@@ -19,6 +19,11 @@ final class AngularVelocityComponent extends PairFunction {
   }
 
   @Override
+  public boolean isLength() {
+    return false;
+  }
+
+  @Override
   public double evaluate(RelativeMotion r) {
     return Double.NaN;
   }

@@ -21,6 +21,11 @@ final class Displacement extends PairFunction {
   }
 
   @Override
+  public boolean isLength() {
+    return true;
+  }
+
+  @Override
   public double evaluate(RelativeMotion r) {
     return Blocks.dot(axis, 0, r.position, 0);
   }

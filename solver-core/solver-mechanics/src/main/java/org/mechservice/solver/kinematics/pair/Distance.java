@@ -4,6 +4,9 @@ import org.mechservice.solver.spatial.Blocks;
 
 /** (|ρ|² − d²) / (2d): a length with a gradient of one where the distance is d (NUMERICS §3). */
 final class Distance extends PairFunction {
+  /** A unit vector in no plane and along no axis that a mechanism is likely to move in. */
+  private static final double[] ANY_DIRECTION = {0.48, 0.6, 0.64};
+
   private final double distance;
 
   /**
@@ -20,12 +23,27 @@ final class Distance extends PairFunction {
   }
 
   @Override
+  public boolean isLength() {
+    return true;
+  }
+
+  @Override
   public double evaluate(RelativeMotion r) {
     for (int i = 0; i < 3; i++) {
       gradient[3 + i] = r.position[i] / distance;
     }
     double length = Math.sqrt(Blocks.dot(r.position, 0, r.position, 0));
     return (length - distance) * (length + distance) / (2 * distance);
+  }
+
+  /** {@inheritDoc} It is |ρ| − d; points that coincide are moved apart in any direction. */
+  @Override
+  public double evaluateFar(RelativeMotion r) {
+    double length = Math.sqrt(Blocks.dot(r.position, 0, r.position, 0));
+    for (int i = 0; i < 3; i++) {
+      gradient[3 + i] = length > 0 ? r.position[i] / length : ANY_DIRECTION[i];
+    }
+    return length - distance;
   }
 
   @Override

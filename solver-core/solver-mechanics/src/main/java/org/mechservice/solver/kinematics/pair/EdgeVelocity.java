@@ -30,6 +30,11 @@ final class EdgeVelocity extends PairFunction {
   }
 
   @Override
+  public boolean isLength() {
+    return true;
+  }
+
+  @Override
   public double evaluate(RelativeMotion r) {
     apply(r.rotation, 0, inB, 0, gradient, 3);
     return 0;

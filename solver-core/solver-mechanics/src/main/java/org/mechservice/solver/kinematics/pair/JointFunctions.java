@@ -143,9 +143,7 @@ record JointFunctions(List<PairFunction> forbidden, List<PairFunction> coordinat
     Rotation toB = zero.transposed();
     List<PairFunction> rotations = new ArrayList<>();
     for (int k = 0; k < 3; k++) {
-      Vector3[] a = {axes[k], axes[(k + 1) % 3], axes[(k + 2) % 3]};
-      Vector3[] b = {toB.apply(a[0]), toB.apply(a[1]), toB.apply(a[2])};
-      rotations.add(Tilt.ofFrame("rotation about " + text(a[0]), a, b));
+      rotations.add(Tilt.ofFrame("rotation about " + text(axes[k]), axes, k, toB));
     }
     return rotations;
   }

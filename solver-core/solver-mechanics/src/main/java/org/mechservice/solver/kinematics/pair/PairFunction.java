@@ -93,6 +93,24 @@ public abstract class PairFunction {
   /** Evaluates {@link #gradient} at a pose and returns the value, rad or m. */
   public abstract double evaluate(RelativeMotion r);
 
+  /** Returns whether the function measures a displacement, in m; otherwise an angle, in rad. */
+  public abstract boolean isLength();
+
+  /**
+   * As {@link #evaluate}, for poses far from those of the joint. Value and gradient equal those of
+   * {@link #evaluate} to first order where the function is zero. In every other pose they are
+   * finite, also at half a turn, and the gradient has the size it has there: the value is the
+   * displacement or the rotation by which the pose must change, and the gradient maps small motions
+   * to changes of it along the shortest way. Value times gradient, summed over the functions of a
+   * joint, is the gradient of half the sum of the squares; so Gauss-Newton steps with it lead
+   * downhill.
+   *
+   * @return the value, rad or m
+   */
+  public double evaluateFar(RelativeMotion r) {
+    return evaluate(r);
+  }
+
   /**
    * Adds the curvature at the pose last evaluated.
    *

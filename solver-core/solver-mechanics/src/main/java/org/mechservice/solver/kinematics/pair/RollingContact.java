@@ -32,6 +32,9 @@ final class RollingContact extends PairFunction {
   private final double[] up = new double[3];
   private final double[] arm = new double[3];
 
+  /** A direction in the plane. */
+  private final double[] anyDiameter;
+
   /** t. */
   private final double[] along = new double[3];
 
@@ -50,6 +53,7 @@ final class RollingContact extends PairFunction {
     this.direction = direction;
     Vector3 n = shape.normal();
     normal = components(n);
+    anyDiameter = components(JointFunctions.normalTo(n));
     isWheel = !shape.isBall();
     axleInB = components(shape.axle());
     Vector3 first = shape.tangent();
@@ -78,6 +82,11 @@ final class RollingContact extends PairFunction {
   }
 
   @Override
+  public boolean isLength() {
+    return true;
+  }
+
+  @Override
   public double evaluate(RelativeMotion r) {
     if (isWheel) {
       placeWheel(r);
@@ -86,6 +95,23 @@ final class RollingContact extends PairFunction {
         arm[i] = -shape.radius() * normal[i];
       }
     }
+    return height(r);
+  }
+
+  /** {@inheritDoc} A wheel that lies flat is raised about any diameter. */
+  @Override
+  public double evaluateFar(RelativeMotion r) {
+    double height = evaluate(r);
+    if (s > 0) {
+      return height;
+    }
+    System.arraycopy(anyDiameter, 0, track, 0, 3);
+    cross(track, 0, axle, 0, up, 0);
+    finishWheel(1);
+    return height(r);
+  }
+
+  private double height(RelativeMotion r) {
     cross(arm, 0, along, 0, gradient, 0);
     System.arraycopy(along, 0, gradient, 3, 3);
     if (!isHolonomic()) {
@@ -102,16 +128,27 @@ final class RollingContact extends PairFunction {
     s = Math.sqrt(dot(track, 0, track, 0));
     for (int i = 0; i < 3; i++) {
       up[i] = (normal[i] - c * axle[i]) / s;
+    }
+    finishWheel(s);
+  }
+
+  /**
+   * Forms the touching point and t.
+   *
+   * @param length of {@link #track}
+   */
+  private void finishWheel(double length) {
+    for (int i = 0; i < 3; i++) {
       arm[i] = -shape.radius() * up[i] - shape.tube() * normal[i];
     }
     if (direction == RollingShape.Direction.ALONG) {
       for (int i = 0; i < 3; i++) {
-        along[i] = track[i] / s;
+        along[i] = track[i] / length;
       }
     } else if (direction == RollingShape.Direction.ACROSS) {
       cross(normal, 0, track, 0, along, 0);
       for (int i = 0; i < 3; i++) {
-        along[i] /= s;
+        along[i] /= length;
       }
     }
   }

@@ -25,8 +25,22 @@ final class ScrewGap extends PairFunction {
   }
 
   @Override
+  public boolean isLength() {
+    return true;
+  }
+
+  @Override
   public double evaluate(RelativeMotion r) {
-    double gap = displacement.evaluate(r) - pitch * turn.evaluate(r);
+    return gap(displacement.evaluate(r), turn.evaluate(r));
+  }
+
+  @Override
+  public double evaluateFar(RelativeMotion r) {
+    return gap(displacement.evaluateFar(r), turn.evaluateFar(r));
+  }
+
+  private double gap(double way, double angle) {
+    double gap = way - pitch * angle;
     for (int i = 0; i < 6; i++) {
       gradient[i] = displacement.gradient[i] - pitch * turn.gradient[i];
     }

@@ -2,6 +2,7 @@ package org.mechservice.solver.kinematics.pair;
 
 import java.util.Arrays;
 import java.util.List;
+import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
@@ -15,14 +16,17 @@ final class Tilt extends PairFunction {
   private final AxisProduct[] below;
   private final double[] ofAbove = new double[3];
   private final double[] ofBelow = new double[3];
+  private final LargeTilt large;
   private double value;
   private double denominator;
 
-  private Tilt(String label, AxisProduct[] above, double[] sign, AxisProduct[] below) {
+  private Tilt(
+      String label, AxisProduct[] above, double[] sign, AxisProduct[] below, LargeTilt large) {
     super(label);
     this.above = above;
     this.sign = sign;
     this.below = below;
+    this.large = large;
   }
 
   /**
@@ -37,17 +41,21 @@ final class Tilt extends PairFunction {
         label,
         new AxisProduct[] {new AxisProduct(normal, axisB)},
         new double[] {1},
-        new AxisProduct[] {new AxisProduct(axisA, axisB)});
+        new AxisProduct[] {new AxisProduct(axisA, axisB)},
+        new LargeTilt.OfAxis(axisA, normal, axisB));
   }
 
   /**
    * Returns the rotation of B about an axis of a frame common to both at zero: 2 tan(φ/2) u · k for
    * a rotation by φ about u.
    *
-   * @param a right-handed axes of the frame in A's axes, k the first
-   * @param b the same axes in B's axes
+   * @param frame right-handed axes in A's axes
+   * @param k the axis among them
+   * @param toB rotation from A's axes to B's at zero
    */
-  static Tilt ofFrame(String label, Vector3[] a, Vector3[] b) {
+  static Tilt ofFrame(String label, Vector3[] frame, int k, Rotation toB) {
+    Vector3[] a = {frame[k], frame[(k + 1) % 3], frame[(k + 2) % 3]};
+    Vector3[] b = {toB.apply(a[0]), toB.apply(a[1]), toB.apply(a[2])};
     // with D_ij = a_i · R b_j: 2 (D_32 − D_23) / (1 + D_11 + D_22 + D_33)
     return new Tilt(
         label,
@@ -55,7 +63,8 @@ final class Tilt extends PairFunction {
         new double[] {1, -1},
         new AxisProduct[] {
           new AxisProduct(a[0], b[0]), new AxisProduct(a[1], b[1]), new AxisProduct(a[2], b[2])
-        });
+        },
+        new LargeTilt.OfFrame(a[0], toB));
   }
 
   @Override
@@ -65,6 +74,11 @@ final class Tilt extends PairFunction {
 
   private static List<AxisPair> axes(AxisProduct[] products) {
     return Arrays.stream(products).map(product -> product.axes).toList();
+  }
+
+  @Override
+  public boolean isLength() {
+    return false;
   }
 
   @Override
@@ -90,6 +104,12 @@ final class Tilt extends PairFunction {
       gradient[i] = (2 * ofAbove[i] - value * ofBelow[i]) / denominator;
     }
     return value;
+  }
+
+  /** {@inheritDoc} It is φ in place of 2 tan(φ/2). */
+  @Override
+  public double evaluateFar(RelativeMotion r) {
+    return large.evaluate(r, gradient);
   }
 
   /** [2 ∂²N − f ∂²D − ∂D ∇fᵀ − ∇f ∂Dᵀ] / D. */

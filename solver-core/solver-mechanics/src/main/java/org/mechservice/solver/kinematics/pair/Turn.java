@@ -27,12 +27,34 @@ final class Turn extends PairFunction {
   }
 
   @Override
+  public boolean isLength() {
+    return false;
+  }
+
+  @Override
   public double evaluate(RelativeMotion r) {
     s = sine.evaluate(r);
     c = cosine.evaluate(r);
     double scale = sense / (s * s + c * c);
     for (int i = 0; i < 3; i++) {
       gradient[i] = scale * (c * sine.gradient[i] - s * cosine.gradient[i]);
+    }
+    return sense * StrictMath.atan2(s, c);
+  }
+
+  /**
+   * {@inheritDoc} Where both products vanish, because the axes of the bodies are normal to each
+   * other, there is no angle: the gradient, which is bounded, is zero there, and the other
+   * functions of the joint bring the axes together first.
+   */
+  @Override
+  public double evaluateFar(RelativeMotion r) {
+    s = sine.evaluate(r);
+    c = cosine.evaluate(r);
+    double length = Math.hypot(s, c);
+    for (int i = 0; i < 3; i++) {
+      gradient[i] =
+          length > 0 ? sense * (c * sine.gradient[i] - s * cosine.gradient[i]) / length : 0;
     }
     return sense * StrictMath.atan2(s, c);
   }

@@ -11,24 +11,28 @@ import org.mechservice.solver.mechanism.joint.Joint;
 import org.mechservice.solver.text.Origin;
 
 /**
- * Contact of a sphere or a point with a surface, which exerts a push but no pull.
+ * Contact of a sphere or a point with a surface, which pushes and never pulls.
  *
  * <p>A frame carries the surface: its height h above the frame's x-y plane (z points out of the
- * ground) is zero for a plane, or a profile h(x) that does not depend on y. With the centre (x, y,
- * z) of the sphere in the frame, the penetration is d = radius + h(x) − z, measured along z. The
- * push along z on the sphere is
+ * ground) is zero for a plane, or a profile h(x) that does not depend on y. The sphere touches with
+ * its surface: with the point of the curve z = h(x) that is closest to the centre, and the normal n
+ * there, the penetration is d = radius − distance, measured along n. The push along n on the sphere
+ * is
  *
- * <p>N = k pos(d)ⁿ + c d′ pos′(d),
+ * <p>N = max(0, k pos(d)ⁿ (1 + χ d′) + c d′ pos′(d)).
  *
- * <p>and the normal force of the surface on the centre is (−N h′, 0, N). Friction acts at the
- * lowest point of the sphere (radius below the centre, along z): −friction · N · u / √(|u|² +
- * frictionSpeed²), u the velocity along x and y of the body's point there relative to the surface.
- * The opposite forces act on the body of the surface at the same points. A steep profile needs a
- * small radius, because distances are measured along z, not normal to the slope.
+ * <p>Friction acts at the point of the sphere that is radius below its centre along n: −friction ·
+ * N · u / √(|u|² + frictionSpeed²), u the velocity of the body's point there relative to the
+ * surface, in the tangent plane. The opposite forces act on the body of the surface at the same
+ * points.
  *
- * <p>Energy: k ∫ posⁿ (zero at d = 0 for n = 1, at d = −∞ for n &gt; 1); power lost: c d′² pos′(d)
- * and the work of friction. The damper can pull for an instant while the sphere leaves; friction
- * has the sign of N, so that all forces stay smooth.
+ * <p>The closest point is sought on h from the point below the centre. That is enough where the
+ * surface bends less than the sphere. Otherwise the sphere touches at several points at once, and
+ * {@code tracks} has the curves on which its centre moves while it touches each of them; depth and
+ * normal are then those of the centre and the closest point of each track.
+ *
+ * <p>Energy: k ∫ posⁿ (zero at d = 0 for n = 1, at d = −∞ for n &gt; 1); the rest of the push and
+ * friction do work.
  *
  * @param name name in the model file
  * @param center centre of the sphere, or the point
@@ -36,8 +40,11 @@ import org.mechservice.solver.text.Origin;
  * @param surface frame of the surface, z outwards
  * @param height h of {@link Expression.Argument} and parameters, m; {@code Expression.ZERO} for a
  *     plane
+ * @param tracks heights of the centre of the touching sphere, of {@link Expression.Argument}, m;
+ *     empty if the surface bends less than the sphere
  * @param stiffness k, N/mⁿ
  * @param damping c, N·s/m
+ * @param dissipation χ, s/m
  * @param exponent n ≥ 1
  * @param smoothing ε of pos, m, not negative
  * @param friction coefficient, not negative
@@ -50,16 +57,55 @@ public record Contact(
     Expression radius,
     BodyFrame surface,
     Expression height,
+    List<Expression> tracks,
     Expression stiffness,
     Expression damping,
+    Expression dissipation,
     Expression exponent,
     Expression smoothing,
     Expression friction,
     Expression frictionSpeed,
     Origin origin)
     implements ForceElement {
+  public Contact {
+    tracks = List.copyOf(tracks);
+  }
 
-  /** {@inheritDoc} Penetration, push, friction along the frame's x and y. */
+  /** A contact without χ, with a surface that bends less than the sphere. */
+  public Contact(
+      String name,
+      BodyPoint center,
+      Expression radius,
+      BodyFrame surface,
+      Expression height,
+      Expression stiffness,
+      Expression damping,
+      Expression exponent,
+      Expression smoothing,
+      Expression friction,
+      Expression frictionSpeed,
+      Origin origin) {
+    this(
+        name,
+        center,
+        radius,
+        surface,
+        height,
+        List.of(),
+        stiffness,
+        damping,
+        Expression.ZERO,
+        exponent,
+        smoothing,
+        friction,
+        frictionSpeed,
+        origin);
+  }
+
+  /**
+   * {@inheritDoc} Penetration (of the deepest point), push, friction along the profile and along
+   * the frame's y.
+   */
   @Override
   public List<Variable> values(Function<Coordinate, Joint> jointOf) {
     return List.of(

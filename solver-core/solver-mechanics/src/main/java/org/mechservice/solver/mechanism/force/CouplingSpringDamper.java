@@ -13,7 +13,8 @@ import org.mechservice.solver.text.Origin;
  * A spring and damper along a formula x of joint positions, places of points and time: the teeth of
  * a gear, a belt, a rope over pulleys. Its tension T acts against growing x with the generalised
  * force −T, so it exerts −T ∂x/∂q on every coordinate. With z = x − rest: T = force0 + k z + c z′
- * on both sides; on one side as {@link SpringDamper}. The potential energy is that of the spring.
+ * on both sides; on one side as {@link SpringDamper}, with χ. The potential energy is that of the
+ * spring.
  *
  * @param name name in the model file
  * @param along x, of t, parameters, positions of coordinates that are no Euler parameters, and
@@ -25,6 +26,7 @@ import org.mechservice.solver.text.Origin;
  * @param force0 tension at rest, N or N·m; zero on one side
  * @param side where it acts
  * @param smoothing length or angle over which a force on one side sets in, m or rad
+ * @param dissipation χ, s/m or s/rad, not negative; zero on both sides
  * @param points what a rope passes, in this order, for pictures; empty for other couplings
  * @param origin position in the model file
  */
@@ -38,11 +40,40 @@ public record CouplingSpringDamper(
     Expression force0,
     Side side,
     Expression smoothing,
+    Expression dissipation,
     List<BodyPoint> points,
     Origin origin)
     implements ForceElement {
   public CouplingSpringDamper {
     points = List.copyOf(points);
+  }
+
+  /** A spring without χ. */
+  public CouplingSpringDamper(
+      String name,
+      Expression along,
+      boolean angle,
+      Expression stiffness,
+      Expression damping,
+      Expression rest,
+      Expression force0,
+      Side side,
+      Expression smoothing,
+      List<BodyPoint> points,
+      Origin origin) {
+    this(
+        name,
+        along,
+        angle,
+        stiffness,
+        damping,
+        rest,
+        force0,
+        side,
+        smoothing,
+        Expression.ZERO,
+        points,
+        origin);
   }
 
   @Override

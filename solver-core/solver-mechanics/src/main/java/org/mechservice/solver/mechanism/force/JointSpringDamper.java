@@ -17,13 +17,13 @@ import org.mechservice.solver.text.Origin;
  *
  * <ul>
  *   <li>{@code BOTH}: τ = force0 − k x − c v;
- *   <li>{@code ABOVE}: τ = −(k pos(x) + c v pos′(x)), an upper stop;
- *   <li>{@code BELOW}: τ = k pos(−x) − c v pos′(−x), a lower stop.
+ *   <li>{@code ABOVE}: τ = −max(0, k pos(x) (1 + χ v) + c v pos′(x)), an upper stop;
+ *   <li>{@code BELOW}: τ = max(0, k pos(−x) (1 − χ v) − c v pos′(−x)), a lower stop.
  * </ul>
  *
- * Energy: ½ k x² − force0 x, or k ∫ pos with its zero at x = 0; power lost: c v², times pos′.
- * Stiffness and damping of an angle are per radian. Joints with Euler parameters have displacements
- * only (F, components 4 to 6 as positions).
+ * A stop pushes and never pulls. Energy: ½ k x² − force0 x, or k ∫ pos with its zero at x = 0;
+ * power lost: the rest of the force times v. Stiffness and damping of an angle are per radian.
+ * Joints with Euler parameters have displacements only (F, components 4 to 6 as positions).
  *
  * @param name name in the model file
  * @param coordinate component counts positions; its position must have a velocity of its own
@@ -34,6 +34,7 @@ import org.mechservice.solver.text.Origin;
  *     {@code BOTH}
  * @param side side on which it acts
  * @param smoothing ε of pos, rad or m, not negative; not used for {@code BOTH}
+ * @param dissipation χ, s/rad or s/m, not negative; zero for {@code BOTH}
  * @param origin position in the model file
  */
 public record JointSpringDamper(
@@ -45,8 +46,32 @@ public record JointSpringDamper(
     Expression force0,
     Side side,
     Expression smoothing,
+    Expression dissipation,
     Origin origin)
     implements ForceElement {
+  /** A spring without χ. */
+  public JointSpringDamper(
+      String name,
+      Coordinate coordinate,
+      Expression stiffness,
+      Expression damping,
+      Expression position0,
+      Expression force0,
+      Side side,
+      Expression smoothing,
+      Origin origin) {
+    this(
+        name,
+        coordinate,
+        stiffness,
+        damping,
+        position0,
+        force0,
+        side,
+        smoothing,
+        Expression.ZERO,
+        origin);
+  }
 
   @Override
   public List<Variable> values(Function<Coordinate, Joint> jointOf) {

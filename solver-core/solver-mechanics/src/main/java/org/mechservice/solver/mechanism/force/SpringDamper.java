@@ -17,13 +17,15 @@ import org.mechservice.solver.text.Origin;
  *
  * <ul>
  *   <li>{@code BOTH}: T = force0 + k x + c x′;
- *   <li>{@code ABOVE}: T = k pos(x) + c x′ pos′(x), a rope or belt;
- *   <li>{@code BELOW}: T = −(k pos(y) + c y′ pos′(y)) with y = −x, a buffer.
+ *   <li>{@code ABOVE}: T = max(0, k pos(x) (1 + χ x′) + c x′ pos′(x)), a rope or belt: it pulls and
+ *       never pushes;
+ *   <li>{@code BELOW}: T = −max(0, k pos(y) (1 + χ y′) + c y′ pos′(y)) with y = −x, a buffer: it
+ *       pushes and never pulls.
  * </ul>
  *
- * Energy: ½ k x² + force0 x, or k ∫ pos with its zero at x = 0; power lost: c x′², times pos′. The
- * line has no direction if the points coincide; the run then ends with a message naming the force,
- * unless the tension is exactly zero.
+ * Energy: ½ k x² + force0 x, or k ∫ pos with its zero at x = 0; power lost: the rest of the tension
+ * times x′. The line has no direction if the points coincide; the run then ends with a message
+ * naming the force, unless the tension is exactly zero.
  *
  * @param name name in the model file
  * @param point1 one end
@@ -34,6 +36,7 @@ import org.mechservice.solver.text.Origin;
  * @param force0 tension at {@code length0}, N; zero unless {@code side} is {@code BOTH}
  * @param side side on which it acts
  * @param smoothing ε of pos, m, not negative; not used for {@code BOTH}
+ * @param dissipation χ, s/m, not negative; zero for {@code BOTH}
  * @param origin position in the model file
  */
 public record SpringDamper(
@@ -46,8 +49,34 @@ public record SpringDamper(
     Expression force0,
     Side side,
     Expression smoothing,
+    Expression dissipation,
     Origin origin)
     implements ForceElement {
+  /** A spring without χ. */
+  public SpringDamper(
+      String name,
+      BodyPoint point1,
+      BodyPoint point2,
+      Expression stiffness,
+      Expression damping,
+      Expression length0,
+      Expression force0,
+      Side side,
+      Expression smoothing,
+      Origin origin) {
+    this(
+        name,
+        point1,
+        point2,
+        stiffness,
+        damping,
+        length0,
+        force0,
+        side,
+        smoothing,
+        Expression.ZERO,
+        origin);
+  }
 
   @Override
   public List<Variable> values(Function<Coordinate, Joint> jointOf) {

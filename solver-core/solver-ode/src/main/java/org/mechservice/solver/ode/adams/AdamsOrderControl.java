@@ -122,6 +122,11 @@ final class AdamsOrderControl {
     }
   }
 
+  /** Takes an error into account that the discrepancy does not show. */
+  void include(double other) {
+    error = Math.max(error, other);
+  }
+
   private double errorTwoBelow(
       double size, AdamsCoefficients c, AdamsHistory history, ErrorNorm norm) {
     int k = order;

@@ -1,6 +1,7 @@
 package org.mechservice.solver.ode.adams;
 
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.mechservice.solver.ode.IntegrationFailure.Cause;
 import org.mechservice.solver.ode.IntegrationStatistics;
 import org.mechservice.solver.ode.IntegratorSettings;
@@ -14,6 +15,7 @@ import org.mechservice.solver.ode.step.IntegrationProgress;
 import org.mechservice.solver.ode.step.Manifold;
 import org.mechservice.solver.ode.step.RightHandSide;
 import org.mechservice.solver.ode.step.StepBounds;
+import org.mechservice.solver.ode.step.StepWatch;
 import org.mechservice.solver.ode.step.SteppingIntegrator;
 
 /**
@@ -29,7 +31,6 @@ abstract class AdamsPece extends SteppingIntegrator {
   private final ErrorNorm norm;
   private final StepBounds bounds;
   private final AdamsStep step;
-  private final AdamsInterpolant interpolant = new AdamsInterpolant();
 
   /**
    * @throws IllegalArgumentException if a setting is out of range
@@ -58,6 +59,11 @@ abstract class AdamsPece extends SteppingIntegrator {
    * @param roundOff norm of the round-off of the state at the start
    */
   abstract boolean compensates(double roundOff);
+
+  @Override
+  public final void watch(Supplier<StepWatch> watches) {
+    step.watch(watches.get());
+  }
 
   @Override
   public final StepResult start(OdeSystem system, double t0, double[] y0, double tEnd) {
@@ -180,17 +186,9 @@ abstract class AdamsPece extends SteppingIntegrator {
     return history().difference(1);
   }
 
-  /**
-   * Returns how many jumps lie ahead if they follow each other as closely as the last ones; 0
-   * before there were many.
-   */
-  public final double jumpsAhead() {
-    return step.jumpsAhead();
-  }
-
-  /** Returns whether it crosses what looks like jumps again and again. */
-  public final boolean crossesOften() {
-    return step.crossesOften();
+  /** Returns whether a watch sees something steep ahead that an implicit method copes with. */
+  public final boolean steepAhead() {
+    return step.steepAhead();
   }
 
   private StepResult beginAnew(double t, double[] y) {
@@ -252,7 +250,7 @@ abstract class AdamsPece extends SteppingIntegrator {
         if (pole >= 0) {
           return step.fail(Cause.UNBOUNDED, pole);
         }
-        if (step.cutAtPulse()) {
+        if (step.cutShort()) {
           continue;
         }
         step.accept();
@@ -276,7 +274,7 @@ abstract class AdamsPece extends SteppingIntegrator {
   @Override
   public final void interpolate(double t, double[] y, double[] yDot) {
     progress.requireInLastStep(t);
-    interpolant.evaluate(t - progress.time(), progress.order(), step.psi(), history(), y, yDot);
+    step.interpolate(t, y, yDot);
   }
 
   @Override
@@ -308,6 +306,7 @@ abstract class AdamsPece extends SteppingIntegrator {
   private void transfer(SavedState state, RightHandSide equations) {
     state.require("method", getClass().getSimpleName());
     settings.transfer(state);
+    step.requireWatch(state);
     int n = equations.system().dimension();
     state.require("number of unknowns", n);
     double t0 = state.number(progress.start());

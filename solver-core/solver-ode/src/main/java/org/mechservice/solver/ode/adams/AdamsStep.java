@@ -1,26 +1,27 @@
 package org.mechservice.solver.ode.adams;
 
+import java.util.Arrays;
 import java.util.Optional;
 import java.util.function.DoubleUnaryOperator;
 import org.mechservice.solver.ode.IntegrationFailure.Cause;
 import org.mechservice.solver.ode.IntegratorSettings;
-import org.mechservice.solver.ode.IntegratorSettings.Mode;
 import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.ode.StepResult;
 import org.mechservice.solver.ode.TrialOutcome;
-import org.mechservice.solver.ode.jumps.JumpSearch;
 import org.mechservice.solver.ode.step.ErrorNorm;
+import org.mechservice.solver.ode.step.ExtrapolatedStep;
 import org.mechservice.solver.ode.step.IntegrationProgress;
 import org.mechservice.solver.ode.step.Manifold;
 import org.mechservice.solver.ode.step.RightHandSide;
 import org.mechservice.solver.ode.step.StepBounds;
+import org.mechservice.solver.ode.step.StepWatch;
 
 /**
  * One step of an Adams method after the other: {@link #attempt} predicts, evaluates, tests,
  * corrects and evaluates it, {@link #accept} chooses order and size of the next, {@link #repair}
  * makes one that failed shorter.
  */
-final class AdamsStep {
+final class AdamsStep implements ExtrapolatedStep {
   /** Share of the interval that the first step may cover: a start at rest says nothing about f. */
   private static final double FIRST_SHARE_OF_INTERVAL = 0.1;
 
@@ -30,13 +31,21 @@ final class AdamsStep {
   private final ErrorNorm norm;
   private final StepBounds bounds;
   private final DoubleUnaryOperator firstStep;
-  private final Mode mode;
   private final int highestOrder;
   private final AdamsCoefficients coefficients = new AdamsCoefficients();
   private final AdamsOrderControl control = new AdamsOrderControl();
   private final StiffnessMonitor stiffness = new StiffnessMonitor();
-  private final HiddenSingularities hidden;
-  private final JumpSearch jumps;
+  private final AdamsInterpolant interpolant = new AdamsInterpolant();
+  private StepWatch watch = StepWatch.NONE;
+
+  /**
+   * By how much completions changed the predicted and the corrected state of the step: the error of
+   * the corrector in the passive components.
+   */
+  private double[] completion = new double[0];
+
+  /** Whether that error alone rejects the step: f, in which jumps are searched for, shows none. */
+  private boolean passiveInaccurate;
 
   private AdamsProblem problem = AdamsProblem.none();
   private AdamsHistory history = problem.history();
@@ -70,23 +79,25 @@ final class AdamsStep {
     this.norm = norm;
     this.bounds = bounds;
     this.firstStep = firstStep;
-    mode = settings.mode();
     highestOrder = settings.highestOrder(AdamsCoefficients.HIGHEST_ORDER);
-    hidden = new HiddenSingularities(progress, norm, control, coefficients, mode);
-    jumps = hidden.jumps();
+  }
+
+  /** Has the steps of all problems to come watched. */
+  void watch(StepWatch watch) {
+    this.watch = watch;
   }
 
   /** Makes ready for a problem, for which norm and bounds are begun. */
   void prepare(AdamsProblem problem) {
     this.problem = problem;
     history = problem.history();
-    hidden.prepare(problem);
+    completion = new double[problem.manifold().completes() ? problem.dimension() : 0];
+    watch.prepare(this);
   }
 
   /** Forgets what steps towards another state have told. */
   void beginAgain() {
     stiffness.beginAgain();
-    hidden.forgetDerivatives();
   }
 
   /**
@@ -98,7 +109,7 @@ final class AdamsStep {
   TrialOutcome beginAt(double t, double[] y, double initialStep) {
     coefficients.clear();
     control.begin(highestOrder);
-    hidden.beginAt(t);
+    watch.begin(t);
     bounds.stopAt(problem.equations().breakpoints().next());
     triedTime = t;
     h = 0;
@@ -174,6 +185,7 @@ final class AdamsStep {
   /** Predict, complete, evaluate, estimate, correct, complete and project, evaluate. */
   TrialOutcome attempt() {
     prepare();
+    passiveInaccurate = false;
     int k = control.order();
     TrialOutcome prediction = foreseen ? TrialOutcome.PASSED : predict(k);
     foreseen = false;
@@ -181,11 +193,15 @@ final class AdamsStep {
       return prediction;
     }
     control.estimate(Math.abs(h), coefficients, history, norm);
-    if (!(control.error() <= 1) || hidden.jumpInside(h, triedTime)) {
+    if (!watch.passes(control.error())) {
       return finite(history.derivative) ? TrialOutcome.TOO_INACCURATE : TrialOutcome.NOT_FINITE;
     }
     if (!correct(h * coefficients.g[k + 1])) {
       return TrialOutcome.NOT_COMPLETED;
+    }
+    passiveInaccurate = !(control.error() <= 1);
+    if (passiveInaccurate) {
+      return TrialOutcome.TOO_INACCURATE;
     }
     if (!evaluate(history.corrected())) {
       return TrialOutcome.STOPPED;
@@ -198,7 +214,8 @@ final class AdamsStep {
   /** Predict, complete, evaluate. */
   private TrialOutcome predict(int k) {
     history.predict(h, k, coefficients.beta, coefficients.g);
-    if (!problem.manifold().complete(triedTime, history.predicted)) {
+    Arrays.fill(completion, 0);
+    if (!complete(history.predicted)) {
       return TrialOutcome.NOT_COMPLETED;
     }
     if (!evaluate(history.predicted)) {
@@ -213,21 +230,36 @@ final class AdamsStep {
     Manifold manifold = problem.manifold();
     double[] corrected = history.corrected();
     history.correct(weight);
-    boolean found =
-        manifold.complete(triedTime, corrected) && manifold.project(triedTime, corrected);
+    boolean found = complete(corrected);
+    if (completion.length > 0) {
+      control.include(norm.of(completion));
+    }
+    found = found && manifold.project(triedTime, corrected);
     history.carry(weight);
     return found;
   }
 
-  /** Returns the component that has a pole inside the step that passed, −1 if none has. */
-  int componentWithPole() {
-    return hidden.componentWithPole(triedTime);
+  /** Completes a state; adds what that changes to the completion of the step. */
+  private boolean complete(double[] y) {
+    for (int l = 0; l < completion.length; l++) {
+      completion[l] -= y[l];
+    }
+    boolean found = problem.manifold().complete(triedTime, y);
+    for (int l = 0; l < completion.length; l++) {
+      completion[l] += y[l];
+    }
+    return found;
   }
 
-  /** Returns whether there is a pulse in the step that passed; it is then cut off in front. */
-  boolean cutAtPulse() {
-    double part = hidden.partToPulse(h);
-    if (!(part < 1)) {
+  /** Returns the component that grows beyond every bound in the step that passed, or −1. */
+  int componentWithPole() {
+    return watch.componentWithPole();
+  }
+
+  /** Returns whether the step that passed is to be tried shorter; it is then cut off. */
+  boolean cutShort() {
+    double part = watch.partToTake();
+    if (part == 1) {
       return false;
     }
     progress.rejected(h, control.order(), Double.NaN, TrialOutcome.TOO_INACCURATE, -1);
@@ -239,22 +271,22 @@ final class AdamsStep {
   /** Goes on to the end of the step that passed. */
   void accept() {
     int k = control.order();
-    hidden.accepting();
     history.accept(k);
     coefficients.accept(h, k);
     progress.accepted(h, triedTime, k, control.error());
+    boolean historyIsOfNoUse = watch.accepted();
     stiffness.accepted(h, k, control.error(), coefficients.g[k + 1], history, norm);
-    double size = h;
-    double error = control.error();
     h *= control.accept(Math.abs(h), coefficients.equalSteps(), history, norm);
     problem.manifold().restoreUnitGroups(history.state(), history);
     problem.manifold().accepted(triedTime, history.state());
-    if (jumps.accepted(size, triedTime, error)) {
+    if (historyIsOfNoUse) {
       forgetHistory();
-    } else if (jumps.active()) {
-      h = towardsJump(h);
     }
-    h = Math.copySign(Math.min(Math.abs(h), jumps.longestStep(triedTime)), h);
+    double aim = watch.aim();
+    if (Double.isFinite(aim)) {
+      h = aimedAt(aim, h);
+    }
+    h = Math.copySign(Math.min(Math.abs(h), watch.longest()), h);
     begun = false;
     prepared = false;
   }
@@ -267,18 +299,17 @@ final class AdamsStep {
     h = Math.copySign(firstStepFrom(triedTime), h);
   }
 
-  /** Returns the step that halves the stretch with a jump, or crosses it, no longer than given. */
-  private double towardsJump(double longest) {
-    double step = jumps.step(progress.time());
-    if (jumps.crossing()) {
+  /** Returns the step that the watch aims at, no longer than given. */
+  private double aimedAt(double aim, double longest) {
+    if (watch.atOrderOne()) {
       control.fallToOrderOne();
     }
-    return Math.abs(step) < Math.abs(longest) ? step : longest;
+    return Math.abs(aim) < Math.abs(longest) ? aim : longest;
   }
 
   /** Returns whether the solution slides along a jump and would have to cross it for ever. */
   boolean slides() {
-    return hidden.slides(h);
+    return watch.slides(h);
   }
 
   /** Reduces the step; returns a cause if that is not possible. */
@@ -287,7 +318,7 @@ final class AdamsStep {
     double error = inaccurate ? control.error() : Double.NaN;
     progress.rejected(h, control.order(), error, attempt, limitingComponent(attempt));
     double smallest = bounds.smallest(progress.time());
-    boolean hopeless = Math.abs(h) <= smallest || jumpsAhead() > JumpSearch.MOST;
+    boolean hopeless = Math.abs(h) <= smallest || watch.rejected(attempt);
     if (progress.notFiniteTooOften() || hopeless) {
       return Optional.of(attempt.cause());
     }
@@ -299,10 +330,11 @@ final class AdamsStep {
 
   /** Returns the step to try after one that failed the error test. */
   private double retry() {
-    if (mode != Mode.FAITHFUL && Double.isFinite(control.error())) {
-      jumps.rejected(h, control.order(), triedTime, control.error(), control.discrepancy());
+    if (passiveInaccurate) {
+      return control.reject() * h;
     }
-    return jumps.active() ? towardsJump(h) : control.reject() * h;
+    double aim = watch.aim();
+    return Double.isFinite(aim) ? aimedAt(aim, h) : control.reject() * h;
   }
 
   /** Evaluates f at the end of the step being tried; returns false if told to stop instead. */
@@ -335,14 +367,9 @@ final class AdamsStep {
     return 2 * UNIT_ROUNDOFF * norm.of(y);
   }
 
-  /** Returns how many jumps lie ahead; {@link JumpSearch#ahead}. */
-  double jumpsAhead() {
-    return jumps.ahead(progress.time(), problem.end());
-  }
-
-  /** Returns whether it crosses what looks like jumps again and again. */
-  boolean crossesOften() {
-    return jumps.crossesOften(progress.time(), problem.end());
+  /** Returns whether something steep lies ahead that only an implicit method sees as a slope. */
+  boolean steepAhead() {
+    return watch.steepAhead();
   }
 
   /** Returns whether the problem's end is reached. */
@@ -355,14 +382,108 @@ final class AdamsStep {
     return begun;
   }
 
-  /** Returns the size of the step to be tried, signed. */
-  double size() {
+  @Override
+  public Optional<RightHandSide> rightHandSide() {
+    return Optional.of(problem.equations());
+  }
+
+  @Override
+  public Manifold manifold() {
+    return problem.manifold();
+  }
+
+  @Override
+  public ErrorNorm norm() {
+    return norm;
+  }
+
+  @Override
+  public IntegrationProgress progress() {
+    return progress;
+  }
+
+  @Override
+  public double problemEnd() {
+    return problem.end();
+  }
+
+  @Override
+  public double size() {
     return h;
+  }
+
+  @Override
+  public double end() {
+    return triedTime;
+  }
+
+  @Override
+  public int order() {
+    return control.order();
+  }
+
+  @Override
+  public double error() {
+    return control.error();
+  }
+
+  @Override
+  public double discrepancy() {
+    return control.discrepancy();
+  }
+
+  @Override
+  public int worstComponent() {
+    return norm.largest(history.discrepancy);
+  }
+
+  @Override
+  public double[] state() {
+    return history.state();
+  }
+
+  @Override
+  public double[] stateAtEnd() {
+    return history.corrected();
+  }
+
+  @Override
+  public double[] slope() {
+    return history.difference(1);
+  }
+
+  @Override
+  public double[] slopeAtEnd() {
+    return history.derivative;
+  }
+
+  @Override
+  public double[] foreseenSlope() {
+    return history.foreseen();
+  }
+
+  @Override
+  public double difference(int i, int component) {
+    if (i > control.order()) {
+      return i <= progress.order() + 1 ? Math.abs(history.difference(i)[component]) : 0;
+    }
+    return Math.abs(coefficients.beta[i] * history.difference(i)[component]);
+  }
+
+  @Override
+  public void extrapolate(double part, double[] y, double[] yDot) {
+    interpolant.evaluate(part * h, control.order() - 1, coefficients.psi, history, y, yDot);
   }
 
   /** Returns the problem. */
   AdamsProblem problem() {
     return problem;
+  }
+
+  /** Evaluates state and derivative inside the last step. */
+  void interpolate(double t, double[] y, double[] yDot) {
+    double back = t - progress.time();
+    interpolant.evaluate(back, progress.order(), coefficients.psi, history, y, yDot);
   }
 
   /** Returns ψ of the last step, as its interpolation needs it. */
@@ -373,6 +494,11 @@ final class AdamsStep {
   /** Returns what the steps tell of stiffness. */
   StiffnessMonitor stiffness() {
     return stiffness;
+  }
+
+  /** Carries over by what the steps are watched; refuses another watch than that saved. */
+  void requireWatch(SavedState state) {
+    state.require("watch of the steps", watch.name());
   }
 
   /** Carries the state between two steps over; the problem's own is carried over before. */
@@ -387,7 +513,7 @@ final class AdamsStep {
     history.transfer(state);
     coefficients.transfer(state);
     control.transfer(state);
-    hidden.transfer(state);
+    watch.transfer(state);
     stiffness.transfer(state);
     h = state.number(h);
     triedTime = state.number(triedTime);

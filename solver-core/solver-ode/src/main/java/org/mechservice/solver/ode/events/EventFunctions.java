@@ -44,10 +44,22 @@ public interface EventFunctions {
   Reaction occurred(double t, double[] y, boolean[] occurred);
 
   /**
-   * Notes that a function was exactly 0 at the start and has left 0 in a direction that counts.
-   * That is no event, as nothing says on which side it was before.
+   * Returns how near to 0 a function that turns back counts as touching it, relative to its largest
+   * value so far: the accuracy of the solution, below which nobody knows whether 0 was passed.
    */
-  default void leftZeroAtStart(int function) {}
+  default double resolution() {
+    return Math.sqrt(Math.ulp(1.0));
+  }
+
+  /**
+   * Notes a place at which a function has no event though it is there at zero, beyond it, or
+   * changes its sign.
+   *
+   * @param why which of these
+   * @param t where
+   * @param value of the function there, or beside it
+   */
+  default void noEvent(int function, NoEvent why, double t, double value) {}
 
   /** Notes that the integration goes on from a place at which the reaction was a restart. */
   default void restarting(double t) {}
@@ -80,6 +92,21 @@ public interface EventFunctions {
     return to;
   }
 
+  /**
+   * Moves a state in front of a change of the equations behind it, if there is one within rounding:
+   * no step across a jump passes the error test where the tolerance is finer than the jump times
+   * the shortest step.
+   *
+   * @param t where steps have become too short
+   * @param y state there; not modified
+   * @param yDot its derivative; not modified
+   * @param behind the state moved along its derivative by some roundings of t; overwritten
+   * @return whether there is such a change
+   */
+  default boolean moveAcross(double t, double[] y, double[] yDot, double[] behind) {
+    return false;
+  }
+
   /** Returns the longest first step behind the last end that {@link #seenUntil} has set. */
   default double longestFirstStep() {
     return Double.POSITIVE_INFINITY;
@@ -93,6 +120,21 @@ public interface EventFunctions {
     FALLING,
     /** Both. */
     EITHER
+  }
+
+  /** Why a function has no event at a place. */
+  enum NoEvent {
+    /**
+     * It was exactly 0 at the start and has left 0 at once in a direction that counts: nothing says
+     * on which side it was before.
+     */
+    ZERO_AT_START,
+    /** At the start it is on the side that its events lead to. */
+    PASSED_AT_START,
+    /** It comes to 0 and turns back without a change of sign. */
+    TOUCH,
+    /** It changes its sign through infinity. */
+    POLE
   }
 
   /** The reaction to an event. */

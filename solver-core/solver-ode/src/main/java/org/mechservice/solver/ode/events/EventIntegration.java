@@ -23,13 +23,18 @@ import org.mechservice.solver.ode.step.RecentSteps;
  * Looks for events in the steps of an integrator: changes of sign of functions g_i(t, y).
  *
  * <p>Every step is searched at its end and at three points inside, the first one after a restart
- * also at its very beginning; two zeros of a function between two such points are not seen, unless
- * its rate of change is a function beside it: then its extremum is one of the points. A zero is
- * located on the interpolated solution to max(100 u |t|, 10⁻¹² h), without evaluating the problem.
- * The first event counts; those that cannot be told apart from it are reported together. If the
- * reaction changes the state or the equations, the step ends there and the integrator {@linkplain
- * Integrator#restart restarts}; until the next step, the solution that led to the event can be
- * interpolated.
+ * also at its very beginning, and beyond the zeros of a function that turns back between them, as
+ * far as its values at these points show that it may reach zero. Two zeros of a function closer
+ * together than that are not seen. A zero is located on the interpolated solution to max(100 u |t|,
+ * 10⁻¹² h), without evaluating the problem.
+ *
+ * <p>A change of sign through infinity, a function that touches zero and turns back, one that is
+ * zero at the start and leaves it at once, and one that is beyond zero at the start have no event;
+ * {@link EventFunctions#noEvent} is told of them. A function that rests at exactly zero from the
+ * start on has its event where it leaves zero. The first event counts; those that cannot be told
+ * apart from it are reported together. If the reaction changes the state or the equations, the step
+ * ends there and the integrator {@linkplain Integrator#restart restarts}; until the next step, the
+ * solution that led to the event can be interpolated.
  *
  * <p>Events that accumulate, like the bounces of a ball that comes to rest, end the integration
  * with {@link IntegrationFailure.Cause#EVENTS_ACCUMULATE}.
@@ -130,12 +135,12 @@ public final class EventIntegration implements ResidualIntegrator {
     events = 0;
     values.forget();
     StepResult settled = settle(result, t0);
-    values.rememberZeros();
+    values.judgeStart();
     return settled;
   }
 
   private void prepare(SystemParts system, int dimension, double tEnd) {
-    values.prepare(system, dimension);
+    values.prepare(system, dimension, tEnd);
     restarted = new double[dimension];
     this.tEnd = tEnd;
     failure = Optional.empty();
@@ -188,8 +193,8 @@ public final class EventIntegration implements ResidualIntegrator {
       return result;
     }
     if (result == StepResult.FAILED) {
-      running = false;
-      return result;
+      running = goesOnAcross();
+      return running ? StepResult.ADVANCED : result;
     }
     if (!justRestarted) {
       return searchStep(result, PARTS);
@@ -202,6 +207,26 @@ public final class EventIntegration implements ResidualIntegrator {
     result = searchStep(result, PARTS_AFTER_RESTART);
     values.reportZerosLeft();
     return result;
+  }
+
+  /**
+   * After steps have become too short: goes on from the state behind a change of the equations that
+   * lies within rounding, if there is one.
+   */
+  private boolean goesOnAcross() {
+    double t = integrator.time();
+    if (!functions.searchesSteps()
+        || justRestarted
+        || integrator.failure().cause() != Cause.STEP_TOO_SMALL
+        || !values.moveAcross(t, restarted)) {
+      return false;
+    }
+    time = t;
+    cutOff = true;
+    restartDue = true;
+    stateChanged = false;
+    longestFirstStep = Double.POSITIVE_INFINITY;
+    return true;
   }
 
   /** Searches the step just taken from point to point. */
@@ -219,8 +244,9 @@ public final class EventIntegration implements ResidualIntegrator {
       time = end;
     }
     double from = begin;
-    for (double part : parts) {
-      double to = part == 1 ? end : begin + part * (end - begin);
+    int points = values.survey(begin, end, parts);
+    for (int point = 0; point < points; point++) {
+      double to = values.point(point);
       while (from != to) {
         if (!values.lookAt(to)) {
           return fail(Cause.EVENT_NOT_FINITE);
@@ -264,9 +290,11 @@ public final class EventIntegration implements ResidualIntegrator {
 
   /** Calls the reaction of the functions' owner to the event found. */
   private Reaction react() {
-    events++;
-    values.determine(restarted);
-    Reaction reaction = functions.occurred(values.time(), restarted, values.occurred());
+    Reaction reaction = Reaction.CONTINUE;
+    if (values.determine(restarted)) {
+      events++;
+      reaction = functions.occurred(values.time(), restarted, values.occurred());
+    }
     stayedAtZero = values.anyStayedAtZero();
     values.pass();
     return reaction;
@@ -276,7 +304,9 @@ public final class EventIntegration implements ResidualIntegrator {
   private StepResult cut(double t, Reaction reaction) {
     time = t;
     cutOff = true;
-    if (reaction == Reaction.STOP) {
+    boolean atEnd = direction * (t - tEnd) >= 0;
+    if (reaction == Reaction.STOP || atEnd) {
+      // Behind the end the problem need not have values.
       running = false;
       return StepResult.REACHED_END;
     }

@@ -1,5 +1,7 @@
 package org.mechservice.solver.ode.events;
 
+import java.util.Arrays;
+
 /**
  * Finds the first event in an interval at whose end there is one, by the rule of false position in
  * the Illinois form: the end that stays counts half as much each time, and where that does not
@@ -11,6 +13,20 @@ public final class EventSearch {
 
   private static final double OF_STEP = 1e-12;
 
+  /** Part of an interval at which to look if a function has no value at the place wanted. */
+  private static final double BESIDE = 0.3;
+
+  /** Distances from a change of sign, in units of its width, at which a pole shows itself. */
+  private static final double NEAR = 8;
+
+  private static final double FAR = 64;
+
+  /**
+   * Least growth between these distances: a pole of 1 / t^(1/5) grows by 1.5, while a jump or a
+   * continuous function that passes zero stays or becomes smaller.
+   */
+  private static final double POLE_GROWTH = 1.5;
+
   /** The event functions along the solution. */
   interface Path {
     /** Evaluates the functions; returns false if that is not possible there. */
@@ -21,6 +37,7 @@ public final class EventSearch {
   private double[] before;
   private double[] behind;
   private double[] middle;
+  private final double[] near;
   private double tBefore;
   private double tBehind;
 
@@ -34,6 +51,7 @@ public final class EventSearch {
     before = new double[count];
     behind = new double[count];
     middle = new double[count];
+    near = new double[count];
   }
 
   /** Returns the width to which an event can be located. */
@@ -66,7 +84,11 @@ public final class EventSearch {
         return true;
       }
       if (!path.evaluate(t, middle)) {
-        return false;
+        // At a pole a single place has no value.
+        t = tBefore + BESIDE * (tBehind - tBefore);
+        if (!path.evaluate(t, middle)) {
+          return false;
+        }
       }
       narrow(t);
       slow = Math.abs(tBehind - tBefore) > 0.5 * last ? slow + 1 : 0;
@@ -81,7 +103,7 @@ public final class EventSearch {
       if (signs.event(i, behind[i])) {
         double from = weightBefore * signs.distance(i, before[i]);
         double to = weightBehind * signs.distance(i, behind[i]);
-        first = Math.min(first, from / (from - to));
+        first = Math.min(first, from > 0 ? from / (from - to) : 0.5);
       }
     }
     double length = tBehind - tBefore;
@@ -103,6 +125,45 @@ public final class EventSearch {
       tBefore = t;
       weightBefore = 1;
       weightBehind *= 0.5;
+    }
+  }
+
+  /**
+   * Finds the functions that have changed their sign through infinity at the place found: on both
+   * sides of it they grow towards it.
+   *
+   * @param occurred functions that have changed their sign; not modified
+   * @param tFrom where the interval searched began
+   * @param tTo where it ended
+   * @param width to which the place is located
+   * @param atPole overwritten
+   */
+  void findPoles(
+      boolean[] occurred, double tFrom, double tTo, double width, Path path, boolean[] atPole) {
+    System.arraycopy(occurred, 0, atPole, 0, atPole.length);
+    double unit = Math.copySign(width, tTo - tFrom);
+    keepGrowing(tBehind, unit, tTo, behind, path, atPole);
+    keepGrowing(tBefore, -unit, tFrom, before, path, atPole);
+  }
+
+  /** Leaves the functions that grow towards a place, seen from one side of it. */
+  private void keepGrowing(
+      double t, double unit, double end, double[] there, Path path, boolean[] growing) {
+    boolean inside = (end - t) * unit >= FAR * unit * unit;
+    if (!inside || !path.evaluate(t + NEAR * unit, middle)) {
+      Arrays.fill(growing, false);
+      return;
+    }
+    boolean any = false;
+    for (int i = 0; i < growing.length; i++) {
+      near[i] = Math.abs(middle[i]);
+      growing[i] &= Math.abs(there[i]) > near[i];
+      any |= growing[i];
+    }
+    if (any && path.evaluate(t + FAR * unit, middle)) {
+      for (int i = 0; i < growing.length; i++) {
+        growing[i] &= near[i] > POLE_GROWTH * Math.abs(middle[i]);
+      }
     }
   }
 

@@ -11,6 +11,9 @@ import org.mechservice.solver.ode.events.EventFunctions.Direction;
  * is then an event. Until then it is known to be on one side, or on neither just after an event,
  * and must get that far on the other side. Near a zero just found, the uncertainty of that zero
  * takes the place of a smaller hysteresis.
+ *
+ * <p>A function that rests at exactly zero from the start on has its event where it leaves zero.
+ * One that moves through zero at the start has none there.
  */
 final class EventSigns {
   /** Round-off of a function in units of u times its largest value. */
@@ -38,6 +41,9 @@ final class EventSigns {
 
   private final boolean[] armed;
 
+  /** Whether a function has rested at exactly zero from the start on. */
+  private final boolean[] resting;
+
   /** In how many more steps the side is only assumed to be that before the event. */
   private final int[] provisional;
 
@@ -51,6 +57,7 @@ final class EventSigns {
     side = new int[functions.count()];
     sideBefore = new int[functions.count()];
     armed = new boolean[functions.count()];
+    resting = new boolean[functions.count()];
     provisional = new int[functions.count()];
     largest = new double[functions.count()];
     blur = new double[functions.count()];
@@ -59,7 +66,9 @@ final class EventSigns {
   /** Begins with the values at the start. */
   void begin(double[] g) {
     Arrays.fill(side, 0);
+    Arrays.fill(sideBefore, 0);
     Arrays.fill(armed, false);
+    Arrays.fill(resting, false);
     Arrays.fill(provisional, 0);
     Arrays.fill(largest, 0);
     Arrays.fill(blur, 0);
@@ -68,18 +77,21 @@ final class EventSigns {
 
   /** Returns whether a function is away from zero on the side that an event of it leads to. */
   boolean behindEvent(int i) {
+    return side[i] != 0 && leadsTo(i, side[i] > 0);
+  }
+
+  /** Returns whether an event of a function leads to the positive or the negative side. */
+  private boolean leadsTo(int i, boolean positive) {
     Direction direction = functions.direction(i);
-    return side[i] != 0
-        && (direction == Direction.EITHER || (direction == Direction.RISING) == (side[i] > 0));
+    return direction == Direction.EITHER || (direction == Direction.RISING) == positive;
   }
 
   /** Returns whether a value is an event of a function, given those observed before. */
   boolean event(int i, double g) {
-    if (!beyond(i, g)) {
-      return false;
+    if (resting[i]) {
+      return g != 0 && leadsTo(i, g > 0);
     }
-    Direction direction = functions.direction(i);
-    return direction == Direction.EITHER || (direction == Direction.FALLING) == (side[i] > 0);
+    return beyond(i, g) && leadsTo(i, side[i] < 0);
   }
 
   /** Returns whether any value is an event. */
@@ -92,9 +104,19 @@ final class EventSigns {
     return false;
   }
 
-  /** Returns how far a function is from an event; negative or 0 behind it. */
+  /** Returns how far a function is from an event; negative or 0 behind it, 0 while it rests. */
   double distance(int i, double g) {
-    return g * side[i] + threshold(i);
+    return resting[i] ? -Math.abs(g) : g * side[i] + threshold(i);
+  }
+
+  /** Returns whether a function with this value, not at zero, has an event when it passes zero. */
+  boolean awaitsEvent(int i, double g) {
+    return (armed[i] && g * side[i] > 0) || Math.abs(g) > band(i);
+  }
+
+  /** Returns the distance from zero within which a function that turns back touches it. */
+  double touchWidth(int i) {
+    return Math.max(roundOff(i), functions.resolution() * largest[i]);
   }
 
   private boolean beyond(int i, double g) {
@@ -113,7 +135,8 @@ final class EventSigns {
     return Math.max(blur[i], roundOff(i));
   }
 
-  private double roundOff(int i) {
+  /** Returns the round-off of the values of a function. */
+  double roundOff(int i) {
     return ROUNDOFFS * Math.ulp(1.0) * largest[i];
   }
 
@@ -125,6 +148,7 @@ final class EventSigns {
   }
 
   private void observe(int i, double g) {
+    resting[i] &= g == 0;
     if (beyond(i, g)) {
       side[i] = -side[i];
       armed[i] = false;
@@ -156,14 +180,21 @@ final class EventSigns {
    * Takes note of an event.
    *
    * @param occurred functions that took part
+   * @param atPole functions that have passed a pole instead; they are on the other side, and their
+   *     values near it are no measure of their size
    * @param gBefore values just before it
    * @param gBehind values just behind it
    */
-  void passed(boolean[] occurred, double[] gBefore, double[] gBehind) {
+  void passed(boolean[] occurred, boolean[] atPole, double[] gBefore, double[] gBehind) {
     for (int i = 0; i < occurred.length; i++) {
-      if (occurred[i]) {
-        sideBefore[i] = side[i];
+      if (atPole[i]) {
         side[i] = -side[i];
+        armed[i] = true;
+        blur[i] = 0;
+      } else if (occurred[i]) {
+        sideBefore[i] = resting[i] ? gBehind[i] > 0 ? -1 : 1 : side[i];
+        side[i] = -sideBefore[i];
+        resting[i] = false;
         armed[i] = false;
         provisional[i] = 0;
         blur[i] = BLUR * Math.abs(gBehind[i] - gBefore[i]);
@@ -171,6 +202,45 @@ final class EventSigns {
         observe(i, gBehind[i]);
       }
     }
+  }
+
+  /** Returns whether a function has had an event since the start. */
+  boolean hadEvent(int i) {
+    return sideBefore[i] != 0;
+  }
+
+  /** Returns whether any function has been exactly zero since the start, moving or not. */
+  boolean anyAtZeroSinceStart(double[] g) {
+    for (int i = 0; i < g.length; i++) {
+      if (atZeroSinceStart(i, g[i])) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private boolean atZeroSinceStart(int i, double g) {
+    return g == 0 && side[i] == 0 && sideBefore[i] == 0;
+  }
+
+  /**
+   * Decides which functions that have been zero since the start rest there.
+   *
+   * @param g values at a place
+   * @param ahead values further along the solution; zero ones show rest
+   * @param anew whether earlier decisions are taken back
+   */
+  void judgeRest(double[] g, double[] ahead, boolean anew) {
+    for (int i = 0; i < g.length; i++) {
+      if (atZeroSinceStart(i, g[i])) {
+        resting[i] = ahead[i] == 0 || (resting[i] && !anew);
+      }
+    }
+  }
+
+  /** Returns whether a function is known to be on neither side. */
+  boolean isOpen(int i) {
+    return side[i] == 0;
   }
 
   /**
@@ -273,6 +343,7 @@ final class EventSigns {
       side[i] = state.integer(side[i]);
       sideBefore[i] = state.integer(sideBefore[i]);
       armed[i] = state.flag(armed[i]);
+      resting[i] = state.flag(resting[i]);
       provisional[i] = state.integer(provisional[i]);
     }
     state.numbers(largest);

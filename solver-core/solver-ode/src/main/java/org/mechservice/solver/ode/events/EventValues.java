@@ -6,6 +6,7 @@ import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.ode.SavedSystem;
 import org.mechservice.solver.ode.SystemParts;
+import org.mechservice.solver.ode.events.EventFunctions.NoEvent;
 import org.mechservice.solver.ode.step.RightHandSide;
 
 /**
@@ -18,15 +19,29 @@ final class EventValues implements EventFunctions.Path {
   /** The same after each of the first steps, to tell what rests from what is slow. */
   private static final double LOOK_FAR_AHEAD = Math.sqrt(LOOK_AHEAD);
 
+  /** The same within the first step, in units of the time since the start. */
+  private static final double FIRST_STEPS_AHEAD = 5;
+
   private final Integrator integrator;
   private final EventFunctions functions;
   private final EventSigns signs;
   private final EventSearch search;
   private final EventSearch.Path path = this::evaluate;
+  private final TurnSearch turns;
   private final boolean[] occurred;
+  private final boolean[] atPole;
   private final boolean[] zeroAtStart;
 
   private CompletedSystem completed = CompletedSystem.NOTHING_PASSIVE;
+
+  /** Where the problem begins and ends, and whether the first step is not over. */
+  private double start;
+
+  private double tEnd;
+  private boolean inFirstStep;
+
+  /** The point looked at. */
+  private double place;
 
   /** Values at the points searched last and next. */
   private double[] before;
@@ -44,17 +59,20 @@ final class EventValues implements EventFunctions.Path {
     int count = functions.count();
     signs = new EventSigns(functions);
     search = new EventSearch(signs, count);
+    turns = new TurnSearch(signs, functions, path);
     occurred = new boolean[count];
+    atPole = new boolean[count];
     zeroAtStart = new boolean[count];
     before = new double[count];
     here = new double[count];
   }
 
   /** Prepares for a problem. */
-  void prepare(SystemParts system, int dimension) {
+  void prepare(SystemParts system, int dimension, double tEnd) {
     completed = system.part(CompletedSystem.class).orElse(CompletedSystem.NOTHING_PASSIVE);
     y = new double[dimension];
     yDot = new double[dimension];
+    this.tEnd = tEnd;
   }
 
   /** Forgets which functions changed sign. */
@@ -62,25 +80,33 @@ final class EventValues implements EventFunctions.Path {
     Arrays.fill(occurred, false);
   }
 
-  /** Takes note of the functions that are exactly zero where the problem begins. */
-  void rememberZeros() {
+  /** Takes note of how the functions stand where the problem begins. */
+  void judgeStart() {
     for (int i = 0; i < zeroAtStart.length; i++) {
       zeroAtStart[i] = before[i] == 0;
+      if (functions.direction(i) != EventFunctions.Direction.EITHER && signs.behindEvent(i)) {
+        functions.noEvent(i, NoEvent.PASSED_AT_START, start, before[i]);
+      }
     }
   }
 
-  /** Tells of those of them that have left zero where events of theirs would have led. */
+  /**
+   * Tells of the functions that were zero at the start and have left it without an event where
+   * events of theirs would have led.
+   */
   void reportZerosLeft() {
     for (int i = 0; i < zeroAtStart.length; i++) {
-      if (zeroAtStart[i] && signs.behindEvent(i)) {
-        functions.leftZeroAtStart(i);
+      if (zeroAtStart[i] && signs.behindEvent(i) && !signs.hadEvent(i)) {
+        functions.noEvent(i, NoEvent.ZERO_AT_START, start, 0);
       }
-      zeroAtStart[i] = false;
+      zeroAtStart[i] &= signs.isOpen(i);
     }
   }
 
   /** Begins at a state without history; returns false if something is not finite. */
   boolean begin(double t) {
+    start = t;
+    inFirstStep = true;
     boolean finite = evaluate(t, before);
     if (finite) {
       signs.begin(before);
@@ -101,9 +127,26 @@ final class EventValues implements EventFunctions.Path {
     return finite;
   }
 
+  /**
+   * Evaluates the functions along a step and returns the points at which to look at it, in their
+   * order: those given, and others at which a function is seen to have crossed zero between.
+   *
+   * @param parts of the step, up to 1; not modified
+   */
+  int survey(double begin, double end, double[] parts) {
+    turns.survey(begin, end, parts, before);
+    return turns.pointCount();
+  }
+
+  /** Returns a point at which to look at the step, from 0 on. */
+  double point(int index) {
+    return turns.point(index);
+  }
+
   /** Looks at a point; returns false if something is not finite. */
   boolean lookAt(double t) {
-    return evaluate(t, here);
+    place = t;
+    return turns.known(t, here) || evaluate(t, here);
   }
 
   /** Returns whether there is an event up to the point looked at. */
@@ -115,6 +158,10 @@ final class EventValues implements EventFunctions.Path {
   void moveOn() {
     signs.observe(here);
     swap();
+    if (inFirstStep && signs.anyAtZeroSinceStart(before)) {
+      lookAlong(place, LOOK_FAR_AHEAD * (tEnd - place) + FIRST_STEPS_AHEAD * (place - start));
+      signs.judgeRest(before, here, true);
+    }
   }
 
   private void swap() {
@@ -129,7 +176,15 @@ final class EventValues implements EventFunctions.Path {
    * @param width to which it is located
    */
   boolean locate(double from, double to, double width) {
-    return search.locate(from, before, to, here, width, path);
+    boolean located = search.locate(from, before, to, here, width, path);
+    if (located) {
+      double[] behind = search.behind();
+      for (int i = 0; i < occurred.length; i++) {
+        occurred[i] = signs.event(i, behind[i]);
+      }
+      search.findPoles(occurred, from, to, width, path, atPole);
+    }
+    return located;
   }
 
   /** Returns where the event is. */
@@ -137,14 +192,22 @@ final class EventValues implements EventFunctions.Path {
     return search.time();
   }
 
-  /** Determines which functions have changed sign there, and the state, which is copied. */
-  void determine(double[] state) {
-    double[] behind = search.behind();
+  /**
+   * Determines which functions have changed sign there through zero, and the state, which is
+   * copied; tells of those that have a pole there. Returns whether there are any of the first.
+   */
+  boolean determine(double[] state) {
+    boolean any = false;
     for (int i = 0; i < occurred.length; i++) {
-      occurred[i] = signs.event(i, behind[i]);
+      occurred[i] &= !atPole[i];
+      any |= occurred[i];
+      if (atPole[i]) {
+        functions.noEvent(i, NoEvent.POLE, search.time(), search.behind()[i]);
+      }
     }
     evaluate(search.time(), here);
     System.arraycopy(y, 0, state, 0, y.length);
+    return any;
   }
 
   /** Returns which functions have changed sign in the last event; not to be modified. */
@@ -159,7 +222,7 @@ final class EventValues implements EventFunctions.Path {
 
   /** Goes on from the event. */
   void pass() {
-    signs.passed(occurred, search.before(), search.behind());
+    signs.passed(occurred, atPole, search.before(), search.behind());
     swap();
   }
 
@@ -193,10 +256,12 @@ final class EventValues implements EventFunctions.Path {
 
   /** Takes note of the end of a step. */
   void endStep(double t, double tEnd) {
-    if (signs.anyProvisional()) {
+    if (signs.anyProvisional() || signs.anyAtZeroSinceStart(before)) {
       lookAlong(t, LOOK_FAR_AHEAD * (tEnd - t));
+      signs.judgeRest(before, here, false);
       signs.endStep(before, here);
     }
+    inFirstStep = false;
   }
 
   /** Evaluates the functions on the tangent of the solution, or where that begins. */
@@ -236,6 +301,11 @@ final class EventValues implements EventFunctions.Path {
     return functions.seenUntil(from, to, this);
   }
 
+  /** Moves the state at the end of the last step across a change within rounding, if any. */
+  boolean moveAcross(double t, double[] behind) {
+    return moveTo(t) && functions.moveAcross(t, y, yDot, behind);
+  }
+
   /** Goes to where the step is cut off, and copies the state; returns false if that fails. */
   boolean stopAt(double t, double[] state) {
     boolean possible = moveTo(t);
@@ -247,6 +317,9 @@ final class EventValues implements EventFunctions.Path {
   void transfer(SavedState state) {
     state.require("number of event functions", occurred.length);
     signs.transfer(state);
+    turns.transfer(state);
+    start = state.number(start);
+    inFirstStep = state.flag(inFirstStep);
     state.numbers(before);
     for (int i = 0; i < occurred.length; i++) {
       occurred[i] = state.flag(occurred[i]);

@@ -6,7 +6,7 @@ import org.mechservice.solver.ode.SavedState;
  * Suspects that a solution slides along an undeclared jump in short steps of which many are
  * rejected: both sides of the jump lead back to it, and the steps cross it at every few tries.
  */
-public final class ChatterMonitor {
+final class ChatterMonitor {
   /** Tries after which is looked how far they have come. */
   private static final long MANY = 4096;
 
@@ -21,7 +21,7 @@ public final class ChatterMonitor {
   private double since;
 
   /** Begins at a place. */
-  public void begin(double t, long steps, long rejectedSteps) {
+  void begin(double t, long steps, long rejectedSteps) {
     tries = steps + rejectedSteps;
     rejected = rejectedSteps;
     since = t;
@@ -34,7 +34,7 @@ public final class ChatterMonitor {
    * @param t time reached
    * @param end of the problem
    */
-  public boolean suspects(double t, double end, long steps, long rejectedSteps) {
+  boolean suspects(double t, double end, long steps, long rejectedSteps) {
     long done = steps + rejectedSteps - tries;
     if (done < MANY) {
       return false;
@@ -46,7 +46,7 @@ public final class ChatterMonitor {
   }
 
   /** Carries the state between two steps over. */
-  public void transfer(SavedState state) {
+  void transfer(SavedState state) {
     tries = state.integer(tries);
     rejected = state.integer(rejected);
     since = state.number(since);

@@ -10,7 +10,7 @@ import org.mechservice.solver.ode.SavedState;
  * itself jumps, as that of a differential-algebraic system may, the error is the same however short
  * the step: no step is to blame for it.
  */
-public final class JumpMonitor {
+final class JumpMonitor {
   /** A step that had less than this of the error allowed was accurate by far. */
   private static final double ACCURATE = 0.1;
 
@@ -31,12 +31,12 @@ public final class JumpMonitor {
   private int timesKept;
 
   /** Begins a problem; the start is no jump. */
-  public void begin() {
+  void begin() {
     accepted(Double.MAX_VALUE);
   }
 
   /** Takes note of an accepted step. */
-  public void accepted(double error) {
+  void accepted(double error) {
     acceptedError = error;
     failures = 0;
     timesKept = 0;
@@ -44,7 +44,7 @@ public final class JumpMonitor {
   }
 
   /** Takes note of a failed error test. */
-  public void failed(double h, double error) {
+  void failed(double h, double error) {
     if (failures == 0) {
       firstSize = Math.abs(h);
     }
@@ -58,17 +58,17 @@ public final class JumpMonitor {
    *
    * @param h the step to be tried next
    */
-  public boolean derivativeJumped(double h) {
+  boolean derivativeJumped(double h) {
     return failures == 2 && Math.abs(h) < MUCH_SHORTER * firstSize && acceptedError < ACCURATE;
   }
 
   /** Returns whether the solution seems to have jumped, by a number of tolerances. */
-  public boolean solutionJumped(double error) {
+  boolean solutionJumped(double error) {
     return timesKept >= TIMES_KEPT && error <= SMALL_JUMP;
   }
 
   /** Carries the state between two steps over. */
-  public void transfer(SavedState state) {
+  void transfer(SavedState state) {
     acceptedError = state.number(acceptedError);
     firstSize = state.number(firstSize);
     failures = state.integer(failures);

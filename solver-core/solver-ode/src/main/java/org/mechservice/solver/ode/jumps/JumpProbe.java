@@ -1,9 +1,9 @@
 package org.mechservice.solver.ode.jumps;
 
-import org.mechservice.solver.ode.OdeSystem;
+import org.mechservice.solver.ode.step.RightHandSide;
 
 /** Looks whether a right-hand side jumps a little ahead, or is steep only. */
-public final class JumpProbe {
+final class JumpProbe {
   /** Halvings of a way after which its ends are neighbours in double precision. */
   private static final int HALVINGS = 60;
 
@@ -16,7 +16,7 @@ public final class JumpProbe {
   /** Change of a derivative, as a part of it, that is no smooth one's within so short a way. */
   private static final double MUCH = 0.1;
 
-  private final OdeSystem system;
+  private final RightHandSide equations;
   private final double t;
   private final double[] here;
   private final double[] slope;
@@ -29,14 +29,14 @@ public final class JumpProbe {
   /**
    * @param here the state at {@code t}; kept, not modified
    */
-  public JumpProbe(OdeSystem system, double t, double[] here) {
-    this.system = system;
+  JumpProbe(RightHandSide equations, double t, double[] here) {
+    this.equations = equations;
     this.t = t;
     this.here = here;
     slope = new double[here.length];
     between = new double[here.length];
     slopeBetween = new double[here.length];
-    system.derivative(t, here, slope);
+    equations.evaluateAlways(t, here, slope);
   }
 
   /**
@@ -45,7 +45,7 @@ public final class JumpProbe {
    *
    * @param step of which on the way ahead is looked at
    */
-  public boolean foundInState(double step) {
+  boolean foundInState(double step) {
     timeMoves = 0;
     boolean found = lookAhead(step) == Finding.JUMP;
     timeMoves = 1;
@@ -60,7 +60,7 @@ public final class JumpProbe {
    *
    * @param step of which on the way ahead is looked at
    */
-  public boolean found(double step) {
+  boolean found(double step) {
     return lookAhead(step) != Finding.STEEP;
   }
 
@@ -116,6 +116,6 @@ public final class JumpProbe {
     for (int l = 0; l < here.length; l++) {
       between[l] = here[l] + way * slope[l];
     }
-    system.derivative(t + timeMoves * way, between, derivative);
+    equations.evaluateAlways(t + timeMoves * way, between, derivative);
   }
 }

@@ -19,7 +19,7 @@ import org.mechservice.solver.ode.SavedState;
  * other, steps are at most a quarter of the shortest distance between them, until nothing has
  * jumped for twice the longest.
  */
-public final class JumpSearch {
+final class JumpSearch {
   /** Error over the tolerance that is worth a second look. */
   private static final double FAR_OFF = 100;
 
@@ -43,7 +43,7 @@ public final class JumpSearch {
   private static final int MANY_IN_A_ROW = 4;
 
   /** Jumps that are too many for any run. */
-  public static final double MOST = 1e7;
+  static final double MOST = 1e7;
 
   /** Jumps after which is looked how close they lie. */
   private static final int MANY = 1000;
@@ -135,7 +135,7 @@ public final class JumpSearch {
 
   private double jump;
 
-  public void clear() {
+  void clear() {
     missedError = 0;
     crossings = 0;
     crossed = Double.NaN;
@@ -152,7 +152,7 @@ public final class JumpSearch {
    * Says that the solution was straight from a place on: the distance of the first jump from there
    * counts as one between jumps.
    */
-  public void straightFrom(double start) {
+  void straightFrom(double start) {
     if (Double.isNaN(crossed)) {
       crossed = start;
     }
@@ -162,7 +162,7 @@ public final class JumpSearch {
    * Says where the problem begins: steps are looked into behind the first jump as if another one
    * had been there.
    */
-  public void beginsAt(double start) {
+  void beginsAt(double start) {
     origin = start;
   }
 
@@ -175,7 +175,7 @@ public final class JumpSearch {
   }
 
   /** Returns whether a jump is being narrowed down. */
-  public boolean active() {
+  boolean active() {
     return active;
   }
 
@@ -188,7 +188,7 @@ public final class JumpSearch {
    * @param error over the tolerance
    * @param discrepancy norm of the difference of the right-hand side from its extrapolation
    */
-  public void rejected(double h, int k, double end, double error, double discrepancy) {
+  void rejected(double h, int k, double end, double error, double discrepancy) {
     missedError = error;
     missedSize = Math.abs(h);
     missedOrder = k;
@@ -232,7 +232,7 @@ public final class JumpSearch {
    * @param h its size
    * @param discrepancy norm of the difference of the right-hand side from its extrapolation
    */
-  public boolean wouldMatter(double h, double discrepancy) {
+  boolean wouldMatter(double h, double discrepancy) {
     return !active && errorAcross(h, discrepancy) > MOST_ACROSS;
   }
 
@@ -245,7 +245,7 @@ public final class JumpSearch {
    * @param k its order
    * @param error over the tolerance
    */
-  public boolean suspects(double h, int k, double error) {
+  boolean suspects(double h, int k, double error) {
     return missedError > 0
         && k == missedOrder
         && error >= AS_THE_STEP * missedError * Math.abs(h) / missedSize;
@@ -257,7 +257,7 @@ public final class JumpSearch {
    * @param h its size
    * @param end where it would end
    */
-  public void found(double h, int k, double end, double error, double discrepancy) {
+  void found(double h, int k, double end, double error, double discrepancy) {
     active = true;
     rejected(h, k, end, error, discrepancy);
   }
@@ -268,7 +268,7 @@ public final class JumpSearch {
    *
    * @param h its size
    */
-  public boolean inside(double h, double discrepancy) {
+  boolean inside(double h, double discrepancy) {
     return active && errorAcross(h, discrepancy) > MOST_ACROSS;
   }
 
@@ -285,7 +285,7 @@ public final class JumpSearch {
    * @param error over the tolerance
    * @return whether a jump that was narrowed down lies behind it
    */
-  public boolean accepted(double h, double end, double error) {
+  boolean accepted(double h, double end, double error) {
     failuresInARow = 0;
     missedError = 0;
     notice(Math.abs(h), end, Math.copySign(1, h));
@@ -347,17 +347,17 @@ public final class JumpSearch {
   }
 
   /** Returns whether a jump was crossed. */
-  public boolean anyKnown() {
+  boolean anyKnown() {
     return closest > 0;
   }
 
   /** Returns the shortest distance known between jumps, 0 before there is one. */
-  public double shortestDistance() {
+  double shortestDistance() {
     return shortest;
   }
 
   /** Returns the longest step from {@code t} that does not go over two jumps unawares. */
-  public double longestStep(double t) {
+  double longestStep(double t) {
     boolean expected = distances > 0 && Math.abs(t - crossed) <= PATIENCE * longest;
     double part = distances < FEW ? PART_AT_FIRST : PART;
     return expected ? part * shortest : Double.POSITIVE_INFINITY;
@@ -367,7 +367,7 @@ public final class JumpSearch {
    * Returns at which distances a step from {@code t} is to be looked into for two jumps that cancel
    * each other; infinite while no jump is known.
    */
-  public double distanceOfLooks(double t) {
+  double distanceOfLooks(double t) {
     if (closest == 0) {
       return Double.POSITIVE_INFINITY;
     }
@@ -384,7 +384,7 @@ public final class JumpSearch {
    * @param t time reached
    * @param end of the problem
    */
-  public double ahead(double t, double end) {
+  double ahead(double t, double end) {
     if (crossings < MANY) {
       return 0;
     }
@@ -400,12 +400,12 @@ public final class JumpSearch {
    * @param t time reached
    * @param end of the problem
    */
-  public boolean crossesOften(double t, double end) {
+  boolean crossesOften(double t, double end) {
     return crossings >= SOME && Math.abs(end - t) * crossings > OFTEN * Math.abs(t - since);
   }
 
   /** Returns the step to try from {@code t}, signed; of order 1 if {@link #crossing}. */
-  public double step(double t) {
+  double step(double t) {
     double stretch = behind - t;
     double error = errorAcross(stretch, jump);
     crossing = error <= AIM;
@@ -416,12 +416,12 @@ public final class JumpSearch {
   }
 
   /** Returns whether the step to try goes across the jump. */
-  public boolean crossing() {
+  boolean crossing() {
     return crossing;
   }
 
   /** Carries the state between two steps over. */
-  public void transfer(SavedState state) {
+  void transfer(SavedState state) {
     active = state.flag(active);
     crossing = state.flag(crossing);
     failuresInARow = state.integer(failuresInARow);

@@ -22,7 +22,7 @@ import org.mechservice.solver.ode.step.RightHandSide;
  * one foretold, too: the solution would have changed by more than its own size within the step,
  * which steps of smooth solutions do not pass.
  */
-public final class PoleProbe {
+final class PoleProbe {
   /** Part of value times width that is kept at a pole, with room for what else is in f. */
   private static final double KEPT = 0.25;
 
@@ -83,19 +83,19 @@ public final class PoleProbe {
   /**
    * @param dimension number of equations
    */
-  public PoleProbe(int dimension) {
+  PoleProbe(int dimension) {
     before = new double[dimension];
     twoBefore = new double[dimension];
     step = new Step(dimension);
   }
 
   /** Forgets the derivatives seen: those behind a jump tell nothing of those before it. */
-  public void clear() {
+  void clear() {
     known = 0;
   }
 
   /** Takes note of the derivative at the beginning of an accepted step. */
-  public void accepted(double t, double[] derivative) {
+  void accepted(double t, double[] derivative) {
     double[] freed = twoBefore;
     twoBefore = before;
     timeTwoBefore = timeBefore;
@@ -114,7 +114,7 @@ public final class PoleProbe {
    * @param derivative at its beginning
    * @param derivativeAtEnd at its end
    */
-  public boolean suspected(double t, double end, double[] derivative, double[] derivativeAtEnd) {
+  boolean suspected(double t, double end, double[] derivative, double[] derivativeAtEnd) {
     leastGrowth = known == 0 ? Double.POSITIVE_INFINITY : 1 + (t - timeBefore) / (end - t);
     for (int i = 0; i < before.length; i++) {
       if (turnsOrGrows(before[i], derivative[i], derivativeAtEnd[i])) {
@@ -136,7 +136,7 @@ public final class PoleProbe {
    * @param y state at its beginning; kept until the next step is placed, not modified
    * @param yEnd state at its end; likewise
    */
-  public void place(double t, double end, double[] y, double[] yEnd) {
+  void place(double t, double end, double[] y, double[] yEnd) {
     step.t = t;
     step.end = end;
     step.y = y;
@@ -153,7 +153,7 @@ public final class PoleProbe {
    *     that it shows is no pole
    * @param derivativeAtEnd at its end
    */
-  public int component(
+  int component(
       RightHandSide equations,
       ErrorNorm norm,
       double[] derivative,
@@ -354,7 +354,7 @@ public final class PoleProbe {
   }
 
   /** Carries the derivatives seen over. */
-  public void transfer(SavedState state) {
+  void transfer(SavedState state) {
     known = state.integer(known);
     state.numbers(before);
     state.numbers(twoBefore);

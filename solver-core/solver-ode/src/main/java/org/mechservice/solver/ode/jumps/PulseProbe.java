@@ -11,12 +11,12 @@ import org.mechservice.solver.ode.step.RightHandSide;
  * any length, and nothing is known of what lies inside of them. Long ones are looked into, more
  * closely if they are longer than those before.
  */
-public final class PulseProbe {
+final class PulseProbe {
   /**
    * Error over the tolerance that no step of a straight stretch has: what it extrapolates is what
    * it finds. Steps with a larger one need no look.
    */
-  public static final double ERROR_OF_STRAIGHT_STEP = 0.01;
+  static final double ERROR_OF_STRAIGHT_STEP = 0.01;
 
   /** Parts into which a step is divided, times its length over that of the step before. */
   private static final double PARTS = 4;
@@ -80,7 +80,7 @@ public final class PulseProbe {
   /**
    * @param dimension n
    */
-  public PulseProbe(int dimension) {
+  PulseProbe(int dimension) {
     chord = new double[dimension];
     state = new double[dimension];
     slope = new double[dimension];
@@ -94,7 +94,7 @@ public final class PulseProbe {
    * @param interval of the problem
    * @param distance shortest one known between jumps; 0 if there is none
    */
-  public boolean wanted(double h, double before, double interval, double distance) {
+  boolean wanted(double h, double before, double interval, double distance) {
     line = false;
     double size = Math.abs(h);
     if (!(size >= LONG * Math.abs(interval))) {
@@ -109,12 +109,12 @@ public final class PulseProbe {
   }
 
   /** Returns where the derivative at an end of the step is to be written, length n. */
-  public double[] slope() {
+  double[] slope() {
     return slope;
   }
 
   /** Returns whether the step placed last was a straight line as far as asked. */
-  public boolean sawStraightLine() {
+  boolean sawStraightLine() {
     return line;
   }
 
@@ -125,7 +125,7 @@ public final class PulseProbe {
    * @param from where it starts; kept, not modified
    * @param to where it ends; kept, not modified
    */
-  public void place(double h, double[] from, double[] to, ErrorNorm norm) {
+  void place(double h, double[] from, double[] to, ErrorNorm norm) {
     line = false;
     length = h;
     rounding = Math.max(ROUNDING, ROUNDING_OF_STATE * norm.of(to));
@@ -138,7 +138,7 @@ public final class PulseProbe {
    *
    * @param derivative not modified
    */
-  public boolean straight(double[] derivative, ErrorNorm norm) {
+  boolean straight(double[] derivative, ErrorNorm norm) {
     line = false;
     for (int l = 0; l < chord.length; l++) {
       if (!straight(l, derivative[l], norm)) {
@@ -153,7 +153,7 @@ public final class PulseProbe {
    * Returns whether a component of a derivative is that of the line but for rounding. Of most steps
    * the first one tells that they are not straight.
    */
-  public boolean straight(int l, double derivative, ErrorNorm norm) {
+  boolean straight(int l, double derivative, ErrorNorm norm) {
     chord[l] = (to[l] - from[l]) / length;
     double difference = Math.abs((derivative - chord[l]) * norm.weight(l));
     return 0.5 * Math.abs(length) * difference <= rounding;
@@ -171,7 +171,7 @@ public final class PulseProbe {
    * Returns the part of the step up to the first place at which the derivative is not that of the
    * line; 1 if there is none.
    */
-  public double partToPulse(RightHandSide rightHandSide, double t, ErrorNorm norm) {
+  double partToPulse(RightHandSide rightHandSide, double t, ErrorNorm norm) {
     for (int i = 1; i < parts; i++) {
       double part = (double) i / parts;
       for (int l = 0; l < chord.length; l++) {

@@ -9,7 +9,7 @@ import org.mechservice.solver.ode.SavedState;
  * equations of a step that ends near it have no solution. Shorter ones have, so the run goes on in
  * steps that creep and come to nothing.
  */
-public final class SlidingMonitor {
+final class SlidingMonitor {
   /** Unsolved steps after which is looked how close they lie, and those too many for any run. */
   private static final int MANY = 1000;
 
@@ -20,7 +20,7 @@ public final class SlidingMonitor {
   /** Time of the first of them. */
   private double since;
 
-  public void clear() {
+  void clear() {
     unsolved = 0;
   }
 
@@ -31,7 +31,7 @@ public final class SlidingMonitor {
    * @param end of the problem
    * @return whether too many will follow, if they follow as closely as the last ones
    */
-  public boolean unsolved(double t, double end) {
+  boolean unsolved(double t, double end) {
     if (unsolved++ == 0) {
       since = t;
     }
@@ -44,7 +44,7 @@ public final class SlidingMonitor {
   }
 
   /** Carries the state between two steps over. */
-  public void transfer(SavedState state) {
+  void transfer(SavedState state) {
     unsolved = state.integer(unsolved);
     since = state.number(since);
   }

@@ -1,7 +1,7 @@
 package org.mechservice.solver.ode.newton;
 
 /** A vector function of a vector, to be differenced. */
-interface DifferencedFunction {
+public interface DifferencedFunction {
   /**
    * Evaluates the function.
    *

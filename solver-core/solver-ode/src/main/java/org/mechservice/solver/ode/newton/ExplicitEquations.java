@@ -15,7 +15,6 @@ import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.ode.SparseSystem;
 import org.mechservice.solver.ode.TrialOutcome;
 import org.mechservice.solver.ode.backward.BackwardDifferences;
-import org.mechservice.solver.ode.jumps.PulseProbe;
 import org.mechservice.solver.ode.step.Breakpoints;
 import org.mechservice.solver.ode.step.ErrorNorm;
 import org.mechservice.solver.ode.step.Manifold;
@@ -110,6 +109,16 @@ public final class ExplicitEquations extends StepEquations {
   }
 
   @Override
+  public Optional<RightHandSide> rightHandSide() {
+    return Optional.of(rightHandSide);
+  }
+
+  @Override
+  public void testColumns(ColumnTest.Maker tests) {
+    differencing.testColumns(tests);
+  }
+
+  @Override
   public boolean stopped() {
     return rightHandSide.stopped();
   }
@@ -130,40 +139,6 @@ public final class ExplicitEquations extends StepEquations {
     differencing.knowValue(slope);
     notFiniteComponent = RightHandSide.firstNotFinite(slope);
     return notFiniteComponent < 0 ? TrialOutcome.PASSED : TrialOutcome.NOT_FINITE;
-  }
-
-  @Override
-  public double partToPulse(
-      PulseProbe probe,
-      double t,
-      double h,
-      double hGamma,
-      BackwardDifferences differences,
-      ErrorNorm norm) {
-    if (manifold().completes()) {
-      return 1;
-    }
-    probe.place(h, differences.state(), differences.corrected(), norm);
-    double[] slope = probe.slope();
-    for (int l = 0; l < slope.length; l++) {
-      slope[l] = slopeOfStep(l, h, hGamma, differences);
-      if (!probe.straight(l, slope[l], norm)) {
-        return 1;
-      }
-    }
-    return probe.straight(slope, norm) ? probe.partToPulse(rightHandSide, t, norm) : 1;
-  }
-
-  /**
-   * Returns an element of the derivative by which a step that passed may be told from a straight
-   * line: that at its end, or the one that predicted it where the formula is y_{n+1} − y_n = h
-   * y'_{n+1}, which makes every step look straight.
-   */
-  private static double slopeOfStep(
-      int l, double h, double hGamma, BackwardDifferences differences) {
-    return hGamma == h
-        ? (differences.predicted[l] - differences.state()[l]) / h
-        : (differences.psi[l] + differences.correction[l]) / hGamma;
   }
 
   @Override
@@ -406,13 +381,7 @@ public final class ExplicitEquations extends StepEquations {
 
   @Override
   IterationRules rules(Mode mode) {
-    differencing.watchForJumps(mode != Mode.FAITHFUL);
     return mode == Mode.FAITHFUL ? IterationRules.PUBLISHED : IterationRules.TRUSTING;
-  }
-
-  @Override
-  public boolean solutionMayJump() {
-    return false;
   }
 
   @Override

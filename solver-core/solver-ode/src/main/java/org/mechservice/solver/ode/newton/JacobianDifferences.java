@@ -1,6 +1,7 @@
 package org.mechservice.solver.ode.newton;
 
 import java.util.Arrays;
+import java.util.Optional;
 import org.mechservice.solver.linear.MatrixLayout;
 import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.ode.TrialOutcome;
@@ -17,8 +18,7 @@ import org.mechservice.solver.ode.step.RightHandSide;
  * Jacobian to the next: where the largest change of f is so small a part of f that round-off eats
  * it, the share grows, at once and with a second difference if nothing else is left of it; where
  * the change is large, the share shrinks for the sake of curvature. Salane, SAND86-1319, 1986. A
- * value that is not finite makes the column be differenced to the other side, and one that is
- * suddenly much steeper than before is looked at again unless told to believe it.
+ * value that is not finite makes the column be differenced to the other side.
  */
 final class JacobianDifferences {
   private static final double ROUNDOFF = Math.ulp(1.0);
@@ -52,7 +52,8 @@ final class JacobianDifferences {
   /** Whether the change in a column was lost in round-off, length n. */
   private final boolean[] lost;
 
-  private final JacobianJumpTest steep;
+  /** Looks at the columns formed, if anything does. */
+  private Optional<ColumnTest> test = Optional.empty();
 
   /** Where to move and how large the terms are that f is the sum of, length n. */
   private double[] direction = {};
@@ -115,7 +116,6 @@ final class JacobianDifferences {
     increment = new double[n];
     firstIncrement = new double[n];
     lost = new boolean[n];
-    steep = new JacobianJumpTest(layout, groups);
     base = new double[n];
     moved = new double[n];
     movedValue = new double[n];
@@ -143,7 +143,9 @@ final class JacobianDifferences {
     baseKnown = false;
     repeating = false;
     group = 0;
-    steep.abandon();
+    if (test.isPresent()) {
+      test.get().abandon();
+    }
   }
 
   /** Returns f at the point at which the Jacobian was formed; not to be modified. */
@@ -161,23 +163,14 @@ final class JacobianDifferences {
     adapting = true;
   }
 
-  /** Says whether steep columns are looked at again, lest jumps be taken for slopes. */
-  void watchForJumps(boolean watching) {
-    steep.watch(watching);
+  /** Has the columns of the Jacobians to come looked at. */
+  void testColumns(ColumnTest.Maker tests) {
+    test = Optional.of(tests.of(layout, groups));
   }
 
-  /**
-   * Tells a multiple of a matrix that is part of the next Jacobian and does not jump.
-   *
-   * @param slopes by layout; kept, not modified
-   */
-  void expect(double factor, double[] slopes) {
-    steep.expect(factor, slopes);
-  }
-
-  /** Returns where to write the size of the terms of f that do not depend on x. */
-  double[] otherTerms() {
-    return steep.terms();
+  /** Returns what looks at the columns, if anything does. */
+  Optional<ColumnTest> test() {
+    return test;
   }
 
   /** Says which way time runs, 1 or -1, and with it where slopes lead. */
@@ -206,10 +199,10 @@ final class JacobianDifferences {
     return attempt;
   }
 
-  /** Of a jump, no increment makes a small change. */
   private void adoptShares() {
     for (int j = 0; j < share.length; j++) {
-      share[j] = steep.jumped(j) ? share[j] : nextShare[j];
+      boolean kept = test.isPresent() && test.get().jumped(j);
+      share[j] = kept ? share[j] : nextShare[j];
     }
   }
 
@@ -232,7 +225,9 @@ final class JacobianDifferences {
         return attempt;
       }
     }
-    return steep.look(function, moved, base, increment, jacobian);
+    return test.isPresent()
+        ? test.get().look(function, moved, base, increment, jacobian)
+        : TrialOutcome.PASSED;
   }
 
   /** Returns whether the group has a column to be differenced. */
@@ -419,7 +414,7 @@ final class JacobianDifferences {
     state.numbers(share);
     state.numbers(nextShare);
     state.numbers(base);
-    steep.transfer(state);
+    test.ifPresent(columns -> columns.transfer(state));
     baseKnown = state.flag(baseKnown);
   }
 }

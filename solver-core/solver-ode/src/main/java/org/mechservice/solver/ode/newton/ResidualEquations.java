@@ -1,5 +1,6 @@
 package org.mechservice.solver.ode.newton;
 
+import java.util.Optional;
 import org.mechservice.solver.ode.IntegrationFailure.Cause;
 import org.mechservice.solver.ode.IntegratorSettings;
 import org.mechservice.solver.ode.IntegratorSettings.Mode;
@@ -430,9 +431,18 @@ public final class ResidualEquations extends StepEquations {
   }
 
   @Override
+  public Optional<RightHandSide> rightHandSide() {
+    return Optional.empty();
+  }
+
+  @Override
+  public void testColumns(ColumnTest.Maker tests) {
+    linearisation.testColumns(tests);
+  }
+
+  @Override
   IterationRules rules(Mode mode) {
     asPublished = mode == Mode.FAITHFUL;
-    linearisation.watchForJumps(!asPublished);
     if (asPublished) {
       return IterationRules.PUBLISHED;
     }
@@ -440,11 +450,6 @@ public final class ResidualEquations extends StepEquations {
             || linearisation.allDifferential()
         ? IterationRules.TRUSTING_RESIDUALS
         : IterationRules.LEARNING;
-  }
-
-  @Override
-  public boolean solutionMayJump() {
-    return true;
   }
 
   @Override

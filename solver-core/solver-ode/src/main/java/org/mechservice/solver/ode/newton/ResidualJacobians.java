@@ -105,9 +105,9 @@ public final class ResidualJacobians implements ResidualLinearisation {
   }
 
   @Override
-  public void watchForJumps(boolean watching) {
-    inState.watchForJumps(watching);
-    inStep.watchForJumps(watching);
+  public void testColumns(ColumnTest.Maker tests) {
+    inState.testColumns(tests);
+    inStep.testColumns(tests);
   }
 
   @Override
@@ -118,9 +118,12 @@ public final class ResidualJacobians implements ResidualLinearisation {
   @Override
   public TrialOutcome formMatrix(double t, double[] y, double[] yDot, double hGamma) {
     alongStep.at(t, y, yDot, hGamma);
-    inStep.expect(1 / hGamma, fyDot.values());
-    Arrays.fill(inStep.otherTerms(), 0);
-    fyDot.addMagnitudes(yDot, inStep.otherTerms());
+    if (inStep.test().isPresent()) {
+      ColumnTest test = inStep.test().get();
+      test.expect(1 / hGamma, fyDot.values());
+      Arrays.fill(test.terms(), 0);
+      fyDot.addMagnitudes(yDot, test.terms());
+    }
     TrialOutcome attempt = inStep.evaluate(alongStep, y, yDot, fy.forming());
     notFiniteComponent = inStep.notFiniteComponent();
     if (attempt == TrialOutcome.PASSED) {
@@ -183,8 +186,10 @@ public final class ResidualJacobians implements ResidualLinearisation {
         return attempt;
       }
       inState.knowValue(inDerivative.value());
-      Arrays.fill(inState.otherTerms(), 0);
-      fyDot.addMagnitudesOfForming(yDot, inState.otherTerms());
+      if (inState.test().isPresent()) {
+        Arrays.fill(inState.test().get().terms(), 0);
+        fyDot.addMagnitudesOfForming(yDot, inState.test().get().terms());
+      }
       derivativeDone = true;
     }
     stateMoved.at(t, yDot);

@@ -13,8 +13,8 @@ public interface ResidualLinearisation {
   /** Forms the derivatives. */
   TrialOutcome form(double t, double[] y, double[] yDot);
 
-  /** Says whether derivatives by differences look again at what may be a jump. */
-  void watchForJumps(boolean watching);
+  /** Has the columns of derivatives by differences looked at. */
+  void testColumns(ColumnTest.Maker tests);
 
   /** Returns whether {@link #formMatrix} is cheaper than to form both derivatives. */
   boolean formsMatrix();

@@ -1,11 +1,11 @@
 package org.mechservice.solver.ode.newton;
 
+import java.util.Optional;
 import org.mechservice.solver.ode.IntegrationFailure.Cause;
 import org.mechservice.solver.ode.IntegratorSettings.Mode;
 import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.ode.TrialOutcome;
 import org.mechservice.solver.ode.backward.BackwardDifferences;
-import org.mechservice.solver.ode.jumps.PulseProbe;
 import org.mechservice.solver.ode.step.Breakpoints;
 import org.mechservice.solver.ode.step.ErrorNorm;
 import org.mechservice.solver.ode.step.Manifold;
@@ -65,6 +65,12 @@ public abstract class StepEquations {
   /** Returns the places at which the equations jump. */
   public abstract Breakpoints breakpoints();
 
+  /** Returns f, if the problem has the explicit form y' = f(t, y). */
+  public abstract Optional<RightHandSide> rightHandSide();
+
+  /** Has the columns of derivatives by differences looked at. */
+  public abstract void testColumns(ColumnTest.Maker tests);
+
   /** Returns whether the stop signal is given. */
   public abstract boolean stopped();
 
@@ -78,20 +84,6 @@ public abstract class StepEquations {
    * @param slope its derivative; overwritten
    */
   public abstract TrialOutcome findStart(double t, double[] y, double[] slope);
-
-  /**
-   * Returns the part of a step that passed up to a pulse inside of it; 1 if none is seen or looked
-   * for.
-   */
-  public double partToPulse(
-      PulseProbe probe,
-      double t,
-      double h,
-      double hGamma,
-      BackwardDifferences differences,
-      ErrorNorm norm) {
-    return 1;
-  }
 
   /** Takes note that the next start follows a change of the state from outside. */
   public void stateChanged() {}
@@ -206,9 +198,6 @@ public abstract class StepEquations {
 
   /** Returns how often the right-hand side or residual was evaluated. */
   public abstract long evaluations();
-
-  /** Returns whether the solution may jump although the right-hand side is bounded. */
-  public abstract boolean solutionMayJump();
 
   /** Carries over what is known of the derivatives, and the problem's own state. */
   abstract void transferDerivatives(SavedState state);

@@ -40,7 +40,7 @@ public final class UserLinearisation implements ResidualLinearisation {
 
   /** The system's derivatives are its own affair. */
   @Override
-  public void watchForJumps(boolean watching) {}
+  public void testColumns(ColumnTest.Maker tests) {}
 
   @Override
   public boolean formsMatrix() {

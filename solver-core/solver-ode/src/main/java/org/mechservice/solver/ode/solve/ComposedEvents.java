@@ -5,6 +5,7 @@ import java.util.List;
 import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.ode.SavedSystem;
 import org.mechservice.solver.ode.events.EventFunctions;
+import org.mechservice.solver.ode.events.NoEventLog;
 import org.mechservice.solver.ode.step.RightHandSide;
 
 /** Single events as the functions that an integration looks at, and those that have happened. */
@@ -25,13 +26,44 @@ final class ComposedEvents implements EventFunctions, SavedSystem {
   /** Function that was not finite last; −1: none. */
   private int notFinite = -1;
 
-  ComposedEvents(List<OdeEvent> events) {
+  /** The relative tolerance of the integration. */
+  private final double tolerance;
+
+  private final NoEventLog noEvents;
+
+  /**
+   * @param tolerance relative one of the integration
+   */
+  ComposedEvents(List<OdeEvent> events, double tolerance) {
     this.events = events;
+    this.tolerance = tolerance;
+    noEvents = new NoEventLog(events.size());
     counts = new long[events.size()];
   }
 
   List<FoundEvent> found() {
     return found;
+  }
+
+  /** Returns the places at which events have not happened. */
+  List<EventRemark> remarks() {
+    return noEvents.entries().stream()
+        .filter(entry -> entry.why() != NoEvent.PASSED_AT_START || counts[entry.function()] == 0)
+        .map(entry -> new EventRemark(entry, events.get(entry.function()).name))
+        .toList();
+  }
+
+  @Override
+  public double resolution() {
+    return tolerance;
+  }
+
+  @Override
+  public void noEvent(int function, NoEvent why, double t, double value) {
+    boolean hadOneThere = why == NoEvent.ZERO_AT_START && counts[function] > 0;
+    if (!hadOneThere) {
+      noEvents.note(function, why, t, value);
+    }
   }
 
   /** Returns whether an event has ended the integration. */
@@ -174,6 +206,7 @@ final class ComposedEvents implements EventFunctions, SavedSystem {
     terminal = state.flag(terminal);
     time = state.number(time);
     after = transfer(state, after);
+    noEvents.transfer(state);
   }
 
   /** Carries the events behind a time over, that are still to be told. */

@@ -13,14 +13,27 @@ public final class IntegrationException extends RuntimeException {
   private final transient OdeSolution solution;
   private final transient IntegrationFailure failure;
 
+  /** Whether the method takes explicit steps only; the others are not told to use what they are. */
+  private final boolean explicit;
+
   /**
+   * @param method that has integrated
    * @param event what to call the event function that was not finite, if that is the failure
    */
   IntegrationException(
-      OdeSolution solution, IntegrationFailure failure, long maxSteps, String event) {
-    super(message(solution, failure, maxSteps, event));
+      OdeSolution solution,
+      IntegrationFailure failure,
+      OdeMethod method,
+      long maxSteps,
+      String event) {
+    super(message(solution, failure, isExplicit(method), maxSteps, event));
+    explicit = isExplicit(method);
     this.solution = solution;
     this.failure = failure;
+  }
+
+  private static boolean isExplicit(OdeMethod method) {
+    return method == OdeMethod.ODE113 || method == OdeMethod.DE;
   }
 
   /** Returns the solution as far as it is known. */
@@ -50,11 +63,15 @@ public final class IntegrationException extends RuntimeException {
 
   /** Returns what to try instead. */
   public String advice() {
-    return advice(failure.cause());
+    return advice(failure.cause(), explicit);
   }
 
   private static String message(
-      OdeSolution solution, IntegrationFailure failure, long maxSteps, String event) {
+      OdeSolution solution,
+      IntegrationFailure failure,
+      boolean explicit,
+      long maxSteps,
+      String event) {
     StringBuilder text = new StringBuilder();
     text.append("the integration from t = ").append(solution.start());
     text.append(" to ").append(solution.requestedEnd());
@@ -74,8 +91,9 @@ public final class IntegrationException extends RuntimeException {
     String advice =
         failure.slidesAlongJump()
             ? "Describe the motion along the jump by equations of its own, entered and left at"
-                + " events, or replace the jump by a steep slope and use ODE15S or AUTO."
-            : advice(failure.cause());
+                + " events, or replace the jump by a steep slope"
+                + (explicit ? " and use ODE15S or AUTO." : ".")
+            : advice(failure.cause(), explicit);
     return text.append(". ").append(advice).toString();
   }
 
@@ -96,7 +114,7 @@ public final class IntegrationException extends RuntimeException {
     };
   }
 
-  private static String advice(Cause cause) {
+  private static String advice(Cause cause, boolean explicit) {
     return switch (cause) {
       case STEP_TOO_SMALL ->
           "Look at the equations near this place: the solution may end here or jump. Declare jumps"
@@ -123,7 +141,10 @@ public final class IntegrationException extends RuntimeException {
               + " declared by withAlgebraic, or whose column of the mass matrix is zero, are"
               + " corrected. Check also that the index is at most 1.";
       case TOO_MANY_STEPS ->
-          "Raise maxSteps, loosen the tolerances, or use AUTO or ODE15S if the problem is stiff.";
+          explicit
+              ? "Raise maxSteps, loosen the tolerances, or use AUTO or ODE15S if the problem is"
+                  + " stiff."
+              : "Raise maxSteps, or loosen the tolerances.";
     };
   }
 }

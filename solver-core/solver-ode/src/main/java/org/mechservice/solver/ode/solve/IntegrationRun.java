@@ -8,6 +8,8 @@ import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.ode.StepResult;
 import org.mechservice.solver.ode.events.EventIntegration;
+import org.mechservice.solver.ode.jumps.UndeclaredJumps;
+import org.mechservice.solver.ode.step.WatchedIntegrator;
 
 /** One integration from its start, or from a checkpoint, to its end. */
 final class IntegrationRun {
@@ -70,10 +72,11 @@ final class IntegrationRun {
   IntegrationRun(PosedProblem problem, OdeOptions options) {
     this.problem = problem;
     this.options = options;
-    events = new ComposedEvents(options.events());
-    Integrator steps =
+    events = new ComposedEvents(options.events(), options.relativeTolerance());
+    WatchedIntegrator method =
         problem.integrator(
             options.settings(() -> !completing && options.cancelled().getAsBoolean()));
+    Integrator steps = options.searchesUndeclaredJumps() ? UndeclaredJumps.around(method) : method;
     integrator = options.events().isEmpty() ? steps : new EventIntegration(steps, events);
     stepHandlers = options.stepHandlers().toArray(StepHandler[]::new);
     step = new SolvedStep(integrator, problem.dimension());
@@ -173,7 +176,11 @@ final class IntegrationRun {
     OdeSolution solution = solution();
     if (result == StepResult.FAILED && !options.returnsFailures()) {
       throw new IntegrationException(
-          solution, solution.failure().orElseThrow(), options.maxSteps(), events.notFinite());
+          solution,
+          solution.failure().orElseThrow(),
+          options.method(),
+          options.maxSteps(),
+          events.notFinite());
     }
     return solution;
   }
@@ -231,6 +238,7 @@ final class IntegrationRun {
         failure,
         kept,
         events.found(),
+        events.remarks(),
         integrator.statistics(),
         integrator.methodChanges(),
         this::checkpoint);

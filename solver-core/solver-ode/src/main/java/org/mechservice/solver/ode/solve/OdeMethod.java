@@ -1,10 +1,9 @@
 package org.mechservice.solver.ode.solve;
 
-import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.IntegratorSettings;
-import org.mechservice.solver.ode.ResidualIntegrator;
 import org.mechservice.solver.ode.adams.De;
 import org.mechservice.solver.ode.adams.Ode113;
+import org.mechservice.solver.ode.step.WatchedIntegrator;
 import org.mechservice.solver.ode.stiff.Ode15s;
 import org.mechservice.solver.ode.stiff.Ode15sR;
 import org.mechservice.solver.ode.switching.Switching;
@@ -48,7 +47,7 @@ public enum OdeMethod {
   ODE15SR;
 
   /** Returns an integrator for y' = f(t, y). */
-  Integrator integrator(IntegratorSettings settings) {
+  WatchedIntegrator integrator(IntegratorSettings settings) {
     return switch (this) {
       case AUTO -> new Switching(settings);
       case ODE113 -> new Ode113(settings);
@@ -63,7 +62,7 @@ public enum OdeMethod {
    *
    * @throws IllegalArgumentException if this method takes none
    */
-  ResidualIntegrator residualIntegrator(IntegratorSettings settings) {
+  Ode15sR residualIntegrator(IntegratorSettings settings) {
     if (this != AUTO && this != ODE15SR) {
       throw new IllegalArgumentException(
           "method "

@@ -9,6 +9,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.mechservice.solver.ode.IntegratorSettings;
 import org.mechservice.solver.ode.IntegratorSettings.Mode;
+import org.mechservice.solver.ode.jumps.UndeclaredJumps;
 
 /**
  * Options of an integration. Immutable: each method returns other options and leaves these as they
@@ -50,6 +51,7 @@ public final class OdeOptions {
   private long maxSteps = MOST_STEPS;
   private boolean keepSteps = true;
   private boolean returnFailures;
+  private boolean searchUndeclaredJumps;
   private BooleanSupplier cancelled = () -> false;
   private List<OdeEvent> events = List.of();
   private List<StepHandler> stepHandlers = List.of();
@@ -70,6 +72,7 @@ public final class OdeOptions {
     maxSteps = other.maxSteps;
     keepSteps = other.keepSteps;
     returnFailures = other.returnFailures;
+    searchUndeclaredJumps = other.searchUndeclaredJumps;
     cancelled = other.cancelled;
     events = other.events;
     stepHandlers = other.stepHandlers;
@@ -171,6 +174,15 @@ public final class OdeOptions {
   }
 
   /**
+   * Searches the steps for jumps, pulses and poles of the equations that nobody has declared, as
+   * {@link UndeclaredJumps} does: for equations of which nothing is known but their values. What is
+   * known is better declared, by {@link OdeProblem#withBreakpoints} or an event.
+   */
+  public OdeOptions searchUndeclaredJumps() {
+    return with(copy -> copy.searchUndeclaredJumps = true);
+  }
+
+  /**
    * Sets the cancel signal, such as {@code AtomicBoolean::get}, asked before every evaluation: the
    * integration ends within one evaluation after it is given, by whatever thread.
    */
@@ -248,8 +260,16 @@ public final class OdeOptions {
     return returnFailures;
   }
 
+  boolean searchesUndeclaredJumps() {
+    return searchUndeclaredJumps;
+  }
+
   BooleanSupplier cancelled() {
     return cancelled;
+  }
+
+  double relativeTolerance() {
+    return relativeTolerance;
   }
 
   List<OdeEvent> events() {

@@ -25,6 +25,7 @@ public final class OdeSolution {
   private final Optional<IntegrationFailure> failure;
   private final Optional<KeptSteps> kept;
   private final List<FoundEvent> events;
+  private final List<EventRemark> eventRemarks;
   private final IntegrationStatistics statistics;
   private final List<MethodChange> methodChanges;
   private final Supplier<OdeCheckpoint> checkpoint;
@@ -35,6 +36,7 @@ public final class OdeSolution {
       Optional<IntegrationFailure> failure,
       Optional<KeptSteps> kept,
       List<FoundEvent> events,
+      List<EventRemark> eventRemarks,
       IntegrationStatistics statistics,
       List<MethodChange> methodChanges,
       Supplier<OdeCheckpoint> checkpoint) {
@@ -43,6 +45,7 @@ public final class OdeSolution {
     this.failure = failure;
     this.kept = kept;
     this.events = List.copyOf(events);
+    this.eventRemarks = eventRemarks;
     this.statistics = statistics;
     this.methodChanges = List.copyOf(methodChanges);
     this.checkpoint = checkpoint;
@@ -109,6 +112,16 @@ public final class OdeSolution {
   /** Returns the events that have happened, in the order of integration. */
   public List<FoundEvent> events() {
     return events;
+  }
+
+  /**
+   * Returns what is no event although it may look like one: functions that touch zero and turn
+   * back, that change sign through infinity, that are zero at the start and leave it at once, or
+   * that are beyond zero at the start and have had no event since. Each kind stands once for each
+   * event.
+   */
+  public List<EventRemark> eventRemarks() {
+    return eventRemarks;
   }
 
   /**

@@ -6,13 +6,14 @@ import org.mechservice.solver.ode.OdeSystem;
 import org.mechservice.solver.ode.ResidualIntegrator;
 import org.mechservice.solver.ode.ResidualSystem;
 import org.mechservice.solver.ode.StepResult;
+import org.mechservice.solver.ode.step.WatchedIntegrator;
 
 /** A problem in the form that the chosen method takes. */
 sealed interface PosedProblem {
   int dimension();
 
   /** Returns an integrator that takes the form. */
-  Integrator integrator(IntegratorSettings settings);
+  WatchedIntegrator integrator(IntegratorSettings settings);
 
   /** Begins the problem with that integrator, or with one that looks for events in its steps. */
   StepResult start(Integrator integrator, double t0, double[] y0, double t1);
@@ -30,7 +31,7 @@ sealed interface PosedProblem {
     }
 
     @Override
-    public Integrator integrator(IntegratorSettings settings) {
+    public WatchedIntegrator integrator(IntegratorSettings settings) {
       return method.integrator(settings);
     }
 
@@ -77,7 +78,7 @@ sealed interface PosedProblem {
     }
 
     @Override
-    public Integrator integrator(IntegratorSettings settings) {
+    public WatchedIntegrator integrator(IntegratorSettings settings) {
       return method.residualIntegrator(settings);
     }
 

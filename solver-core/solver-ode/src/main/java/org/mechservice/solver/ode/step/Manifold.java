@@ -12,9 +12,10 @@ import org.mechservice.solver.ode.UnitNormGroups;
 /**
  * The knowledge of a problem about its states beyond its equations: components that follow from
  * others ({@link CompletedSystem}) or are algebraic ({@link ResidualSystem#component}), and so are
- * not tested for error; components that share a weight ({@link ErrorWeightGroups}); a manifold that
- * the solution stays on ({@link ProjectedSystem}); groups of norm one ({@link UnitNormGroups}). A
- * problem that knows nothing of that kind is left alone.
+ * not tested for error, the former unless {@link CompletedSystem#tested} names them; components
+ * that share a weight ({@link ErrorWeightGroups}); a manifold that the solution stays on ({@link
+ * ProjectedSystem}); groups of norm one ({@link UnitNormGroups}). A problem that knows nothing of
+ * that kind is left alone.
  */
 public final class Manifold {
   private static final Unknown NOTHING = new Unknown();
@@ -69,7 +70,7 @@ public final class Manifold {
   private void choose() {
     for (int l = 0; l < tested.length; l++) {
       independent[l] = completed.independent(l);
-      tested[l] = independent[l] && !algebraic[l];
+      tested[l] = completed.tested(l) && !algebraic[l];
     }
   }
 
@@ -99,6 +100,11 @@ public final class Manifold {
   /** Returns whether a component is in the tests of error and convergence at present. */
   boolean tested(int component) {
     return tested[component];
+  }
+
+  /** Enlarges the sizes of passive components. */
+  void enlarge(double[] sizes) {
+    completed.enlarge(sizes);
   }
 
   /** Returns whether all components are always tested, each by its own size. */

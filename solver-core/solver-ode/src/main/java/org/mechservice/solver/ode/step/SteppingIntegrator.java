@@ -1,12 +1,11 @@
 package org.mechservice.solver.ode.step;
 
 import org.mechservice.solver.ode.IntegrationFailure;
-import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.IntegratorSettings;
 import org.mechservice.solver.ode.StepResult;
 
 /** Common part of the integrators: settings and progress. */
-public abstract class SteppingIntegrator implements Integrator {
+public abstract class SteppingIntegrator implements WatchedIntegrator {
   /** Settings with the tolerances of the error tests, and these relative to those asked for. */
   public final IntegratorSettings settings;
 

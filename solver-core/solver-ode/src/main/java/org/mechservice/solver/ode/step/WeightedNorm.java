@@ -62,9 +62,12 @@ abstract class WeightedNorm implements ErrorNorm {
     }
     weighGroups(y1, y2);
     for (int l = 0; l < dimension; l++) {
-      double counted = Math.min(size[l], largestSize[l]);
+      size[l] = Math.min(size[l], largestSize[l]);
+    }
+    manifold.enlarge(size);
+    for (int l = 0; l < dimension; l++) {
       weight[l] =
-          manifold.tested(l) ? 1 / allowed(relativeTolerance, counted, absoluteTolerance[l]) : 0;
+          manifold.tested(l) ? 1 / allowed(relativeTolerance, size[l], absoluteTolerance[l]) : 0;
     }
   }
 

@@ -7,6 +7,10 @@
  * ExactEndBounds} ends the last step at the end, {@link PastEndBounds} steps past it and
  * interpolates, as DE does.
  *
+ * <p>A {@link StepWatch} sees each {@link TriedStep}, that of an Adams method as an {@link
+ * ExtrapolatedStep}, and may have it taken otherwise; a {@link WatchedIntegrator} takes one, and
+ * has none to begin with.
+ *
  * <p>{@link RightHandSide} evaluates f, counts the evaluations and obeys the stop signal; {@link
  * Breakpoints} keeps the jumps that a problem declares, so that steps end there and nothing is
  * evaluated across. {@link Manifold} completes and projects a state and scales groups of unit norm

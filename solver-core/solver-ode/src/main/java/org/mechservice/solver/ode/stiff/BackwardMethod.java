@@ -1,6 +1,7 @@
 package org.mechservice.solver.ode.stiff;
 
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.mechservice.solver.ode.IntegrationFailure.Cause;
 import org.mechservice.solver.ode.IntegrationStatistics;
 import org.mechservice.solver.ode.IntegratorSettings;
@@ -17,6 +18,7 @@ import org.mechservice.solver.ode.newton.StepEquations;
 import org.mechservice.solver.ode.step.ErrorNorm;
 import org.mechservice.solver.ode.step.IntegrationProgress;
 import org.mechservice.solver.ode.step.RightHandSide;
+import org.mechservice.solver.ode.step.StepWatch;
 import org.mechservice.solver.ode.step.SteppingIntegrator;
 
 /**
@@ -53,6 +55,11 @@ abstract class BackwardMethod extends SteppingIntegrator {
     this.formulas = formulas;
     Mode mode = settings.mode();
     step = new BackwardStep(progress, formulas, mode, takesTurns && mode != Mode.FAITHFUL);
+  }
+
+  @Override
+  public final void watch(Supplier<StepWatch> watches) {
+    step.watch(watches.get());
   }
 
   /**
@@ -191,12 +198,12 @@ abstract class BackwardMethod extends SteppingIntegrator {
 
   /** Tries steps until one is accepted. */
   private StepResult advance() {
-    while (progress.mayTry(settings.maxSteps(), step.end())) {
+    while (progress.mayTry(settings.maxSteps(), step.problemEnd())) {
       TrialOutcome attempt = step.attempt();
       if (attempt == TrialOutcome.STOPPED) {
         return StepResult.STOPPED;
       }
-      if (attempt == TrialOutcome.PASSED && step.cutAtPulse()) {
+      if (attempt == TrialOutcome.PASSED && step.cutShort()) {
         continue;
       }
       if (attempt == TrialOutcome.PASSED) {
@@ -255,9 +262,10 @@ abstract class BackwardMethod extends SteppingIntegrator {
   private void transfer(SavedState state, Problem problem) {
     state.require("method", getClass().getSimpleName());
     settings.transfer(state);
+    step.requireWatch(state);
     state.require("family of formulas", formulas == BackwardFormulas.BDF ? "BDF" : "NDF");
     double t0 = state.number(progress.start());
-    double end = state.number(step.end());
+    double end = state.number(step.problemEnd());
     StepEquations posed = problem.equations(t0, end);
     state.require("number of unknowns", posed.manifold().dimension());
     if (state.restoring()) {

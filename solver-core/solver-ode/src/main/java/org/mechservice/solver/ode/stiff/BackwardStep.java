@@ -10,21 +10,23 @@ import org.mechservice.solver.ode.TrialOutcome;
 import org.mechservice.solver.ode.backward.BackwardDifferences;
 import org.mechservice.solver.ode.backward.BackwardFormulas;
 import org.mechservice.solver.ode.backward.BackwardOrderControl;
-import org.mechservice.solver.ode.jumps.JumpMonitor;
-import org.mechservice.solver.ode.jumps.JumpSearch;
-import org.mechservice.solver.ode.jumps.PulseProbe;
-import org.mechservice.solver.ode.jumps.SlidingMonitor;
+import org.mechservice.solver.ode.newton.ColumnTest;
 import org.mechservice.solver.ode.newton.StepEquations;
 import org.mechservice.solver.ode.newton.StepSolver;
+import org.mechservice.solver.ode.step.ErrorNorm;
 import org.mechservice.solver.ode.step.IntegrationProgress;
+import org.mechservice.solver.ode.step.Manifold;
 import org.mechservice.solver.ode.step.MaximumNorm;
+import org.mechservice.solver.ode.step.RightHandSide;
+import org.mechservice.solver.ode.step.StepWatch;
+import org.mechservice.solver.ode.step.TriedStep;
 
 /**
  * One step of a backward method after the other: {@link #attempt} linearises, solves and tests it,
  * {@link #accept} chooses order and size of the next, {@link #repair} finds out what to do about
  * one that failed.
  */
-final class BackwardStep {
+final class BackwardStep implements TriedStep {
   /** Reduction of a step whose iteration did not converge although the derivatives were new. */
   private static final double UNSOLVED_REDUCTION = 0.3;
 
@@ -46,10 +48,7 @@ final class BackwardStep {
 
   private final MaximumNorm norm = new MaximumNorm();
   private final StepSize step = new StepSize();
-  private final JumpMonitor jumps = new JumpMonitor();
-  private final JumpSearch search = new JumpSearch();
-  private final SlidingMonitor slide = new SlidingMonitor();
-  private PulseProbe pulses = new PulseProbe(0);
+  private StepWatch watch = StepWatch.NONE;
 
   private StepEquations equations;
   private StepSolver solver;
@@ -59,6 +58,9 @@ final class BackwardStep {
   private boolean judgedAlongManifold;
 
   private double[] alongManifold = new double[0];
+
+  /** y' at the end of the step, where it is asked for, length n. */
+  private double[] slope = new double[0];
 
   /** Relative tolerance of the norm. */
   private double relativeTolerance;
@@ -88,6 +90,11 @@ final class BackwardStep {
     solver = new StepSolver(equations, mode);
   }
 
+  /** Has the steps of all problems to come watched. */
+  void watch(StepWatch watch) {
+    this.watch = watch;
+  }
+
   /**
    * Makes ready for a problem.
    *
@@ -108,11 +115,13 @@ final class BackwardStep {
     differences = new BackwardDifferences(n);
     alongManifold = new double[n];
     judgedAlongManifold = false;
-    pulses = new PulseProbe(n);
+    slope = new double[n];
     relativeTolerance = tested.relativeTolerance();
     norm.begin(relativeTolerance, tested.absoluteTolerances(n), equations.manifold());
     allowance.begin(relativeTolerance, toleranceFactor);
     step.begin(n, t0, tEnd, tested.maxStep());
+    watch.part(ColumnTest.Maker.class).ifPresent(equations::testColumns);
+    watch.prepare(this);
   }
 
   /**
@@ -123,9 +132,7 @@ final class BackwardStep {
    */
   void beginAt(double t, double[] y, int highestOrder, double initialStep, boolean restarted) {
     control.begin(highestOrder, restarted);
-    jumps.begin();
-    search.clear();
-    slide.clear();
+    watch.begin(t);
     step.beginAt(initialStep, restarted);
     step.stopAt(equations.breakpoints().next());
     triedTime = t;
@@ -241,13 +248,7 @@ final class BackwardStep {
     if (control.error() > 1) {
       leaveOutProjected();
     }
-    if (control.error() <= 1) {
-      boolean jumpInside = search.active() && search.inside(step.size(), discrepancy());
-      return jumpInside ? TrialOutcome.TOO_INACCURATE : TrialOutcome.PASSED;
-    }
-    jumps.failed(step.size(), control.error());
-    boolean jumped = equations.solutionMayJump() && jumps.solutionJumped(control.error());
-    return jumped ? TrialOutcome.PASSED : TrialOutcome.TOO_INACCURATE;
+    return watch.passes(control.error()) ? TrialOutcome.PASSED : TrialOutcome.TOO_INACCURATE;
   }
 
   /** Judges the error of the step by its part along the manifold of the system, if it has one. */
@@ -259,24 +260,9 @@ final class BackwardStep {
     }
   }
 
-  /** Returns the norm of what y' differs by from its prediction. */
-  private double discrepancy() {
-    return norm.of(differences.correction) / Math.abs(hGamma());
-  }
-
-  /** Returns whether there is a pulse in the step that passed; it is then cut off in front. */
-  boolean cutAtPulse() {
-    if (mode == Mode.FAITHFUL
-        || control.error() >= PulseProbe.ERROR_OF_STRAIGHT_STEP
-        || !pulses.wanted(
-            step.size(), progress.stepSize(), tEnd - progress.start(), search.shortestDistance())) {
-      return false;
-    }
-    double part =
-        equations.partToPulse(pulses, progress.time(), step.size(), hGamma(), differences, norm);
-    if (pulses.sawStraightLine()) {
-      search.straightFrom(progress.start());
-    }
+  /** Returns whether the step that passed is to be tried shorter; it is then cut off. */
+  boolean cutShort() {
+    double part = watch.partToTake();
     if (part == 1) {
       return false;
     }
@@ -288,22 +274,17 @@ final class BackwardStep {
   /** Goes on to the end of the step that passed. */
   void accept() {
     int k = control.order();
-    double size = step.size();
-    double error = control.error();
     differences.accept(k);
-    progress.accepted(size, triedTime, k, error);
-    jumps.accepted(error);
+    progress.accepted(step.size(), triedTime, k, control.error());
+    boolean historyIsOfNoUse = watch.accepted();
     solver.moveOn(hGamma(), differences);
     followOscillation();
     step.propose(control.accept(differences, norm));
-    boolean jumpPassed = search.accepted(size, triedTime, error);
-    if (error > 1 || jumpPassed) {
+    if (historyIsOfNoUse) {
       control.restart();
     }
-    if (search.active()) {
-      towardsJump();
-    }
-    step.bound(search.longestStep(triedTime));
+    aimAt(watch.aim());
+    step.bound(watch.longest());
     begun = false;
     equations.manifold().restoreUnitGroups(differences.state(), differences);
     if (equations.manifold().accepted(triedTime, differences.state())) {
@@ -319,13 +300,14 @@ final class BackwardStep {
     }
   }
 
-  /** Proposes a step that halves the stretch with a jump, or crosses it, if that is shorter. */
-  private void towardsJump() {
-    double size = search.step(progress.time());
-    if (search.crossing()) {
-      control.restart();
+  /** Proposes the step that the watch aims at, if it does and if that is shorter. */
+  private void aimAt(double size) {
+    if (Double.isFinite(size)) {
+      if (watch.atOrderOne()) {
+        control.restart();
+      }
+      step.propose(Math.min(1, Math.abs(size / step.size())));
     }
-    step.propose(Math.min(1, Math.abs(size / step.size())));
   }
 
   /**
@@ -342,37 +324,32 @@ final class BackwardStep {
     if (!inaccurate && solver.renew(hGamma())) {
       return Optional.empty();
     }
-    if (!step.canBeReduced(progress.time()) || slides(attempt)) {
+    boolean asked = watch.atOrderOne();
+    if (!step.canBeReduced(progress.time()) || watch.rejected(attempt)) {
       return Optional.of(solver.cause(attempt, tEnd - progress.start(), norm));
     }
-    reduce(inaccurate);
+    reduce(inaccurate, asked);
     return Optional.empty();
   }
 
-  private boolean slides(TrialOutcome attempt) {
-    return attempt == TrialOutcome.NOT_CONVERGING
-        && mode != Mode.FAITHFUL
-        && slide.unsolved(progress.time(), tEnd);
-  }
-
-  /** A search for a jump may ask once for the same step at order 1, not more often. */
-  private void reduce(boolean inaccurate) {
-    boolean crossed = search.crossing();
-    boolean searches = inaccurate && mode != Mode.FAITHFUL && !equations.solutionMayJump();
-    if (searches && Double.isFinite(control.error())) {
-      search.rejected(step.size(), control.order(), triedTime, control.error(), discrepancy());
-    }
-    if (search.active()) {
+  /**
+   * Reduces the step. A watch may ask once for the same step at order 1, not more often.
+   *
+   * @param asked whether it did for the step that failed
+   */
+  private void reduce(boolean inaccurate, boolean asked) {
+    double aim = watch.aim();
+    if (Double.isFinite(aim)) {
       double tried = Math.abs(step.size());
-      towardsJump();
-      boolean again = Math.abs(step.size()) >= tried && (crossed || !inaccurate);
+      aimAt(aim);
+      boolean again = Math.abs(step.size()) >= tried && (asked || !inaccurate);
       step.reduce(again ? UNSOLVED_REDUCTION : 1, progress.time());
       return;
     }
     followOscillation();
     double factor = inaccurate ? control.reject(differences, norm) : UNSOLVED_REDUCTION;
     step.reduce(factor, progress.time());
-    if (inaccurate && jumps.derivativeJumped(step.size())) {
+    if (inaccurate && watch.forgets()) {
       control.restart();
     }
   }
@@ -414,9 +391,78 @@ final class BackwardStep {
     return differences;
   }
 
-  /** Returns the norm that errors are judged by. */
-  MaximumNorm norm() {
+  @Override
+  public Optional<RightHandSide> rightHandSide() {
+    return equations.rightHandSide();
+  }
+
+  @Override
+  public Manifold manifold() {
+    return equations.manifold();
+  }
+
+  @Override
+  public ErrorNorm norm() {
     return norm;
+  }
+
+  @Override
+  public IntegrationProgress progress() {
+    return progress;
+  }
+
+  @Override
+  public double problemEnd() {
+    return tEnd;
+  }
+
+  @Override
+  public double size() {
+    return step.size();
+  }
+
+  @Override
+  public double end() {
+    return triedTime;
+  }
+
+  @Override
+  public int order() {
+    return control.order();
+  }
+
+  @Override
+  public double error() {
+    return control.error();
+  }
+
+  @Override
+  public double discrepancy() {
+    return norm.of(differences.correction) / Math.abs(hGamma());
+  }
+
+  @Override
+  public double[] state() {
+    return differences.state();
+  }
+
+  @Override
+  public double[] stateAtEnd() {
+    return differences.corrected();
+  }
+
+  /** {@inheritDoc} The formula y_{n+1} − y_n = h y'_{n+1} makes every step look straight. */
+  @Override
+  public double[] slopeAtEnd() {
+    double h = step.size();
+    double hGamma = hGamma();
+    for (int l = 0; l < slope.length; l++) {
+      slope[l] =
+          hGamma == h
+              ? (differences.predicted[l] - differences.state()[l]) / h
+              : (differences.psi[l] + differences.correction[l]) / hGamma;
+    }
+    return slope;
   }
 
   /** Returns the relative tolerance of that norm. */
@@ -424,9 +470,9 @@ final class BackwardStep {
     return relativeTolerance;
   }
 
-  /** Returns the end of the problem. */
-  double end() {
-    return tEnd;
+  /** Carries over by what the steps are watched; refuses another watch than that saved. */
+  void requireWatch(SavedState state) {
+    state.require("watch of the steps", watch.name());
   }
 
   /** Carries the state between two steps over. */
@@ -440,9 +486,7 @@ final class BackwardStep {
     progress.transfer(state);
     differences.transfer(state);
     control.transfer(state);
-    jumps.transfer(state);
-    search.transfer(state);
-    slide.transfer(state);
+    watch.transfer(state);
     triedTime = state.number(triedTime);
     step.transfer(state);
     if (state.restoring()) {

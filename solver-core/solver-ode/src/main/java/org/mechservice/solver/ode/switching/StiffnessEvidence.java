@@ -4,18 +4,16 @@ import org.mechservice.solver.ode.OdeSystem;
 import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.ode.adams.Ode113;
 import org.mechservice.solver.ode.backward.BackwardFormulas;
-import org.mechservice.solver.ode.jumps.JumpProbe;
-import org.mechservice.solver.ode.jumps.JumpSearch;
 import org.mechservice.solver.ode.step.IntegrationProgress;
 import org.mechservice.solver.ode.step.RightHandSide;
 
 /**
  * Whether an Adams method is to be left for an implicit one, asked after each of its steps. There
- * are five reasons, one for each way in which stiffness shows: stability limits the steps and
+ * are four reasons, one for each way in which stiffness shows: stability limits the steps and
  * implicit ones would cost less ({@link StepForecast}, {@link StepCosts}); a step can be foreseen
  * to be far too long for stability, before the first one or after one of the first; an oscillation
- * is kept alive by the method alone ({@link FastestMotionProbe}); and, twice, the right-hand side
- * is so steep that it looks like a jump.
+ * is kept alive by the method alone ({@link FastestMotionProbe}); and a watch of the steps may have
+ * reasons of its own.
  */
 final class StiffnessEvidence {
   /** A phase of ode113 with fewer steps was not worth its start. */
@@ -39,9 +37,6 @@ final class StiffnessEvidence {
   /** Rate of the fastest motion times the step from which on no Adams method is stable. */
   private static final double UNSTABLE = 2;
 
-  /** Jumps ahead that are worth the evaluations of a closer look at the next one. */
-  private static final double MANY_JUMPS = 1e4;
-
   private static final int MORE_EVIDENCE = 4;
   private static final int MOST_EVIDENCE = 256;
 
@@ -49,14 +44,8 @@ final class StiffnessEvidence {
   private final IntegrationProgress progress;
   private final StepForecast forecast = new StepForecast();
   private FastestMotionProbe probe;
-  private OdeSystem system = RightHandSide.none().system();
   private StepCosts costs = StepCosts.dense(0);
   private double tEnd;
-
-  /** State at which a jump is looked for, and its derivative. */
-  private double[] y = {};
-
-  private double[] yDot = {};
 
   /** Whether the implicit method has not been at work yet. */
   private boolean fresh;
@@ -77,12 +66,6 @@ final class StiffnessEvidence {
 
   private double lastedBefore;
 
-  /** Whether the right-hand side was found to jump where the solution slides. */
-  private boolean jumps;
-
-  /** Whether that was asked in the present phase because jumps are crossed often. */
-  private boolean looked;
-
   /** Loss allowed to the implicit method if it is at work for a trial. */
   private double patience;
 
@@ -92,16 +75,13 @@ final class StiffnessEvidence {
   StiffnessEvidence(Ode113 adams, IntegrationProgress progress) {
     this.adams = adams;
     this.progress = progress;
-    probe = new FastestMotionProbe(system, adams.norm());
+    probe = new FastestMotionProbe(RightHandSide.none().system(), adams.norm());
   }
 
   /** Makes ready for a problem. */
   void prepare(OdeSystem system, double t0, double tEnd, StepCosts costs) {
-    this.system = system;
     this.tEnd = tEnd;
     this.costs = costs;
-    y = new double[system.dimension()];
-    yDot = new double[system.dimension()];
     forecast.prepare(system.dimension(), tEnd - t0);
     probe = new FastestMotionProbe(system, adams.norm());
   }
@@ -109,7 +89,6 @@ final class StiffnessEvidence {
   /** Begins a problem. */
   void begin() {
     fresh = true;
-    jumps = false;
     needed = 1;
     lastedBefore = 0;
     stepsToProbe = STEPS_TO_PROBE;
@@ -118,7 +97,6 @@ final class StiffnessEvidence {
 
   /** Begins a phase of either method. */
   void beginPhase() {
-    looked = false;
     stepsOfPhase = 0;
     watch();
   }
@@ -169,9 +147,9 @@ final class StiffnessEvidence {
   /** Looks at the step just taken; returns whether the implicit method is to take the next one. */
   boolean speaksForChange() {
     stepsOfPhase++;
-    boolean slides = !jumps && (slidesAlongSteepness() || crossesSteepness());
+    boolean steep = adams.steepAhead();
     evidence = adamsCostsMore() ? evidence + 1 : 0;
-    return evidence >= needed || slides || startsStiff() || keepsAlive();
+    return evidence >= needed || steep || startsStiff() || keepsAlive();
   }
 
   /**
@@ -216,35 +194,6 @@ final class StiffnessEvidence {
     double toGo = decayed > 0 ? Math.max(1.1, Math.min(gone / decayed, 2)) : 2;
     stepsToProbe = (long) (toGo * steps);
     return false;
-  }
-
-  /**
-   * Returns whether what looks like many jumps that follow each other is one place at which the
-   * right-hand side is steep. If they are jumps, too many for any run, ode113 is left to end it.
-   */
-  private boolean slidesAlongSteepness() {
-    double ahead = adams.jumpsAhead();
-    if (ahead <= MANY_JUMPS) {
-      return false;
-    }
-    boolean real = jumpsAhead();
-    jumps = real && ahead > JumpSearch.MOST;
-    return !real;
-  }
-
-  /** Likewise, asked once in a phase, as soon as a few of them have followed each other. */
-  private boolean crossesSteepness() {
-    if (looked || !adams.crossesOften()) {
-      return false;
-    }
-    looked = true;
-    return !jumpsAhead();
-  }
-
-  /** Returns whether there is a real jump: ode113 is left to cross it, or to end the run there. */
-  private boolean jumpsAhead() {
-    adams.interpolate(progress.time(), y, yDot);
-    return new JumpProbe(system, progress.time(), y).found(progress.stepSize());
   }
 
   /** Returns whether stability limits the steps and those of ode15s would cost less. */
@@ -316,8 +265,6 @@ final class StiffnessEvidence {
     worthChange = state.flag(worthChange);
     limitedSince = state.number(limitedSince);
     lastedBefore = state.number(lastedBefore);
-    jumps = state.flag(jumps);
-    looked = state.flag(looked);
     patience = state.number(patience);
     stepsToProbe = state.integer(stepsToProbe);
     probe.transfer(state);

@@ -1,9 +1,9 @@
 package org.mechservice.solver.ode.switching;
 
 import java.util.List;
+import java.util.function.Supplier;
 import org.mechservice.solver.ode.IntegrationFailure;
 import org.mechservice.solver.ode.IntegrationStatistics;
-import org.mechservice.solver.ode.Integrator;
 import org.mechservice.solver.ode.Integrator.MethodChange;
 import org.mechservice.solver.ode.IntegratorSettings;
 import org.mechservice.solver.ode.OdeSystem;
@@ -16,7 +16,9 @@ import org.mechservice.solver.ode.step.ExactEndBounds;
 import org.mechservice.solver.ode.step.IntegrationProgress;
 import org.mechservice.solver.ode.step.RightHandSide;
 import org.mechservice.solver.ode.step.StepBounds;
+import org.mechservice.solver.ode.step.StepWatch;
 import org.mechservice.solver.ode.step.SteppingIntegrator;
+import org.mechservice.solver.ode.step.WatchedIntegrator;
 import org.mechservice.solver.ode.stiff.Ode15s;
 
 /**
@@ -30,11 +32,9 @@ import org.mechservice.solver.ode.stiff.Ode15s;
  * of its steps ({@link StiffnessMonitor}), if steps of ode15s would by then be so much longer that
  * they cost at most three quarters ({@link StepForecast}), and stiffness can be expected to last
  * long enough to pay its start. Where the solution has only begun to get smooth, nothing is lost by
- * waiting: both cost the same until then. It also takes over when ode113 slides along what looks
- * like a jump, or crosses such things again and again: friction so steep that no step of its own
- * tells it from one. It takes over before or after one of the first steps if that is accurate and
- * far too long for stability, and from an oscillation that only ode113 keeps alive ({@link
- * FastestMotionProbe}).
+ * waiting: both cost the same until then. It takes over before or after one of the first steps if
+ * that is accurate and far too long for stability, and from an oscillation that only ode113 keeps
+ * alive ({@link FastestMotionProbe}).
  *
  * <p>ode113 takes over when its steps, as long as they were when it was left or shorter by as much
  * as the fastest motion got faster, would cost three quarters of what ode15s spends, for as long as
@@ -53,7 +53,7 @@ import org.mechservice.solver.ode.stiff.Ode15s;
  * ordinary differential equations</i>, SIAM J. Sci. Stat. Comput. 4 (1983) 136; the criteria are
  * our own.
  */
-public final class Switching implements Integrator {
+public final class Switching implements WatchedIntegrator {
   /** Loss after which ode15s is left, in steps of its own. */
   private static final double LOSS_ALLOWED = 12;
 
@@ -101,6 +101,12 @@ public final class Switching implements Integrator {
     adams = new Ode113(settings, progress);
     backward = new Ode15s(settings, progress);
     stiffness = new StiffnessEvidence(adams, progress);
+  }
+
+  @Override
+  public void watch(Supplier<StepWatch> watches) {
+    adams.watch(watches);
+    backward.watch(watches);
   }
 
   private SteppingIntegrator atWork() {

@@ -165,7 +165,12 @@ class JumpOnCurvedSolutionTest {
       double tolerance,
       double tolerances) {
     OdeOptions options =
-        OdeOptions.standard().rtol(tolerance).atol(tolerance).method(method).keepSteps(false);
+        OdeOptions.standard()
+            .searchUndeclaredJumps()
+            .rtol(tolerance)
+            .atol(tolerance)
+            .method(method)
+            .keepSteps(false);
     int wrong = 0;
     for (int seed = 0; seed < RUNS; seed++) {
       Force force = Force.random(seed, inTurns, close);

@@ -20,6 +20,7 @@ import org.mechservice.solver.ode.solve.OdeFunction;
 import org.mechservice.solver.ode.solve.OdeMethod;
 import org.mechservice.solver.ode.solve.OdeOptions;
 import org.mechservice.solver.ode.solve.OdeSolution;
+import org.mechservice.solver.ode.step.WatchedIntegrator;
 import org.mechservice.solver.ode.stiff.Ode15s;
 import org.mechservice.solver.ode.switching.Switching;
 
@@ -38,10 +39,14 @@ class PoleTest {
     SWITCHING(Switching::new);
 
     @SuppressWarnings("ImmutableEnumChecker") // a constructor, no state
-    private final Function<IntegratorSettings, Integrator> maker;
+    private final Function<IntegratorSettings, WatchedIntegrator> maker;
 
-    Method(Function<IntegratorSettings, Integrator> maker) {
+    Method(Function<IntegratorSettings, WatchedIntegrator> maker) {
       this.maker = maker;
+    }
+
+    Integrator searched(double tolerance) {
+      return UndeclaredJumps.around(maker.apply(new IntegratorSettings(tolerance, tolerance)));
     }
   }
 
@@ -69,7 +74,7 @@ class PoleTest {
 
   /** Returns whether a run to 2 ends by name near a place, as far as its tolerance knows it. */
   private static boolean endsAt(double place, Slope slope, Method method, double tolerance) {
-    Integrator run = method.maker.apply(new IntegratorSettings(tolerance, tolerance));
+    Integrator run = method.searched(tolerance);
     StepResult result = run.start(system(slope), 0, new double[] {0}, 2);
     while (result == StepResult.ADVANCED) {
       result = run.step();
@@ -81,6 +86,31 @@ class PoleTest {
     return run.failure().cause() == Cause.UNBOUNDED
         ? ahead >= 0 && ahead <= run.failure().stepSize()
         : Math.abs(ahead) < 0.1;
+  }
+
+  /** Without the search: where the tolerance is tight enough for plain error tests to see it. */
+  @ParameterizedTest
+  @EnumSource
+  void plainStepsCrossNoPoleAtTightTolerances(Method method) {
+    for (double tolerance : new double[] {1e-6, 1e-8, 1e-10}) {
+      for (int i = 0; i < PLACES; i += 3) {
+        double c = place(i);
+        List<Slope> slopes =
+            List.of(
+                (t, y) -> 1 / (c - t),
+                (t, y) -> 1 / Math.abs(c - t),
+                (t, y) -> 1 / ((c - t) * (c - t)),
+                (t, y) -> StrictMath.tan(0.5 * Math.PI * t / c));
+        for (Slope slope : slopes) {
+          Integrator run = method.maker.apply(new IntegratorSettings(tolerance, tolerance));
+          StepResult result = run.start(system(slope), 0, new double[] {0}, 2);
+          while (result == StepResult.ADVANCED) {
+            result = run.step();
+          }
+          assertThat(result).as("%s, %s, %s", method, tolerance, c).isEqualTo(StepResult.FAILED);
+        }
+      }
+    }
   }
 
   private static int missed(Function<Double, Slope> slopes, Method method) {
@@ -159,7 +189,7 @@ class PoleTest {
       for (double tolerance : TOLERANCES) {
         for (int i = 0; i < PLACES; i += 7) {
           double c = unit * place(i);
-          Integrator run = method.maker.apply(new IntegratorSettings(tolerance, tolerance));
+          Integrator run = method.searched(tolerance);
           StepResult result =
               run.start(system((t, y) -> 1 / (c - t)), 0, new double[] {0}, 2 * unit);
           while (result == StepResult.ADVANCED) {
@@ -191,7 +221,12 @@ class PoleTest {
           };
       for (double tolerance : new double[] {1e-4, 1e-6, 1e-9}) {
         OdeOptions options =
-            OdeOptions.standard().method(method).rtol(tolerance).atol(tolerance).returnFailures();
+            OdeOptions.standard()
+                .searchUndeclaredJumps()
+                .method(method)
+                .rtol(tolerance)
+                .atol(tolerance)
+                .returnFailures();
         OdeSolution solution = Ode.solve(besideAnOscillator, 0, new double[] {0, 1, 0}, 2, options);
         assertThat(solution.failure()).isPresent();
         assertThat(solution.failure().get().cause()).isEqualTo(Cause.UNBOUNDED);
@@ -207,7 +242,7 @@ class PoleTest {
     for (double tolerance : TOLERANCES) {
       for (int i = 0; i < PLACES; i++) {
         double c = place(i);
-        Integrator run = method.maker.apply(new IntegratorSettings(tolerance, tolerance));
+        Integrator run = method.searched(tolerance);
         Slope root = (t, y) -> -Math.signum(c - t) * 0.5 / Math.sqrt(Math.abs(c - t));
         StepResult result = run.start(system(root), 0, new double[] {0}, 2);
         while (result == StepResult.ADVANCED) {
@@ -221,7 +256,7 @@ class PoleTest {
   @ParameterizedTest
   @EnumSource(names = {"ODE113", "DE"})
   void poleCrossedAtLooseTolerancesIsNamed(Method method) {
-    Integrator run = method.maker.apply(new IntegratorSettings(1e-2, 1e-2));
+    Integrator run = method.searched(1e-2);
     StepResult result = run.start(system((t, y) -> 1 / (1 - t)), 0, new double[] {0}, 2);
     while (result == StepResult.ADVANCED) {
       result = run.step();
@@ -258,7 +293,7 @@ class PoleTest {
   void stepTakesTwoEvaluationsHoweverLargeTheSystem(Method method) {
     for (double tolerance : new double[] {1e-2, 1e-3, 1e-6}) {
       for (int count : new int[] {1, 10, 1000}) {
-        Integrator run = method.maker.apply(new IntegratorSettings(tolerance, tolerance));
+        Integrator run = method.searched(tolerance);
         double[] y0 = new double[3 * count];
         for (int i = 0; i < count; i++) {
           y0[3 * i] = StrictMath.cos(i);

@@ -86,7 +86,12 @@ class RandomPulseTest {
 
   private static void count(OdeMethod method, boolean inTurns, double tEnd) {
     for (double tolerance : new double[] {1e-3, 1e-4, 1e-6, 1e-9}) {
-      OdeOptions options = OdeOptions.standard().rtol(tolerance).atol(tolerance).method(method);
+      OdeOptions options =
+          OdeOptions.standard()
+              .searchUndeclaredJumps()
+              .rtol(tolerance)
+              .atol(tolerance)
+              .method(method);
       int wrong = 0;
       for (int seed = 0; seed < RUNS; seed++) {
         Turns turns = Turns.random(seed, inTurns);

@@ -17,6 +17,7 @@ import org.mechservice.solver.ode.ResidualSystem;
 import org.mechservice.solver.ode.StepResult;
 import org.mechservice.solver.ode.adams.De;
 import org.mechservice.solver.ode.adams.Ode113;
+import org.mechservice.solver.ode.step.WatchedIntegrator;
 import org.mechservice.solver.ode.stiff.Ode15s;
 import org.mechservice.solver.ode.stiff.Ode15sR;
 import org.mechservice.solver.ode.suite.DryFriction;
@@ -142,14 +143,14 @@ class UndeclaredJumpTest {
     }
 
     private static Integrator begun(
-        Integrator integrator, OdeSystem system, double[] y0, double tEnd) {
-      integrator.start(system, 0, y0, tEnd);
+        WatchedIntegrator integrator, OdeSystem system, double[] y0, double tEnd) {
+      UndeclaredJumps.around(integrator).start(system, 0, y0, tEnd);
       return integrator;
     }
 
     private static Integrator begun(
         Ode15sR integrator, ResidualSystem system, double[] y0, double[] slope, double tEnd) {
-      integrator.start(system, 0, y0, slope, tEnd);
+      UndeclaredJumps.around(integrator).start(system, 0, y0, slope, tEnd);
       return integrator;
     }
   }
@@ -314,13 +315,14 @@ class UndeclaredJumpTest {
       }
       double sign = random.nextBoolean() ? 1 : -1;
       IntegratorSettings how = new IntegratorSettings(tolerance, tolerance);
-      Integrator integrator =
+      WatchedIntegrator integrator =
           switch (method) {
             case ODE113 -> new Ode113(how);
             case DE -> new De(how);
             case SWITCHING -> new Switching(how);
             default -> new Ode15s(how);
           };
+      UndeclaredJumps.around(integrator);
       double[] found = Run.of(integrator, pushed(places, sign), 0, new double[2], 10).atEnd();
       double[] exact = new double[2];
       for (int k = 0; places[k] < 10; k++) {

@@ -52,6 +52,7 @@ class UndeclaredRelayTest {
                   new double[] {y0, 0},
                   END,
                   OdeOptions.standard()
+                      .searchUndeclaredJumps()
                       .rtol(tolerance)
                       .atol(tolerance)
                       .method(method)

@@ -123,7 +123,7 @@ class NegligibleResidualTest {
     }
 
     @Override
-    public void watchForJumps(boolean watching) {}
+    public void testColumns(ColumnTest.Maker tests) {}
 
     @Override
     public boolean formsMatrix() {

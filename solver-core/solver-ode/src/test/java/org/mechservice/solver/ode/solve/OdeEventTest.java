@@ -11,6 +11,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.mechservice.solver.ode.events.EventFunctions.NoEvent;
 
 /** Events of the solution, one by one. */
 class OdeEventTest {
@@ -184,6 +185,41 @@ class OdeEventTest {
       OdeSolution solution = Ode.solve(FALL, 0, new double[] {0, 5}, 9, with(event));
       assertThat(solution.end()).isCloseTo(1, within(1e-7));
     }
+  }
+
+  // What looks like an event and is none, and what does not look like one and is
+
+  @Test
+  void functionThatIsFlatZeroBeforeItRisesHasItsEvent() {
+    OdeEvent touch = OdeEvent.when((t, y) -> Math.max(0, 1 - y[0])).rising().terminal();
+    OdeSolution solution = Ode.solve(FALL, 0, new double[] {5, 0}, 4, with(touch));
+    assertThat(solution.endReason()).isEqualTo(EndReason.EVENT);
+    assertThat(solution.end()).isCloseTo(Math.sqrt(2 * 4 / 10.0), within(1e-7));
+    assertThat(solution.eventRemarks()).isEmpty();
+  }
+
+  @Test
+  void polesTouchesAndLimitsPassedAreRemarked() {
+    List<OdeEvent> events =
+        List.of(
+            OdeEvent.when((t, y) -> 1 / (t - 0.7)).named("pole"),
+            OdeEvent.when((t, y) -> Math.abs(t - 0.7) * Math.abs(t - 1.3)).named("touch"),
+            OdeEvent.when((t, y) -> t + 1).rising().named("limit"),
+            OdeEvent.when((t, y) -> Math.cos(t)).falling(),
+            OdeEvent.when((t, y) -> -Math.cos(2 * t)).falling().named("again"));
+    OdeSolution solution =
+        Ode.solve(FALL, 0, new double[] {5, 0}, 3, with(events.toArray(OdeEvent[]::new)));
+    assertThat(solution.events().stream().map(FoundEvent::index)).containsExactly(3, 4);
+    assertThat(solution.eventRemarks().stream().map(EventRemark::name))
+        .containsExactly("pole", "touch", "limit");
+    assertThat(solution.eventRemarks().stream().map(EventRemark::reason))
+        .containsExactly(NoEvent.POLE, NoEvent.TOUCH, NoEvent.PASSED_AT_START);
+    assertThat(solution.eventRemarks().get(0).time()).isCloseTo(0.7, within(1e-9));
+    EventRemark touch = solution.eventRemarks().get(1);
+    assertThat(touch.time()).isCloseTo(0.7, within(1e-5));
+    assertThat(touch.count()).isEqualTo(2);
+    assertThat(touch.toString()).startsWith("the function of event 1 (touch) comes to zero at t");
+    assertThat(solution.eventRemarks().get(2).value()).isEqualTo(1);
   }
 
   // Outputs at events

@@ -19,6 +19,7 @@ import org.mechservice.solver.ode.IntegratorSettings;
 import org.mechservice.solver.ode.IntegratorSettings.Mode;
 import org.mechservice.solver.ode.StepResult;
 import org.mechservice.solver.ode.adams.Ode113;
+import org.mechservice.solver.ode.jumps.UndeclaredJumps;
 import org.mechservice.solver.ode.stiff.Ode15s;
 import org.mechservice.solver.ode.suite.Flame;
 import org.mechservice.solver.ode.suite.FunctionOde;
@@ -80,7 +81,11 @@ class SwitchingTest {
             });
     Run run =
         Run.of(
-            new Switching(new IntegratorSettings(1e-8, 1e-8)), dry, 0, new double[] {3.3, 0}, 20);
+            UndeclaredJumps.around(new Switching(new IntegratorSettings(1e-8, 1e-8))),
+            dry,
+            0,
+            new double[] {3.3, 0},
+            20);
     assertThat(run.result()).isEqualTo(StepResult.FAILED);
     assertThat(run.integrator().failure().cause())
         .isEqualTo(IntegrationFailure.Cause.STEP_TOO_SMALL);

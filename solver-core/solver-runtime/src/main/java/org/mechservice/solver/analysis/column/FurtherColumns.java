@@ -7,12 +7,14 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.mechservice.solver.analysis.equation.DriveShares;
 import org.mechservice.solver.analysis.equation.EquationsOfMotion;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.capability.MomentumBalance;
 import org.mechservice.solver.api.capability.ResultColumns;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.result.Variable;
+import org.mechservice.solver.api.run.RunNotes.Note;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.dynamics.event.WrittenValues;
 import org.mechservice.solver.force.user.UserForceSource;
@@ -31,6 +33,7 @@ public final class FurtherColumns implements ResultColumns {
   private final EquationsOfMotion equations;
   private final Map<ColumnGroup, ColumnValues> groups = new EnumMap<>(ColumnGroup.class);
   private final boolean needsBalance;
+  private final DriveShares shares;
   private final Optional<MomentumBalance> momentum;
   private final Optional<WrittenOutputs> written;
   private final double[] yDot;
@@ -52,6 +55,7 @@ public final class FurtherColumns implements ResultColumns {
       Optional<WrittenValues> code) {
     this.model = model;
     equations = new EquationsOfMotion(data.mechanism(), userForces);
+    shares = new DriveShares(equations);
     written =
         code.filter(values -> asked.contains(ColumnGroup.OUTPUTS))
             .map(values -> new WrittenOutputs(values, data.outputs().size()));
@@ -105,6 +109,18 @@ public final class FurtherColumns implements ResultColumns {
   }
 
   @Override
+  public void observe(double t, double[] y) {
+    if (groups.values().stream().anyMatch(ColumnValues::observes) && evaluate(t, y)) {
+      groups.values().forEach(values -> values.observe(t));
+    }
+  }
+
+  @Override
+  public List<Note> notes() {
+    return groups.values().stream().flatMap(values -> values.notes().stream()).toList();
+  }
+
+  @Override
   public Optional<MomentumBalance> momentum() {
     return momentum;
   }
@@ -120,6 +136,7 @@ public final class FurtherColumns implements ResultColumns {
     }
     equations.formResidual(yDot, equations.nq);
     equations.balance();
+    shares.share();
     equations.forces.accepted();
     return true;
   }

@@ -147,6 +147,26 @@ public final class Drives {
     return coordinates.get(i).index();
   }
 
+  /** Returns whether the joint of a coordinate belongs to the tree; otherwise it is cut. */
+  boolean isInTree(int i) {
+    return i < inTree;
+  }
+
+  /** Returns the equation of the loops that moves a coordinate of a cut joint. */
+  int row(int i) {
+    return coordinates.get(i).source().row();
+  }
+
+  /** Returns the joint of a coordinate. */
+  String joint(int i) {
+    return coordinates.get(i).joint().name();
+  }
+
+  /** Returns whether a coordinate is a displacement; otherwise it is an angle. */
+  boolean isDisplacement(int i) {
+    return type(i).velocityUnit(index(i)).equals("m/s");
+  }
+
   /** Evaluates the motions of cut joints; those of the tree are evaluated with its places. */
   public void evaluate(double t) {
     cutMotions.forEach(motion -> motion.evaluate(t));

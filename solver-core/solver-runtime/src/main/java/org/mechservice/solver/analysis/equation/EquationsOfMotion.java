@@ -140,7 +140,16 @@ public final class EquationsOfMotion {
     }
     jacobian.decompose();
     jacobian.multipliers(lambda.length, residual, lambda);
-    loops.addForces(lambda, -1, loadedWrench, loadedTau);
+    addMultipliers(lambda);
+  }
+
+  /**
+   * Adds the forces of further multipliers to the balanced residual and the transmitted wrenches.
+   *
+   * @param further one number per equation of the loops; not modified
+   */
+  void addMultipliers(double[] further) {
+    loops.addForces(further, -1, loadedWrench, loadedTau);
     sweepInward(loadedWrench, loadedTau);
   }
 
@@ -176,6 +185,11 @@ public final class EquationsOfMotion {
   /** Writes the smallest x with J x = −rows to {@code step}. */
   public void solveLeast(double[] rows) {
     jacobian.decompose();
+    solveLeastAsDecomposed(rows);
+  }
+
+  /** As {@link #solveLeast}, with J as decomposed last. */
+  void solveLeastAsDecomposed(double[] rows) {
     jacobian.change(lambda.length, rows, step);
   }
 }

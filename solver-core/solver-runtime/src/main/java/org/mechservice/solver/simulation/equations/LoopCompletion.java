@@ -17,6 +17,16 @@ interface LoopCompletion extends CompletedSystem {
   }
 
   @Override
+  default boolean tested(int component) {
+    return loops().tested(component);
+  }
+
+  @Override
+  default void enlarge(double[] sizes) {
+    loops().enlarge(sizes);
+  }
+
+  @Override
   default boolean complete(double t, double[] y) {
     return loops().complete(evaluationTime(t), y);
   }

@@ -18,9 +18,10 @@ import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.ode.SavedSystem;
 import org.mechservice.solver.ode.events.EventFunctions;
 import org.mechservice.solver.ode.events.EventIntegration;
+import org.mechservice.solver.ode.events.NoEventLog;
 
 /** The events of a model in a run: it locates them, applies their actions and records them. */
-final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem {
+final class WatchedRun extends RunEvents implements EventFunctions, ModelEvents.Path, SavedSystem {
   /** Largest number of events with their own note; only the number of the others is reported. */
   private static final int MOST_TOLD = 200;
 
@@ -30,13 +31,31 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
    */
   private static final double KEPT = 1e-8;
 
+  private static final Path NO_WAY =
+      new Path() {
+        @Override
+        public boolean moveTo(double t) {
+          return false;
+        }
+
+        @Override
+        public double[] state() {
+          return new double[0];
+        }
+      };
+
   private final ModelEvents events;
   private final ModelEquations equations;
   private final String[] names;
   private final Action[] actions;
   private final double[] wanted;
   private final boolean[] set;
-  private final boolean[] zeroAtStart;
+  private final double tolerance;
+  private final NoEventLog noEvents;
+
+  /** Number of times that each event has happened. */
+  private final long[] counts;
+
   private final double[] after;
   private double afterTime = Double.NaN;
   private final double[] energy = new double[2];
@@ -44,18 +63,27 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   private final List<Double> dueRows = new ArrayList<>();
   private long count;
   private int latest = -1;
+
+  /** The solution along the step that is searched. */
+  private Path way = NO_WAY;
+
   private int notFinite = -1;
   private double work;
   private Optional<Failure> failure = Optional.empty();
   private Optional<MomentumBalance> momentum = Optional.empty();
 
-  WatchedRun(ModelEvents events, ModelEquations equations) {
+  /**
+   * @param tolerance relative one of the run
+   */
+  WatchedRun(ModelEvents events, ModelEquations equations, double tolerance) {
+    this.tolerance = tolerance;
     this.events = events;
     this.equations = equations;
     equations.follow(this);
     names = events.kinds().stream().map(ModelEvents.Kind::name).toArray(String[]::new);
     actions = events.kinds().stream().map(ModelEvents.Kind::action).toArray(Action[]::new);
-    zeroAtStart = new boolean[names.length];
+    noEvents = new NoEventLog(names.length);
+    counts = new long[names.length];
     wanted = new double[equations.dimension()];
     set = new boolean[wanted.length];
     after = new double[wanted.length];
@@ -101,20 +129,23 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
 
   @Override
   public double seenUntil(double from, double to, Path path) {
-    return events.seenUntil(
-        from,
-        to,
-        new ModelEvents.Path() {
-          @Override
-          public boolean moveTo(double t) {
-            return path.moveTo(t);
-          }
+    way = path;
+    return events.seenUntil(from, to, this);
+  }
 
-          @Override
-          public double[] state() {
-            return path.state();
-          }
-        });
+  @Override
+  public boolean moveTo(double t) {
+    return way.moveTo(t);
+  }
+
+  @Override
+  public double[] state() {
+    return way.state();
+  }
+
+  @Override
+  public boolean moveAcross(double t, double[] y, double[] yDot, double[] behind) {
+    return events.moveAcross(t, y, yDot, behind);
   }
 
   @Override
@@ -176,6 +207,7 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   private void remember(int event, double t) {
     latest = event;
     count++;
+    counts[event]++;
     if (told.size() < MOST_TOLD) {
       told.add(new Occurrence(event, t, Double.NaN, Double.NaN));
     }
@@ -276,8 +308,15 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   }
 
   @Override
-  public void leftZeroAtStart(int function) {
-    zeroAtStart[function] = !isMotion(function) && actions[function] != Action.SAMPLE;
+  public double resolution() {
+    return tolerance;
+  }
+
+  @Override
+  public void noEvent(int function, NoEvent why, double t, double value) {
+    if (!isMotion(function) && actions[function] != Action.SAMPLE) {
+      noEvents.note(function, why, t, value);
+    }
   }
 
   @Override
@@ -347,9 +386,12 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   @Override
   public List<Note> notes() {
     List<Note> notes = new ArrayList<>(events.notes());
-    for (int i = 0; i < zeroAtStart.length; i++) {
-      if (zeroAtStart[i]) {
-        notes.add(startsAtZero(names[i]));
+    for (NoEventLog.Entry entry : noEvents.entries()) {
+      boolean passedLater = entry.why() == NoEvent.PASSED_AT_START && counts[entry.function()] > 0;
+      if (!passedLater) {
+        String text =
+            "The expression of event \"" + names[entry.function()] + "\" " + entry.text() + ".";
+        notes.add(new Note(MessageCode.EVENT_NOT_COUNTED, entry.time(), false, text));
       }
     }
     for (Occurrence one : told) {
@@ -363,15 +405,6 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
       notes.add(new Note(MessageCode.EVENT_OCCURRED, last.time(), false, text));
     }
     return notes;
-  }
-
-  private static Note startsAtZero(String event) {
-    String text =
-        "The expression of event \""
-            + event
-            + "\" is exactly zero at the start and leaves zero in the direction looked for. That"
-            + " does not count as an event.";
-    return new Note(MessageCode.EVENT_ZERO_AT_START, 0, false, text);
   }
 
   private String described(int event) {
@@ -408,8 +441,9 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
     }
     for (int i = 0; i < names.length; i++) {
       state.require("event", names[i]);
-      zeroAtStart[i] = state.flag(zeroAtStart[i]);
+      counts[i] = state.integer(counts[i]);
     }
+    noEvents.transfer(state);
     count = state.integer(count);
     latest = state.integer(latest);
     afterTime = state.number(afterTime);

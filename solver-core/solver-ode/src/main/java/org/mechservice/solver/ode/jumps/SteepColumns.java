@@ -1,9 +1,12 @@
-package org.mechservice.solver.ode.newton;
+package org.mechservice.solver.ode.jumps;
 
 import java.util.Arrays;
 import org.mechservice.solver.linear.MatrixLayout;
 import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.ode.TrialOutcome;
+import org.mechservice.solver.ode.newton.ColumnGroups;
+import org.mechservice.solver.ode.newton.ColumnTest;
+import org.mechservice.solver.ode.newton.DifferencedFunction;
 import org.mechservice.solver.ode.step.RightHandSide;
 
 /**
@@ -17,7 +20,7 @@ import org.mechservice.solver.ode.step.RightHandSide;
  * changes stays; then the jump lies within that part, and the slope is the one behind it. Columns
  * that share no row are looked at together, with one evaluation for all of them.
  */
-final class JacobianJumpTest {
+final class SteepColumns implements ColumnTest {
   /** How much steeper than before is suspicious. */
   private static final double MUCH_STEEPER = 100;
 
@@ -68,8 +71,6 @@ final class JacobianJumpTest {
   /** Whether there was a jump in a column of the last Jacobian, length n. */
   private final boolean[] jumped;
 
-  private boolean watching;
-
   /** Group of columns to be looked at next, and the parts of it that were; 0 before it is begun. */
   private int group;
 
@@ -86,7 +87,7 @@ final class JacobianJumpTest {
 
   private final double[] way;
 
-  JacobianJumpTest(MatrixLayout layout, ColumnGroups groups) {
+  SteepColumns(MatrixLayout layout, ColumnGroups groups) {
     int n = layout.dimension();
     this.layout = layout;
     this.groups = groups;
@@ -104,51 +105,30 @@ final class JacobianJumpTest {
     way = new double[n];
   }
 
-  /** Sets whether steep columns are looked at again. */
-  void watch(boolean watching) {
-    this.watching = watching;
-  }
-
-  /**
-   * Tells a part of the next Jacobian that is known.
-   *
-   * @param slopes by layout; kept, not modified
-   */
-  void expect(double factor, double[] slopes) {
+  @Override
+  public void expect(double factor, double[] slopes) {
     sure = slopes;
     sureFactor = factor;
   }
 
-  /** Returns where to write the size of the terms of f that do not depend on x. */
-  double[] terms() {
+  @Override
+  public double[] terms() {
     return terms;
   }
 
-  /** Forgets a Jacobian that was stopped half way. */
-  void abandon() {
+  @Override
+  public void abandon() {
     group = 0;
     parts = 0;
   }
 
-  /**
-   * Looks at the steep columns of a Jacobian; after {@link TrialOutcome#STOPPED} the next call goes
-   * on where this one stopped.
-   *
-   * @param x the point; moved, and put back
-   * @param base f there
-   * @param increment over which each column was differenced
-   * @param jacobian overwritten where it was no slope at the point
-   * @return {@link TrialOutcome#STOPPED} or {@link TrialOutcome#PASSED}
-   */
-  TrialOutcome look(
+  @Override
+  public TrialOutcome look(
       DifferencedFunction function,
       double[] x,
       double[] base,
       double[] increment,
       double[] jacobian) {
-    if (!watching) {
-      return TrialOutcome.PASSED;
-    }
     if (group == 0 && parts == 0) {
       Arrays.fill(jumped, false);
       if (allAsBefore(jacobian)) {
@@ -182,8 +162,8 @@ final class JacobianJumpTest {
     return true;
   }
 
-  /** Returns whether there was a jump in column j of the last Jacobian. */
-  boolean jumped(int j) {
+  @Override
+  public boolean jumped(int j) {
     return jumped[j];
   }
 
@@ -350,8 +330,8 @@ final class JacobianJumpTest {
     }
   }
 
-  /** Carries over the slopes known. */
-  void transfer(SavedState state) {
+  @Override
+  public void transfer(SavedState state) {
     state.numbers(known);
   }
 }

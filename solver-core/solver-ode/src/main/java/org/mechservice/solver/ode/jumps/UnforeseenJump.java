@@ -1,6 +1,6 @@
-package org.mechservice.solver.ode.adams;
+package org.mechservice.solver.ode.jumps;
 
-import org.mechservice.solver.ode.step.ErrorNorm;
+import org.mechservice.solver.ode.step.ExtrapolatedStep;
 import org.mechservice.solver.ode.step.RightHandSide;
 
 /**
@@ -43,7 +43,6 @@ final class UnforeseenJump {
   /** The same over the discrepancy at the end of the step, which inside is less. */
   private static final double FAR_FROM_SMOOTH = 4;
 
-  private final AdamsInterpolant interpolant = new AdamsInterpolant();
   private final double[] state;
   private final double[] foreseen;
   private final double[] slope;
@@ -60,66 +59,49 @@ final class UnforeseenJump {
   /**
    * Returns whether the discrepancy of a step is larger than the differences before it foretell.
    *
-   * @param beta β_1 … β_k of the step; not modified
-   * @param k its order
-   * @param lastOrder of the step before, which φ_{k+1} is known of if it is not less
-   * @param component of the discrepancy
+   * @param component in which it is largest
    * @param jumpsKnown whether f is known to jump
    */
-  boolean suspected(
-      AdamsHistory history,
-      double[] beta,
-      int k,
-      int lastOrder,
-      int component,
-      boolean jumpsKnown) {
+  boolean suspected(ExtrapolatedStep step, int component, boolean jumpsKnown) {
+    int k = step.order();
     if (k < 2) {
-      return false; // φ*_1 is f itself
+      return false; // the first difference is f itself
     }
-    double next = k <= lastOrder ? Math.abs(history.difference(k + 1)[component]) : 0;
     double last =
         Math.max(
-            next,
-            Math.max(
-                difference(history, beta, k, component),
-                difference(history, beta, k - 1, component)));
-    double discrepancy = Math.abs(history.discrepancy[component]);
-    return discrepancy > (jumpsKnown ? SUDDEN_AGAIN : SUDDEN) * last
-        && discrepancy
-            > (jumpsKnown ? LARGE_AGAIN : LARGE) * difference(history, beta, k - 2, component);
+            step.difference(k + 1, component),
+            Math.max(difference(step, k, component), difference(step, k - 1, component)));
+    double size = Math.abs(discrepancy(step, component));
+    return size > (jumpsKnown ? SUDDEN_AGAIN : SUDDEN) * last
+        && size > (jumpsKnown ? LARGE_AGAIN : LARGE) * difference(step, k - 2, component);
   }
 
-  /** Returns the size of φ*_i; 0 for f itself. */
-  private static double difference(AdamsHistory history, double[] beta, int i, int component) {
-    return i < 2 ? 0 : Math.abs(beta[i] * history.difference(i)[component]);
+  /** Returns what f at the end of a step differs by from its extrapolation. */
+  private static double discrepancy(ExtrapolatedStep step, int component) {
+    return step.slopeAtEnd()[component] - step.foreseenSlope()[component];
+  }
+
+  /** Returns the size of a difference; 0 for f itself. */
+  private static double difference(ExtrapolatedStep step, int i, int component) {
+    return i < 2 ? 0 : step.difference(i, component);
   }
 
   /**
    * Returns whether f jumps inside a step; false also if it is told to stop.
    *
-   * @param t where the step begins
-   * @param h its size, signed
-   * @param k its order
-   * @param psi of the step before; not modified
-   * @param component of the discrepancy
+   * @param component in which f differs most from its extrapolation
    */
-  boolean found(
-      RightHandSide equations,
-      AdamsHistory history,
-      double t,
-      double h,
-      int k,
-      double[] psi,
-      int component) {
+  boolean found(RightHandSide equations, ExtrapolatedStep step, int component) {
+    double t = step.progress().time();
     double from = 0;
     double to = 1;
     double before = 0;
-    double behind = history.discrepancy[component];
+    double behind = discrepancy(step, component);
     double least = KEPT * Math.abs(behind);
     for (int i = 1; i <= HALVINGS; i++) {
       double middle = 0.5 * (from + to);
-      interpolant.evaluate(middle * h, k - 1, psi, history, state, foreseen);
-      if (!equations.evaluate(t + middle * h, state, slope)) {
+      step.extrapolate(middle, state, foreseen);
+      if (!equations.evaluate(t + middle * step.size(), state, slope)) {
         return false;
       }
       double value = slope[component] - foreseen[component];
@@ -143,28 +125,21 @@ final class UnforeseenJump {
    *
    * @param parts into which the looks divide the step
    */
-  double partToPulse(
-      RightHandSide equations,
-      AdamsHistory history,
-      ErrorNorm norm,
-      double t,
-      double h,
-      int k,
-      double[] psi,
-      int parts) {
+  double partToPulse(RightHandSide equations, ExtrapolatedStep step, int parts) {
+    double t = step.progress().time();
+    double h = step.size();
     double half = 0.5 * Math.abs(h);
-    double noticed =
-        Math.max(NOTICED * parts, FAR_FROM_SMOOTH * half * norm.of(history.discrepancy));
+    double noticed = Math.max(NOTICED * parts, FAR_FROM_SMOOTH * half * step.discrepancy());
     for (int i = 1; i < parts; i++) {
       double part = (double) i / parts;
-      interpolant.evaluate(part * h, k - 1, psi, history, state, foreseen);
+      step.extrapolate(part, state, foreseen);
       if (!equations.evaluate(t + part * h, state, slope)) {
         return 1;
       }
       for (int l = 0; l < slope.length; l++) {
         slope[l] -= foreseen[l];
       }
-      if (half * norm.of(slope) > noticed) {
+      if (half * step.norm().of(slope) > noticed) {
         return part;
       }
     }

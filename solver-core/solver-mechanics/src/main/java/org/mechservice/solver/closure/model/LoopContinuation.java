@@ -1,0 +1,224 @@
+package org.mechservice.solver.closure.model;
+
+/**
+ * Follows the positions of closed loops along a path from one state to another, in parts short
+ * enough that Newton's method cannot leave the assembly that the motion is in. Both the integration
+ * in independent coordinates and the kinematic analysis find their branch with it.
+ *
+ * <p>The path is straight in time and in the given coordinates; the others follow. A part is
+ * accepted from one of two guesses:
+ *
+ * <ul>
+ *   <li>the straight continuation, by the rates at first and by the secant then, if its correction
+ *       is at most a quarter of the predicted move, the estimate of the prediction's own error;
+ *   <li>where that finds nothing, the last positions, if each correction is at most a quarter of
+ *       the one before: then the solution is the only one within reach (Deuflhard 2011, Newton
+ *       Methods for Nonlinear Problems, theorem 2.1 and section 5.1). This one passes corners of
+ *       drives.
+ * </ul>
+ *
+ * <p>The sign of the determinant of the equations must not change: it is zero in a change point, in
+ * which two branches cross. Workspace of one thread; nothing allocates after construction.
+ */
+public final class LoopContinuation {
+  /** The equations of the loops, solved for the positions that are not given. */
+  public interface Equations {
+    /** Returns the number of positions. */
+    int positionCount();
+
+    /** Returns whether a position is given along the path. */
+    boolean isGiven(int position);
+
+    /** Returns what a position is divided by to be compared with others, 1 or m. */
+    double unit(int position);
+
+    /**
+     * Corrects the positions that are not given by one iteration of Newton's method.
+     *
+     * @param q positions; overwritten
+     * @return the largest change in its unit; NaN if the equations are singular or have no value
+     */
+    double correct(double t, double[] q);
+
+    /** Returns the sign of the determinant of the equations in the last correction. */
+    int orientation();
+  }
+
+  /** Why a path was not followed to its end. */
+  public enum End {
+    /** It was followed to its end. */
+    REACHED,
+    /** Positions exist beyond, but the branches cross there. */
+    CHANGE_POINT,
+    /** No positions beyond continue those before. */
+    LIMIT
+  }
+
+  /** Correction at which Newton's method has converged: the next would be below round-off. */
+  public static final double CONVERGED = 1e-8;
+
+  /** Largest ratio of a correction to the one before, and of a correction to a predicted move. */
+  private static final double CONTRACTION = 0.25;
+
+  private static final int ITERATIONS = 12;
+
+  /** Shortest part of a path. */
+  private static final double SHORTEST = 1e-12;
+
+  /**
+   * Shortest move, in the units of positions, by which branches are told apart. At a distance g
+   * from a change point, as a part of the size, they are √g from each other: 1e-12, near which
+   * rounding closes loops.
+   */
+  private static final double CLOSEST = 1e-6;
+
+  private final Equations equations;
+  private final double[] last;
+  private final double[] rate;
+  private final double[] trial;
+  private double reached;
+  private boolean crossed;
+
+  /** Whether the part tried ends where the determinant has the other sign, and its largest move. */
+  private boolean turned;
+
+  private double tried;
+  private int orientation;
+
+  public LoopContinuation(Equations equations) {
+    this.equations = equations;
+    int n = equations.positionCount();
+    last = new double[n];
+    rate = new double[n];
+    trial = new double[n];
+  }
+
+  /**
+   * Follows the positions.
+   *
+   * @param t0 time at the beginning, s
+   * @param from positions there, which close the loops; not modified
+   * @param rates of the positions there, 1/s; not modified
+   * @param sign sign of the determinant there
+   * @param t1 time at the end, s
+   * @param to given positions at the end; the others are overwritten if it is reached
+   * @param crosses whether the path may cross a change point on its straight continuation, because
+   *     the motion is free
+   */
+  public End follow(
+      double t0, double[] from, double[] rates, int sign, double t1, double[] to, boolean crosses) {
+    int n = last.length;
+    for (int i = 0; i < n; i++) {
+      last[i] = from[i];
+      rate[i] = rates[i] * (t1 - t0);
+    }
+    orientation = sign;
+    crossed = false;
+    reached = 0;
+    double part = 1;
+    while (reached < 1) {
+      double end = reached + part >= 1 ? 1 : reached + part;
+      double t = end == 1 ? t1 : t0 + end * (t1 - t0);
+      turned = false;
+      tried = 0;
+      if (continues(end, t, from, to, crosses) || (!turned && begins(end, t, from, to))) {
+        for (int i = 0; i < n; i++) {
+          rate[i] = (trial[i] - last[i]) / (end - reached);
+          last[i] = trial[i];
+        }
+        reached = end;
+        part *= 2;
+      } else {
+        part /= 2;
+        if (part < SHORTEST || tried <= CLOSEST) {
+          return turned ? End.CHANGE_POINT : End.LIMIT;
+        }
+      }
+    }
+    System.arraycopy(last, 0, to, 0, n);
+    return End.REACHED;
+  }
+
+  /** Tries a part from the continuation of the secant. */
+  private boolean continues(double end, double t, double[] from, double[] to, boolean crosses) {
+    double move = place(end, end - reached, from, to);
+    tried = move;
+    double correction = close(t, Double.POSITIVE_INFINITY);
+    if (!(correction <= Math.max(CONTRACTION * move, CONVERGED))) {
+      return false;
+    }
+    if (equations.orientation() == orientation) {
+      return true;
+    }
+    turned = true;
+    if (crosses && move <= CLOSEST) {
+      orientation = -orientation;
+      crossed = true;
+      return true;
+    }
+    return false;
+  }
+
+  /** Tries a part from the last positions. */
+  private boolean begins(double end, double t, double[] from, double[] to) {
+    tried = Math.max(tried, place(end, 0, from, to));
+    if (!(close(t, CONTRACTION) < Double.POSITIVE_INFINITY)) {
+      return false;
+    }
+    boolean same = equations.orientation() == orientation;
+    turned |= !same;
+    return same;
+  }
+
+  /** Places the given positions of an end, and the others ahead; returns the largest move. */
+  private double place(double end, double ahead, double[] from, double[] to) {
+    double move = 0;
+    for (int i = 0; i < trial.length; i++) {
+      trial[i] =
+          !equations.isGiven(i)
+              ? last[i] + rate[i] * ahead
+              : end == 1 ? to[i] : from[i] + end * (to[i] - from[i]);
+      if (ahead == 0 && !equations.isGiven(i)) {
+        trial[i] = last[i];
+      }
+      move = Math.max(move, Math.abs(trial[i] - last[i]) / equations.unit(i));
+    }
+    return move;
+  }
+
+  /** Newton's method; returns the first correction, NaN if it does not contract. */
+  private double close(double t, double contraction) {
+    double first = equations.correct(t, trial);
+    tried = Math.max(tried, first);
+    double before = first;
+    double limit = contraction;
+    for (int i = 1; i < ITERATIONS && before > CONVERGED; i++) {
+      double next = equations.correct(t, trial);
+      if (!(next <= Math.max(Math.min(limit, 1) * before, CONVERGED))) {
+        return Double.NaN;
+      }
+      before = next;
+    }
+    return before <= CONVERGED ? first : Double.NaN;
+  }
+
+  /** Returns the part of the last path that was followed, 1 if all of it was. */
+  public double reached() {
+    return reached;
+  }
+
+  /** Returns the last positions of the last path; not to be modified. */
+  public double[] positions() {
+    return last;
+  }
+
+  /** Returns the sign of the determinant at the end of the last path. */
+  public int orientation() {
+    return orientation;
+  }
+
+  /** Returns whether the last path crossed a change point. */
+  public boolean crossed() {
+    return crossed;
+  }
+}

@@ -1,0 +1,134 @@
+package org.mechservice.solver.force.law;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.Random;
+import java.util.stream.LongStream;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** A one-sided law with random coefficients, smooth and not, with every kind of damping. */
+class OneSidedLawTest {
+  private static final int STATES = 200;
+
+  /** Coefficients of a law. */
+  private record Draw(double k, double n, double c, double chi, double eps, Random random) {
+    static Draw of(long seed) {
+      Random random = new Random(seed);
+      double k = random.nextInt(5) == 0 ? 0 : Math.exp(8 * random.nextDouble());
+      double n = random.nextBoolean() ? 1 : 1 + 2 * random.nextDouble();
+      double c = random.nextInt(3) == 0 ? 0 : Math.exp(8 * random.nextDouble());
+      double chi = random.nextBoolean() ? 0 : 10 * random.nextDouble();
+      double eps = random.nextInt(3) == 0 ? 0 : Math.exp(-9 * random.nextDouble());
+      return new Draw(k, n, c, chi, eps, random);
+    }
+
+    OneSidedLaw law() {
+      OneSidedLaw law = new OneSidedLaw();
+      law.set(k, n, c, chi, eps);
+      return law;
+    }
+
+    /** A depth, near zero and far from it, on both sides. */
+    double depth() {
+      return random.nextGaussian() * (random.nextBoolean() ? 1 : 3 * eps + 1e-3);
+    }
+
+    double rate() {
+      return random.nextGaussian() * Math.exp(4 * random.nextGaussian());
+    }
+  }
+
+  static LongStream seeds() {
+    return LongStream.rangeClosed(1, 60);
+  }
+
+  @MethodSource("seeds")
+  @ParameterizedTest
+  void neverPulls(long seed) {
+    Draw draw = Draw.of(seed);
+    OneSidedLaw law = draw.law();
+    for (int i = 0; i < STATES; i++) {
+      law.evaluate(draw.depth(), draw.rate());
+      assertThat(law.force() >= 0).as("force %s", law.force()).isTrue();
+      assertThat(law.elastic() >= 0).as("elastic part %s", law.elastic()).isTrue();
+    }
+  }
+
+  /** What the force does beside its elastic part is against the motion. */
+  @MethodSource("seeds")
+  @ParameterizedTest
+  void damperOnlyLosesEnergy(long seed) {
+    Draw draw = Draw.of(seed);
+    OneSidedLaw law = draw.law();
+    for (int i = 0; i < STATES; i++) {
+      double rate = draw.rate();
+      law.evaluate(draw.depth(), rate);
+      double lost = (law.force() - law.elastic()) * rate;
+      assertThat(lost >= 0).as("power of the damper %s", lost).isTrue();
+    }
+  }
+
+  /** Where the damper takes away less than half of the push, the law is the sum itself. */
+  @MethodSource("seeds")
+  @ParameterizedTest
+  void isTheSumWhereTheDamperTakesLessThanHalf(long seed) {
+    Draw draw = Draw.of(seed);
+    OneSidedLaw law = draw.law();
+    for (int i = 0; i < STATES; i++) {
+      double x = draw.depth();
+      double rate = draw.rate();
+      law.evaluate(x, rate);
+      double elastic = draw.k() * Math.pow(SmoothPositive.value(x, draw.eps()), draw.n());
+      double damper =
+          draw.c() * rate * SmoothPositive.slope(x, draw.eps()) + draw.chi() * rate * elastic;
+      if (damper >= -elastic / 2) {
+        assertThat(law.force())
+            .isCloseTo(elastic + damper, within(1e-13 * (elastic + Math.abs(damper))));
+      }
+    }
+  }
+
+  /**
+   * Central differences over 1e-6 of the size of the argument: a share of 1e-8 of the largest slope
+   * nearby, away from the corners of a law without smoothing.
+   */
+  @MethodSource("seeds")
+  @ParameterizedTest
+  void slopesAreDifferences(long seed) {
+    Draw draw = Draw.of(seed);
+    OneSidedLaw law = draw.law();
+    for (int i = 0; i < STATES; i++) {
+      double x = draw.depth();
+      double rate = draw.rate();
+      double hx = 1e-6 * Math.max(draw.eps(), Math.abs(x));
+      double hv = 1e-6 * Math.abs(rate);
+      law.evaluate(x, rate);
+      double force = law.force();
+      double byDepth = law.byDepth();
+      double byRate = law.byRate();
+      if (draw.eps() == 0 && (x < 0) != (x - hx < 0)) {
+        continue;
+      }
+      double up = force(law, x + hx, rate);
+      double down = force(law, x - hx, rate);
+      double faster = force(law, x, rate + hv);
+      double slower = force(law, x, rate - hv);
+      boolean corner =
+          (up == 0) != (down == 0) || (faster == 0) != (slower == 0) || (force == 0 && up != 0);
+      if (!corner) {
+        double scale = (Math.abs(force) + law.elastic()) * 1e-9;
+        assertThat((up - down) / (2 * hx))
+            .isCloseTo(byDepth, within(1e-6 * Math.abs(byDepth) + scale / hx));
+        assertThat((faster - slower) / (2 * hv))
+            .isCloseTo(byRate, within(1e-6 * Math.abs(byRate) + scale / hv));
+      }
+    }
+  }
+
+  private static double force(OneSidedLaw law, double x, double rate) {
+    law.evaluate(x, rate);
+    return law.force();
+  }
+}
