@@ -218,7 +218,8 @@ public final class RandomMechmlForces {
         wrench,
         Expression.ZERO,
         Expression.ZERO,
-        List.of(new PairForce.Value("size", "N", shared)),
+        List.of(
+            new PairForce.Value("size", "N", shared), new PairForce.Value("load", "N", shared)),
         Expression.ZERO,
         0,
         false,
