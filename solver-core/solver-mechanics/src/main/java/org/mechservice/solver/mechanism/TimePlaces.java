@@ -211,16 +211,28 @@ final class TimePlaces {
       }
     }
     if (Double.isFinite(to - from)) {
-      halve(new Search(pieces, leaves, time, pieces.newPoint()), from, to, 0);
+      halve(new Search(pieces, leaves, time), from, to, 0);
     }
   }
 
-  /**
-   * @param leaves values of the leaves
-   * @param time index of the time among them
-   * @param point values of the tape
-   */
-  private record Search(TapePieces pieces, double[] leaves, int time, double[] point) {
+  /** A choice as a function of time. */
+  private static final class Search {
+    private final TapePieces pieces;
+    private final double[] leaves;
+    private final int time;
+    private final double[] point;
+
+    /**
+     * @param leaves values of the leaves; that of the time changes
+     * @param time index of the time among them
+     */
+    Search(TapePieces pieces, double[] leaves, int time) {
+      this.pieces = pieces;
+      this.leaves = leaves;
+      this.time = time;
+      point = pieces.newPoint();
+    }
+
     boolean isDecided(double start, double end) {
       pieces.setLeaf(time, start, end);
       return pieces.decide();

@@ -289,7 +289,7 @@ final class WatchedFormulas implements ForceVisitor<List<Expression>> {
 
   @Override
   public List<Expression> pairForce(PairForce force) {
-    return List.of(force.load());
+    return force.outputs().isEmpty() ? force.wrench() : List.of(force.load());
   }
 
   @Override

@@ -117,7 +117,7 @@ final class RowWriter {
    * the work since the first row is the change of the energy since then: what drives put in less
    * what dampers and friction take out.
    *
-   * @return as {@link #write(double, double, double[], double, double)}
+   * @return as {@link #write(double, double, double[], double, double, boolean)}
    */
   int write(double t, double[] y) throws IOException {
     double work = 0;
