@@ -85,8 +85,15 @@ final class Roads implements ProofSet {
     double k = Spread.log(random, 8e4, 4e5);
     boolean damps = isSmooth(shape) && random.nextBoolean();
     double c = damps ? Spread.log(random, 30, 600) : 0;
+    double wheelRadius = Spread.even(random, 0.2, 0.4);
+    // a sphere fits into the foot of the bump
+    double fitting = Spread.rounded(length * length / (200 * Math.abs(amount)));
     double radius =
-        wheel == Wheel.SPHERE || wheel == Wheel.TYRE ? Spread.even(random, 0.2, 0.4) : 0;
+        switch (wheel) {
+          case SPHERE -> Math.min(wheelRadius, fitting);
+          case TYRE -> wheelRadius;
+          default -> 0;
+        };
     double end =
         Spread.rounded(
             (way + length) / speed + Spread.even(random, 0.01, 0.2) + 0.1 * length / speed);
@@ -182,14 +189,13 @@ final class Roads implements ProofSet {
     Scene bare = new Scene(name, detail, method, text, 10 * fine, List.of());
     double[] start = {0, -sag, -strut, speed, 0, 0};
     if (radius > 0) {
-      return Optional.of(
-          bare.expecting(
-              ShortSteps.of(
-                  scene.with(end, end, method.at(1e-8, 1e-10).within(fine)),
-                  new String[] {"w.q", "z.q", "w.v", "z.v"},
-                  new double[] {radius - sag, free - strut, 0, 0},
-                  end,
-                  method)));
+      return ShortSteps.of(
+              scene.with(end, end, method.at(1e-8, 1e-10).within(fine)),
+              new String[] {"w.q", "z.q", "w.v", "z.v"},
+              new double[] {radius - sag, free - strut, 0, 0},
+              end,
+              method)
+          .map(bare::expecting);
     }
     DoubleUnaryOperator values = bump.values();
     DoubleUnaryOperator slope = isSmooth(shape) ? bump::slope : s -> 0;
