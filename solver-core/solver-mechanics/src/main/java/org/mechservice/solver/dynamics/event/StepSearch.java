@@ -65,6 +65,9 @@ final class StepSearch {
   /** Close changes in a row after which those that show are left to the error test. */
   private static final int MOST_CLOSE = 8;
 
+  /** Steps at a jump in a row after which it is asked whether the solution slides along it. */
+  private static final int MOST_JUMPS = 1000;
+
   /** The same for changes that do not show, which is next to never. */
   private static final int MOST_HIDDEN = 400;
 
@@ -136,6 +139,13 @@ final class StepSearch {
   private int evaluations;
   private int allowed;
   private double longestFirstStep = Double.POSITIVE_INFINITY;
+  private double slidingSince = Double.NaN;
+
+  /** Whether a choice jumps in the step or within its own length beside it; such steps in a row. */
+  private boolean atJump;
+
+  private double stepsAtJump;
+  private double atJumpSince;
   private boolean begun;
 
   /** Evaluates the watched quantities. */
@@ -196,6 +206,7 @@ final class StepSearch {
     begin = from;
     gaveUp = false;
     longestFirstStep = Double.POSITIVE_INFINITY;
+    atJump = false;
     evaluations = 0;
     turning = 0;
     if (!evaluate(path, from, atFrom)) {
@@ -211,16 +222,17 @@ final class StepSearch {
       return to;
     }
     double end = searchAll(path, from, to);
-    passStep();
     boolean seen = Double.isNaN(end);
     if (seen) {
       findBox(path, from, to);
     }
     boxed &= seen;
+    passStep();
     return seen ? to : end;
   }
 
   private void passStep() {
+    countSliding();
     for (int c = 0; c < sinceChange.length; c++) {
       sinceChange[c] = Math.min(CLOSE, sinceChange[c] + 1);
     }
@@ -266,6 +278,9 @@ final class StepSearch {
         pieces.setLeaf(leaf, boxLow[leaf], boxHigh[leaf]);
       }
       boxed = pieces.decide() && pieces.isEven();
+    }
+    for (int k = 0; !boxed && k < pieces.undecidedCount(); k++) {
+      atJump |= isJump(pieces.undecided(k));
     }
   }
 
@@ -518,8 +533,33 @@ final class StepSearch {
     if (looking) {
       sinceChange[choice] = 0;
       closeChanges[choice] = taken ? row : closeChanges[choice];
+      atJump |= isJump(choice);
     }
     return taken;
+  }
+
+  private boolean isJump(int choice) {
+    return pieces.jumps(choice) && !pieces.isSign(choice);
+  }
+
+  /** Counts steps in a row beside which a choice jumps. */
+  private void countSliding() {
+    slidingSince = Double.NaN;
+    if (!atJump) {
+      stepsAtJump = 0;
+      return;
+    }
+    atJumpSince = stepsAtJump == 0 ? begin : atJumpSince;
+    stepsAtJump++;
+    if (stepsAtJump >= MOST_JUMPS) {
+      slidingSince = atJumpSince;
+      stepsAtJump = 0;
+    }
+  }
+
+  /** Returns when a row of {@value #MOST_JUMPS} steps at a jump began that ended with the last, or NaN. */
+  double slidingSince() {
+    return slidingSince;
   }
 
   /**
@@ -597,6 +637,8 @@ final class StepSearch {
     state[at] = begun ? 1 : 0;
     state[at + 1] = longestFirstStep;
     state[at + 2] = boxed ? 1 : 0;
+    state[at + 3] = stepsAtJump;
+    state[at + 4] = atJumpSince;
     state[at + 3] = unsearched;
     state[at + 4] = unsearchedCount;
   }
@@ -611,6 +653,8 @@ final class StepSearch {
     begun = state[at] == 1;
     longestFirstStep = state[at + 1];
     boxed = state[at + 2] == 1;
+    stepsAtJump = state[at + 3];
+    atJumpSince = state[at + 4];
     unsearched = state[at + 3];
     unsearchedCount = (long) state[at + 4];
   }
