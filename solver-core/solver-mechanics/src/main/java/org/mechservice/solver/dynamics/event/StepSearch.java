@@ -82,6 +82,9 @@ final class StepSearch {
   private static final double SMALL_BOX = 1;
   private static final double SHRINKAGE = 0.25;
 
+  /** Growth of the box in which a jump counts as beside the step: one of those tried. */
+  private static final double BESIDE = 4;
+
   /** Part of the way to a hidden value that the first step behind takes. */
   private static final double FIRST_STEP = 0.25;
 
@@ -141,7 +144,7 @@ final class StepSearch {
   private double longestFirstStep = Double.POSITIVE_INFINITY;
   private double slidingSince = Double.NaN;
 
-  /** Whether a choice jumps in the step or within its own length beside it; such steps in a row. */
+  /** Whether a choice jumps in the step or beside it; such steps in a row. */
   private boolean atJump;
 
   private double stepsAtJump;
@@ -278,9 +281,9 @@ final class StepSearch {
         pieces.setLeaf(leaf, boxLow[leaf], boxHigh[leaf]);
       }
       boxed = pieces.decide() && pieces.isEven();
-    }
-    for (int k = 0; !boxed && k < pieces.undecidedCount(); k++) {
-      atJump |= isJump(pieces.undecided(k));
+      for (int k = 0; growth == BESIDE && k < pieces.undecidedCount(); k++) {
+        atJump |= isJump(pieces.undecided(k));
+      }
     }
   }
 
