@@ -65,8 +65,14 @@ final class StepSearch {
   /** Close changes in a row after which those that show are left to the error test. */
   private static final int MOST_CLOSE = 8;
 
-  /** Steps at a jump in a row after which it is asked whether the solution slides along it. */
-  private static final int MOST_JUMPS = 1000;
+  /** Steps in a row after which it is asked whether the solution slides along a jump. */
+  private static final int ROW = 2000;
+
+  /** Changes in them, or steps beside one, from which on it may. */
+  private static final int CHANGES = 20;
+
+  /** Distance from the boundary, relative to the size of the argument, that it keeps then. */
+  private static final double HOVERING = 1e-6;
 
   /** The same for changes that do not show, which is next to never. */
   private static final int MOST_HIDDEN = 400;
@@ -82,7 +88,7 @@ final class StepSearch {
   private static final double SMALL_BOX = 1;
   private static final double SHRINKAGE = 0.25;
 
-  /** Growth of the box in which a jump counts as beside the step: one of those tried. */
+  /** Growth of the box in which a change counts as beside the step: one of those tried. */
   private static final double BESIDE = 4;
 
   /** Part of the way to a hidden value that the first step behind takes. */
@@ -121,6 +127,11 @@ final class StepSearch {
   private final double[] sinceChange;
   private final double[] closeChanges;
 
+  /** Of each choice in the row of steps: largest distance from its boundary, and changes. */
+  private final double[] farthest;
+
+  private final double[] changes;
+
   /** Where the sign of an event changes first, if that shows; NaN if it has not yet. */
   private final double[] firstSeen;
 
@@ -144,11 +155,8 @@ final class StepSearch {
   private double longestFirstStep = Double.POSITIVE_INFINITY;
   private double slidingSince = Double.NaN;
 
-  /** Whether a choice jumps in the step or beside it; such steps in a row. */
-  private boolean atJump;
-
-  private double stepsAtJump;
-  private double atJumpSince;
+  private double stepsInRow;
+  private double rowBegan;
   private boolean begun;
 
   /** Evaluates the watched quantities. */
@@ -182,6 +190,8 @@ final class StepSearch {
     closeChanges = new double[choices];
     Arrays.fill(sinceChange, CLOSE);
     firstSeen = new double[choices];
+    farthest = new double[choices];
+    changes = new double[choices];
     int formulas = pieces.formulaCount();
     valueFrom = new double[formulas];
     valueTo = new double[formulas];
@@ -209,7 +219,6 @@ final class StepSearch {
     begin = from;
     gaveUp = false;
     longestFirstStep = Double.POSITIVE_INFINITY;
-    atJump = false;
     evaluations = 0;
     turning = 0;
     if (!evaluate(path, from, atFrom)) {
@@ -235,7 +244,7 @@ final class StepSearch {
   }
 
   private void passStep() {
-    countSliding();
+    lookForSliding();
     for (int c = 0; c < sinceChange.length; c++) {
       sinceChange[c] = Math.min(CLOSE, sinceChange[c] + 1);
     }
@@ -282,7 +291,7 @@ final class StepSearch {
       }
       boxed = pieces.decide() && pieces.isEven();
       for (int k = 0; growth == BESIDE && k < pieces.undecidedCount(); k++) {
-        atJump |= isJump(pieces.undecided(k));
+        changes[pieces.undecided(k)]++;
       }
     }
   }
@@ -536,31 +545,38 @@ final class StepSearch {
     if (looking) {
       sinceChange[choice] = 0;
       closeChanges[choice] = taken ? row : closeChanges[choice];
-      atJump |= isJump(choice);
+      changes[choice]++;
     }
     return taken;
   }
 
-  private boolean isJump(int choice) {
-    return pieces.jumps(choice) && !pieces.isSign(choice);
-  }
-
-  /** Counts steps in a row beside which a choice jumps. */
-  private void countSliding() {
+  /**
+   * Looks, at the end of each row of steps, for a choice that jumps, has changed in them and has
+   * stayed at its boundary all the time.
+   */
+  private void lookForSliding() {
     slidingSince = Double.NaN;
-    if (!atJump) {
-      stepsAtJump = 0;
+    rowBegan = stepsInRow == 0 ? begin : rowBegan;
+    for (int choice = 0; choice < farthest.length; choice++) {
+      if (pieces.jumps(choice)) {
+        farthest[choice] = Math.max(farthest[choice], pieces.distance(choice, atFrom));
+      }
+    }
+    if (++stepsInRow < ROW) {
       return;
     }
-    atJumpSince = stepsAtJump == 0 ? begin : atJumpSince;
-    stepsAtJump++;
-    if (stepsAtJump >= MOST_JUMPS) {
-      slidingSince = atJumpSince;
-      stepsAtJump = 0;
+    for (int choice = 0; choice < farthest.length; choice++) {
+      boolean hovers = farthest[choice] < HOVERING * sizes[choice];
+      if (pieces.jumps(choice) && hovers && changes[choice] >= CHANGES) {
+        slidingSince = rowBegan;
+      }
     }
+    stepsInRow = 0;
+    Arrays.fill(farthest, 0);
+    Arrays.fill(changes, 0);
   }
 
-  /** Returns when a row of {@value #MOST_JUMPS} steps at a jump began that ended with the last, or NaN. */
+  /** Returns when the row of steps began that ended with the last at one jump, or NaN. */
   double slidingSince() {
     return slidingSince;
   }
@@ -640,8 +656,8 @@ final class StepSearch {
     state[at] = begun ? 1 : 0;
     state[at + 1] = longestFirstStep;
     state[at + 2] = boxed ? 1 : 0;
-    state[at + 3] = stepsAtJump;
-    state[at + 4] = atJumpSince;
+    state[at + 3] = stepsInRow;
+    state[at + 4] = rowBegan;
     state[at + 3] = unsearched;
     state[at + 4] = unsearchedCount;
   }
@@ -656,8 +672,8 @@ final class StepSearch {
     begun = state[at] == 1;
     longestFirstStep = state[at + 1];
     boxed = state[at + 2] == 1;
-    stepsAtJump = state[at + 3];
-    atJumpSince = state[at + 4];
+    stepsInRow = state[at + 3];
+    rowBegan = state[at + 4];
     unsearched = state[at + 3];
     unsearchedCount = (long) state[at + 4];
   }

@@ -108,8 +108,8 @@ public interface EventFunctions {
   }
 
   /**
-   * Returns since when each of a thousand steps, the last of them searched last, has been at a jump
-   * of the equations; NaN if there is no such row of steps.
+   * Returns since when all of some thousand steps, the last of them searched last, have stayed at
+   * one jump of the equations; NaN if there is no such row of steps.
    */
   default double slidingSince() {
     return Double.NaN;

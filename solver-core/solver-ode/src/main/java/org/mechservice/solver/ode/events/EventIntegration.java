@@ -60,7 +60,7 @@ public final class EventIntegration implements ResidualIntegrator {
    */
   private static final double FIRST_STEP = 0.05;
 
-  /** Rows of a thousand steps at a jump that may be left of the problem. */
+  /** Rows of steps at one jump that may be left of the problem. */
   private static final double MOST_ROWS = 1000;
 
   private final Integrator integrator;
