@@ -68,7 +68,7 @@ final class OneSided implements ProofSet {
 
   @Override
   public String before() {
-    return "X";
+    return "not measured";
   }
 
   @Override
