@@ -1,5 +1,6 @@
 package org.mechservice.library.proof;
 
+import java.util.List;
 import java.util.function.DoubleUnaryOperator;
 
 /**
@@ -32,7 +33,7 @@ record RoadCar(
     Law law,
     DoubleUnaryOperator height,
     DoubleUnaryOperator slope,
-    double[] corners,
+    List<Double> corners,
     boolean on,
     double fine)
     implements PlainSystem {
@@ -41,6 +42,10 @@ record RoadCar(
   @Override
   public int states() {
     return 6;
+  }
+
+  private double last() {
+    return corners.get(corners.size() - 1);
   }
 
   private double h(double x) {
@@ -60,7 +65,7 @@ record RoadCar(
     for (int k = 0; k < 60; k++) {
       double above = h(s) - y[1];
       double slope = dh(s);
-      double near = 1e-6 * (corners[corners.length - 1] - corners[0]);
+      double near = 1e-6 * (last() - corners.get(0));
       double bend = (dh(s + near) - dh(s - near)) / (2 * near);
       double change = (s - y[0] + above * slope) / (1 + slope * slope + above * bend);
       s -= change;
@@ -99,7 +104,7 @@ record RoadCar(
 
   @Override
   public int margins() {
-    return law.margins() + (on ? corners.length : 0);
+    return law.margins() + (on ? corners.size() : 0);
   }
 
   @Override
@@ -107,7 +112,7 @@ record RoadCar(
     double s = station(y);
     return i < law.margins()
         ? law.margin(i, depth(y, s), rate(y, s))
-        : s - corners[i - law.margins()];
+        : s - corners.get(i - law.margins());
   }
 
   @Override
@@ -115,8 +120,8 @@ record RoadCar(
     double depth = Math.abs(depth(y, station(y)));
     double pull = (law.k() * depth + stiffness * Math.abs(y[2]) + damping * Math.abs(y[5])) / wheel;
     double clear = depth / (4 * (Math.abs(y[4]) + Math.sqrt((pull + G) * depth) + 1e-12));
-    if (on && y[0] < corners[corners.length - 1] + radius) {
-      double way = corners[0] - radius - y[0];
+    if (on && y[0] < last() + radius) {
+      double way = corners.get(0) - radius - y[0];
       clear = Math.min(clear, way <= 0 ? 0 : way / (2 * Math.abs(y[3])));
     }
     return clear;

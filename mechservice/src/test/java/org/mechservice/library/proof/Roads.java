@@ -22,20 +22,26 @@ final class Roads implements ProofSet {
   }
 
   private enum Road {
-    PROFILE(Window.Kind.SMOOTH_STEP),
-    FORMULA(
-        Window.Kind.SMOOTH_STEP,
-        Window.Kind.GAUSS,
-        Window.Kind.PARABOLA,
-        Window.Kind.RAMP,
-        Window.Kind.TRIANGLE,
-        Window.Kind.ABSOLUTE),
-    TABLE(Window.Kind.LINEAR_TABLE, Window.Kind.AKIMA_TABLE, Window.Kind.CUBIC_TABLE);
+    PROFILE,
+    FORMULA,
+    TABLE;
 
-    private final Window.Kind[] shapes;
-
-    Road(Window.Kind... shapes) {
-      this.shapes = shapes;
+    Window.Kind shape(Random random) {
+      return switch (this) {
+        case PROFILE -> Window.Kind.SMOOTH_STEP;
+        case FORMULA ->
+            Spread.one(
+                random,
+                Window.Kind.SMOOTH_STEP,
+                Window.Kind.GAUSS,
+                Window.Kind.PARABOLA,
+                Window.Kind.RAMP,
+                Window.Kind.TRIANGLE,
+                Window.Kind.ABSOLUTE);
+        case TABLE ->
+            Spread.one(
+                random, Window.Kind.LINEAR_TABLE, Window.Kind.AKIMA_TABLE, Window.Kind.CUBIC_TABLE);
+      };
     }
   }
 
@@ -65,7 +71,7 @@ final class Roads implements ProofSet {
     Random random = new Random(32452843 * seed);
     Wheel wheel = Wheel.values()[(int) ((seed - 1) % Wheel.values().length)];
     Road road = Road.values()[(int) ((seed - 1) / Wheel.values().length % Road.values().length)];
-    Window.Kind shape = Spread.one(random, road.shapes);
+    Window.Kind shape = road.shape(random);
     boolean exact = wheel == Wheel.SPHERE_ON_SMOOTH_ROAD || wheel == Wheel.SPHERE_THAT_ROLLS_FREE;
     if (exact && !isSmooth(shape)) {
       road = Road.FORMULA;
@@ -200,12 +206,13 @@ final class Roads implements ProofSet {
     }
     DoubleUnaryOperator values = bump.values();
     DoubleUnaryOperator slope = isSmooth(shape) ? bump::slope : s -> 0;
-    double[] corners =
+    List<Double> corners =
         Arrays.stream(bump.places())
             .filter(s -> s > bump.low() - 3 * length && s < bump.high() + 3 * length)
             .sorted()
             .distinct()
-            .toArray();
+            .boxed()
+            .toList();
     RoadCar on =
         new RoadCar(
             wheelMass,
