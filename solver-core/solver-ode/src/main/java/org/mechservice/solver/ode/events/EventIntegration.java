@@ -85,6 +85,9 @@ public final class EventIntegration implements ResidualIntegrator {
   private boolean justRestarted;
   private boolean stateChanged;
 
+  /** Whether the first step after the restart has been taken again. */
+  private boolean bounded;
+
   /** Longest first step of the restart that is due. */
   private double longestFirstStep;
 
@@ -202,8 +205,11 @@ public final class EventIntegration implements ResidualIntegrator {
     if (!justRestarted) {
       return searchStep(result, PARTS);
     }
-    justRestarted = false;
     time = integrator.previousTime();
+    if (endsTooLate()) {
+      return StepResult.ADVANCED;
+    }
+    justRestarted = false;
     if (!values.join(time)) {
       return fail(Cause.EVENT_NOT_FINITE);
     }
@@ -229,6 +235,29 @@ public final class EventIntegration implements ResidualIntegrator {
     restartDue = true;
     stateChanged = false;
     longestFirstStep = Double.POSITIVE_INFINITY;
+    return true;
+  }
+
+  /**
+   * Looks whether the equations change inside the first step after a restart. That step knows them
+   * at its two ends alone, the second beyond the change: it is taken again, no longer than up to
+   * there.
+   */
+  private boolean endsTooLate() {
+    if (bounded || !functions.searchesSteps()) {
+      bounded = false;
+      return false;
+    }
+    double end = direction * (integrator.time() - tEnd) > 0 ? tEnd : integrator.time();
+    double seen = values.seenUntil(time, end);
+    if (seen == end || !values.stopAt(time, restarted)) {
+      return false;
+    }
+    longestFirstStep = Math.abs(seen - time);
+    bounded = true;
+    restartDue = true;
+    stateChanged = false;
+    cutOff = true;
     return true;
   }
 
@@ -447,6 +476,7 @@ public final class EventIntegration implements ResidualIntegrator {
     justRestarted = state.flag(justRestarted);
     stateChanged = state.flag(stateChanged);
     longestFirstStep = state.number(longestFirstStep);
+    bounded = state.flag(bounded);
     events = state.integer(events);
     values.transfer(state);
   }
