@@ -24,6 +24,7 @@ import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.BodyPoses;
 import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.Accuracy;
@@ -143,10 +144,11 @@ class GeneratedSourceTest {
     MechmlModel model = Scenes.model(mechanism);
     CompiledModel compiled =
         ModelFactory.compile(model, WITH_BODIES, ModelFactory.generate(model, WITH_BODIES));
-    ExplicitModel instance = (ExplicitModel) compiled.newInstance();
+    ExplicitModel instance = (ExplicitModel) ModelParts.of(compiled.newInstance()).equations();
     assertThat(instance.description().name()).isEqualTo(name);
     assertThat(instance.description().joints().get(0).name()).isEqualTo(name + "_y");
-    assertThat(((BodyPoses) instance).bodies()).containsExactly(name, name + "_x");
+    assertThat(((BodyPoses) ModelParts.of(instance).equations()).bodies())
+        .containsExactly(name, name + "_x");
     assertThat(compiled.classFiles()).hasSize(1);
     double[] yDot = new double[4];
     double[] other = new double[4];
@@ -155,7 +157,7 @@ class GeneratedSourceTest {
     MechmlModel plain = Scenes.model(cart("plain", "a", "b", "c", "d"));
     CompiledModel plainModel =
         ModelFactory.compile(plain, LEAN, ModelFactory.generate(plain, LEAN));
-    ((ExplicitModel) plainModel.newInstance()).derivative(0, y, other);
+    ((ExplicitModel) ModelParts.of(plainModel.newInstance()).equations()).derivative(0, y, other);
     assertThat(yDot).containsExactly(other);
   }
 
@@ -182,7 +184,8 @@ class GeneratedSourceTest {
       Model instance = compiled.newInstance();
       assertThat(instance.description().name()).isEqualTo(name + "?");
       assertThat(instance.description().joints().get(1).name()).isEqualTo(name + "!");
-      assertThat(((BodyPoses) instance).bodies()).containsExactly("c", name);
+      assertThat(((BodyPoses) ModelParts.of(instance).equations()).bodies())
+          .containsExactly("c", name);
     }
   }
 

@@ -19,6 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.capability.LinearisedModel;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.capability.ResidualModel;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.run.RunSettings;
@@ -71,7 +72,9 @@ class AgreementPageTest {
     GeneratedModel generated = ModelFactory.generate(model, options);
     assertThat(generated.formulationReason()).doesNotContain("compact form");
     ClassLoader users = GeneratedUserForcesTest.class.getClassLoader();
-    return (ExplicitModel) GeneratedUserForcesTest.loaded(generated, new TreeMap<>(), users);
+    return (ExplicitModel)
+        ModelParts.of(GeneratedUserForcesTest.loaded(generated, new TreeMap<>(), users))
+            .equations();
   }
 
   private static void compare(Mechanism mechanism, String formulation, Row row) {
@@ -97,9 +100,9 @@ class AgreementPageTest {
       assertThat(model.derivative(TIME, y, actual)).isEqualTo(ExplicitModel.REGULAR);
     } else if (formulation.equals("RR")) {
       reference.residual(TIME, y, yDot, expected);
-      ((ResidualModel) model).residual(TIME, y, yDot, actual);
+      ((ResidualModel) ModelParts.of(model).equations()).residual(TIME, y, yDot, actual);
     } else {
-      LinearisedModel implicit = (LinearisedModel) model;
+      LinearisedModel implicit = (LinearisedModel) ModelParts.of(model).equations();
       if (!reference.linearise(TIME, y, yDot) || !reference.factor(1e-2)) {
         row.without++;
         return;

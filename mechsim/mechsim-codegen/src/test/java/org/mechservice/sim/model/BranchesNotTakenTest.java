@@ -12,6 +12,7 @@ import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.capability.LinearisedModel;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.dynamics.LinearisedResidualModel;
 import org.mechservice.solver.force.user.UserForceSource;
@@ -53,8 +54,9 @@ class BranchesNotTakenTest {
     double[] y = {q, v};
     double[] all = new double[4];
     double[] rates = new double[2];
-    assertThat(((ExplicitModel) model).derivative(0, y, rates)).isEqualTo(ExplicitModel.REGULAR);
-    LinearisedModel linearised = (LinearisedModel) model;
+    assertThat(((ExplicitModel) ModelParts.of(model).equations()).derivative(0, y, rates))
+        .isEqualTo(ExplicitModel.REGULAR);
+    LinearisedModel linearised = (LinearisedModel) ModelParts.of(model).equations();
     assertThat(linearised.linearise(0, y, rates)).isTrue();
     assertThat(linearised.factor(0.5)).isTrue();
     double[] solution = {1, -0.7};

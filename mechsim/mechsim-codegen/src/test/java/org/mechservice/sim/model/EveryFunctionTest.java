@@ -10,6 +10,7 @@ import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.scene.forecast.RunForecast;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.dynamics.LinearisedResidualModel;
 import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.force.user.UserForceSource;
@@ -41,7 +42,7 @@ class EveryFunctionTest {
 
   private static double acceleration(Model model) {
     double[] rates = new double[2];
-    ((ExplicitModel) model).derivative(0, new double[] {Q, V}, rates);
+    ((ExplicitModel) ModelParts.of(model).equations()).derivative(0, new double[] {Q, V}, rates);
     return rates[1];
   }
 

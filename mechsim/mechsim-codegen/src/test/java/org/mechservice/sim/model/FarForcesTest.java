@@ -13,6 +13,7 @@ import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.equations.RecursiveResidualEquations;
 import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.scene.ForceReach;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.capability.ResidualModel;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.run.RunSettings;
@@ -73,7 +74,9 @@ class FarForcesTest {
     GeneratedModel generated = ModelFactory.generate(file, RESIDUAL);
     assertThat(generated.formulationReason()).doesNotContain("compact form");
     ResidualModel code =
-        (ResidualModel) ModelFactory.compile(file, RESIDUAL, generated).newInstance();
+        (ResidualModel)
+            ModelParts.of(ModelFactory.compile(file, RESIDUAL, generated).newInstance())
+                .equations();
     double[] y = RandomMechmlTrees.state(4, held);
     double[] yDot = new Random(7).doubles(y.length, -2, 2).toArray();
     double[] actual = new double[y.length];

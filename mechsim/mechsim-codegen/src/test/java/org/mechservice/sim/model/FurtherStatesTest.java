@@ -269,12 +269,13 @@ class FurtherStatesTest {
     assertClose(actual, expected, 1e-12);
     if (code instanceof ResidualModel residual) {
       double[] yDot = new Random(3).doubles(y.length, -1, 1).toArray();
-      ((ResidualModel) data).residual(TIME, y, yDot, expected);
+      ((ResidualModel) ModelParts.of(data).equations()).residual(TIME, y, yDot, expected);
       residual.residual(TIME, y, yDot, actual);
       assertClose(actual, expected, 1e-12);
     }
     if (code instanceof LinearisedModel step) {
-      assertClose(solved(step, y), solved((LinearisedModel) data, y), 1e-8);
+      assertClose(
+          solved(step, y), solved((LinearisedModel) ModelParts.of(data).equations(), y), 1e-8);
     }
   }
 
@@ -341,7 +342,9 @@ class FurtherStatesTest {
   @ParameterizedTest
   @CsvSource({"false, false", "true, false", "false, true", "true, true"})
   void stepSolvesTheLinearisedResidual(boolean data, boolean turns) throws Exception {
-    LinearisedModel model = (LinearisedModel) model(turns ? TURNS : TREE, "RR-JF", "auto", data);
+    LinearisedModel model =
+        (LinearisedModel)
+            ModelParts.of(model(turns ? TURNS : TREE, "RR-JF", "auto", data)).equations();
     double[] y = start(model);
     double[] yDot = new double[y.length];
     model.derivative(TIME, y, yDot);

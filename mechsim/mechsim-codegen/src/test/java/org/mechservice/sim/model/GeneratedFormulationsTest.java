@@ -26,6 +26,7 @@ import org.mechservice.sim.equations.CompositeInertiaEquations;
 import org.mechservice.sim.equations.links.Links;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.capability.ResidualModel;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.run.RunSettings;
@@ -92,12 +93,14 @@ class GeneratedFormulationsTest {
       return;
     }
     double[] actual = new double[y.length];
-    assertThat(((ExplicitModel) model("DSR", mechanism)).derivative(TIME, y, actual))
+    assertThat(
+            ((ExplicitModel) ModelParts.of(model("DSR", mechanism)).equations())
+                .derivative(TIME, y, actual))
         .isEqualTo(ExplicitModel.REGULAR);
     // Other operations in another order: rounding times depth and condition.
     assertClose(actual, expected, 1e-10);
     double[] yDot = new Random(7).doubles(y.length, -2, 2).toArray();
-    ResidualModel residual = (ResidualModel) model("RR", mechanism);
+    ResidualModel residual = (ResidualModel) ModelParts.of(model("RR", mechanism)).equations();
     residual.residual(TIME, y, yDot, actual);
     new RecursiveResidualModel(mechanism, settings, UserForceSource.NONE)
         .residual(TIME, y, yDot, expected);
@@ -108,7 +111,7 @@ class GeneratedFormulationsTest {
   @ParameterizedTest
   @MethodSource("scenes")
   void theResidualOfTheDerivativeVanishes(Mechanism mechanism) {
-    ResidualModel model = (ResidualModel) model("RR", mechanism);
+    ResidualModel model = (ResidualModel) ModelParts.of(model("RR", mechanism)).equations();
     double[] y = RandomMechmlTrees.state(5, mechanism);
     double[] yDot = new double[y.length];
     if (model.derivative(TIME, y, yDot) != ExplicitModel.REGULAR) {
@@ -145,7 +148,7 @@ class GeneratedFormulationsTest {
   private static double[] everything(Model model, double[] y) {
     double[] all = new double[2 * y.length];
     double[] yDot = new double[y.length];
-    ((ExplicitModel) model).derivative(TIME, y, yDot);
+    ((ExplicitModel) ModelParts.of(model).equations()).derivative(TIME, y, yDot);
     System.arraycopy(yDot, 0, all, 0, y.length);
     if (model instanceof ResidualModel residual) {
       double[] out = new double[y.length];
@@ -163,7 +166,7 @@ class GeneratedFormulationsTest {
     GeneratedModel generated = generated("DSR", chain);
     byte[] file = Objects.requireNonNull(generated.classFiles().get(generated.className()));
     assertThat(MethodSizes.longest(file)).isLessThan(8000);
-    ExplicitModel model = (ExplicitModel) model("DSR", chain);
+    ExplicitModel model = (ExplicitModel) ModelParts.of(model("DSR", chain)).equations();
     double[] y = RandomMechmlTrees.state(1, chain);
     double[] actual = new double[y.length];
     double[] expected = new double[y.length];
@@ -184,7 +187,7 @@ class GeneratedFormulationsTest {
     double[] y = RandomMechmlTrees.state(1, chain);
     double[] actual = new double[y.length];
     double[] expected = new double[y.length];
-    ((ExplicitModel) model).derivative(TIME, y, actual);
+    ((ExplicitModel) ModelParts.of(model).equations()).derivative(TIME, y, actual);
     new SemiRecursiveModel(chain, Scenes.SETTINGS, UserForceSource.NONE)
         .derivative(TIME, y, expected);
     assertThat(actual).containsExactly(expected);
@@ -202,8 +205,8 @@ class GeneratedFormulationsTest {
   @Test
   void anEvaluationAllocatesNothing() {
     Mechanism driver = Scenes.timingModel("driver41").mechanism();
-    ResidualModel model = (ResidualModel) model("RR", driver);
-    ExplicitModel explicit = (ExplicitModel) model("DSR", driver);
+    ResidualModel model = (ResidualModel) ModelParts.of(model("RR", driver)).equations();
+    ExplicitModel explicit = (ExplicitModel) ModelParts.of(model("DSR", driver)).equations();
     double[] y = RandomMechmlTrees.state(2, driver);
     double[] yDot = new double[y.length];
     double[] residual = new double[y.length];

@@ -25,6 +25,7 @@ import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.BodyPoses;
 import org.mechservice.solver.api.capability.Energies;
 import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.dynamics.DataDrivenModel;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -44,7 +45,8 @@ class GeneratedModelTest {
   private static ExplicitModel generated(Mechanism mechanism) {
     MechmlModel model = Scenes.model(mechanism);
     GeneratedModel source = ModelFactory.generate(model, ALL);
-    return (ExplicitModel) ModelFactory.compile(model, ALL, source).newInstance();
+    return (ExplicitModel)
+        ModelParts.of(ModelFactory.compile(model, ALL, source).newInstance()).equations();
   }
 
   static Stream<Named<Mechanism>> scenes() {
@@ -74,7 +76,8 @@ class GeneratedModelTest {
     Model direct = ModelFactory.compile(model, ALL, generated).newInstance();
     Model compiled = ModelFactory.compileSource(model, ALL, generated).newInstance();
     assertThat(direct.description()).isEqualTo(compiled.description());
-    assertThat(((BodyPoses) direct).bodies()).isEqualTo(((BodyPoses) compiled).bodies());
+    assertThat(((BodyPoses) ModelParts.of(direct).equations()).bodies())
+        .isEqualTo(((BodyPoses) ModelParts.of(compiled).equations()).bodies());
     for (int seed = 1; seed <= 3; seed++) {
       double[] y = RandomMechmlTrees.state(seed, mechanism);
       assertSameBits(everything(direct, y), everything(compiled, y));
@@ -83,14 +86,16 @@ class GeneratedModelTest {
 
   /** Start, derivative, result, energies and poses, one after the other. */
   private static double[] everything(Model model, double[] y) {
-    int bodies = ((BodyPoses) model).bodies().size();
+    int bodies = ((BodyPoses) ModelParts.of(model).equations()).bodies().size();
     double[] start = new double[y.length];
     Arrays.fill(start, 7);
     double[] yDot = new double[y.length];
     double[] poses = new double[BodyPoses.NUMBERS_PER_BODY * bodies];
     model.initialState(start);
-    double[] result = {((ExplicitModel) model).derivative(TIME, y, yDot)};
-    ((BodyPoses) model).poses(TIME, y, poses);
+    double[] result = {
+      ((ExplicitModel) ModelParts.of(model).equations()).derivative(TIME, y, yDot)
+    };
+    ((BodyPoses) ModelParts.of(model).equations()).poses(TIME, y, poses);
     return Stream.of(start, yDot, result, energies(model, y), poses)
         .flatMapToDouble(Arrays::stream)
         .toArray();
@@ -109,7 +114,7 @@ class GeneratedModelTest {
     ((Energies) model).energy(TIME, y, energy);
     assertSameBits(energy, evaluated(EnergyEquations.derive(links), y, 2));
     double[] poses = new double[BodyPoses.NUMBERS_PER_BODY * mechanism.bodies().size()];
-    ((BodyPoses) model).poses(TIME, y, poses);
+    ((BodyPoses) ModelParts.of(model).equations()).poses(TIME, y, poses);
     double[] expected = evaluated(PoseEquations.derive(links), y, poses.length);
     for (int i = 3; i < expected.length; i += BodyPoses.NUMBERS_PER_BODY) {
       if (expected[i] < 0) {
@@ -150,7 +155,7 @@ class GeneratedModelTest {
     assertClose(energies(model, y), energies(reference, y), 1e-13);
     double[] poses = new double[BodyPoses.NUMBERS_PER_BODY * mechanism.bodies().size()];
     double[] referencePoses = new double[poses.length];
-    ((BodyPoses) model).poses(TIME, y, poses);
+    ((BodyPoses) ModelParts.of(model).equations()).poses(TIME, y, poses);
     reference.poses(TIME, y, referencePoses);
     assertClose(poses, referencePoses, 1e-13);
   }
@@ -241,7 +246,7 @@ class GeneratedModelTest {
     ExplicitModel model = generated(mechanism);
     assertThat(model.description())
         .isEqualTo(new DataDrivenModel(mechanism, Scenes.SETTINGS).description());
-    assertThat(((BodyPoses) model).bodies())
+    assertThat(((BodyPoses) ModelParts.of(model).equations()).bodies())
         .containsExactlyElementsOf(mechanism.bodies().stream().map(body -> body.name()).toList());
   }
 
@@ -254,7 +259,7 @@ class GeneratedModelTest {
         List.of(
             ModelFactory.compile(file, ALL, generated),
             ModelFactory.compileSource(file, ALL, generated))) {
-      ExplicitModel model = (ExplicitModel) compiled.newInstance();
+      ExplicitModel model = (ExplicitModel) ModelParts.of(compiled.newInstance()).equations();
       double[] y = new double[6];
       model.initialState(y);
       assertThat(model.derivative(0, y, new double[6])).isZero();
@@ -295,7 +300,7 @@ class GeneratedModelTest {
       ExplicitModel model, double[] y, double[] yDot, double[] energy, double[] poses) {
     model.derivative(0, y, yDot);
     ((Energies) model).energy(TIME, y, energy);
-    ((BodyPoses) model).poses(TIME, y, poses);
+    ((BodyPoses) ModelParts.of(model).equations()).poses(TIME, y, poses);
   }
 
   @Test

@@ -27,6 +27,7 @@ import org.mechservice.solver.api.capability.BodyPoses;
 import org.mechservice.solver.api.capability.Defects;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.capability.LinearisedModel;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.capability.ResidualModel;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.run.RunSettings;
@@ -146,14 +147,15 @@ class GeneratedUserForcesTest {
     }
     for (String formulation : List.of("DTR", "DSR")) {
       Model model = model(formulation, mechanism);
-      assertThat(((ExplicitModel) model).derivative(TIME, y, actual))
+      assertThat(((ExplicitModel) ModelParts.of(model).equations()).derivative(TIME, y, actual))
           .isEqualTo(ExplicitModel.REGULAR);
       // Other operations in another order: rounding times depth and condition.
       assertClose(actual, expected, 1e-10);
       assertEnergies(model, reference, y);
     }
     double[] yDot = new Random(7).doubles(y.length, -2, 2).toArray();
-    ((ResidualModel) model("RR", mechanism)).residual(TIME, y, yDot, actual);
+    ((ResidualModel) ModelParts.of(model("RR", mechanism)).equations())
+        .residual(TIME, y, yDot, actual);
     new RecursiveResidualModel(mechanism, Scenes.SETTINGS, FORCES)
         .residual(TIME, y, yDot, expected);
     // Nothing is solved for: rounding times depth.
@@ -164,7 +166,7 @@ class GeneratedUserForcesTest {
     assertEnergiesClose(model, reference, TIME, y);
     double[] poses = new double[13 * reference.bodies().size()];
     double[] expected = poses.clone();
-    ((BodyPoses) model).poses(TIME, y, poses);
+    ((BodyPoses) ModelParts.of(model).equations()).poses(TIME, y, poses);
     reference.poses(TIME, y, expected);
     assertClose(poses, expected, 1e-12);
   }
@@ -187,7 +189,7 @@ class GeneratedUserForcesTest {
     LinearisedModel reference =
         new LinearisedResidualModel(
             mechanism, Scenes.SETTINGS, FORCES, LinearisedResidualModel.Mode.FULL);
-    LinearisedModel model = (LinearisedModel) model("RR-JF", mechanism);
+    LinearisedModel model = (LinearisedModel) ModelParts.of(model("RR-JF", mechanism)).equations();
     double[] y = RandomMechmlTrees.state(3, mechanism);
     double[] yDot = new Random(7).doubles(y.length, -2, 2).toArray();
     boolean known = reference.linearise(TIME, y, yDot);
@@ -217,8 +219,10 @@ class GeneratedUserForcesTest {
       double[] y = RandomMechmlTrees.state(seed, mechanism);
       double[] direct = new double[y.length];
       double[] fromSource = new double[y.length];
-      ((ExplicitModel) loaded(generated, new TreeMap<>())).derivative(TIME, y, direct);
-      ((ExplicitModel) loaded(generated, compiled)).derivative(TIME, y, fromSource);
+      ((ExplicitModel) ModelParts.of(loaded(generated, new TreeMap<>())).equations())
+          .derivative(TIME, y, direct);
+      ((ExplicitModel) ModelParts.of(loaded(generated, compiled)).equations())
+          .derivative(TIME, y, fromSource);
       assertThat(direct).containsExactly(fromSource);
     }
   }
@@ -226,7 +230,7 @@ class GeneratedUserForcesTest {
   @Test
   void aForceThatIsNotFiniteEndsTheEvaluationWithItsName() {
     Mechanism mechanism = scene(2).getPayload();
-    ExplicitModel model = (ExplicitModel) model("DTR", mechanism);
+    ExplicitModel model = (ExplicitModel) ModelParts.of(model("DTR", mechanism)).equations();
     double[] y = RandomMechmlTrees.state(3, mechanism);
     Arrays.fill(y, mechanism.positionCount(), y.length, 1e200);
     assertThat(model.derivative(TIME, y, new double[y.length])).isEqualTo(Defects.DEFECT);

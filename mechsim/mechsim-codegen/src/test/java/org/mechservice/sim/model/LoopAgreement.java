@@ -18,6 +18,7 @@ import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.solver.api.capability.Energies;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.capability.LinearisedModel;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.capability.PowerInput;
 import org.mechservice.solver.api.capability.ResidualModel;
 import org.mechservice.solver.api.result.ColumnGroup;
@@ -123,7 +124,9 @@ public record LoopAgreement(
     if (generated.formulationReason().contains("compact form") != options.compact()) {
       throw new IllegalStateException(generated.formulationReason());
     }
-    return type.cast(GeneratedUserForcesTest.loaded(generated, new TreeMap<>(), users));
+    return type.cast(
+        ModelParts.of(GeneratedUserForcesTest.loaded(generated, new TreeMap<>(), users))
+            .equations());
   }
 
   /** Returns RR-JF with code for its derivatives, be they worth it or not. */

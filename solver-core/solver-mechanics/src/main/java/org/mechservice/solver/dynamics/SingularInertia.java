@@ -141,7 +141,8 @@ public final class SingularInertia {
 
   /**
    * Returns whether there is inertia, of another body than most of what hangs there, of which
-   * double precision has lost every digit. One body alone resists little where axes nearly coincide.
+   * double precision has lost every digit. One body alone resists little where axes nearly
+   * coincide.
    */
   public boolean isOfDifferentSizes() {
     return part() > ROUNDING && largest(energies) != largest(alone);

@@ -120,8 +120,7 @@ final class StepWork {
    * @param wanted whether it is measured; otherwise, or if the model does no such work, it stays
    *     zero
    */
-  static StepWork of(
-      ModelEquations equations, Integrator integrator, Model model, boolean wanted) {
+  static StepWork of(ModelEquations equations, Integrator integrator, Model model, boolean wanted) {
     PowerInput source = wanted && model instanceof PowerInput able ? able : NOTHING;
     return new StepWork(equations, integrator, source);
   }

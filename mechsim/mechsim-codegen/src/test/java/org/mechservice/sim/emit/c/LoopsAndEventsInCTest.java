@@ -110,7 +110,7 @@ class LoopsAndEventsInCTest {
     int size = inC.states().size();
     int row = size + 1;
     double[] start = new double[size];
-    ((ExplicitModel) java).initialState(start);
+    ((ExplicitModel) ModelParts.of(java).equations()).initialState(start);
     Random random = new Random(7);
     double[] given = new double[states * row];
     for (int s = 0; s < states; s++) {
@@ -135,7 +135,9 @@ class LoopsAndEventsInCTest {
     String name = mechanism.name();
     int at = first;
     double[] dx = new double[x.length];
-    boolean regular = ((ExplicitModel) java).derivative(t, x, dx) == ExplicitModel.REGULAR;
+    boolean regular =
+        ((ExplicitModel) ModelParts.of(java).equations()).derivative(t, x, dx)
+            == ExplicitModel.REGULAR;
     compare(name + " result", written[at++], regular ? 0 : -1);
     for (int i = 0; i < x.length; i++, at++) {
       if (regular) {

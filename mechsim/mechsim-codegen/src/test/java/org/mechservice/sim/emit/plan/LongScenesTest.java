@@ -30,6 +30,7 @@ import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.BodyPoses;
 import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.capability.ResidualModel;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.run.RunSettings;
@@ -119,22 +120,22 @@ class LongScenesTest {
       double[] expected = new double[y.length];
       double[] actual = new double[y.length];
       residual.residual(TIME, y, yDot, actual);
-      ((ResidualModel) data).residual(TIME, y, yDot, expected);
+      ((ResidualModel) ModelParts.of(data).equations()).residual(TIME, y, yDot, expected);
       // Nothing is solved for: rounding times depth.
       assertClose(actual, expected, 1e-12);
     } else {
       double[] expected = new double[y.length];
       double[] actual = new double[y.length];
-      assertThat(((ExplicitModel) code).derivative(TIME, y, actual))
+      assertThat(((ExplicitModel) ModelParts.of(code).equations()).derivative(TIME, y, actual))
           .isEqualTo(ExplicitModel.REGULAR);
-      ((ExplicitModel) data).derivative(TIME, y, expected);
+      ((ExplicitModel) ModelParts.of(data).equations()).derivative(TIME, y, expected);
       // Other operations in another order: rounding times depth and condition.
       assertClose(actual, expected, 1e-10);
     }
     double[] expected = new double[BodyPoses.NUMBERS_PER_BODY * mechanism.bodies().size()];
     double[] actual = new double[expected.length];
-    ((BodyPoses) code).poses(TIME, y, actual);
-    ((BodyPoses) data).poses(TIME, y, expected);
+    ((BodyPoses) ModelParts.of(code).equations()).poses(TIME, y, actual);
+    ((BodyPoses) ModelParts.of(data).equations()).poses(TIME, y, expected);
     assertClose(actual, expected, 1e-12);
   }
 
@@ -158,7 +159,7 @@ class LongScenesTest {
 
   private static double[] derivative(Model model, double[] y) {
     double[] yDot = new double[y.length];
-    ((ExplicitModel) model).derivative(TIME, y, yDot);
+    ((ExplicitModel) ModelParts.of(model).equations()).derivative(TIME, y, yDot);
     return yDot;
   }
 

@@ -36,6 +36,7 @@ import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.BodyPoses;
 import org.mechservice.solver.api.capability.Energies;
 import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.capability.ResidualModel;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.run.RunSettings;
@@ -181,7 +182,9 @@ class SharedKernelsTest {
     double[] residual = new double[y.length];
     double[] energy = new double[2];
     double[] poses = new double[BodyPoses.NUMBERS_PER_BODY * bodies];
-    double[] result = {((ExplicitModel) model).derivative(TIME, y, yDot)};
+    double[] result = {
+      ((ExplicitModel) ModelParts.of(model).equations()).derivative(TIME, y, yDot)
+    };
     if (model instanceof ResidualModel implicit) {
       implicit.residual(TIME, y, yDot, residual);
     }
@@ -208,7 +211,8 @@ class SharedKernelsTest {
     for (CodeForm form : new CodeForm[] {CodeForm.STRAIGHT, CodeForm.SHARED}) {
       BuildOptions options =
           new BuildOptions("DSR", "penalty", false, Set.of(), Scenes.SETTINGS).in(form);
-      ExplicitModel model = (ExplicitModel) compiled(file, options).newInstance();
+      ExplicitModel model =
+          (ExplicitModel) ModelParts.of(compiled(file, options).newInstance()).equations();
       model.derivative(TIME, y, found[form == CodeForm.SHARED ? 1 : 0]);
     }
     assertThat(found[1]).containsExactly(found[0]);
@@ -294,11 +298,11 @@ class SharedKernelsTest {
     Model model = compiled(Scenes.model(mechanism), options("DTR", CodeForm.SHARED)).newInstance();
     double[] y = RandomMechmlTrees.state(1, mechanism);
     double[] yDot = new double[y.length];
-    ((ExplicitModel) model).derivative(TIME, y, yDot);
+    ((ExplicitModel) ModelParts.of(model).equations()).derivative(TIME, y, yDot);
     long id = Thread.currentThread().getId();
     long before = threads.getThreadAllocatedBytes(id);
     for (int i = 0; i < 100; i++) {
-      ((ExplicitModel) model).derivative(TIME, y, yDot);
+      ((ExplicitModel) ModelParts.of(model).equations()).derivative(TIME, y, yDot);
     }
     // Asking for the count may itself allocate once.
     assertThat(threads.getThreadAllocatedBytes(id) - before).isLessThan(100);

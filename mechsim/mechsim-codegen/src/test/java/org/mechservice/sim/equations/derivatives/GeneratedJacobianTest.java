@@ -32,6 +32,7 @@ import org.mechservice.sim.model.RandomMechmlTrees;
 import org.mechservice.sim.model.Scenes;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.capability.LinearisedModel;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.dynamics.LinearisedResidualModel;
@@ -79,7 +80,7 @@ class GeneratedJacobianTest {
   }
 
   private static TreeStepModel model(Mechanism mechanism) {
-    return (TreeStepModel) compiled(mechanism).newInstance();
+    return (TreeStepModel) ModelParts.of(compiled(mechanism).newInstance()).equations();
   }
 
   private static CompiledModel compiled(Mechanism mechanism) {
@@ -264,7 +265,7 @@ class GeneratedJacobianTest {
 
   private static double[] derivatives(Object model, double[] y) {
     double[] values = new double[20 * y.length * y.length];
-    ((TreeStepModel) model).derivatives(TIME, y, rates(y), values);
+    ((TreeStepModel) ModelParts.of(model).equations()).derivatives(TIME, y, rates(y), values);
     return values;
   }
 

@@ -16,6 +16,7 @@ import org.mechservice.sim.model.Scenes;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.DirectedForces;
 import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.Outcome;
@@ -132,7 +133,8 @@ class DirectedForcesTest {
     double[] expected = new double[2];
     for (double q : new double[] {0, 1e-3, -0.2}) {
       double[] y = {q, 3};
-      assertThat(((ExplicitModel) model).derivative(0, y, actual)).isEqualTo(ExplicitModel.REGULAR);
+      assertThat(((ExplicitModel) ModelParts.of(model).equations()).derivative(0, y, actual))
+          .isEqualTo(ExplicitModel.REGULAR);
       new DataDrivenModel(slider, Scenes.SETTINGS).derivative(0, y, expected);
       assertThat(actual).containsExactly(expected, within(1e-12));
     }
@@ -167,7 +169,7 @@ class DirectedForcesTest {
   @Test
   void aBushingIsRefusedWhereTheDataDrivenOneIsAndNowhereElse() {
     Mechanism hinge = hinge(0);
-    ExplicitModel model = (ExplicitModel) generated(hinge);
+    ExplicitModel model = (ExplicitModel) ModelParts.of(generated(hinge)).equations();
     DataDrivenModel reference = new DataDrivenModel(hinge, Scenes.SETTINGS);
     for (double angle : new double[] {0, 3.13, Math.PI, Math.PI + 1e-4, 3.2}) {
       double[] y = {angle, 1};
@@ -191,8 +193,8 @@ class DirectedForcesTest {
       double[] compiled = new double[2];
       Model one = ModelFactory.compile(file, OPTIONS, generated).newInstance();
       Model other = ModelFactory.compileSource(file, OPTIONS, generated).newInstance();
-      assertThat(((ExplicitModel) one).derivative(0, y, direct))
-          .isEqualTo(((ExplicitModel) other).derivative(0, y, compiled));
+      assertThat(((ExplicitModel) ModelParts.of(one).equations()).derivative(0, y, direct))
+          .isEqualTo(((ExplicitModel) ModelParts.of(other).equations()).derivative(0, y, compiled));
       assertThat(direct).containsExactly(compiled);
       assertThat(((DirectedForces) one).directedForce(0))
           .isEqualTo(((DirectedForces) other).directedForce(0));

@@ -78,7 +78,7 @@ class GeneratedForcesTest {
   private static double[] everything(Model whole, double[] y) {
     Model model = ModelParts.of(whole).equations();
     double[] yDot = new double[y.length];
-    ((ExplicitModel) model).derivative(TIME, y, yDot);
+    ((ExplicitModel) ModelParts.of(model).equations()).derivative(TIME, y, yDot);
     ResultColumns columns = (ResultColumns) model;
     double[] values = new double[columns.columns(ColumnGroup.FORCES).size()];
     columns.values(ColumnGroup.FORCES, TIME, y, values, 0);
@@ -101,7 +101,7 @@ class GeneratedForcesTest {
     if (result != ExplicitModel.REGULAR) {
       return;
     }
-    assertThat(((ExplicitModel) model).derivative(TIME, y, actual))
+    assertThat(((ExplicitModel) ModelParts.of(model).equations()).derivative(TIME, y, actual))
         .isEqualTo(ExplicitModel.REGULAR);
     // Other operations in another order: rounding times depth and condition.
     assertClose(actual, expected, 1e-10);

@@ -34,6 +34,7 @@ import org.mechservice.solver.api.capability.DependentStates;
 import org.mechservice.solver.api.capability.Energies;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.capability.LinearisedModel;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.capability.PowerInput;
 import org.mechservice.solver.api.capability.ResidualModel;
 import org.mechservice.solver.api.result.ColumnGroup;
@@ -124,8 +125,8 @@ public class GeneratedLoopsTest {
     code.initialState(y);
     double[] expected = new double[BodyPoses.NUMBERS_PER_BODY * mechanism.bodies().size()];
     double[] actual = new double[expected.length];
-    ((BodyPoses) data).poses(0, y, expected);
-    ((BodyPoses) code).poses(0, y, actual);
+    ((BodyPoses) ModelParts.of(data).equations()).poses(0, y, expected);
+    ((BodyPoses) ModelParts.of(code).equations()).poses(0, y, actual);
     assertThat(actual).containsExactly(expected);
   }
 
@@ -184,7 +185,7 @@ public class GeneratedLoopsTest {
    * Returns y' at the start, a residual there, and the solution of an implicit step if it has one.
    */
   public static double[] everything(Model model) {
-    ResidualModel residual = (ResidualModel) model;
+    ResidualModel residual = (ResidualModel) ModelParts.of(model).equations();
     double[] y = new double[residual.unknownCount()];
     double[] rates = new Random(1).doubles(y.length, -1, 1).toArray();
     double[] all = new double[3 * y.length + 3];

@@ -85,6 +85,9 @@ public final class EventIntegration implements ResidualIntegrator {
   private boolean justRestarted;
   private boolean stateChanged;
 
+  /** Where the last history was given up because its steps had become too short. */
+  private double begunAnewAt = Double.NaN;
+
   /** Whether the first step after the restart has been taken again. */
   private boolean bounded;
 
@@ -220,15 +223,21 @@ public final class EventIntegration implements ResidualIntegrator {
 
   /**
    * After steps have become too short: goes on from the state behind a change of the equations that
-   * lies within rounding, if there is one.
+   * lies within rounding, if there is one; else begins anew, once at a place, since the history may
+   * be that of another form of the equations.
    */
   private boolean goesOnAcross() {
     double t = integrator.time();
     if (!functions.searchesSteps()
         || justRestarted
-        || integrator.failure().cause() != Cause.STEP_TOO_SMALL
-        || !values.moveAcross(t, restarted)) {
+        || integrator.failure().cause() != Cause.STEP_TOO_SMALL) {
       return false;
+    }
+    if (!values.moveAcross(t, restarted)) {
+      if (t == begunAnewAt || !values.stopAt(t, restarted)) {
+        return false;
+      }
+      begunAnewAt = t;
     }
     time = t;
     cutOff = true;
@@ -477,6 +486,7 @@ public final class EventIntegration implements ResidualIntegrator {
     stateChanged = state.flag(stateChanged);
     longestFirstStep = state.number(longestFirstStep);
     bounded = state.flag(bounded);
+    begunAnewAt = state.number(begunAnewAt);
     events = state.integer(events);
     values.transfer(state);
   }
