@@ -265,7 +265,7 @@ class GeneratedJacobianTest {
 
   private static double[] derivatives(Object model, double[] y) {
     double[] values = new double[20 * y.length * y.length];
-    ((TreeStepModel) ModelParts.of(model).equations()).derivatives(TIME, y, rates(y), values);
+    ((TreeStepModel) ModelParts.of((Model) model).equations()).derivatives(TIME, y, rates(y), values);
     return values;
   }
 
