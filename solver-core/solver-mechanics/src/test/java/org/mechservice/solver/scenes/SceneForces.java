@@ -155,6 +155,7 @@ final class SceneForces {
           Expression.ZERO,
           Expression.ZERO,
           List.of(),
+          Expression.ZERO,
           0,
           false,
           Origin.NONE);
