@@ -18,6 +18,11 @@ import org.mechservice.solver.text.ShortestDecimal;
 final class FmuDescription {
   private static final String TOOL = "MechService";
 
+  private static final String SEARCHED =
+      "Co-Simulation searches its steps for hits and other changes that their ends do not show. In"
+          + " Model Exchange the importer takes the steps, and nothing searches them: keep them"
+          + " shorter than what happens.";
+
   /** A variable with all that both versions say about it. */
   private record Entry(
       int reference,
@@ -172,6 +177,9 @@ final class FmuDescription {
               TOOL,
               "variableNamingConvention",
               "flat");
+          if (model.isWatched()) {
+            xml.writeAttribute("description", SEARCHED);
+          }
           if (two) {
             xml.writeAttribute("numberOfEventIndicators", Integer.toString(model.events().size()));
           }

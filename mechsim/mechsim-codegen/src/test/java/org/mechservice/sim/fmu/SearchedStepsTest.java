@@ -27,6 +27,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.resolve.MechmlReader;
+import org.mechservice.sim.emit.c.CModel;
 import org.mechservice.sim.model.BuildOptions;
 import org.mechservice.sim.model.ModelFactory;
 import org.mechservice.solver.api.capability.ModelEvents;
@@ -370,6 +371,66 @@ class SearchedStepsTest {
     double[] numbers = new double[read.remaining() / Double.BYTES];
     read.asDoubleBuffer().get(numbers);
     return numbers;
+  }
+
+  /** A four-bar of which a state counts the time for which it is in a narrow range. */
+  @Test
+  void unitInIndependentCoordinatesSeesTheSame() throws Exception {
+    Path file = Path.of("..", "..", "examples", "extremes", "fourbar_redundant.xml");
+    String state =
+        "<States><state name='n' derivative='100*step(sin(j_crank.q+j_rocker.q)-0.99)'/></States>";
+    String text =
+        Files.readString(file).replaceFirst("<Forces>", state + "<Forces>").replace("1e-8", "1e-6");
+    MechmlModel model = MechmlReader.read("scene.xml", text.getBytes(StandardCharsets.UTF_8));
+    RunSettings run = model.settings().run();
+    BuildOptions options = new BuildOptions("DTR", EnumSet.of(ColumnGroup.JOINTS), run);
+    CModel inC = ModelFactory.inC(model, options);
+    double[] whole = run(compiled(FmuModel.of(inC, run), "searched.c"), 5, 5);
+    FmuModel independent = FmuModel.inIndependentCoordinates(inC, run, List.of());
+    Path program = compiled(independent, "searched.c");
+    double[] few = run(program, 5, 5);
+    // crank, its velocity, the state, tries
+    assertThat(few).hasSize(4);
+    assertThat(few[2]).isGreaterThan(1).isCloseTo(whole[whole.length - 2], within(1e-4));
+    assertThat(run(program, 5, 1e-3)).isEqualTo(few);
+  }
+
+  @Test
+  void moduleInWebAssemblySeesTheSame() throws Exception {
+    assumeTrue(CCompiler.forWebAssembly().isPresent(), "no compiler for WebAssembly here");
+    Files.write(folder.resolve("drop.wasm"), WebAssemblyModule.of(unit(undamped(), "ode113")));
+    Files.writeString(folder.resolve("run.js"), CModels.resource("searched.js"));
+    String end = Double.toString(LEFT);
+    String said;
+    try {
+      said = said(List.of("node", "run.js", "drop.wasm", end, "0.001"));
+    } catch (IOException e) {
+      assumeTrue(false, "no node here");
+      throw e;
+    }
+    double[] unit = run(compiled(undamped(), "ode113"), LEFT, LEFT);
+    assertThat(Double.parseDouble(said.strip())).isEqualTo(unit[1]);
+  }
+
+  /** A ball that begins beyond the middle of a thick box is pushed out on the other side. */
+  @Test
+  void shapesInsideEachOtherAreNamed() throws Exception {
+    Path program = compiled(drop(0.5, -0.005, "stiffness='1e4'"), "ode113");
+    String said = said(List.of(program.toString(), "0.5", "0.1"));
+    assertThat(said.lines().filter(line -> line.startsWith("said")))
+        .singleElement()
+        .asString()
+        .contains("At t = 0 the shapes of contact \"c\" are inside each other by more than");
+  }
+
+  @Test
+  void modelExchangeIsSaidNotToBeSearched() throws Exception {
+    String said = "In Model Exchange the importer takes the steps, and nothing searches them";
+    for (FmiVersion version : FmiVersion.values()) {
+      FmuModel watched = unit(undamped(), "ode113");
+      assertThat(FmuDescription.of(watched, version, "", List.of())).contains(said);
+      assertThat(FmuDescription.of(CModels.ball(), version, "", List.of())).doesNotContain(said);
+    }
   }
 
   @Test
