@@ -247,7 +247,8 @@ def run_exudyn(scene, on, step):
             system.AddObject(ObjectContactSphereTriangle(
                 markerNumbers=[marker(other, at2), marker(one, [at1[0], at1[1], at1[2] + top])],
                 nodeNumber=node(system, 0), radiusSphere=radius,
-                trianglePoints=[[-1, -1, 0], [1, -1, 0], [0, 1, 0]], **law))
+                trianglePoints=exu.Vector3DList([[-1, -1, 0], [1, -1, 0], [0, 1, 0]]),
+                **law))
     system.Assemble()
     settings = exu.SimulationSettings()
     settings.timeIntegration.numberOfSteps = max(1, math.ceil(scene.end / step))

@@ -91,8 +91,8 @@ class UserForceExampleTest {
 
   /**
    * Sets velocities at which no damper takes away half of a push: c v &lt; k ε/2 with c/k = 0.01 s
-   * and ε = 2 mm in the driver's forces. The classes have the law of the reference, whose damper can
-   * turn the force around; the elements are bounded at zero.
+   * and ε = 2 mm in the driver's forces. The classes have the law of the reference, whose damper
+   * can turn the force around; the elements are bounded at zero.
    */
   private static void slowDown(Mechanism mechanism, double[] y, Random random) {
     for (int i = mechanism.positionCount(); i < y.length; i++) {

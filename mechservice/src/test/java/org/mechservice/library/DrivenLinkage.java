@@ -186,7 +186,6 @@ final class DrivenLinkage {
     StringBuilder joints = new StringBuilder();
     StringBuilder values = new StringBuilder();
     StringBuilder grounds = new StringBuilder("<point name='o' x='0' y='0' z='0'/>");
-    StringBuilder crankPoints = new StringBuilder(point("e", crank, 0));
     StringBuilder couplerPoints = new StringBuilder();
     StringBuilder rockerPoints = new StringBuilder();
     List<Coordinate> at = positions(start);
@@ -224,7 +223,7 @@ final class DrivenLinkage {
       bodies.append(body("coupler", couplerPoints.toString(), dyad.near.length));
       bodies.append(body("rocker", rockerPoints.toString(), dyad.far.length));
     }
-    bodies.append(body("crank", crankPoints.toString(), crank));
+    bodies.append(body("crank", point("e", crank, 0), crank));
     for (Coordinate coordinate : at) {
       values.append(
           "<jointVal name='" + coordinate.name + "' posVals='" + coordinate.value + "'/>");

@@ -135,8 +135,14 @@ final class NothingUnseenTest {
    */
   @ParameterizedTest
   @CsvSource({
-    "ode113, 1e-4", "ode113, 1e-6", "ode113, 1e-9", "ode113, 1e-12", "DE, 1e-5", "DE, 1e-8",
-    "ode15s, 1e-4", "ode15s, 1e-8"
+    "ode113, 1e-4",
+    "ode113, 1e-6",
+    "ode113, 1e-9",
+    "ode113, 1e-12",
+    "DE, 1e-5",
+    "DE, 1e-8",
+    "ode15s, 1e-4",
+    "ode15s, 1e-8"
   })
   void ballDroppedOnAPlateBounces(String integrator, double tolerance) throws Exception {
     MechModel model =
@@ -148,8 +154,7 @@ final class NothingUnseenTest {
 
   @Test
   void bobOfAPendulumHitsABall() throws Exception {
-    String pendulum =
-        "<cog x='0' y='0' z='-1'/>" + mass(0.5, 1e-4);
+    String pendulum = "<cog x='0' y='0' z='-1'/>" + mass(0.5, 1e-4);
     String scene =
         model(
             "<timeSet tini='0' tend='3' tstep='0.05'/><integrator name='auto' relTol='1e-6'"
@@ -271,8 +276,7 @@ final class NothingUnseenTest {
   void stateThatChangesOverAShortWayChanges() throws Exception {
     String states =
         "<States><state name='n' derivative='100*step(x.q-50)*step(50.1-x.q)'/></States>";
-    String scene =
-        slider(until(10), "", 10).replace("<Forces>", states + "<Forces>");
+    String scene = slider(until(10), "", 10).replace("<Forces>", states + "<Forces>");
     assertThat(last(scene, "n")).isCloseTo(1, within(1e-6));
   }
 
@@ -354,14 +358,16 @@ final class NothingUnseenTest {
         model(
             "<timeSet tini='0' tend='1.7333333333333334' tstep='0.06666666666666667'/>"
                 + "<integrator name='auto' relTol='1e-6' absTol='1e-8'/>",
-            GROUND
-                + body("car", "", "")
-                + body("w", "", mass(20, 1))
-                + body("b", "", mass(250, 1)),
+            GROUND + body("car", "", "") + body("w", "", mass(20, 1)) + body("b", "", mass(250, 1)),
             joint("x", "P", "G", "o", "x", "car")
                 + joint("w", "P", "car", "o", "z", "w")
                 + joint(
-                    "z", "P", "w", "o", "z", "b",
+                    "z",
+                    "P",
+                    "w",
+                    "o",
+                    "z",
+                    "b",
                     "stiffness='15000' damping='1200' freePosition='0.3635'"),
             "<gravity gx='0' gy='0' gz='-9.81'/><contact name='c' radius='0.3' stiffness='200000'"
                 + " damping='500' smoothing='1e-4'><body1 name='G' point='o' vector='z'"
@@ -409,7 +415,9 @@ final class NothingUnseenTest {
     }
   }
 
-  /** q″ = −100 q ± 1, the sign alternating each tenth of a second, from rest: piecewise harmonic. */
+  /**
+   * q″ = −100 q ± 1, the sign alternating each tenth of a second, from rest: piecewise harmonic.
+   */
   private static double squareWave(double end) {
     double q = 0;
     double v = 0;

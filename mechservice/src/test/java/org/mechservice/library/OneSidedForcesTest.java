@@ -11,6 +11,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -24,7 +25,8 @@ import org.mechservice.solver.catalogue.MessageCode;
 /** What acts on one side only pushes and never pulls, in runs of whole models. */
 class OneSidedForcesTest {
   private static MechModel model(String name) throws MechmlException {
-    try (InputStream in = OneSidedForcesTest.class.getResourceAsStream("onesided/" + name)) {
+    try (InputStream in =
+        Objects.requireNonNull(OneSidedForcesTest.class.getResourceAsStream("onesided/" + name))) {
       return MechModel.of(name, new String(in.readAllBytes(), StandardCharsets.UTF_8));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
@@ -192,16 +194,13 @@ class OneSidedForcesTest {
     int wrapped = 0;
     for (int i = 0; i < run.rows(); i++) {
       double expected = Math.hypot(2, z[i]);
-      double angle =
-          Math.asin(0.2) + Math.asin(0.2 / Math.hypot(1, z[i])) - Math.atan(z[i]);
+      double angle = Math.asin(0.2) + Math.asin(0.2 / Math.hypot(1, z[i])) - Math.atan(z[i]);
       if (angle > 0) {
         wrapped++;
-        expected =
-            Math.sqrt(1 - 0.04) + Math.sqrt(1 + z[i] * z[i] - 0.04) + 0.2 * angle;
+        expected = Math.sqrt(1 - 0.04) + Math.sqrt(1 + z[i] * z[i] - 0.04) + 0.2 * angle;
       }
       assertThat(length[i]).isCloseTo(expected, within(1e-12));
-      assertThat(run.column("rope.tension")[i])
-          .isCloseTo(50 * (expected - 1.5), within(1e-9));
+      assertThat(run.column("rope.tension")[i]).isCloseTo(50 * (expected - 1.5), within(1e-9));
     }
     assertThat(wrapped).isBetween(10, run.rows() - 10);
     assertBalanced(run, 1e-7);
@@ -238,8 +237,13 @@ class OneSidedForcesTest {
     double smoothing = random.nextBoolean() ? 0 : 1e-5 * (1 + 9 * random.nextDouble());
     double speed = 0.2 + 3 * random.nextDouble();
     String law =
-        String.format(Locale.ROOT, "stiffness='%s' exponent='%s' %s smoothing='%s'", k, exponent,
-            damping, smoothing);
+        String.format(
+            Locale.ROOT,
+            "stiffness='%s' exponent='%s' %s smoothing='%s'",
+            k,
+            exponent,
+            damping,
+            smoothing);
     return "<MechML><MBSsimulation><dynamic><timeSet tini='0' tend='0.6' tstep='0.001'/><integrator"
         + " name='auto' relTol='1e-8' absTol='1e-10' maxStep='0.0005'/><output columns='joints;"
         + " energy; forces'/></dynamic></MBSsimulation><MBSmodel name='bounce' massUnits='kg'"
@@ -278,8 +282,8 @@ class OneSidedForcesTest {
   }
 
   /**
-   * A block on a rope under a hoist that goes down with a drop of 1/2 a t²: for a > g the rope would
-   * have to push it.
+   * A block on a rope under a hoist that goes down with a drop of 1/2 a t²: for a > g the rope
+   * would have to push it.
    */
   private static String hoist(double acceleration) {
     String axis = "<vector name='z' vx='0' vy='0' vz='1'/>";

@@ -23,8 +23,10 @@ record Expected(String column, double value, double spread, double effect, doubl
   /** Largest part of the effect that may be wrong. */
   static final double PART = 0.05;
 
-  /** Errors of the references themselves, relative to the value and the effect: a depth of 10 µm at
-   * a place of 50 m is known to 1e-9 of itself, and so is the time in contact. */
+  /**
+   * Errors of the references themselves, relative to the value and the effect: a depth of 10 µm at
+   * a place of 50 m is known to 1e-9 of itself, and so is the time in contact.
+   */
   private static final double REFERENCE = 1e-7;
 
   Expected(String column, double value, double spread, double effect) {
@@ -48,8 +50,8 @@ record Expected(String column, double value, double spread, double effect, doubl
   }
 
   /**
-   * Returns whether the effect stands out of the errors that some thirty steps leave; else a run may
-   * pass it over, since it is as good as nothing beside the tolerances.
+   * Returns whether the effect stands out of the errors that some thirty steps leave; else a run
+   * may pass it over, since it is as good as nothing beside the tolerances.
    */
   boolean standsOut() {
     return PART * effect > 30 * spread;

@@ -89,8 +89,7 @@ final class ExportedScene {
         files.put(entry.getName(), zip.readAllBytes());
       }
     }
-    String description =
-        new String(files.get("modelDescription.xml"), StandardCharsets.UTF_8);
+    String description = new String(files.get("modelDescription.xml"), StandardCharsets.UTF_8);
     Path library = folder.resolve("unit.so");
     for (Map.Entry<String, byte[]> file : files.entrySet()) {
       if (file.getKey().matches("binaries/.*\\.(so|dylib)")) {
@@ -120,7 +119,8 @@ final class ExportedScene {
     for (String line : output.lines().toList()) {
       if (line.startsWith("value ")) {
         ends.put(
-            scene.expected().get(i++).column(), Double.parseDouble(line.substring("value ".length())));
+            scene.expected().get(i++).column(),
+            Double.parseDouble(line.substring("value ".length())));
       } else {
         said.add(line);
       }

@@ -69,7 +69,8 @@ final class Hits implements ProofSet {
 
   /** Returns a law that lets a mass of a speed in by a depth, with or without damping. */
   private static Law law(Random random, double mass, double speed, double depth, double exponent) {
-    double k = Spread.rounded(mass * speed * speed / 2 * (exponent + 1) / Math.pow(depth, exponent + 1));
+    double k =
+        Spread.rounded(mass * speed * speed / 2 * (exponent + 1) / Math.pow(depth, exponent + 1));
     double ratio = random.nextInt(5) < 2 ? Spread.log(random, 0.003, 0.3) : 0;
     double c = Spread.rounded(2 * ratio * Math.sqrt(k * Math.pow(depth, exponent - 1) * mass));
     return new Law(k, exponent, c);
@@ -91,16 +92,14 @@ final class Hits implements ProofSet {
   /** A body that comes against something fixed, by its weight or with a speed. */
   private static Optional<Scene> oneBody(Kind kind, Random random) {
     boolean turns = kind == Kind.STOP_OF_A_HINGE;
-    boolean pulls =
-        kind == Kind.SLACK_ROPE || kind == Kind.ELASTIC_ROPE || kind == Kind.BACKLASH;
+    boolean pulls = kind == Kind.SLACK_ROPE || kind == Kind.ELASTIC_ROPE || kind == Kind.BACKLASH;
     boolean linear =
         pulls
             || turns
             || kind == Kind.STOP_OF_A_SLIDER
             || kind == Kind.BUFFER_AT_A_WALL
             || kind == Kind.ONE_SIDED_COUPLING;
-    boolean straight =
-        kind != Kind.BALL_ON_BALL && kind != Kind.BALL_ON_CAPSULE;
+    boolean straight = kind != Kind.BALL_ON_BALL && kind != Kind.BALL_ON_CAPSULE;
     double exponent = linear ? 1 : Spread.one(random, 1.0, 1.5, 2.0);
     double mass = Spread.log(random, 0.1, 10);
     double size = Spread.log(random, 0.005, 0.2);
@@ -152,11 +151,13 @@ final class Hits implements ProofSet {
     double touch = falls ? Math.sqrt(2 * way / 9.81) : way / speed;
     double duration = Math.PI * depth / speed;
     double back = falls ? 2 * touch : 2 * way / speed;
-    double end = Spread.rounded(touch + duration + Spread.even(random, 0.1, 0.9) * Math.min(back, 3));
+    double end =
+        Spread.rounded(touch + duration + Spread.even(random, 0.1, 0.9) * Math.min(back, 3));
     int count = kind == Kind.BOX_ON_PLANE ? 4 : 1;
     Law whole = law;
     Law one = law.times(1.0 / count);
-    double fine = Math.min(duration / 20, 0.2 * (straight ? depth : Math.min(depth, contact)) / speed);
+    double fine =
+        Math.min(duration / 20, 0.2 * (straight ? depth : Math.min(depth, contact)) / speed);
     double carried = turns ? mass * 0.1 : mass;
     Law acting = turns ? whole.times(0.1) : whole;
     LineHit on =
@@ -236,7 +237,8 @@ final class Hits implements ProofSet {
                 + "'"
                 + coefficients(one)
                 + ">"
-                + ends("Ground", "o", " vector='z'", "a", "o").replace("name='a' point='o'", "name='a' point='o' vector='y'")
+                + ends("Ground", "o", " vector='z'", "a", "o")
+                    .replace("name='a' point='o'", "name='a' point='o' vector='y'")
                 + "</discContact>");
       }
       case BOX_ON_PLANE ->
@@ -294,7 +296,8 @@ final class Hits implements ProofSet {
     text.joint("j", turns ? "R" : "P", "Ground", away ? "p" : "o", "a", "z", more1);
     text.start("j", start, velocity);
     double row = Spread.rounded(end / Spread.one(random, 1, 5, 20, 100));
-    return expected.map(list -> new Scene(name(kind), "", method, text.with(end, row, method), 5 * fine, list));
+    return expected.map(
+        list -> new Scene(name(kind), "", method, text.with(end, row, method), 5 * fine, list));
   }
 
   /** Two bodies on parallel lines. */
@@ -323,7 +326,9 @@ final class Hits implements ProofSet {
     double depth = room * Spread.log(random, 0.002, 0.8);
     Law law = law(random, reduced, speed, depth, springs ? 1 : Spread.one(random, 1.0, 1.5, 2.0));
     double duration = Math.PI * depth / speed;
-    double end = Spread.rounded(way / speed + duration + Spread.even(random, 0.1, 0.9) * Math.min(3, way / speed));
+    double end =
+        Spread.rounded(
+            way / speed + duration + Spread.even(random, 0.1, 0.9) * Math.min(3, way / speed));
     double fine = Math.min(duration / 20, 0.2 * Math.min(depth, contact) / speed);
     LineHit on = new LineHit(m1, m2, 0, offset, radius, pulls, law, true, fine);
     LineHit off = new LineHit(m1, m2, 0, offset, radius, pulls, law, false, fine);
@@ -367,7 +372,8 @@ final class Hits implements ProofSet {
               + "</sphereContact>");
     }
     double row = Spread.rounded(end / Spread.one(random, 1, 5, 20, 100));
-    return expected.map(list -> new Scene(name(kind), "", method, text.with(end, row, method), 5 * fine, list));
+    return expected.map(
+        list -> new Scene(name(kind), "", method, text.with(end, row, method), 5 * fine, list));
   }
 
   /** A pendulum whose bob strikes a ball on a rail near its lowest point. */
@@ -390,12 +396,38 @@ final class Hits implements ProofSet {
     double fine = 0.15 * depth / speed;
     TurningHit on =
         new TurningHit(
-            inertia, mass * 9.81 * arm, arm, ball, arm, -place, 0, -1, 0, 0, radius, false, law,
-            true, fine);
+            inertia,
+            mass * 9.81 * arm,
+            arm,
+            ball,
+            arm,
+            -place,
+            0,
+            -1,
+            0,
+            0,
+            radius,
+            false,
+            law,
+            true,
+            fine);
     TurningHit off =
         new TurningHit(
-            inertia, mass * 9.81 * arm, arm, ball, arm, -place, 0, -1, 0, 0, radius, false, law,
-            false, fine);
+            inertia,
+            mass * 9.81 * arm,
+            arm,
+            ball,
+            arm,
+            -place,
+            0,
+            -1,
+            0,
+            0,
+            radius,
+            false,
+            law,
+            false,
+            fine);
     Method method = Method.any(random);
     double[] begin = {angle, 0, 0, 0};
     Optional<List<Expected>> expected =
@@ -422,7 +454,9 @@ final class Hits implements ProofSet {
             .start("h", angle, 0);
     double row = Spread.rounded(end / Spread.one(random, 1, 5, 20, 100));
     return expected.map(
-        list -> new Scene(name(Kind.BOB_HITS_BALL), "", method, text.with(end, row, method), 5 * fine, list));
+        list ->
+            new Scene(
+                name(Kind.BOB_HITS_BALL), "", method, text.with(end, row, method), 5 * fine, list));
   }
 
   /** A rotor whose tooth strikes a spring-loaded weight. */
@@ -441,8 +475,12 @@ final class Hits implements ProofSet {
     double depth = 0.3 * radius * Spread.log(random, 0.01, 0.8);
     Law law = law(random, reduced, speed, depth, Spread.one(random, 1.0, 1.5));
     double stiffness = Spread.rounded(weight * turning * turning * Spread.log(random, 0.3, 30));
-    double damping = Spread.rounded(2 * Spread.even(random, 0.2, 1) * Math.sqrt(stiffness * weight));
-    double end = Spread.rounded((2 * Math.PI - start + 2 * Math.PI * random.nextInt(3) + Spread.even(random, 1, 5)) / turning);
+    double damping =
+        Spread.rounded(2 * Spread.even(random, 0.2, 1) * Math.sqrt(stiffness * weight));
+    double end =
+        Spread.rounded(
+            (2 * Math.PI - start + 2 * Math.PI * random.nextInt(3) + Spread.even(random, 1, 5))
+                / turning);
     double fine = 0.15 * depth / speed;
     TurningHit on =
         new TurningHit(
@@ -484,7 +522,14 @@ final class Hits implements ProofSet {
             .start("h", start, turning);
     double row = Spread.rounded(end / Spread.one(random, 1, 5, 20, 100));
     return expected.map(
-        list -> new Scene(name(Kind.ROTOR_HITS_PAWL), "", method, text.with(end, row, method), 5 * fine, list));
+        list ->
+            new Scene(
+                name(Kind.ROTOR_HITS_PAWL),
+                "",
+                method,
+                text.with(end, row, method),
+                5 * fine,
+                list));
   }
 
   /** A rotor that pulls a slow mass by a rope, once a turn. */
@@ -504,11 +549,9 @@ final class Hits implements ProofSet {
     double slow = 2 * Math.PI / Math.sqrt((own + k) / mass);
     double end = Spread.rounded(Math.min(60 * period, Spread.even(random, 0.3, 1) * slow));
     TurningHit on =
-        new TurningHit(
-            moment, 0, arm, mass, 0, 0, 1, 0, own, 0, radius, true, law, true, fine);
+        new TurningHit(moment, 0, arm, mass, 0, 0, 1, 0, own, 0, radius, true, law, true, fine);
     TurningHit off =
-        new TurningHit(
-            moment, 0, arm, mass, 0, 0, 1, 0, own, 0, radius, true, law, false, fine);
+        new TurningHit(moment, 0, arm, mass, 0, 0, 1, 0, own, 0, radius, true, law, false, fine);
     Method method = Method.any(random);
     double[] begin = {0, start, turning, 0};
     Optional<List<Expected>> expected =
@@ -532,6 +575,13 @@ final class Hits implements ProofSet {
             .start("x", start, 0);
     double row = Spread.rounded(end / Spread.one(random, 1, 5, 20, 100));
     return expected.map(
-        list -> new Scene(name(Kind.ROTOR_WHIPS_MASS), "", method, text.with(end, row, method), 5 * fine, list));
+        list ->
+            new Scene(
+                name(Kind.ROTOR_WHIPS_MASS),
+                "",
+                method,
+                text.with(end, row, method),
+                5 * fine,
+                list));
   }
 }

@@ -8,12 +8,9 @@ package org.mechservice.library.proof;
  * @param c damping, N s/m
  */
 record Law(double k, double n, double c) {
-  /** Whether the laws are not bounded at zero, for figures of a version that lets them pull. */
-  private static final boolean PULLS = Boolean.getBoolean("proof.pulls");
-
   /** Number of functions at whose zeros the force is not smooth: the depth, the force. */
   int margins() {
-    return c == 0 || PULLS ? 1 : 2;
+    return c == 0 ? 1 : 2;
   }
 
   /** Value of one of them. */

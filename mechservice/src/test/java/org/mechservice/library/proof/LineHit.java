@@ -2,8 +2,8 @@ package org.mechservice.library.proof;
 
 /**
  * One or two bodies on parallel lines and a one-sided law between them: y = [x1, x2, v1, v2], or
- * with a fixed second one y = [x, v]. The distance is ρ = √(s² + e²), s = x1 - x2, and the depth
- * R - ρ of what pushes, ρ - R of what pulls.
+ * with a fixed second one y = [x, v]. The distance is ρ = √(s² + e²), s = x1 - x2, and the depth R
+ * - ρ of what pushes, ρ - R of what pulls.
  *
  * @param m1 mass of the first
  * @param m2 mass of the second; infinite: it is fixed at 0

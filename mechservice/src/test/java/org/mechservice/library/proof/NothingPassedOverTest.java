@@ -75,10 +75,7 @@ class NothingPassedOverTest {
                 set,
                 LongStream.rangeClosed(1, EXPORTED),
                 scene -> ExportedScene.unit(scene, steps, folder));
-        rows.append(
-            units
-                .all()
-                .row("%s, Co-Simulation in %d steps".formatted(set.title(), steps)));
+        rows.append(units.all().row("%s, Co-Simulation in %d steps".formatted(set.title(), steps)));
         silent.addAll(units.silent());
       }
     }

@@ -15,10 +15,11 @@ import org.mechservice.solver.api.program.Trajectory;
 /**
  * Scenes with several one-sided elements on a table that swings: stops, backlash, slack ropes,
  * buffers, couplings of one side, balls on plates, wheels that lift, friction that sticks. The
- * reference is the same model in ten thousand steps at 1e-9, a thousand times more than a run
- * takes over such an interval where nothing happens. In half of the scenes the table and what is on
- * it are on springs, so that something always moves; in the others all is calm between two hits. It runs a second time from a start that is
- * moved by 1e-6, and a scene that is moved by much more is dropped.
+ * reference is the same model in ten thousand steps at 1e-9, a thousand times more than a run takes
+ * over such an interval where nothing happens. In half of the scenes the table and what is on it
+ * are on springs, so that something always moves; in the others all is calm between two hits. It
+ * runs a second time from a start that is moved by 1e-6, and a scene that is moved by much more is
+ * dropped.
  *
  * <pre>
  *   Ground --- table (P along x, on a spring) --- module --- ...
@@ -47,7 +48,8 @@ final class OneSided implements ProofSet {
 
   private record Start(String joint, double q, double v) {}
 
-  private record Parts(SceneText text, List<Start> starts, List<String> joints, boolean calm, boolean[] sticks) {
+  private record Parts(
+      SceneText text, List<Start> starts, List<String> joints, boolean calm, boolean[] sticks) {
     /** Returns the attributes of a spring of a slider, if there are springs. */
     String spring(double stiffness) {
       return calm ? "" : "stiffness='" + stiffness + "' damping='1'";
@@ -135,7 +137,8 @@ final class OneSided implements ProofSet {
   /** Returns the parts of a scene whose start is moved in every coordinate and velocity. */
   private static Parts parts(long seed, double moved) {
     Random random = new Random(49979687 * seed);
-    Parts parts = new Parts(
+    Parts parts =
+        new Parts(
             new SceneText(),
             new ArrayList<>(),
             new ArrayList<>(),
@@ -146,13 +149,7 @@ final class OneSided implements ProofSet {
     parts
         .text()
         .joint(
-            "table",
-            "P",
-            "Ground",
-            "o",
-            "table",
-            "x",
-            parts.spring(Spread.log(random, 500, 5000)));
+            "table", "P", "Ground", "o", "table", "x", parts.spring(Spread.log(random, 500, 5000)));
     start(
         parts,
         "table",

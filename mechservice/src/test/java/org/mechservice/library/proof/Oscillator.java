@@ -25,8 +25,7 @@ record Oscillator(double frequency, double ratio) {
       return 1;
     }
     double decay = Math.exp(-ratio * frequency * s);
-    return decay
-        * (Math.cos(damped() * s) - ratio * frequency / damped() * Math.sin(damped() * s));
+    return decay * (Math.cos(damped() * s) - ratio * frequency / damped() * Math.sin(damped() * s));
   }
 
   /** Returns the position of the free motion. */

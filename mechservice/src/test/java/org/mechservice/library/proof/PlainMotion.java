@@ -61,11 +61,8 @@ final class PlainMotion {
         continue;
       }
       step = error < 0.05 ? 2 * h : h;
-      int crossed = crossed(t + h, next);
-      if (crossed >= 0) {
-        h = crossing(crossed, t, y, h);
-        step(t, y, h);
-        above[crossed] = !above[crossed];
+      if (crossed(t + h, next) >= 0) {
+        h = crossing(t, y, h);
         step = system.fine();
       }
       t += h;
@@ -83,27 +80,24 @@ final class PlainMotion {
     return -1;
   }
 
-  /** Returns the step after which the first margin changes its sign. */
-  private double crossing(int first, double t, double[] y, double h) {
-    int margin = first;
+  /**
+   * Takes the step after which the first margin has just changed its sign, and changes the branch.
+   */
+  private double crossing(double t, double[] y, double h) {
     double low = 0;
     double high = h;
     for (int k = 0; k < 60 && high - low > 1e-16 * (t + h); k++) {
       double middle = 0.5 * (low + high);
       step(t, y, middle);
-      int found = crossed(t + middle, next);
-      if (found >= 0) {
+      if (crossed(t + middle, next) >= 0) {
         high = middle;
-        margin = found;
       } else {
         low = middle;
       }
     }
     step(t, y, high);
-    if (margin != first && system.margin(first, t + high, next) > 0 == above[first]) {
-      above[first] = !above[first];
-      above[margin] = !above[margin];
-    }
+    int first = crossed(t + high, next);
+    above[first] = !above[first];
     return high;
   }
 

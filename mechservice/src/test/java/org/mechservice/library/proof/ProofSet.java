@@ -22,6 +22,8 @@ interface ProofSet {
     return LongStream.rangeClosed(1, 24);
   }
 
-  /** Returns how many were wrong in silence before steps were searched, of how many, for the page. */
+  /**
+   * Returns how many were wrong in silence before steps were searched, of how many, for the page.
+   */
   String before();
 }

@@ -1,7 +1,5 @@
 package org.mechservice.library.proof;
 
-import static org.mechservice.library.proof.SceneText.ends;
-
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -126,8 +124,17 @@ final class Pulses implements ProofSet {
         scene.state("<state name='s' derivative='" + size + "*" + text + "'/>");
         return Optional.of(
             ofStates(
-                target, sweep, window, scene, spring, end, random, method, size * content,
-                size * content, "s"));
+                target,
+                sweep,
+                window,
+                scene,
+                spring,
+                end,
+                random,
+                method,
+                size * content,
+                size * content,
+                "s"));
       }
       case FILTER, TRANSFER_FUNCTION -> {
         double lag = Spread.rounded(end * Spread.log(random, 0.3, 3));
@@ -191,7 +198,12 @@ final class Pulses implements ProofSet {
         double amount = Spread.rounded(mass * size / k);
         scene
             .state(
-                "<pid name='r' kp='" + k + "' measured='x.q' setpoint='" + amount + "*" + text
+                "<pid name='r' kp='"
+                    + k
+                    + "' measured='x.q' setpoint='"
+                    + amount
+                    + "*"
+                    + text
                     + "'/>")
             .force("<jointForce name='f' joint='x' expression='r'/>");
         gain = amount * k / mass;
@@ -204,8 +216,21 @@ final class Pulses implements ProofSet {
       }
     }
     if (driven) {
-      return drivenScene(target, sweep, window, scene, spring, end, random, method, oscillator,
-          pulse, places, size, text, own);
+      return drivenScene(
+          target,
+          sweep,
+          window,
+          scene,
+          spring,
+          end,
+          random,
+          method,
+          oscillator,
+          pulse,
+          places,
+          size,
+          text,
+          own);
     }
     double by = springs && target != Target.STATE_THAT_PUSHES ? k / mass : 0;
     Oscillator exact =
@@ -257,9 +282,18 @@ final class Pulses implements ProofSet {
     double row = Spread.rounded(end / Spread.one(random, 1, 5, 20, 100));
     String kind = target.name().toLowerCase(java.util.Locale.ROOT).replace('_', ' ');
     String detail =
-        " (" + window.kind().name().toLowerCase(java.util.Locale.ROOT) + " of "
-            + sweep.kind().name().toLowerCase(java.util.Locale.ROOT) + ")";
-    return new Scene(kind, detail.strip(), method, scene.with(end, row, method), sweep.shortest(window), expected);
+        " ("
+            + window.kind().name().toLowerCase(java.util.Locale.ROOT)
+            + " of "
+            + sweep.kind().name().toLowerCase(java.util.Locale.ROOT)
+            + ")";
+    return new Scene(
+        kind,
+        detail.strip(),
+        method,
+        scene.with(end, row, method),
+        sweep.shortest(window),
+        expected);
   }
 
   private static Scene ofStates(
@@ -314,8 +348,7 @@ final class Pulses implements ProofSet {
     if (target == Target.DRIVE) {
       scene.driven("d", size + "*" + text);
     } else {
-      scene.constraint(
-          "<CoordConstraint name='c' expression='d.q - " + size + "*" + text + "'/>");
+      scene.constraint("<CoordConstraint name='c' expression='d.q - " + size + "*" + text + "'/>");
     }
     double effect = Math.hypot(v, own * z);
     if (effect < 0.01 * size * own) {

@@ -76,9 +76,7 @@ record RoadCar(
 
   @Override
   public double margin(int i, double t, double[] y) {
-    return i < law.margins()
-        ? law.margin(i, depth(y), rate(y))
-        : y[0] - corners[i - law.margins()];
+    return i < law.margins() ? law.margin(i, depth(y), rate(y)) : y[0] - corners[i - law.margins()];
   }
 
   @Override

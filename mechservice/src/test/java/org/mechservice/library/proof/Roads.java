@@ -56,7 +56,7 @@ final class Roads implements ProofSet {
 
   @Override
   public String before() {
-    return "X";
+    return "15 of 44, seeds 1 to 60";
   }
 
   @Override
@@ -85,9 +85,11 @@ final class Roads implements ProofSet {
     double k = Spread.log(random, 8e4, 4e5);
     boolean damps = isSmooth(shape) && random.nextBoolean();
     double c = damps ? Spread.log(random, 30, 600) : 0;
-    double radius = wheel == Wheel.SPHERE || wheel == Wheel.TYRE ? Spread.even(random, 0.2, 0.4) : 0;
+    double radius =
+        wheel == Wheel.SPHERE || wheel == Wheel.TYRE ? Spread.even(random, 0.2, 0.4) : 0;
     double end =
-        Spread.rounded((way + length) / speed + Spread.even(random, 0.01, 0.2) + 0.1 * length / speed);
+        Spread.rounded(
+            (way + length) / speed + Spread.even(random, 0.01, 0.2) + 0.1 * length / speed);
     Method method = Method.any(random, 1e-4);
     double sag = (wheelMass + bodyMass) * RoadCar.G / k;
     double strut = bodyMass * RoadCar.G / stiffness;
@@ -175,8 +177,7 @@ final class Roads implements ProofSet {
             + " on "
             + road.name().toLowerCase(Locale.ROOT);
     String detail =
-        "(%s, %.3g m at %.3g m/s)"
-            .formatted(shape.name().toLowerCase(Locale.ROOT), length, speed);
+        "(%s, %.3g m at %.3g m/s)".formatted(shape.name().toLowerCase(Locale.ROOT), length, speed);
     String text = scene.with(end, row, method);
     Scene bare = new Scene(name, detail, method, text, 10 * fine, List.of());
     double[] start = {0, -sag, -strut, speed, 0, 0};
@@ -213,8 +214,17 @@ final class Roads implements ProofSet {
             fine);
     RoadCar off =
         new RoadCar(
-            wheelMass, bodyMass, on.carried(), stiffness, damping, on.law(), on.height(),
-            on.slope(), corners, false, fine);
+            wheelMass,
+            bodyMass,
+            on.carried(),
+            stiffness,
+            damping,
+            on.law(),
+            on.height(),
+            on.slope(),
+            corners,
+            false,
+            fine);
     // the suspension is measured from its free length in the reference
     Optional<List<Expected>> expected =
         Ends.of(
@@ -225,6 +235,8 @@ final class Roads implements ProofSet {
             end,
             method);
     return expected.map(
-        list -> bare.expecting(list.stream().map(e -> e.column().equals("z.q") ? e.plus(free) : e).toList()));
+        list ->
+            bare.expecting(
+                list.stream().map(e -> e.column().equals("z.q") ? e.plus(free) : e).toList()));
   }
 }

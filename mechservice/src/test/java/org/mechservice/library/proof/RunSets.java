@@ -5,13 +5,14 @@ import java.util.List;
 import java.util.stream.LongStream;
 
 /**
- * Runs sets by hand: {@code RunSets TITLE FROM TO [FOLDER]} prints the table and every scene that is
- * not right, and writes its model into the folder.
+ * Runs sets by hand: {@code RunSets TITLE FROM TO [FOLDER]} prints the table and every scene that
+ * is not right, and writes its model into the folder.
  */
 final class RunSets {
   private RunSets() {}
 
-  static final List<ProofSet> SETS = List.of(new Hits(), new Ways(), new Roads(), new OneSided(), new Pulses());
+  static final List<ProofSet> SETS =
+      List.of(new Hits(), new Ways(), new Roads(), new OneSided(), new Pulses());
 
   public static void main(String[] arguments) throws Exception {
     for (ProofSet set : SETS) {

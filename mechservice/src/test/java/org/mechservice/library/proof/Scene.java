@@ -16,7 +16,12 @@ import java.util.List;
  * @param expected right values of the last row
  */
 record Scene(
-    String kind, String detail, Method method, String text, double shortest, List<Expected> expected) {
+    String kind,
+    String detail,
+    Method method,
+    String text,
+    double shortest,
+    List<Expected> expected) {
   Scene {
     expected = List.copyOf(expected);
   }

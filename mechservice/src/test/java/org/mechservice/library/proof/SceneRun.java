@@ -50,9 +50,7 @@ record SceneRun(Scene scene, Verdict verdict, double error, String said, String 
     }
     Optional<Trajectory> found = rows;
     return judged(
-        scene,
-        column -> found.map(r -> r.column(column)[r.rows() - 1]).orElse(Double.NaN),
-        said);
+        scene, column -> found.map(r -> r.column(column)[r.rows() - 1]).orElse(Double.NaN), said);
   }
 
   /**
@@ -72,8 +70,7 @@ record SceneRun(Scene scene, Verdict verdict, double error, String said, String 
           "%s = %.9g, right %.9g, bound %.1e; "
               .formatted(expected.column(), actual, expected.value(), expected.bound()));
     }
-    Verdict verdict =
-        worst <= 1 ? Verdict.RIGHT : said.isEmpty() ? Verdict.SILENT : Verdict.TOLD;
+    Verdict verdict = worst <= 1 ? Verdict.RIGHT : said.isEmpty() ? Verdict.SILENT : Verdict.TOLD;
     return new SceneRun(scene, verdict, worst, String.join(" ", said), detail.toString());
   }
 
@@ -98,12 +95,7 @@ record SceneRun(Scene scene, Verdict verdict, double error, String said, String 
     RowMemory rows = new RowMemory();
     RunReport report =
         new RuntimeSolver()
-            .run(
-                compiled.newInstance(),
-                model.request(),
-                rows,
-                new RunControl(),
-                Checkpoints.NONE);
+            .run(compiled.newInstance(), model.request(), rows, new RunControl(), Checkpoints.NONE);
     Trajectory trajectory = new Trajectory(rows, report);
     if (report.outcome() instanceof Outcome.Failed) {
       RunFailedException.throwIfFailed(report, Optional.of(trajectory));

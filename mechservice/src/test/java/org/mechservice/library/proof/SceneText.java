@@ -76,7 +76,13 @@ final class SceneText {
 
   /** Adds a joint at the origin of body2; {@code more} are further attributes. */
   SceneText joint(
-      String name, String type, String body1, String point, String body2, String axis, String more) {
+      String name,
+      String type,
+      String body1,
+      String point,
+      String body2,
+      String axis,
+      String more) {
     String vector = axis.isEmpty() ? "" : " vector='" + axis + "'";
     joints.append("<joint name='" + name + "' type='" + type + "' " + more + "><body1 name='");
     joints.append(body1 + "' point='" + point + "'" + vector + "/><body2 name='" + body2);

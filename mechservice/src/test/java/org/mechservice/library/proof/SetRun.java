@@ -61,7 +61,9 @@ final class SetRun {
     }
   }
 
-  /** Whether the scenes run in steps so short that nothing can be passed over: a check of the set. */
+  /**
+   * Whether the scenes run in steps so short that nothing can be passed over: a check of the set.
+   */
   private static final boolean SHORT_STEPS = Boolean.getBoolean("proof.shortSteps");
 
   /** Head of a table of counts. */
@@ -99,8 +101,7 @@ final class SetRun {
     return result;
   }
 
-  private void run(long seed, Form form)
-      throws IOException, MechmlException, InterruptedException {
+  private void run(long seed, Form form) throws IOException, MechmlException, InterruptedException {
     Optional<Scene> scene = set.scene(seed);
     if (scene.isEmpty()) {
       kinds.computeIfAbsent("sensitive, dropped", name -> new Counts()).dropped++;

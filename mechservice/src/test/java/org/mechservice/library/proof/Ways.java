@@ -69,15 +69,13 @@ final class Ways implements ProofSet {
     double speed = Spread.log(random, 0.5, 50);
     Method method = Method.any(random);
     double mass = Spread.log(random, 0.1, 10);
-    SceneText scene =
-        new SceneText().table(narrow.tables()).body("a", mass, turns ? mass : 0.01);
+    SceneText scene = new SceneText().table(narrow.tables()).body("a", mass, turns ? mass : 0.01);
     String coordinate = "x.q";
     double end;
     List<Expected> expected;
     if (pushesItself) {
       // a tenth to twice of the energy
-      double size =
-          Spread.rounded(speed * speed / 2 / content * Spread.log(random, 0.1, 2));
+      double size = Spread.rounded(speed * speed / 2 / content * Spread.log(random, 0.1, 2));
       Passage passage = Passage.of(bump, size, places, reach, speed);
       end = passage.time();
       double v = passage.speed();
@@ -94,7 +92,11 @@ final class Ways implements ProofSet {
       double allowedV = method.allowed(v);
       expected =
           List.of(
-              new Expected("x.q", reach, allowedQ + end * allowedV, Math.max(effect * end * 0.1, reach - speed * end)),
+              new Expected(
+                  "x.q",
+                  reach,
+                  allowedQ + end * allowedV,
+                  Math.max(effect * end * 0.1, reach - speed * end)),
               new Expected("x.v", v, allowedV, effect));
     } else {
       double size = Spread.rounded(speed * Spread.log(random, 0.3, 3) / content);
@@ -134,7 +136,8 @@ final class Ways implements ProofSet {
         double allowedV = method.allowed(v);
         expected =
             List.of(
-                new Expected("y.q", q, method.allowed(q) + end * allowedV, Math.max(q, 0.1 * v * end)),
+                new Expected(
+                    "y.q", q, method.allowed(q) + end * allowedV, Math.max(q, 0.1 * v * end)),
                 new Expected("y.v", v, allowedV, v));
       }
     }

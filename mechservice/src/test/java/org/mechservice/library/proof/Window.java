@@ -8,8 +8,8 @@ import java.util.stream.DoubleStream;
 import org.mechservice.solver.expression.Table;
 
 /**
- * A function that is zero, or as good as zero, but for a narrow window of its argument, or that rises
- * there from 0 to 1.
+ * A function that is zero, or as good as zero, but for a narrow window of its argument, or that
+ * rises there from 0 to 1.
  *
  * @param kind its form
  * @param low begin of the window
@@ -105,7 +105,13 @@ record Window(Kind kind, double low, double high) {
 
   private double[] tableArguments() {
     return new double[] {
-      low - 3 * width(), low - width(), low, low + edge(), high - edge(), high, high + width(),
+      low - 3 * width(),
+      low - width(),
+      low,
+      low + edge(),
+      high - edge(),
+      high,
+      high + width(),
       high + 3 * width()
     };
   }

@@ -87,9 +87,7 @@ record ContactCoefficients(
     Expression push(Expression rate) {
       Expression elastic = elastic();
       Expression damper =
-          sum(
-              product(product(damping, rate), slope),
-              product(product(dissipation, rate), elastic));
+          sum(product(product(damping, rate), slope), product(product(dissipation, rate), elastic));
       return isZero(damper) ? elastic : bounded(elastic, sum(elastic, damper));
     }
 

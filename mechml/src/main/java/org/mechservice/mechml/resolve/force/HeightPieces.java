@@ -18,9 +18,9 @@ import org.mechservice.solver.expression.Tape;
 import org.mechservice.solver.expression.TapeEvaluation;
 
 /**
- * A height h(s) that is smooth between finitely many places and straight before the first and behind
- * the last of them: a sum of multiples of tables, smoothSteps, absolute values and maxima of what is
- * linear in s.
+ * A height h(s) that is smooth between finitely many places and straight before the first and
+ * behind the last of them: a sum of multiples of tables, smoothSteps, absolute values and maxima of
+ * what is linear in s.
  */
 final class HeightPieces {
   private final TapeEvaluation height;
@@ -83,9 +83,7 @@ final class HeightPieces {
       } else if (e instanceof Sum sum) {
         return of(sum.left())
             .flatMap(
-                a ->
-                    of(sum.right())
-                        .map(b -> new Line(a.slope + b.slope, a.offset + b.offset)));
+                a -> of(sum.right()).map(b -> new Line(a.slope + b.slope, a.offset + b.offset)));
       } else if (e instanceof Negation negation) {
         return of(negation.operand()).map(a -> a.times(-1));
       } else if (e instanceof Product product) {
@@ -121,7 +119,8 @@ final class HeightPieces {
       } else if (e instanceof Negation negation) {
         return isSum(negation.operand());
       } else if (e instanceof Product product) {
-        return isConstant(product.left()) ? isSum(product.right())
+        return isConstant(product.left())
+            ? isSum(product.right())
             : isConstant(product.right()) && isSum(product.left());
       } else if (e instanceof Quotient quotient) {
         return isConstant(quotient.divisor()) && isSum(quotient.dividend());

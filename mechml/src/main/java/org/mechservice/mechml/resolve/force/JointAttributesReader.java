@@ -188,8 +188,7 @@ public final class JointAttributesReader {
       CoordinateValues values, String attribute, Expression at, Side side) {
     Optional<Expression> k = values.positive("stopStiffness", values.stiffness());
     Optional<DampingReader.Damping> c =
-        dampers.read(
-            values.element(), DampingReader.STOP, values.turns(), values::coefficient);
+        dampers.read(values.element(), DampingReader.STOP, values.turns(), values::coefficient);
     Optional<Expression> smoothing = values.notNegative("stopSmoothing", values.position());
     boolean given = values.element().attribute(attribute).isPresent();
     if (!given || k.isEmpty() || c.isEmpty() || smoothing.isEmpty()) {

@@ -7,21 +7,21 @@ import java.util.function.DoubleFunction;
 import org.mechservice.solver.expression.Table;
 
 /**
- * The curves on which the centre of a sphere moves while it touches a profile, for profiles that bend
- * more than the sphere.
+ * The curves on which the centre of a sphere moves while it touches a profile, for profiles that
+ * bend more than the sphere.
  *
- * <p>A sphere of radius R that touches the place s of the curve z = h(s), with the angle of slope θ,
- * has its centre at x = s − R sin θ, z = h + R cos θ. Along the curve x grows where the sphere can
- * touch; it falls where a hollow bends more than the sphere, which bridges it. So the offset curve
- * has <em>branches</em>, the stretches on which x grows. On a convex corner the centre moves on an
- * arc; at a concave one a branch ends and the next begins. The sphere rests on the upper envelope of
- * the branches, and on two of them at once where these cross.
+ * <p>A sphere of radius R that touches the place s of the curve z = h(s), with the angle of slope
+ * θ, has its centre at x = s − R sin θ, z = h + R cos θ. Along the curve x grows where the sphere
+ * can touch; it falls where a hollow bends more than the sphere, which bridges it. So the offset
+ * curve has <em>branches</em>, the stretches on which x grows. On a convex corner the centre moves
+ * on an arc; at a concave one a branch ends and the next begins. The sphere rests on the upper
+ * envelope of the branches, and on two of them at once where these cross.
  *
- * <p>A <em>track</em> is one height over x that joins branches which lie apart. Neighbouring branches
- * lie on different tracks, so that both push where the sphere is in a corner; a corner that the
- * sphere bridges by less than 1e-4 of its radius is one branch with a bend. Beyond its end a
- * branch goes on straight, as the surface does to which it belongs, to where it is deepest below the
- * envelope, and falls off.
+ * <p>A <em>track</em> is one height over x that joins branches which lie apart. Neighbouring
+ * branches lie on different tracks, so that both push where the sphere is in a corner; a corner
+ * that the sphere bridges by less than 1e-4 of its radius is one branch with a bend. Beyond its end
+ * a branch goes on straight, as the surface does to which it belongs, to where it is deepest below
+ * the envelope, and falls off.
  */
 final class SphereTracks {
   /** Least depth of the bridged hollow that parts two branches, by the radius. */
@@ -371,10 +371,11 @@ final class SphereTracks {
         deepest = node;
       }
     }
-    if (deepest != from) {
+    if (depth > 0) {
       all.add(deepest);
     }
-    double lowest = branches.stream().flatMap(b -> b.nodes.stream()).mapToDouble(Node::z).min().orElse(0);
+    double lowest =
+        branches.stream().flatMap(b -> b.nodes.stream()).mapToDouble(Node::z).min().orElse(0);
     double low = Math.min(lowest, deepest.z()) - 4 * radius;
     all.add(new Node(deepest.x() + step, low, 0));
   }

@@ -73,8 +73,7 @@ final class SpringReader {
     for (String attribute : List.of("smoothing", "restitution", "restitutionSpeed")) {
       if (side == Side.BOTH && element.attribute(attribute).isPresent()) {
         return refuse(
-            element,
-            attribute + " has no meaning for a spring that acts on both sides; add side");
+            element, attribute + " has no meaning for a spring that acts on both sides; add side");
       }
     }
     return side == Side.BOTH

@@ -32,8 +32,8 @@ import org.mechservice.solver.spatial.Vector3;
  *
  * The arc on a pulley is R times the angle from the direction before it to that behind it, which is
  * taken between −π/2 and 3π/2. Where it is negative the rope has left the pulley and runs straight
- * past it; length and slope of the length are continuous there. An offset h along n makes a straight
- * part √(ℓ² + h²) long.
+ * past it; length and slope of the length are continuous there. An offset h along n makes a
+ * straight part √(ℓ² + h²) long.
  */
 public final class RopeReader {
   private final FormulaReader formulas;

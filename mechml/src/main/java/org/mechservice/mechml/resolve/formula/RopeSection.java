@@ -69,8 +69,7 @@ final class RopeSection {
         rest.remove(k);
         Expression touched =
             Expression.call(
-                Function.STEP,
-                List.of(angle(passed.get(k - 1), passed.get(k), passed.get(k + 1))));
+                Function.STEP, List.of(angle(passed.get(k - 1), passed.get(k), passed.get(k + 1))));
         Expression left = RopeReader.minus(Expression.of(1), touched);
         length = new Sum(new Product(touched, length), new Product(left, length(rest)));
       }

@@ -15,8 +15,8 @@ class RestitutionTest {
   }
 
   /**
-   * An impact by classical Runge-Kutta steps, some 20 000 of them: its error is 1e-9 at most, and the
-   * force has a corner only at the touch.
+   * An impact by classical Runge-Kutta steps, some 20 000 of them: its error is 1e-9 at most, and
+   * the force has a corner only at the touch.
    */
   @MethodSource("seeds")
   @ParameterizedTest

@@ -64,8 +64,7 @@ class SphereTracksTest {
     for (double s : pieces.breaks()) {
       double way = s - x;
       if (Math.abs(way) <= RADIUS) {
-        highest =
-            Math.max(highest, pieces.value(s) + Math.sqrt(RADIUS * RADIUS - way * way));
+        highest = Math.max(highest, pieces.value(s) + Math.sqrt(RADIUS * RADIUS - way * way));
       }
     }
     return highest;
@@ -73,8 +72,8 @@ class SphereTracksTest {
 
   /**
    * The highest track is where the sphere lies. Places of touch 3e-5 m apart miss the highest by
-   * 3e-5 squared times the curvature of the surface, 2e-6 m for the sharpest roads; beside a wall the
-   * height falls by the slope times the cubic's error across.
+   * 3e-5 squared times the curvature of the surface, 2e-6 m for the sharpest roads; beside a wall
+   * the height falls by the slope times the cubic's error across.
    */
   @MethodSource("seeds")
   @ParameterizedTest
@@ -106,11 +105,12 @@ class SphereTracksTest {
     Expression road = new Expression.TableValue(table, List.of(new Expression.Argument()));
     List<TableCurve> tracks = tracks(HeightPieces.of(road).orElseThrow());
     double expected = Math.sqrt(RADIUS * RADIUS - 0.051 * 0.051);
-    assertThat(tracks.stream().filter(track -> Math.abs(track.at(0) - expected) < 1e-6))
-        .hasSize(2);
+    assertThat(tracks.stream().filter(track -> Math.abs(track.at(0) - expected) < 1e-6)).hasSize(2);
   }
 
-  /** A kerb of straight lines: on the floor, and on an arc of the sphere's radius about its edge. */
+  /**
+   * A kerb of straight lines: on the floor, and on an arc of the sphere's radius about its edge.
+   */
   @Test
   void kerbIsClimbedOnAnArc() {
     Table table =
@@ -133,9 +133,7 @@ class SphereTracksTest {
 
   @Test
   void heightWithASineHasNoPieces() {
-    Expression wave =
-        Expression.call(
-            Function.SIN, List.of(new Expression.Argument()));
+    Expression wave = Expression.call(Function.SIN, List.of(new Expression.Argument()));
     assertThat(HeightPieces.of(wave)).isEmpty();
     assertThat(HeightPieces.of(new Expression.Sum(wave, road(new Random(1))))).isEmpty();
   }

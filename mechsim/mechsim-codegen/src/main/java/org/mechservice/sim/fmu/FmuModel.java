@@ -129,6 +129,11 @@ public record FmuModel(
     return sources.containsKey(WATCHED);
   }
 
+  /** Returns whether the model has closed loops. */
+  boolean hasLoops() {
+    return sources.containsKey("mech_loops.c");
+  }
+
   /** Returns whether the states are independent coordinates of closed loops. */
   boolean isIndependent() {
     return sources.containsKey(INDEPENDENT + ".h");

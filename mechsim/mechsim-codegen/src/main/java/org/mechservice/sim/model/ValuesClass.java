@@ -101,12 +101,7 @@ final class ValuesClass {
     return new Derived(
         Optional.of(
             ValuesPlan.of(
-                model.mechanism().name(),
-                triggers,
-                assignments,
-                watched,
-                outputs,
-                options.form())),
+                model.mechanism().name(), triggers, assignments, watched, outputs, options.form())),
         Optional.empty());
   }
 

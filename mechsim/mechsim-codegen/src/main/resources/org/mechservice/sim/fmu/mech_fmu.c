@@ -642,6 +642,37 @@ static void look_at_overlaps(mech_instance *c, double t) {
   }
 }
 
+/* The same of the state at the end of the last step, moved along its derivative. */
+static int watched_behind(void *run, double ahead, double *quantities) {
+  mech_instance *c = run;
+  const mech_method *a = &c->s.method;
+  double x[MECH_N];
+  int i;
+  for (i = 0; i < MODEL_NX; i++) {
+    x[i] = a->x[i] + ahead * c->dx[i];
+  }
+  return MODEL_watched(&c->s.model, a->t, x, quantities) >= 0;
+}
+
+/* After steps have become too short: goes on from the state behind a change of the equations that
+ * lies within rounding, if there is one. */
+static int goes_on_across(mech_instance *c) {
+  const mech_method *a = &c->s.method;
+  double ahead;
+  int i;
+  if (a->previous == a->t ||
+      MODEL_derivatives(&c->s.model, a->t, a->x, c->dx) < 0) {
+    return 0;
+  }
+  ahead = mech_watch_across(&c->s.watch, &c->watch_work, watched_behind, c, a->t);
+  for (i = 0; i < MODEL_NX; i++) {
+    c->s.x[i] = a->x[i] + ahead * c->dx[i];
+  }
+  c->s.t = a->t;
+  forget(c);
+  return ahead > 0;
+}
+
 /* Ends the last step where something would go unseen in it. */
 static void search_step(mech_instance *c) {
   const mech_method *a = &c->s.method;
@@ -822,6 +853,15 @@ mech_status mech_do_step(mech_instance *c, const char *function, double from, do
       mech_step_result result;
       long left = (long)(MOST_TRIES - (c->s.method.tries - tries));
       result = mech_method_step(&c->s.method, &c->s.model, left);
+#ifdef MODEL_WATCHES
+      if (result == MECH_STEP_TOO_SMALL && goes_on_across(c)) {
+        mech_status status = begin_integration(c, HUGE_VAL);
+        if (status != MECH_OK) {
+          return status;
+        }
+        continue;
+      }
+#endif
       if (result != MECH_STEP_DONE) {
         return step_failed(c, result);
       }

@@ -12,6 +12,8 @@ static const double TURN = 0.5;
 static const double MARGIN = 0.5;
 /* Width to which a change is narrowed down, in units of the last place of time. */
 static const double RESOLUTION = 4;
+/* Distance from a boundary, relative to the size of the argument, beyond rounding. */
+static const double CLEAR = 1e-14;
 /* Way beyond a boundary that is a touch, relative to the largest size of the argument. */
 static const double TOUCH = 1e-12;
 /* Size of a formula, relative to the largest value it has had, that does not matter. */
@@ -34,6 +36,8 @@ enum {
   /* Most evaluations in a step beyond its first division, and most parts of that. */
   MOST_EVALUATIONS = 4000,
   MOST_PARTS = 1000000,
+  /* Roundings of t within which a change lies that steps cannot cross. */
+  ACROSS = 16384,
   /* Depth to which the first way to a hidden value is followed. */
   FORMULA_DEPTH = 20,
   /* Steps within which two changes of a choice follow each other closely, and changes in a row
@@ -227,6 +231,37 @@ static double piece_of(const mech_watch_step *step, double a, double b) {
 static double piece(int choice, const double *point) {
   const mech_watch_step *step = &WATCH_STEP_OF[WATCH_CHOICE_OF[choice].step];
   return piece_of(step, point[step->first], point[step->second]);
+}
+
+/* Distance of an argument from the nearest of ascending points. */
+static double distance_from(const double *points, int count, double x) {
+  int place = interval(points, count, x);
+  return mech_min(place == 0 ? HUGE_VAL : x - points[place - 1],
+                  place == count ? HUGE_VAL : points[place] - x);
+}
+
+/* How far the argument of a choice is from where its piece ends. */
+static double distance(int choice, const double *point) {
+  const mech_watch_step *step = &WATCH_STEP_OF[WATCH_CHOICE_OF[choice].step];
+  const mech_watch_table *table = &WATCH_TABLE_OF[step->table];
+  double a = point[step->first], b = point[step->second];
+  map_parts map;
+  switch (step->operation) {
+    case WATCH_MIN:
+    case WATCH_MAX:
+      return fabs(a - b);
+    case WATCH_FLOOR:
+      return fabs(a - rint(a));
+    case WATCH_SMOOTH_STEP:
+      return mech_min(fabs(a), fabs(a - 1));
+    case WATCH_CURVE:
+      return distance_from(WATCH_NUMBER + table->at, table->points, a);
+    case WATCH_MAP:
+      map = parts_of(table);
+      return mech_min(distance_from(map.x, map.nx, a), distance_from(map.y, map.ny, b));
+    default:
+      return fabs(a);
+  }
 }
 
 /* Whether an operation that is no choice can change much while its argument hardly does. */
@@ -864,6 +899,19 @@ static int changed(const mech_watch_work *w, const double *start, const double *
   return -1;
 }
 
+/* A time just behind a change at which the argument of the choice is off its boundary by more than
+ * rounding, so that equations that compute it in another order choose the same. */
+static double clear(mech_watch_work *w, int choice, double behind, double end, double width) {
+  double t = behind, beyond;
+  for (beyond = width; t + beyond < end && evaluate(w, t, w->narrowing); beyond *= 2) {
+    if (distance(choice, w->narrowing) > CLEAR * w->kept->sizes[choice]) {
+      return t;
+    }
+    t = behind + beyond;
+  }
+  return t;
+}
+
 /* The time just behind the change of a choice in a part. */
 static double narrowed(mech_watch_work *w, int choice, double start, const double *at_start,
                        double end) {
@@ -880,7 +928,7 @@ static double narrowed(mech_watch_work *w, int choice, double start, const doubl
       behind = middle;
     }
   }
-  return behind;
+  return clear(w, choice, behind, end, width);
 }
 
 /* Whether the ends of the step show that a choice changes in it. */
@@ -1089,15 +1137,43 @@ static void prepare(mech_watch_work *w) {
   w->ready = 1;
 }
 
-double mech_watch_search(mech_watch *kept, mech_watch_work *w, mech_watch_path *path, void *run,
-                         double from, double to) {
-  double end;
+static void use(mech_watch_work *w, mech_watch *kept, mech_watch_path *path, void *run) {
   if (!w->ready) {
     prepare(w);
   }
   w->kept = kept;
   w->path = path;
   w->run = run;
+}
+
+double mech_watch_across(mech_watch *kept, mech_watch_work *w, mech_watch_path *path, void *run,
+                         double t) {
+  int crossed = -1;
+  long roundings;
+  use(w, kept, path, run);
+  if (!evaluate(w, 0, w->from)) {
+    return 0;
+  }
+  for (roundings = 1; roundings <= ACROSS; roundings *= 2) {
+    double ahead = (double)roundings * last_place(t);
+    if (!evaluate(w, ahead, w->to)) {
+      return 0;
+    }
+    if (crossed < 0 && !decide(w, w->from, w->to, w->to)) {
+      crossed = changed(w, w->from, w->to);
+    }
+    if (crossed >= 0 && distance(crossed, w->to) > CLEAR * kept->sizes[crossed]) {
+      kept->begun = kept->boxed = 0;
+      return ahead;
+    }
+  }
+  return 0;
+}
+
+double mech_watch_search(mech_watch *kept, mech_watch_work *w, mech_watch_path *path, void *run,
+                         double from, double to) {
+  double end;
+  use(w, kept, path, run);
   w->begin = from;
   w->gave_up = 0;
   kept->longest_first_step = HUGE_VAL;

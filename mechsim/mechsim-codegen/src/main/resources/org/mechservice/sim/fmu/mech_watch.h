@@ -122,5 +122,10 @@ void mech_watch_begin(mech_watch *kept);
 /* Searches a step; returns where it has to end, behind from: to if it may stand. */
 double mech_watch_search(mech_watch *kept, mech_watch_work *work, mech_watch_path *path, void *run,
                          double from, double to);
+/* How far behind t the next change of a choice that matters lies, if that is within rounding and a
+ * state there is behind it by more than rounding; else 0. The path gives the quantities of the state
+ * at t, moved along its derivative for a time. */
+double mech_watch_across(mech_watch *kept, mech_watch_work *work, mech_watch_path *path, void *run,
+                         double t);
 
 #endif

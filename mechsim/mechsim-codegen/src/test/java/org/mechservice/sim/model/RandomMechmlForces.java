@@ -67,6 +67,7 @@ public final class RandomMechmlForces {
     Side side = SIDES.get(random.nextInt(3));
     Expression preload = side == Side.BOTH ? number(5) : Expression.ZERO;
     Expression eps = random.nextBoolean() ? Expression.ZERO : positive(0.1);
+    Expression chi = side == Side.BOTH ? Expression.ZERO : Expression.of(0.5);
     forces.add(
         new SpringDamper(
             name(),
@@ -78,6 +79,7 @@ public final class RandomMechmlForces {
             preload,
             side,
             eps,
+            chi,
             Origin.NONE));
     forces.add(bushing());
     coordinates(true).forEach(c -> forces.add(coupled(c, preload, side, eps)));
@@ -102,6 +104,7 @@ public final class RandomMechmlForces {
                         preload,
                         side,
                         eps,
+                        chi,
                         Origin.NONE)));
     coordinates(false)
         .forEach(
@@ -181,8 +184,10 @@ public final class RandomMechmlForces {
         positive(0.3),
         frame(),
         random.nextBoolean() ? Expression.ZERO : bump,
+        List.of(),
         positive(100),
         positive(3),
+        Expression.of(0.5),
         Expression.of(random.nextBoolean() ? 1 : 1.5),
         positive(0.2),
         random.nextBoolean() ? Expression.ZERO : positive(0.5),

@@ -3,9 +3,9 @@ package org.mechservice.solver.expression;
 import java.util.function.DoubleUnaryOperator;
 
 /**
- * Bounds of the values that operations take while their operands run through intervals. Rounding
- * is included; where an operation is not defined on a part of its
- * operands, that part is left out, and what has no bound is infinite.
+ * Bounds of the values that operations take while their operands run through intervals. Rounding is
+ * included; where an operation is not defined on a part of its operands, that part is left out, and
+ * what has no bound is infinite.
  *
  * <p>R. E. Moore, <i>Interval Analysis</i>, Prentice-Hall 1966.
  */

@@ -211,6 +211,11 @@ public final class MapSurface implements TapeStep {
     return k * originY.length + (int) NumberTable.interval(y, 0, y.length, b);
   }
 
+  /** Returns the distance of a point from the nearest line of the grid, along one argument. */
+  double distanceFromLine(double a, double b) {
+    return Math.min(TableCurve.distance(x, a), TableCurve.distance(y, b));
+  }
+
   /** Returns how many lines of the grid, along one argument at most, two intervals cross. */
   int crossings(double aFrom, double aTo, double bFrom, double bTo) {
     double alongX =

@@ -59,18 +59,13 @@ public record Table(
   }
 
   /** A table whose method chooses the slopes at the points. */
-  public Table(
-      String name, List<Double> x, List<Double> y, Method method, Extrapolation outside) {
+  public Table(String name, List<Double> x, List<Double> y, Method method, Extrapolation outside) {
     this(name, x, y, List.of(), method, outside);
   }
 
   /** A table of cubics with given slopes at the points; the curvature jumps there. */
   public static Table hermite(
-      String name,
-      List<Double> x,
-      List<Double> y,
-      List<Double> slopes,
-      Extrapolation outside) {
+      String name, List<Double> x, List<Double> y, List<Double> slopes, Extrapolation outside) {
     return new Table(name, x, y, slopes, Method.AKIMA, outside);
   }
 

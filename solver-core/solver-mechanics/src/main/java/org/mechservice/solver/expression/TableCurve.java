@@ -197,6 +197,18 @@ public final class TableCurve implements TapeStep {
     return (int) NumberTable.interval(knots, 0, knots.length, x);
   }
 
+  /** Returns the distance of an argument from the nearest point. */
+  double distanceFromPoint(double x) {
+    return distance(knots, x);
+  }
+
+  static double distance(double[] knots, double x) {
+    int place = (int) NumberTable.interval(knots, 0, knots.length, x);
+    double before = place == 0 ? Double.POSITIVE_INFINITY : x - knots[place - 1];
+    double ahead = place == knots.length ? Double.POSITIVE_INFINITY : knots[place] - x;
+    return Math.min(before, ahead);
+  }
+
   /** Finds the bounds of the values for arguments in an interval. */
   void bounds(double from, double to, Enclosure bounds) {
     bounds.set(Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY);

@@ -50,7 +50,6 @@ public final class TapePieces {
   /** Slots whose way is no parabola. */
   private final boolean[] rough;
 
-
   /** Steps that are choices of the state, and the index among them of each step, −1 of others. */
   private final int[] choices;
 
@@ -69,8 +68,8 @@ public final class TapePieces {
   /**
    * Makes a workspace for a tape.
    *
-   * @param formulas number of results that are formulas; the others, behind them, are choices
-   *     whose piece alone counts, whatever stands in their argument
+   * @param formulas number of results that are formulas; the others, behind them, are choices whose
+   *     piece alone counts, whatever stands in their argument
    */
   public TapePieces(Tape tape, int formulas) {
     this(tape, formulas, false);
@@ -100,9 +99,7 @@ public final class TapePieces {
       TapeStep step = tape.operation[i];
       boolean watched =
           moves[tape.target[i]]
-              && (ofTime
-                  ? tape.target[i] == tape.result[0] && hasPlaces(step)
-                  : hasPieces(step));
+              && (ofTime ? tape.target[i] == tape.result[0] && hasPlaces(step) : hasPieces(step));
       choiceAt[i] = watched ? count : -1;
       if (watched) {
         found[count++] = i;
@@ -174,7 +171,9 @@ public final class TapePieces {
     return step instanceof TableCurve curve ? curve.hasCorners() : ((MapSurface) step).hasCorners();
   }
 
-  /** Returns whether an operation that is no choice can change much while its argument hardly does. */
+  /**
+   * Returns whether an operation that is no choice can change much while its argument hardly does.
+   */
   private static boolean isNarrow(TapeStep step) {
     if (step instanceof Operation operation) {
       return switch (operation) {
@@ -285,6 +284,28 @@ public final class TapePieces {
   public double piece(int choice, double[] point) {
     int i = choices[choice];
     return piece(tape.operation[i], point[tape.first[i]], point[tape.second[i]]);
+  }
+
+  /**
+   * Returns how far the argument of a choice is, at a point, from where its piece ends, in the unit
+   * of the argument.
+   */
+  public double distance(int choice, double[] point) {
+    int i = choices[choice];
+    double a = point[tape.first[i]];
+    double b = point[tape.second[i]];
+    TapeStep step = tape.operation[i];
+    if (step instanceof Operation operation) {
+      return switch (operation) {
+        case MIN, MAX -> Math.abs(a - b);
+        case FLOOR -> Math.abs(a - Math.rint(a));
+        case SMOOTH_STEP -> Math.min(Math.abs(a), Math.abs(a - 1));
+        default -> Math.abs(a);
+      };
+    }
+    return step instanceof TableCurve curve
+        ? curve.distanceFromPoint(a)
+        : ((MapSurface) step).distanceFromLine(a, b);
   }
 
   private static double piece(TapeStep step, double a, double b) {

@@ -380,10 +380,7 @@ public final class Mechanism {
    * Returns whether the state or the equations of a run may change abruptly, or over a short way.
    */
   public boolean mayChangeAbruptly() {
-    return !events.isEmpty()
-        || !samplings.isEmpty()
-        || mayJump()
-        || !watchedFormulas().isEmpty();
+    return !events.isEmpty() || !samplings.isEmpty() || mayJump() || !watchedFormulas().isEmpty();
   }
 
   /** Returns the states besides positions and velocities, in file order. */

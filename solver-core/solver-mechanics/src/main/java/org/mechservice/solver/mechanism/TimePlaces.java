@@ -141,21 +141,7 @@ final class TimePlaces {
     return switch (function) {
       case STEP, SIGNUM, FLOOR, ABS, SMOOTH_STEP, MIN, MAX -> true;
       // smooth wherever they are defined
-      case SQRT,
-          SIN,
-          COS,
-          TAN,
-          ASIN,
-          ACOS,
-          ATAN,
-          ATAN2,
-          EXP,
-          LOG,
-          POW,
-          SINH,
-          COSH,
-          TANH,
-          HYPOT ->
+      case SQRT, SIN, COS, TAN, ASIN, ACOS, ATAN, ATAN2, EXP, LOG, POW, SINH, COSH, TANH, HYPOT ->
           false;
     };
   }
@@ -175,8 +161,7 @@ final class TimePlaces {
 
   /** Adds the places of a choice. */
   private void choice(Expression part) {
-    List<Optional<Line>> arguments =
-        Expression.operands(part).stream().map(this::line).toList();
+    List<Optional<Line>> arguments = Expression.operands(part).stream().map(this::line).toList();
     if (!arguments.stream().allMatch(Optional::isPresent)) {
       searchInterval(part);
     } else if (part instanceof TableValue value) {
@@ -226,16 +211,28 @@ final class TimePlaces {
       }
     }
     if (Double.isFinite(to - from)) {
-  halve(new Search(pieces, leaves, time, pieces.newPoint()), from, to, 0);
+      halve(new Search(pieces, leaves, time), from, to, 0);
     }
   }
 
-  /**
-   * @param leaves values of the leaves
-   * @param time index of the time among them
-   * @param point values of the tape
-   */
-  private record Search(TapePieces pieces, double[] leaves, int time, double[] point) {
+  /** A choice as a function of time. */
+  private static final class Search {
+    private final TapePieces pieces;
+    private final double[] leaves;
+    private final int time;
+    private final double[] point;
+
+    /**
+     * @param leaves values of the leaves; that of the time changes
+     * @param time index of the time among them
+     */
+    Search(TapePieces pieces, double[] leaves, int time) {
+      this.pieces = pieces;
+      this.leaves = leaves;
+      this.time = time;
+      point = pieces.newPoint();
+    }
+
     boolean isDecided(double start, double end) {
       pieces.setLeaf(time, start, end);
       return pieces.decide();

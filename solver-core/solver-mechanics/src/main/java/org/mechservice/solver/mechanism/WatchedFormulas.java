@@ -104,21 +104,7 @@ final class WatchedFormulas implements ForceVisitor<List<Expression>> {
   private static boolean isMadeOfPieces(Function function) {
     return switch (function) {
       case ABS, MIN, MAX, SIGNUM, FLOOR, STEP, SMOOTH_STEP -> true;
-      case SQRT,
-          SIN,
-          COS,
-          TAN,
-          ASIN,
-          ACOS,
-          ATAN,
-          ATAN2,
-          EXP,
-          LOG,
-          POW,
-          SINH,
-          COSH,
-          TANH,
-          HYPOT ->
+      case SQRT, SIN, COS, TAN, ASIN, ACOS, ATAN, ATAN2, EXP, LOG, POW, SINH, COSH, TANH, HYPOT ->
           false;
     };
   }
@@ -229,8 +215,7 @@ final class WatchedFormulas implements ForceVisitor<List<Expression>> {
 
   @Override
   public List<Expression> jointSpringDamper(JointSpringDamper force) {
-    return oneSided(
-        force.side(), new CoordinatePosition(force.coordinate()), force.position0());
+    return oneSided(force.side(), new CoordinatePosition(force.coordinate()), force.position0());
   }
 
   @Override
@@ -304,7 +289,7 @@ final class WatchedFormulas implements ForceVisitor<List<Expression>> {
 
   @Override
   public List<Expression> pairForce(PairForce force) {
-    return List.of(force.load());
+    return force.outputs().isEmpty() ? force.wrench() : List.of(force.load());
   }
 
   @Override

@@ -134,8 +134,7 @@ public final class RandomForces {
       case FORCE_TORQUE_BODY -> wrench(name, ForceTorque.Axes.BODY);
       case JOINT_FORCE -> new JointForce(name, pick(velocities), formula(3), Origin.NONE);
       case CONTACT_PLANE -> contact(name, Expression.ZERO, 1.5);
-      case CONTACT_PROFILE ->
-          contact(name, hills(), 1 + random.nextInt(2));
+      case CONTACT_PROFILE -> contact(name, hills(), 1 + random.nextInt(2));
       case FRICTION -> friction(name, pick(velocities));
       case USER_WITH_DIFFERENCES -> user(name, "differences");
       case USER_WITH_DERIVATIVES -> user(name, "derivatives");

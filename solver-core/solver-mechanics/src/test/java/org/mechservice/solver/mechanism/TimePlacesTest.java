@@ -33,7 +33,13 @@ final class TimePlacesTest {
   }
 
   private static List<Double> places(Expression formula, double from, double to) {
-    Mechanism empty = new Mechanism("m", new Root("ground", Vector3.ZERO, Rotation.IDENTITY), Vector3.ZERO, List.of(), List.of());
+    Mechanism empty =
+        new Mechanism(
+            "m",
+            new Root("ground", Vector3.ZERO, Rotation.IDENTITY),
+            Vector3.ZERO,
+            List.of(),
+            List.of());
     Mechanism mechanism =
         empty.withFurtherStates(List.of(new FurtherState("s", 0, formula, "1", 0, Origin.NONE)));
     return mechanism.timeJumps(from, to);

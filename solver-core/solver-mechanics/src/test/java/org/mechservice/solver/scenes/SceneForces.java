@@ -138,8 +138,7 @@ final class SceneForces {
     }
 
     Expression rate(int axis) {
-      return new Expression.RelativeMotion(
-          frame1, frame2, Expression.RelativeMotion.RATE + axis);
+      return new Expression.RelativeMotion(frame1, frame2, Expression.RelativeMotion.RATE + axis);
     }
 
     /** Returns a force on the point, by its components in the axes of the frame. */
@@ -259,8 +258,7 @@ final class SceneForces {
         minus(
             times(slope, new Expression.PointVelocity(center, 0)),
             new Expression.PointVelocity(center, 2));
-    return oneSided(
-        d, rate, number(force, "kt"), number(force, "ct"), number(force, "eps"));
+    return oneSided(d, rate, number(force, "kt"), number(force, "ct"), number(force, "eps"));
   }
 
   /** kd (v0 t − x) + cd (v0 − x') of the frame's guide. */

@@ -14,13 +14,13 @@ import org.mechservice.solver.ode.SavedState;
  * <p>What may be off is measured by the energy that has moved: the largest of the ranges of kinetic
  * and of potential energy and of half the energy that forces without potential have added and
  * removed. At most {@value #LEAST_PART} to {@value #MOST_PART} of it may be missing, by the
- * tolerance; beside that, {@value #TOLERANCES} tolerances of all energy, but never more than {@value
- * #MOST_PART} of it, for what integration loses of an energy that stays where it is, as that of a
- * rotor.
+ * tolerance, or {@value #TOLERANCES} tolerances of all energy if that is more, but never more than
+ * {@value #MOST_PART} of it: integration loses some of an energy that stays where it is, too, as
+ * that of a rotor.
  *
- * <p>The balance is looked at every {@value #STRIDE} steps and at the end of the run. Whether a
- * drift is too large is decided by the energy that has moved up to then; when it began, from the
- * times at which it has grown by a half. Nothing allocates in a step.
+ * <p>The balance is looked at in every row, after {@value #STRIDE} steps without one and at the end
+ * of the run. Whether a drift is too large is decided by the energy that has moved up to then; when
+ * it began, from the times at which it has grown by a half. Nothing allocates in a step.
  */
 final class EnergyNet {
   /** Largest part of the energy that has moved that may be missing at tight tolerances. */
@@ -101,16 +101,29 @@ final class EnergyNet {
    * @param turned energy added and removed since the start, J
    */
   void look(double t, double[] y, double work, double turned) {
-    sinceLook = 0;
     model.orElseThrow().energy(t, y, energy);
-    double off = Math.abs(energy[0] + energy[1] - work - start[0]);
+    look(t, energy[0], energy[1], work, turned);
+  }
+
+  /**
+   * Looks at the balance where the energies are known.
+   *
+   * @param t time, s
+   * @param kinetic kinetic energy, J
+   * @param potential potential energy, J
+   * @param work work since the start, J
+   * @param turned energy added and removed since the start, J
+   */
+  void look(double t, double kinetic, double potential, double work, double turned) {
+    sinceLook = 0;
+    double off = Math.abs(kinetic + potential - work - start[0]);
     unknown |= Double.isNaN(off);
-    range[0] = Math.max(range[0], energy[0]);
-    range[1] = Math.min(range[1], energy[0]);
-    range[2] = Math.max(range[2], energy[1]);
-    range[3] = Math.min(range[3], energy[1]);
+    range[0] = Math.max(range[0], kinetic);
+    range[1] = Math.min(range[1], kinetic);
+    range[2] = Math.max(range[2], potential);
+    range[3] = Math.min(range[3], potential);
     turnover = turned;
-    double sizes = energy[0] + Math.abs(energy[1]) + turned + Math.abs(start[0]);
+    double sizes = kinetic + Math.abs(potential) + turned + Math.abs(start[0]);
     rounding = Math.max(rounding, ROUNDING * sizes);
     if (off > rounding && off > GROWTH * drift && count < MOST_TIMES) {
       times[count] = t;
@@ -140,7 +153,7 @@ final class EnergyNet {
     double accumulated = Math.min(MOST_PART, TOLERANCES * tolerance);
     double all = Math.max(range[0], Math.max(range[2] - start[2], start[2] - range[3]));
     double part = Math.max(LEAST_PART, accumulated);
-    return part * moved() + accumulated * Math.max(all, turnover / 2) + rounding;
+    return Math.max(part * moved(), accumulated * Math.max(all, turnover / 2)) + rounding;
   }
 
   /** Returns the note that the balance is off, if it is. */

@@ -73,8 +73,7 @@ final class RowWriter {
    *     then not written
    * @throws IOException if the sink cannot keep the row
    */
-  int write(
-      double time, double t, double[] y, double work, double turnover, boolean unmeasured)
+  int write(double time, double t, double[] y, double work, double turnover, boolean unmeasured)
       throws IOException {
     row[0] = time;
     System.arraycopy(y, 0, row, 1, yDot.length);
@@ -118,7 +117,7 @@ final class RowWriter {
    * the work since the first row is the change of the energy since then: what drives put in less
    * what dampers and friction take out.
    *
-   * @return as {@link #write(double, double, double[], double, double)}
+   * @return as {@link #write(double, double, double[], double, double, boolean)}
    */
   int write(double t, double[] y) throws IOException {
     double work = 0;

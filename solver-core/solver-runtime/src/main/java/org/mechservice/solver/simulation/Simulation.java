@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.Solver;
+import org.mechservice.solver.api.capability.Energies;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.capability.MomentumBalance;
@@ -366,6 +367,15 @@ public final class Simulation implements Solver {
       }
     }
 
+    /** Looks at the balance in a row, where the energies are known. */
+    private void lookAtRow(double t) {
+      double done = rows.measuresWork() ? work.work() : stepWork.work(t);
+      if (model instanceof Energies && !Double.isNaN(done)) {
+        EnergyMonitor energy = rows.energyMonitor();
+        energyNet.look(t, energy.kinetic(), energy.potential(), done, stepWork.turnover());
+      }
+    }
+
     /** Makes steps end exactly at the rows. */
     void breakAtRows() {
       List<Double> times = new ArrayList<>();
@@ -461,11 +471,11 @@ public final class Simulation implements Solver {
         }
         boolean unmeasured = !rows.measuresWork() && stepWork.turnover() > 0;
         int badColumn =
-            rows.write(
-                t, equations.evaluationTime(t), y, work.work(), work.turnover(), unmeasured);
+            rows.write(t, equations.evaluationTime(t), y, work.work(), work.turnover(), unmeasured);
         if (badColumn != RowWriter.ALL_FINITE) {
           return badColumn;
         }
+        lookAtRow(t);
         int drifted = failures.drifted();
         if (drifted != RowWriter.ALL_FINITE) {
           return drifted;

@@ -7,9 +7,9 @@ import org.mechservice.solver.ode.SavedState;
 import org.mechservice.solver.simulation.equations.ModelEquations;
 
 /**
- * The work of all forces without potential energy to about a thousandth of the energy that they
- * add and remove, with one evaluation of their power in a step: enough to tell whether the balance
- * of energy holds, at a part of the cost of {@link WorkMeter}.
+ * The work of all forces without potential energy to about a thousandth of the energy that they add
+ * and remove, with one evaluation of their power in a step: enough to tell whether the balance of
+ * energy holds, at a part of the cost of {@link WorkMeter}.
  *
  * <p>The power at the ends of steps is interpolated by the cubic through the last four of them and
  * integrated over the last step. Where that differs from the parabola through the last three by
@@ -56,6 +56,10 @@ final class StepWork {
   private double flow;
   private double work;
   private double turnover;
+  private double turnoverBefore;
+
+  /** Whether the last step has its work from the cubic. */
+  private boolean even;
 
   private StepWork(ModelEquations equations, Integrator integrator, PowerInput source) {
     this.equations = equations;
@@ -85,6 +89,7 @@ final class StepWork {
     double from = integrator.previousTime();
     double to = integrator.time();
     double h = to - from;
+    turnoverBefore = turnover;
     if (source == NOTHING || !(h > 0)) {
       return;
     }
@@ -96,8 +101,10 @@ final class StepWork {
     if (Math.abs(cubic - parabola) <= EVEN * h * rate) {
       work += cubic;
       turnover += h * rate;
+      even = true;
       return;
     }
+    even = false;
     double last = powers[KEPT - 1];
     double lastFlow = flow;
     power(from + inset(from));
@@ -138,7 +145,8 @@ final class StepWork {
 
   /** Returns the mean of the interpolated power over a step, without the oldest values. */
   private double mean(double from, double h, int oldest) {
-    return 0.5 * (interpolated(from + GAUSS * h, oldest) + interpolated(from + (1 - GAUSS) * h, oldest));
+    return 0.5
+        * (interpolated(from + GAUSS * h, oldest) + interpolated(from + (1 - GAUSS) * h, oldest));
   }
 
   /** Returns the power by Lagrange's formula. */
@@ -158,7 +166,13 @@ final class StepWork {
 
   /** Adds the work of a part of the last step by Lobatto's rule; its ends are known. */
   private void along(
-      double from, double first, double firstFlow, double to, double last, double lastFlow, int more) {
+      double from,
+      double first,
+      double firstFlow,
+      double to,
+      double last,
+      double lastFlow,
+      int more) {
     double h = to - from;
     double t1 = from + INNER * h;
     double t2 = to - INNER * h;
@@ -203,6 +217,17 @@ final class StepWork {
   /** Returns the work up to the end of the last step, J; positive into the mechanism. */
   double work() {
     return work;
+  }
+
+  /**
+   * Returns the work up to a time within the last step, J; NaN where the power is too uneven in it.
+   */
+  double work(double t) {
+    double left = integrator.time() - t;
+    if (left == 0 || turnover == turnoverBefore) {
+      return work;
+    }
+    return even ? work - left * mean(t, left, 0) : Double.NaN;
   }
 
   /** Returns the sum of added and removed energy up to then, J. */

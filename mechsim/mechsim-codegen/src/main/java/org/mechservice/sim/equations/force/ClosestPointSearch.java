@@ -50,9 +50,7 @@ final class ClosestPointSearch {
       Scalar square = one.plus(at.slope().squared());
       Scalar full = square.plus(at.height().minus(z).times(at.bend()));
       Scalar divisor =
-          straight
-              ? square
-              : e.function(MathFunction.MAX, full, square.times(ClosestPoint.LEAST));
+          straight ? square : e.function(MathFunction.MAX, full, square.times(ClosestPoint.LEAST));
       step = g.over(divisor);
       at = curve.at(at.way().minus(step));
     }

@@ -12,8 +12,8 @@ import org.mechservice.sim.symbolic.ScalarVector;
 
 /**
  * Push and friction of a surface at the closest point of each of its curves, summed up. Legend: R
- * the radius; (x, y, z) the centre in the surface's frame; n = (−sin θ, 0, cos θ) the normal and t =
- * (cos θ, 0, sin θ) the tangent; (s, r) sliding velocity along t and y at the point R below the
+ * the radius; (x, y, z) the centre in the surface's frame; n = (−sin θ, 0, cos θ) the normal and t
+ * = (cos θ, 0, sin θ) the tangent; (s, r) sliding velocity along t and y at the point R below the
  * centre along n.
  */
 final class ContactTerm implements ForceTerm {

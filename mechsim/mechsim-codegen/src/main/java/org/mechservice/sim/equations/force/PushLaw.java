@@ -5,10 +5,10 @@ import org.mechservice.sim.symbolic.MathFunction;
 import org.mechservice.sim.symbolic.Scalar;
 
 /**
- * The force of two things that push each other while they overlap by x and exert no force while they
- * are apart: the law of {@code solver.force.law.OneSidedLaw}, in its order of operations. With p =
- * pos(x), E = k pⁿ and D = c x′ pos′(x) + χ x′ E it is F = max(0, E + D), and with ε &gt; 0 F = ½ E
- * φ(2 + 2 D/E), φ a rounded positive part.
+ * The force of two things that push each other while they overlap by x and exert no force while
+ * they are apart: the law of {@code solver.force.law.OneSidedLaw}, in its order of operations. With
+ * p = pos(x), E = k pⁿ and D = c x′ pos′(x) + χ x′ E it is F = max(0, E + D), and with ε &gt; 0 F =
+ * ½ E φ(2 + 2 D/E), φ a rounded positive part.
  *
  * @param k stiffness, N/mⁿ
  * @param n exponent
@@ -26,8 +26,7 @@ record PushLaw(Scalar k, double n, Scalar c, Scalar chi, double eps) {
   }
 
   private Scalar damper(Scalar x, Scalar rate, Scalar elastic) {
-    Scalar linear =
-        c.isZero() ? c : rate.times(c).times(new SmoothPart(x, eps).slope());
+    Scalar linear = c.isZero() ? c : rate.times(c).times(new SmoothPart(x, eps).slope());
     return chi.isZero() ? linear : linear.plus(rate.times(chi).times(elastic));
   }
 

@@ -99,6 +99,20 @@ public interface ModelEvents {
     return to;
   }
 
+  /**
+   * Moves a state in front of a change of the form of the equations behind it, if there is one
+   * within rounding.
+   *
+   * @param t where the integrator's steps have become too short, s
+   * @param y state there, loops closed; not modified
+   * @param yDot its derivative; not modified
+   * @param behind the state moved along its derivative by some roundings of t; overwritten
+   * @return whether there is such a change
+   */
+  default boolean moveAcross(double t, double[] y, double[] yDot, double[] behind) {
+    return false;
+  }
+
   /** Returns the longest first step behind the last end that {@link #seenUntil} has set, s. */
   default double longestFirstStep() {
     return Double.POSITIVE_INFINITY;

@@ -141,7 +141,17 @@ public final class NearestPositions {
   }
 
   /** A state with its largest relative residual beyond rounding, and its distance. */
-  private record Attempt(double[] y, double residual, double distance) {
+  private static final class Attempt {
+    private final double[] y;
+    private final double residual;
+    private final double distance;
+
+    Attempt(double[] y, double residual, double distance) {
+      this.y = y;
+      this.residual = residual;
+      this.distance = distance;
+    }
+
     boolean closes() {
       return residual <= LoopRounding.MISFIT;
     }

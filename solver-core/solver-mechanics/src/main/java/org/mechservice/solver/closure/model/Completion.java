@@ -169,7 +169,17 @@ public final class Completion {
   }
 
   /** End of the positions that can be followed. */
-  private record Obstacle(LoopContinuation.End end, double time, double[] positions) {}
+  private static final class Obstacle {
+    final LoopContinuation.End end;
+    final double time;
+    final double[] positions;
+
+    Obstacle(LoopContinuation.End end, double time, double[] positions) {
+      this.end = end;
+      this.time = time;
+      this.positions = positions.clone();
+    }
+  }
 
   /**
    * @param start ranks of the equations of the loops
@@ -304,7 +314,7 @@ public final class Completion {
             ofPositions.freedom() > 0);
     if (end != LoopContinuation.End.REACHED) {
       double time = from.time + continuation.reached() * (t - from.time);
-      obstacle = Optional.of(new Obstacle(end, time, continuation.positions().clone()));
+      obstacle = Optional.of(new Obstacle(end, time, continuation.positions()));
       return false;
     }
     orientation = continuation.orientation();
@@ -400,7 +410,7 @@ public final class Completion {
               followed,
               false);
       if (end != LoopContinuation.End.REACHED) {
-        return Optional.of(new Obstacle(end, t, continuation.positions().clone()));
+        return Optional.of(new Obstacle(end, t, continuation.positions()));
       }
     }
     return Optional.empty();

@@ -150,6 +150,11 @@ public final class StateEvents implements ModelEvents, ModelState {
   }
 
   @Override
+  public boolean moveAcross(double t, double[] y, double[] yDot, double[] behind) {
+    return search.isPresent() && search.get().moveAcross(t, y, yDot, behind);
+  }
+
+  @Override
   public double longestFirstStep() {
     return search.isPresent() ? search.get().longestFirstStep() : Double.POSITIVE_INFINITY;
   }

@@ -44,6 +44,12 @@ final class StepSearch {
   /** Width to which a change is narrowed down, in units of the last place of time. */
   private static final double RESOLUTION = 4;
 
+  /** Distance from a boundary, relative to the size of the argument, beyond rounding. */
+  private static final double CLEAR = 1e-14;
+
+  /** Roundings of t within which a change lies that steps cannot cross. */
+  private static final double ROUNDINGS = 16_384;
+
   /**
    * Way beyond a boundary that is a touch, relative to the largest size that the argument has had:
    * where a step begins on a boundary, rounding takes it to one side or the other.
@@ -65,7 +71,9 @@ final class StepSearch {
   /** Size of a formula, relative to the largest value it has had, that does not matter. */
   private static final double NOTHING = 1e-3;
 
-  /** Growth of a box beside a step, in lengths of the step's way: at most, at least, and between. */
+  /**
+   * Growth of a box beside a step, in lengths of the step's way: at most, at least, and between.
+   */
   private static final double LARGE_BOX = 16;
 
   private static final double SMALL_BOX = 1;
@@ -109,7 +117,6 @@ final class StepSearch {
 
   /** Where the sign of an event changes first, if that shows; NaN if it has not yet. */
   private final double[] firstSeen;
-
 
   private final double[] boxLow;
   private final double[] boxHigh;
@@ -271,8 +278,7 @@ final class StepSearch {
     }
     read(atTo, piecesTo, valueTo);
     for (int r = 0; r < largest.length; r++) {
-      largest[r] =
-          Math.max(largest[r], Math.max(Math.abs(valueFrom[r]), Math.abs(valueTo[r])));
+      largest[r] = Math.max(largest[r], Math.max(Math.abs(valueFrom[r]), Math.abs(valueTo[r])));
     }
     int parts = parts(to - from);
     Arrays.fill(firstSeen, Double.NaN);
@@ -392,9 +398,7 @@ final class StepSearch {
       }
     }
     double found = searchPart(path, depth + 1, start, atStart, middle, between);
-    return Double.isNaN(found)
-        ? searchPart(path, depth + 1, middle, between, end, atEnd)
-        : found;
+    return Double.isNaN(found) ? searchPart(path, depth + 1, middle, between, end, atEnd) : found;
   }
 
   /** Notes that this step is accepted without being searched to its end. */
@@ -468,7 +472,22 @@ final class StepSearch {
         behind = middle;
       }
     }
-    return behind;
+    return clear(path, choice, behind, end, width);
+  }
+
+  /**
+   * Returns a time just behind a change at which the argument of the choice is off its boundary by
+   * more than rounding, so that equations that compute it in another order choose the same.
+   */
+  private double clear(ModelEvents.Path path, int choice, double behind, double end, double width) {
+    double t = behind;
+    for (double beyond = width; t + beyond < end && evaluate(path, t, narrowing); beyond *= 2) {
+      if (pieces.distance(choice, narrowing) > CLEAR * sizes[choice]) {
+        return t;
+      }
+      t = behind + beyond;
+    }
+    return t;
   }
 
   /** Returns the place of a change if it ends the step, else NaN. */
@@ -531,6 +550,36 @@ final class StepSearch {
       }
     }
     return true;
+  }
+
+  /**
+   * Moves a state along its derivative across the next change of a choice that matters, if that is
+   * within {@value #ROUNDINGS} roundings of t.
+   *
+   * @param behind overwritten
+   * @return whether there is such a change
+   */
+  boolean moveAcross(double t, double[] y, double[] yDot, double[] behind) {
+    quantities.evaluate(t, y, here);
+    pieces.at(here, atFrom);
+    int crossed = -1;
+    for (double roundings = 1; roundings <= ROUNDINGS; roundings *= 2) {
+      double ahead = roundings * Math.ulp(t);
+      for (int l = 0; l < y.length; l++) {
+        behind[l] = y[l] + ahead * yDot[l];
+      }
+      quantities.evaluate(t, behind, here);
+      pieces.at(here, atTo);
+      if (crossed < 0 && !pieces.decide(atFrom, atTo, atTo)) {
+        crossed = changed(atFrom, atTo);
+      }
+      if (crossed >= 0 && pieces.distance(crossed, atTo) > CLEAR * sizes[crossed]) {
+        begun = false;
+        boxed = false;
+        return true;
+      }
+    }
+    return false;
   }
 
   /** Returns the length of {@link #save}. */

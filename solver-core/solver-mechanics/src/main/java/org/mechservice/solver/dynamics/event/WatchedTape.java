@@ -148,7 +148,9 @@ public final class WatchedTape {
     return formulas;
   }
 
-  /** Returns the quantities from which the tape is evaluated: its leaves, rates of angles, and more. */
+  /**
+   * Returns the quantities from which the tape is evaluated: its leaves, rates of angles, and more.
+   */
   public List<Expression> quantities() {
     return quantities;
   }

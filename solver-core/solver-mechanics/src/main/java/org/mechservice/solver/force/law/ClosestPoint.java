@@ -8,14 +8,14 @@ import org.mechservice.solver.expression.Tape;
 import org.mechservice.solver.expression.TapeEvaluation;
 
 /**
- * The point of a curve z = h(x) that is closest to a point (x, z), and the frame of the curve there.
- * Legend: s its abscissa; θ the angle of slope, tan θ = h′(s); n = (−sin θ, cos θ) the normal; σ the
- * distance along n, positive above the curve.
+ * The point of a curve z = h(x) that is closest to a point (x, z), and the frame of the curve
+ * there. Legend: s its abscissa; θ the angle of slope, tan θ = h′(s); n = (−sin θ, cos θ) the
+ * normal; σ the distance along n, positive above the curve.
  *
- * <p>s is the root of g(s) = s − x + (h(s) − z) h′(s). {@value #STEPS} steps of Newton's method lead
- * to it from the point below, s = x; generated code takes the same steps. A straight line needs one.
- * Above the curve σ is at least the way to the point at s, wherever the steps have led: a search that
- * went astray finds no contact where there is none.
+ * <p>s is the root of g(s) = s − x + (h(s) − z) h′(s). {@value #STEPS} steps of Newton's method
+ * lead to it from the point below, s = x; generated code takes the same steps. A straight line
+ * needs one. Above the curve σ is at least the way to the point at s, wherever the steps have led:
+ * a search that went astray finds no contact where there is none.
  */
 public final class ClosestPoint {
   /** Steps of Newton's method. */
@@ -106,8 +106,8 @@ public final class ClosestPoint {
   }
 
   /**
-   * Returns whether the search converged; also true where the sphere is more than its radius above a
-   * touch.
+   * Returns whether the search converged; also true where the sphere is more than its radius above
+   * a touch.
    */
   boolean isFound() {
     return found;

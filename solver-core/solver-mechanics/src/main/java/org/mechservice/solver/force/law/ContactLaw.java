@@ -15,8 +15,8 @@ import org.mechservice.solver.mechanism.force.Contact;
 /**
  * Push and friction of a surface at the closest point of each of its curves, summed up. Legend: R
  * the radius; (x, y, z) the centre in the surface's frame; d the depth; n = (−sin θ, 0, cos θ) the
- * normal and t = (cos θ, 0, sin θ) the tangent; (s, r) sliding velocity along t and y at the point R
- * below the centre along n; p = √(s² + r² + v0²).
+ * normal and t = (cos θ, 0, sin θ) the tangent; (s, r) sliding velocity along t and y at the point
+ * R below the centre along n; p = √(s² + r² + v0²).
  */
 public final class ContactLaw implements FrameLaw {
   private static final String[] NAMES = {
@@ -186,7 +186,9 @@ public final class ContactLaw implements FrameLaw {
       if (!point.isFound()) {
         return force.fail(
             MessageCode.FORCE_WITHOUT_DIRECTION,
-            "At x = " + x + " m the surface bends more than the sphere, so that its closest point is"
+            "At x = "
+                + x
+                + " m the surface bends more than the sphere, so that its closest point is"
                 + " not unique.",
             "Give the height by <profile> or by a table, enlarge the radius of its hollows, or make"
                 + " the sphere smaller.");

@@ -12,7 +12,8 @@ package org.mechservice.solver.force.law;
  *
  * <p>With ε &gt; 0 the corner at E + D = 0 is rounded as well: with r = 2 (E + D)/E, F = ½ E φ(r),
  * φ(r) = (1 + r)⁶ (63 − 122 r + 102 r² − 42 r³ + 7 r⁴)/512 for |r| &lt; 1, the polynomial with φ″ =
- * c (1 − r²)⁴, which continues r above and 0 below with five continuous derivatives. So F = E + D unless the damper takes away more than half of the push.
+ * c (1 − r²)⁴, which continues r above and 0 below with five continuous derivatives. So F = E + D
+ * unless the damper takes away more than half of the push.
  *
  * <p>Units: x in m (or rad), F in N (or N·m), k in N/mⁿ, c in N·s/m, χ in s/m.
  */
@@ -31,7 +32,8 @@ final class OneSidedLaw {
   private double byRate;
 
   /** Sets the coefficients, all of them zero or positive, n at least 1. */
-  void set(double stiffness, double exponent, double damping, double dissipation, double smoothing) {
+  void set(
+      double stiffness, double exponent, double damping, double dissipation, double smoothing) {
     k = stiffness;
     n = exponent;
     c = damping;
@@ -46,8 +48,7 @@ final class OneSidedLaw {
     elastic = k * SmoothPositive.power(p, n);
     double elasticByDepth = k == 0 ? 0 : k * n * SmoothPositive.power(p, n - 1) * slope;
     double damper = c * rate * slope + chi * rate * elastic;
-    double damperByDepth =
-        c * rate * SmoothPositive.bend(x, eps) + chi * rate * elasticByDepth;
+    double damperByDepth = c * rate * SmoothPositive.bend(x, eps) + chi * rate * elasticByDepth;
     force = bounded(elastic, damper);
     byDepth = bound[0] * (elasticByDepth + damperByDepth) + bound[1] * elasticByDepth;
     byRate = bound[0] * (c * slope + chi * elastic);

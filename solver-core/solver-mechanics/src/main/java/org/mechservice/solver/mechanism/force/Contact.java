@@ -21,9 +21,10 @@ import org.mechservice.solver.text.Origin;
  *
  * <p>N = max(0, k pos(d)ⁿ (1 + χ d′) + c d′ pos′(d)).
  *
- * <p>Friction acts at the point of the sphere that is radius below its centre along n: −friction · N
- * · u / √(|u|² + frictionSpeed²), u the velocity of the body's point there relative to the surface,
- * in the tangent plane. The opposite forces act on the body of the surface at the same points.
+ * <p>Friction acts at the point of the sphere that is radius below its centre along n: −friction ·
+ * N · u / √(|u|² + frictionSpeed²), u the velocity of the body's point there relative to the
+ * surface, in the tangent plane. The opposite forces act on the body of the surface at the same
+ * points.
  *
  * <p>The closest point is sought on h from the point below the centre. That is enough where the
  * surface bends less than the sphere. Otherwise the sphere touches at several points at once, and
@@ -39,8 +40,8 @@ import org.mechservice.solver.text.Origin;
  * @param surface frame of the surface, z outwards
  * @param height h of {@link Expression.Argument} and parameters, m; {@code Expression.ZERO} for a
  *     plane
- * @param tracks heights of the centre of the touching sphere, of {@link Expression.Argument}, m; empty
- *     if the surface bends less than the sphere
+ * @param tracks heights of the centre of the touching sphere, of {@link Expression.Argument}, m;
+ *     empty if the surface bends less than the sphere
  * @param stiffness k, N/mⁿ
  * @param damping c, N·s/m
  * @param dissipation χ, s/m
@@ -102,8 +103,8 @@ public record Contact(
   }
 
   /**
-   * {@inheritDoc} Penetration (of the deepest point), push, friction along the profile and along the
-   * frame's y.
+   * {@inheritDoc} Penetration (of the deepest point), push, friction along the profile and along
+   * the frame's y.
    */
   @Override
   public List<Variable> values(Function<Coordinate, Joint> jointOf) {

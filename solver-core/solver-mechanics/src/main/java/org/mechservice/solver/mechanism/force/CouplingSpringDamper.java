@@ -13,7 +13,8 @@ import org.mechservice.solver.text.Origin;
  * A spring and damper along a formula x of joint positions, places of points and time: the teeth of
  * a gear, a belt, a rope over pulleys. Its tension T acts against growing x with the generalised
  * force −T, so it exerts −T ∂x/∂q on every coordinate. With z = x − rest: T = force0 + k z + c z′
- * on both sides; on one side as {@link SpringDamper}, with χ. The potential energy is that of the spring.
+ * on both sides; on one side as {@link SpringDamper}, with χ. The potential energy is that of the
+ * spring.
  *
  * @param name name in the model file
  * @param along x, of t, parameters, positions of coordinates that are no Euler parameters, and

@@ -21,9 +21,9 @@ import org.mechservice.solver.text.Origin;
  *   <li>{@code BELOW}: τ = max(0, k pos(−x) (1 − χ v) − c v pos′(−x)), a lower stop.
  * </ul>
  *
- * A stop pushes and never pulls. Energy: ½ k x² − force0 x, or k ∫ pos with its zero at x = 0; power
- * lost: the rest of the force times v. Stiffness and damping of an angle are per radian. Joints with Euler parameters have displacements
- * only (F, components 4 to 6 as positions).
+ * A stop pushes and never pulls. Energy: ½ k x² − force0 x, or k ∫ pos with its zero at x = 0;
+ * power lost: the rest of the force times v. Stiffness and damping of an angle are per radian.
+ * Joints with Euler parameters have displacements only (F, components 4 to 6 as positions).
  *
  * @param name name in the model file
  * @param coordinate component counts positions; its position must have a velocity of its own

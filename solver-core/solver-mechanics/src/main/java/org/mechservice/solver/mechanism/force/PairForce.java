@@ -28,8 +28,8 @@ import org.mechservice.solver.text.Origin;
  * @param potentialRate its derivative by time, W
  * @param outputs values that are columns of results: first how deep the bodies are in each other,
  *     then the load between them, N, which is zero while they are apart
- * @param mostDepth penetration beyond which one shape is inside or behind the other and the formulas
- *     mean nothing, m; zero where there is no such depth
+ * @param mostDepth penetration beyond which one shape is inside or behind the other and the
+ *     formulas mean nothing, m; zero where there is no such depth
  * @param radius of the round part that pictures show around frame 2, m; 0 for none
  * @param disc whether the round part is a disc about the z axis of frame 2, else a sphere
  * @param origin position in the model file

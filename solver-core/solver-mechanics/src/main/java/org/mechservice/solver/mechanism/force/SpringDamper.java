@@ -24,8 +24,8 @@ import org.mechservice.solver.text.Origin;
  * </ul>
  *
  * Energy: ½ k x² + force0 x, or k ∫ pos with its zero at x = 0; power lost: the rest of the tension
- * times x′. The line has no direction if the points coincide; the run then ends with a message naming the force,
- * unless the tension is exactly zero.
+ * times x′. The line has no direction if the points coincide; the run then ends with a message
+ * naming the force, unless the tension is exactly zero.
  *
  * @param name name in the model file
  * @param point1 one end

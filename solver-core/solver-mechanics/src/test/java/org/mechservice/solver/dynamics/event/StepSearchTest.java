@@ -42,13 +42,26 @@ final class StepSearchTest {
   }
 
   /** The path of x(t), y(t). */
-  private record Way(DoubleUnaryOperator x, DoubleUnaryOperator y, double[] state)
-      implements ModelEvents.Path {
+  private static final class Way implements ModelEvents.Path {
+    private final DoubleUnaryOperator x;
+    private final DoubleUnaryOperator y;
+    private final double[] state = new double[2];
+
+    Way(DoubleUnaryOperator x, DoubleUnaryOperator y) {
+      this.x = x;
+      this.y = y;
+    }
+
     @Override
     public boolean moveTo(double t) {
       state[0] = x.applyAsDouble(t);
       state[1] = y.applyAsDouble(t);
       return true;
+    }
+
+    @Override
+    public double[] state() {
+      return state;
     }
   }
 
@@ -61,7 +74,7 @@ final class StepSearchTest {
 
   private static double seen(
       Expression rate, double to, DoubleUnaryOperator x, DoubleUnaryOperator y) {
-    return events(rate).seenUntil(0, to, new Way(x, y, new double[2]));
+    return events(rate).seenUntil(0, to, new Way(x, y));
   }
 
   @Test
@@ -124,7 +137,7 @@ final class StepSearchTest {
       Expression way = new Product(minus(X, at), Expression.of(1 / width));
       Expression bump = call(Function.EXP, new Negation(new Product(way, way)));
       StateEvents events = events(bump);
-      double found = events.seenUntil(0, 1, new Way(t -> t, t -> 0, new double[2]));
+      double found = events.seenUntil(0, 1, new Way(t -> t, t -> 0));
       assertThat(found).as("at %s, width %s", at, width).isLessThan(at).isGreaterThan(0);
       assertThat(found + events.longestFirstStep()).isLessThan(at + width);
       assertThat(at - found).isLessThan(50 * width);
@@ -148,7 +161,7 @@ final class StepSearchTest {
     for (int step = 0; step < 100; step++) {
       double from = step;
       double sign = step % 2 == 0 ? 1e-9 : -1e-9;
-      Way way = new Way(t -> sign * (1 - 2 * (t - from)), t -> 0, new double[2]);
+      Way way = new Way(t -> sign * (1 - 2 * (t - from)), t -> 0);
       cut += events.seenUntil(from, from + 1, way) < from + 1 ? 1 : 0;
     }
     assertThat(cut).isBetween(1, 20);

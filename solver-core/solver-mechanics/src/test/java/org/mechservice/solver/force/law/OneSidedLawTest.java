@@ -116,7 +116,7 @@ class OneSidedLawTest {
       double faster = force(law, x, rate + hv);
       double slower = force(law, x, rate - hv);
       boolean corner =
-          (up == 0) != (down == 0) || (faster == 0) != (slower == 0) || force == 0 && up != 0;
+          (up == 0) != (down == 0) || (faster == 0) != (slower == 0) || (force == 0 && up != 0);
       if (!corner) {
         double scale = (Math.abs(force) + law.elastic()) * 1e-9;
         assertThat((up - down) / (2 * hx))

@@ -92,6 +92,21 @@ public interface EventFunctions {
     return to;
   }
 
+  /**
+   * Moves a state in front of a change of the equations behind it, if there is one within rounding:
+   * no step across a jump passes the error test where the tolerance is finer than the jump times
+   * the shortest step.
+   *
+   * @param t where steps have become too short
+   * @param y state there; not modified
+   * @param yDot its derivative; not modified
+   * @param behind the state moved along its derivative by some roundings of t; overwritten
+   * @return whether there is such a change
+   */
+  default boolean moveAcross(double t, double[] y, double[] yDot, double[] behind) {
+    return false;
+  }
+
   /** Returns the longest first step behind the last end that {@link #seenUntil} has set. */
   default double longestFirstStep() {
     return Double.POSITIVE_INFINITY;

@@ -193,8 +193,8 @@ public final class EventIntegration implements ResidualIntegrator {
       return result;
     }
     if (result == StepResult.FAILED) {
-      running = false;
-      return result;
+      running = goesOnAcross();
+      return running ? StepResult.ADVANCED : result;
     }
     if (!justRestarted) {
       return searchStep(result, PARTS);
@@ -207,6 +207,26 @@ public final class EventIntegration implements ResidualIntegrator {
     result = searchStep(result, PARTS_AFTER_RESTART);
     values.reportZerosLeft();
     return result;
+  }
+
+  /**
+   * After steps have become too short: goes on from the state behind a change of the equations that
+   * lies within rounding, if there is one.
+   */
+  private boolean goesOnAcross() {
+    double t = integrator.time();
+    if (!functions.searchesSteps()
+        || justRestarted
+        || integrator.failure().cause() != Cause.STEP_TOO_SMALL
+        || !values.moveAcross(t, restarted)) {
+      return false;
+    }
+    time = t;
+    cutOff = true;
+    restartDue = true;
+    stateChanged = false;
+    longestFirstStep = Double.POSITIVE_INFINITY;
+    return true;
   }
 
   /** Searches the step just taken from point to point. */

@@ -301,6 +301,11 @@ final class EventValues implements EventFunctions.Path {
     return functions.seenUntil(from, to, this);
   }
 
+  /** Moves the state at the end of the last step across a change within rounding, if any. */
+  boolean moveAcross(double t, double[] behind) {
+    return moveTo(t) && functions.moveAcross(t, y, yDot, behind);
+  }
+
   /** Goes to where the step is cut off, and copies the state; returns false if that fails. */
   boolean stopAt(double t, double[] state) {
     boolean possible = moveTo(t);

@@ -21,7 +21,7 @@ import org.mechservice.solver.ode.events.EventIntegration;
 import org.mechservice.solver.ode.events.NoEventLog;
 
 /** The events of a model in a run: it locates them, applies their actions and records them. */
-final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem {
+final class WatchedRun extends RunEvents implements EventFunctions, ModelEvents.Path, SavedSystem {
   /** Largest number of events with their own note; only the number of the others is reported. */
   private static final int MOST_TOLD = 200;
 
@@ -30,6 +30,19 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
    * one.
    */
   private static final double KEPT = 1e-8;
+
+  private static final Path NO_WAY =
+      new Path() {
+        @Override
+        public boolean moveTo(double t) {
+          return false;
+        }
+
+        @Override
+        public double[] state() {
+          return new double[0];
+        }
+      };
 
   private final ModelEvents events;
   private final ModelEquations equations;
@@ -50,6 +63,10 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
   private final List<Double> dueRows = new ArrayList<>();
   private long count;
   private int latest = -1;
+
+  /** The solution along the step that is searched. */
+  private Path way = NO_WAY;
+
   private int notFinite = -1;
   private double work;
   private Optional<Failure> failure = Optional.empty();
@@ -112,20 +129,23 @@ final class WatchedRun extends RunEvents implements EventFunctions, SavedSystem 
 
   @Override
   public double seenUntil(double from, double to, Path path) {
-    return events.seenUntil(
-        from,
-        to,
-        new ModelEvents.Path() {
-          @Override
-          public boolean moveTo(double t) {
-            return path.moveTo(t);
-          }
+    way = path;
+    return events.seenUntil(from, to, this);
+  }
 
-          @Override
-          public double[] state() {
-            return path.state();
-          }
-        });
+  @Override
+  public boolean moveTo(double t) {
+    return way.moveTo(t);
+  }
+
+  @Override
+  public double[] state() {
+    return way.state();
+  }
+
+  @Override
+  public boolean moveAcross(double t, double[] y, double[] yDot, double[] behind) {
+    return events.moveAcross(t, y, yDot, behind);
   }
 
   @Override
