@@ -35,6 +35,7 @@ import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.solver.api.capability.BodyPoses;
 import org.mechservice.solver.api.capability.Energies;
 import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.capability.ResultColumns;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.run.RunSettings;
@@ -123,7 +124,9 @@ class SameBitsInCTest {
     Path program = CCode.compiled(inC, place, flags, driver(inC.name()));
     GeneratedModel generated = ModelFactory.generate(model, options);
     ExplicitModel java =
-        (ExplicitModel) ModelFactory.compile(model, options, generated).newInstance();
+        (ExplicitModel)
+            ModelParts.of(ModelFactory.compile(model, options, generated).newInstance())
+                .equations();
     int size = inC.states().size();
     Random random = new Random(seed);
     double[] given = new double[states * (size + 1)];
