@@ -332,7 +332,8 @@ final class IndependentCoordinates {
             }
             return %s_%s(&m->full, t, y, values);
           }
-          """.formatted(model.name(), function);
+          """
+            .formatted(model.name(), function);
   }
 
   /**

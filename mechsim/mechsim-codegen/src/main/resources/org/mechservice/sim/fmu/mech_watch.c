@@ -996,6 +996,10 @@ static double search_part(mech_watch_work *w, int depth, double start, const dou
   double middle = 0.5 * (start + end), found;
   double *at_middle = w->between[depth];
   int decided, finest;
+  if (depth >= w->depths) {
+    memcpy(at_middle, WATCH_INITIAL, sizeof w->from);
+    w->depths = depth + 1;
+  }
   if (!evaluate(w, middle, at_middle)) {
     return NAN;
   }
@@ -1123,16 +1127,12 @@ void mech_watch_begin(mech_watch *kept) { kept->begun = 0; }
 /* Constants at their values in points, and as bounds. */
 static void prepare(mech_watch_work *w) {
   size_t size = sizeof w->from;
-  int depth;
   memcpy(w->from, WATCH_INITIAL, size);
   memcpy(w->middle, WATCH_INITIAL, size);
   memcpy(w->to, WATCH_INITIAL, size);
   memcpy(w->narrowing, WATCH_INITIAL, size);
   memcpy(w->low, WATCH_INITIAL, size);
   memcpy(w->high, WATCH_INITIAL, size);
-  for (depth = 0; depth <= WATCH_DEPTH; depth++) {
-    memcpy(w->between[depth], WATCH_INITIAL, size);
-  }
   memset(w->rough, 0, sizeof w->rough);
   w->ready = 1;
 }

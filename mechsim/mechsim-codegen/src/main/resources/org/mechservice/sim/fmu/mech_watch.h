@@ -112,7 +112,9 @@ typedef struct {
   /* The fastest turn at the ends of the step, rad/s. */
   double turning, begin;
   long evaluations, allowed;
-  int looking, hidden, gave_up, ready;
+  int looking, hidden, gave_up;
+  /* Whether the points hold the constants, and down to which depth those between do. */
+  int ready, depths;
 } mech_watch_work;
 
 /* Makes all ready for a run. */

@@ -191,7 +191,9 @@ class SearchedStepsTest {
   void ballDroppedOnAPlateBouncesAtEveryStepOfCommunication(String integrator) throws Exception {
     Path program = compiled(undamped(), integrator);
     for (double step : new double[] {1e-4, 1e-3, 1e-2, 0.1, LEFT}) {
-      assertThat(run(program, LEFT, step)[1]).as("steps of %s s", step).isCloseTo(1.528, within(1e-3));
+      assertThat(run(program, LEFT, step)[1])
+          .as("steps of %s s", step)
+          .isCloseTo(1.528, within(1e-3));
     }
   }
 
@@ -259,8 +261,7 @@ class SearchedStepsTest {
     String tables =
         "<Tables><table name='tb' x='0;50;50.01;50.05;50.06;200' y='0;0;100;100;0;0'"
             + " extrapolation='hold'/></Tables>";
-    Path program =
-        compiled(slider(formula.startsWith("tb") ? tables : "", formula), "ode113");
+    Path program = compiled(slider(formula.startsWith("tb") ? tables : "", formula), "ode113");
     for (double step : new double[] {0.01, 1, 10}) {
       double v = run(program, 10, step)[1];
       assertThat(0.5 * (v * v - 100)).as("%s s", step).isCloseTo(work, within(1e-3 * work));
