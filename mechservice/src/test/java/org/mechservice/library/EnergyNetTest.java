@@ -106,8 +106,9 @@ final class EnergyNetTest {
     Model instance = model.instances().model();
     ModelParts parts = ModelParts.of(instance);
     Model equations =
-        searched ? instance : new ModelParts(
-                parts.equations(), Optional.empty(), parts.columns(), parts.userClasses());
+        searched
+            ? instance
+            : new ModelParts(parts.equations(), Optional.empty(), parts.columns());
     RunRequest request =
         new RunRequest(model.request().settings(), columns, strict, OptionalDouble.empty());
     return new RuntimeSolver().run(equations, request, rows, new RunControl());

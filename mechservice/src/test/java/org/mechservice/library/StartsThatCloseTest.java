@@ -292,6 +292,32 @@ class StartsThatCloseTest {
     }
   }
 
+  /**
+   * A hinge whose axis leans by a misfit has two tilts and a height that follow from the others.
+   */
+  @ParameterizedTest
+  @ValueSource(doubles = {0, 1e-10, 1e-9, 3e-9})
+  void smallMisfitOfAnAxisIsAccepted(double lean) throws Exception {
+    String text =
+        fourBar(1, 0)
+            .replace("name='d' type='S'", "name='d' type='R'")
+            .replace("name='rod' point='d'", "name='rod' point='d' vector='w'")
+            .replace(
+                "name='rocker' point='d'/></joint>", "name='rocker' point='d' vector='z'/></joint>")
+            .replace(
+                "<point name='d' x='0.5' y='0.1' z='0.0'/>",
+                "<point name='d' x='0.5' y='0.1' z='0'/><vector name='w' vx='"
+                    + lean
+                    + "' vy='"
+                    + -lean
+                    + "' vz='1'/>");
+    ClosedStart start = start(text);
+    assertThat(start.isAssembled()).isTrue();
+    assertThat(start.rank()).isEqualTo(2);
+    assertThat(only(start, LoopFinding.Kind.REDUNDANT).amount()).isEqualTo(3);
+    run(text);
+  }
+
   @ParameterizedTest
   @ValueSource(doubles = {1e-6, 1, 1e4})
   void misfitOfAMillionthIsRefusedWithItsSize(double size) throws Exception {

@@ -120,8 +120,7 @@ public record TimeShares(Map<Part, Double> parts, double tolerance) {
     /** The model, the calls of its equations timed. */
     Model watched() {
       ModelParts parts = ModelParts.of(model);
-      return new ModelParts(
-          proxy(parts.equations()), parts.events(), parts.columns(), parts.userClasses());
+      return new ModelParts(proxy(parts.equations()), parts.events(), parts.columns());
     }
 
     /** A model with the same interfaces of the solver's API. */

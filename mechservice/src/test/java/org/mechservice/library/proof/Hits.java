@@ -312,7 +312,7 @@ final class Hits implements ProofSet {
     double r2 = Spread.log(random, 0.005, 0.2);
     double radius = springs ? r1 : r1 + r2;
     double offset =
-        kind == Kind.BALLS_COLLIDE && random.nextBoolean() || kind == Kind.BALL_HITS_CAPSULE
+        (kind == Kind.BALLS_COLLIDE && random.nextBoolean()) || kind == Kind.BALL_HITS_CAPSULE
             ? Spread.rounded(radius * Spread.even(random, 0, 0.6))
             : 0;
     double way = Spread.log(random, 0.1, 50);

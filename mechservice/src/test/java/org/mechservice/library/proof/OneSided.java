@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Random;
+import java.util.concurrent.atomic.AtomicBoolean;
 import org.mechservice.library.MechModel;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.solver.api.program.RunFailedException;
@@ -49,7 +50,7 @@ final class OneSided implements ProofSet {
   private record Start(String joint, double q, double v) {}
 
   private record Parts(
-      SceneText text, List<Start> starts, List<String> joints, boolean calm, boolean[] sticks) {
+      SceneText text, List<Start> starts, List<String> joints, boolean calm, AtomicBoolean sticks) {
     /** Returns the attributes of a spring of a slider, if there are springs. */
     String spring(double stiffness) {
       return calm ? "" : "stiffness='" + stiffness + "' damping='1'";
@@ -68,7 +69,7 @@ final class OneSided implements ProofSet {
 
   @Override
   public String before() {
-    return "X";
+    return "not measured";
   }
 
   @Override
@@ -79,7 +80,7 @@ final class OneSided implements ProofSet {
     Method fine =
         new Method(
             "auto",
-            parts.sticks()[0] ? "ode15s" : "ode113",
+            parts.sticks().get() ? "ode15s" : "ode113",
             1e-9,
             1e-11,
             OptionalDouble.of(end / STEPS),
@@ -143,7 +144,7 @@ final class OneSided implements ProofSet {
             new ArrayList<>(),
             new ArrayList<>(),
             random.nextBoolean(),
-            new boolean[1]);
+            new AtomicBoolean());
     parts.text().gravity("0", "0", "-9.81");
     parts.text().body("table", 20, 1);
     parts
@@ -318,7 +319,7 @@ final class OneSided implements ProofSet {
       }
       default -> {
         String one = slider(parts, i, "a", "x", mass, parts.spring(40));
-        parts.sticks()[0] = true;
+        parts.sticks().set(true);
         String up = "m" + i + "b";
         text.body(up, mass, 0.01).joint(up, "P", one, "o", up, "z", "");
         text.force(

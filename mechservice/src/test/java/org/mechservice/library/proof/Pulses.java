@@ -56,7 +56,7 @@ final class Pulses implements ProofSet {
     Window.Kind kind;
     do {
       kind = Window.any(random);
-    } while (driven && !kind.drives() || target == Target.INPUT_TABLE && !kind.isTable());
+    } while ((driven && !kind.drives()) || (target == Target.INPUT_TABLE && !kind.isTable()));
     if (driven && random.nextBoolean()) {
       kind = Window.Kind.RISE;
     }
@@ -93,7 +93,6 @@ final class Pulses implements ProofSet {
       // the damper would follow the pulse, too
       ratio = 0;
     }
-    Oscillator oscillator = new Oscillator(own, ratio);
     boolean moves = springs && !driven && random.nextInt(3) == 0;
     double q0 = moves ? Spread.even(random, -1, 1) : 0;
     double v0 = moves ? Spread.even(random, -1, 1) * own : 0;
@@ -174,7 +173,6 @@ final class Pulses implements ProofSet {
         scene
             .state("<state name='s' derivative='" + size + "*" + text + "'/>")
             .force("<jointForce name='f' joint='x' expression='" + mass + "*s'/>");
-        oscillator = new Oscillator(0, 0);
         spring = "";
         q0 = 0;
         v0 = 0;
@@ -225,7 +223,8 @@ final class Pulses implements ProofSet {
           end,
           random,
           method,
-          oscillator,
+          // as in the file, whose stiffness is rounded
+          k / mass,
           pulse,
           places,
           size,
@@ -325,14 +324,12 @@ final class Pulses implements ProofSet {
       double end,
       Random random,
       Method method,
-      Oscillator oscillator,
+      double square,
       DoubleUnaryOperator pulse,
       double[] places,
       double size,
       String text,
       double own) {
-    // as in the file, whose stiffness is rounded
-    double square = Double.parseDouble(spring.split("'")[1]) / mass(scene);
     Oscillator exact = new Oscillator(Math.sqrt(square), 0);
     double z =
         Quadrature.of(
@@ -362,9 +359,5 @@ final class Pulses implements ProofSet {
             new Expected("z", z, allowedQ + allowedV / own, effect / own),
             new Expected("w", v, allowedV + own * allowedQ, effect));
     return Optional.of(scene(target, sweep, window, scene, end, random, method, expected));
-  }
-
-  private static double mass(SceneText scene) {
-    return scene.mass("a");
   }
 }

@@ -9,32 +9,39 @@ import java.util.function.DoubleUnaryOperator;
 
 /**
  * Quarters of cars that meet a bump after a while: over speed, length of the bump, kind of road,
- * contact or tyre, driven or rolling along. A wheel that is a point has a {@link RoadCar} as its
- * reference; one with a radius and a tyre has the same model in steps of a thirtieth of the bump.
+ * contact or tyre, driven or rolling along. A sphere on a road without corners has a {@link
+ * RoadCar} as its reference; one on a road with corners and a tyre has the same model in steps of a
+ * thirtieth of the bump.
  */
 final class Roads implements ProofSet {
   private enum Wheel {
-    POINT,
-    POINT_THAT_ROLLS_FREE,
+    SPHERE_ON_SMOOTH_ROAD,
+    SPHERE_THAT_ROLLS_FREE,
     SPHERE,
     TYRE
   }
 
   private enum Road {
-    PROFILE(Window.Kind.SMOOTH_STEP),
-    FORMULA(
-        Window.Kind.SMOOTH_STEP,
-        Window.Kind.GAUSS,
-        Window.Kind.PARABOLA,
-        Window.Kind.RAMP,
-        Window.Kind.TRIANGLE,
-        Window.Kind.ABSOLUTE),
-    TABLE(Window.Kind.LINEAR_TABLE, Window.Kind.AKIMA_TABLE, Window.Kind.CUBIC_TABLE);
+    PROFILE,
+    FORMULA,
+    TABLE;
 
-    private final Window.Kind[] shapes;
-
-    Road(Window.Kind... shapes) {
-      this.shapes = shapes;
+    Window.Kind shape(Random random) {
+      return switch (this) {
+        case PROFILE -> Window.Kind.SMOOTH_STEP;
+        case FORMULA ->
+            Spread.one(
+                random,
+                Window.Kind.SMOOTH_STEP,
+                Window.Kind.GAUSS,
+                Window.Kind.PARABOLA,
+                Window.Kind.RAMP,
+                Window.Kind.TRIANGLE,
+                Window.Kind.ABSOLUTE);
+        case TABLE ->
+            Spread.one(
+                random, Window.Kind.LINEAR_TABLE, Window.Kind.AKIMA_TABLE, Window.Kind.CUBIC_TABLE);
+      };
     }
   }
 
@@ -56,7 +63,7 @@ final class Roads implements ProofSet {
 
   @Override
   public String before() {
-    return "15 of 44, seeds 1 to 60";
+    return "15 of 44 of an earlier draw";
   }
 
   @Override
@@ -64,14 +71,15 @@ final class Roads implements ProofSet {
     Random random = new Random(32452843 * seed);
     Wheel wheel = Wheel.values()[(int) ((seed - 1) % Wheel.values().length)];
     Road road = Road.values()[(int) ((seed - 1) / Wheel.values().length % Road.values().length)];
-    Window.Kind shape = Spread.one(random, road.shapes);
-    if (wheel == Wheel.POINT_THAT_ROLLS_FREE && !isSmooth(shape)) {
+    Window.Kind shape = road.shape(random);
+    boolean exact = wheel == Wheel.SPHERE_ON_SMOOTH_ROAD || wheel == Wheel.SPHERE_THAT_ROLLS_FREE;
+    if (exact && !isSmooth(shape)) {
       road = Road.FORMULA;
       shape = Spread.one(random, Window.Kind.SMOOTH_STEP, Window.Kind.GAUSS, Window.Kind.PARABOLA);
     }
     double speed = Spread.log(random, 1, 60);
     double length = Spread.log(random, 0.03, 5);
-    double way = Spread.log(random, 2, wheel == Wheel.SPHERE || wheel == Wheel.TYRE ? 20 : 200);
+    double way = Spread.log(random, 2, exact ? 200 : 20);
     Window bump = new Window(shape, way, Spread.rounded(way + length));
     double high = Spread.rounded(Math.min(0.1, length * Spread.even(random, 0.03, 0.3)));
     if (random.nextInt(4) == 0) {
@@ -82,11 +90,17 @@ final class Roads implements ProofSet {
     double bodyMass = Spread.even(random, 150, 500);
     double stiffness = Spread.log(random, 8e3, 4e4);
     double damping = Spread.log(random, 300, 3000);
-    double k = Spread.log(random, 8e4, 4e5);
+    double k = Spread.log(random, 2e5, 2e6);
     boolean damps = isSmooth(shape) && random.nextBoolean();
     double c = damps ? Spread.log(random, 30, 600) : 0;
+    double wheelRadius = Spread.even(random, 0.2, 0.4);
+    // a sphere fits into the foot of the bump
+    double fitting = Spread.rounded(length * length / (200 * Math.abs(amount)));
     double radius =
-        wheel == Wheel.SPHERE || wheel == Wheel.TYRE ? Spread.even(random, 0.2, 0.4) : 0;
+        switch (wheel) {
+          case TYRE -> wheelRadius;
+          default -> Math.min(wheelRadius, fitting);
+        };
     double end =
         Spread.rounded(
             (way + length) / speed + Spread.even(random, 0.01, 0.2) + 0.1 * length / speed);
@@ -94,7 +108,7 @@ final class Roads implements ProofSet {
     double sag = (wheelMass + bodyMass) * RoadCar.G / k;
     double strut = bodyMass * RoadCar.G / stiffness;
     double free = 0.5;
-    boolean rolls = wheel == Wheel.POINT_THAT_ROLLS_FREE;
+    boolean rolls = wheel == Wheel.SPHERE_THAT_ROLLS_FREE;
     double carrier = 20;
     SceneText scene = new SceneText();
     if (rolls) {
@@ -180,25 +194,25 @@ final class Roads implements ProofSet {
         "(%s, %.3g m at %.3g m/s)".formatted(shape.name().toLowerCase(Locale.ROOT), length, speed);
     String text = scene.with(end, row, method);
     Scene bare = new Scene(name, detail, method, text, 10 * fine, List.of());
-    double[] start = {0, -sag, -strut, speed, 0, 0};
-    if (radius > 0) {
-      return Optional.of(
-          bare.expecting(
-              ShortSteps.of(
-                  scene.with(end, end, method.at(1e-8, 1e-10).within(fine)),
-                  new String[] {"w.q", "z.q", "w.v", "z.v"},
-                  new double[] {radius - sag, free - strut, 0, 0},
-                  end,
-                  method)));
+    double[] start = {0, radius - sag, -strut, speed, 0, 0};
+    if (!exact) {
+      return ShortSteps.of(
+              scene.with(end, end, method.at(1e-8, 1e-10).within(fine)),
+              new String[] {"w.q", "z.q", "w.v", "z.v"},
+              new double[] {radius - sag, free - strut, 0, 0},
+              end,
+              method)
+          .map(bare::expecting);
     }
     DoubleUnaryOperator values = bump.values();
     DoubleUnaryOperator slope = isSmooth(shape) ? bump::slope : s -> 0;
-    double[] corners =
+    List<Double> corners =
         Arrays.stream(bump.places())
             .filter(s -> s > bump.low() - 3 * length && s < bump.high() + 3 * length)
             .sorted()
             .distinct()
-            .toArray();
+            .boxed()
+            .toList();
     RoadCar on =
         new RoadCar(
             wheelMass,
@@ -206,6 +220,7 @@ final class Roads implements ProofSet {
             rolls ? carrier + wheelMass + bodyMass : Double.POSITIVE_INFINITY,
             stiffness,
             damping,
+            radius,
             new Law(k, 1, c),
             s -> amount * values.applyAsDouble(s),
             s -> amount * slope.applyAsDouble(s),
@@ -219,6 +234,7 @@ final class Roads implements ProofSet {
             on.carried(),
             stiffness,
             damping,
+            radius,
             on.law(),
             on.height(),
             on.slope(),

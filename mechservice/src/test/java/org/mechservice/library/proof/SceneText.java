@@ -17,7 +17,6 @@ final class SceneText {
   private final StringBuilder tables = new StringBuilder();
   private final StringBuilder joints = new StringBuilder();
   private final StringBuilder constraints = new StringBuilder();
-  private final Map<String, Double> masses = new LinkedHashMap<>();
   private final StringBuilder states = new StringBuilder();
   private final StringBuilder forces = new StringBuilder();
   private final StringBuilder outputs = new StringBuilder();
@@ -34,7 +33,6 @@ final class SceneText {
 
   /** Adds a body with its centre of gravity at its origin; moments of inertia are all the same. */
   SceneText body(String name, double mass, double moment) {
-    masses.put(name, mass);
     body(
         name,
         "<mass value='"
@@ -147,10 +145,6 @@ final class SceneText {
         + "' point='"
         + point2
         + "'/>";
-  }
-
-  double mass(String body) {
-    return masses.getOrDefault(body, 0.0);
   }
 
   /** Returns the model with a run. */

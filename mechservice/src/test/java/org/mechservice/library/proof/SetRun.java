@@ -104,7 +104,7 @@ final class SetRun {
   private void run(long seed, Form form) throws IOException, MechmlException, InterruptedException {
     Optional<Scene> scene = set.scene(seed);
     if (scene.isEmpty()) {
-      kinds.computeIfAbsent("sensitive, dropped", name -> new Counts()).dropped++;
+      kinds.computeIfAbsent("sensitive or refused, dropped", name -> new Counts()).dropped++;
       return;
     }
     if (!scene.get().expected().stream().allMatch(Expected::standsOut)) {

@@ -10,8 +10,6 @@ import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.mechanism.Mechanism;
-import org.mechservice.solver.mechanism.force.ForceElement;
-import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.mechanism.joint.Joint;
 
 /**
@@ -69,12 +67,7 @@ public record ModelClass(
 
   /** Returns whether a mechanism has user forces. */
   public static boolean hasUserForces(Mechanism mechanism) {
-    for (ForceElement force : mechanism.forces()) {
-      if (force instanceof UserForceElement) {
-        return true;
-      }
-    }
-    return false;
+    return mechanism.hasUserClasses();
   }
 
   /** Returns the class's simple name. */

@@ -91,7 +91,7 @@ public record IntegratorSelection(String integrator, Optional<String> reason) {
     MethodTrial explicit =
         implicit.against(mechanism, Formulation.DTR, IntegrationMethod.ODE113, settings);
     String why = "joint \"" + motion.joint().name() + "\" " + motion.text();
-    return MethodTrial.better(explicit, implicit) == implicit
+    return MethodTrial.better(explicit, implicit).equals(implicit)
         ? Optional.of(
             new IntegratorSelection(RESIDUAL, MethodTrial.reason(why, implicit, explicit)))
         : Optional.empty();

@@ -27,6 +27,11 @@ static const double SAFETY = MODEL_LOOPS ? 300 : 100, FINEST = 1e-13;
 enum { IN_A_ROW = 20 };
 static const double CHATTER = 1e-10, CLOSE_AHEAD = 1e-6;
 
+#ifdef MODEL_WATCHES
+/* Rows of steps at one jump that may be left of a run. */
+static const double MOST_ROWS = 1000;
+#endif
+
 /* Parts of a step at whose ends the event functions are looked at. */
 enum { LOOKS = 4 };
 
@@ -673,6 +678,12 @@ static int goes_on_across(mech_instance *c) {
   return ahead > 0;
 }
 
+/* Whether the solution slides along a jump of the equations and would take millions of steps. */
+static int slides(const mech_instance *c) {
+  double t = c->s.until, end = c->s.stop_defined ? c->s.stop : MODEL_START + MODEL_INTERVAL;
+  return end - t > MOST_ROWS * (t - c->s.watch.sliding_since);
+}
+
 /* Ends the last step where something would go unseen in it. */
 static void search_step(mech_instance *c) {
   const mech_method *a = &c->s.method;
@@ -869,6 +880,14 @@ mech_status mech_do_step(mech_instance *c, const char *function, double from, do
       c->s.until = c->s.method.t;
 #ifdef MODEL_WATCHES
       search_step(c);
+      if (slides(c)) {
+        c->s.mode = MECH_STEP_FAILED;
+        return mech_say(c, MECH_FAILED,
+                        "At t = %.17g the solution slides along a jump of its formulas: steps cross"
+                        " it again and again, and the run would take millions of them. Give the"
+                        " jump a slope, such as tanh in place of signum.",
+                        c->s.until);
+      }
 #endif
       if (c->s.method.stiff && !c->s.told_stiff) {
         c->s.told_stiff = 1;

@@ -20,6 +20,10 @@ static const double TOUCH = 1e-12;
 static const double NOTHING = 1e-3;
 /* Growth of a box beside a step, in lengths of the step's way: at most, at least, and between. */
 static const double LARGE_BOX = 16, SMALL_BOX = 1, SHRINKAGE = 0.25;
+/* Growth of the box in which a change counts as beside the step: one of those tried. */
+static const double BESIDE = 4;
+/* Distance from a boundary, relative to the size of the argument, that one keeps that slides. */
+static const double HOVERING = 1e-6;
 /* Part of the way to a hidden value that the first step behind takes. */
 static const double FIRST_STEP = 0.25;
 /* Change of an argument within which exponential and hyperbolic functions change evenly. */
@@ -44,7 +48,11 @@ enum {
    * after which those that show are left to the error test; the same for those that do not. */
   CLOSE = 10,
   MOST_CLOSE = 8,
-  MOST_HIDDEN = 400
+  MOST_HIDDEN = 400,
+  /* Steps in a row after which it is asked whether the solution slides along a jump, and changes in
+   * them, or steps beside one, from which on it may. */
+  ROW = 2000,
+  CHANGES = 20
 };
 
 /* Distance of a number from the next larger one of its size. */
@@ -868,6 +876,9 @@ static void find_box(mech_watch_work *w, double from, double to) {
       enclose(w, &WATCH_STEP_OF[i]);
     }
     kept->boxed = find_open(w) && w->even;
+    for (i = 0; growth == BESIDE && i < w->undecided_count; i++) {
+      kept->changes[w->undecided[i]]++;
+    }
   }
 }
 
@@ -947,6 +958,7 @@ static int counts(mech_watch_work *w, int choice) {
   if (w->looking) {
     kept->since_change[choice] = 0;
     kept->close_changes[choice] = taken ? row : kept->close_changes[choice];
+    kept->changes[choice]++;
   }
   return taken;
 }
@@ -1106,8 +1118,41 @@ static double search_all(mech_watch_work *w, double from, double to) {
   return end;
 }
 
-static void pass_step(mech_watch *kept) {
+/* Whether the value of a choice jumps where its piece changes. */
+static int jumps(int choice) {
+  mech_watch_operation operation = WATCH_STEP_OF[WATCH_CHOICE_OF[choice].step].operation;
+  return operation == WATCH_STEP || operation == WATCH_SIGNUM || operation == WATCH_FLOOR;
+}
+
+/* Looks, at the end of each row of steps, for a choice that jumps, has changed in them and has
+ * stayed at its boundary all the time. */
+static void look_for_sliding(mech_watch_work *w) {
+  mech_watch *kept = w->kept;
   int i;
+  kept->sliding_since = NAN;
+  kept->row_began = kept->steps_in_row == 0 ? w->begin : kept->row_began;
+  for (i = 0; i < WATCH_CHOICES; i++) {
+    if (jumps(i)) {
+      kept->farthest[i] = mech_max(kept->farthest[i], distance(i, w->from));
+    }
+  }
+  if (++kept->steps_in_row < ROW) {
+    return;
+  }
+  for (i = 0; i < WATCH_CHOICES; i++) {
+    if (jumps(i) && kept->farthest[i] < HOVERING * kept->sizes[i] && kept->changes[i] >= CHANGES) {
+      kept->sliding_since = kept->row_began;
+    }
+  }
+  kept->steps_in_row = 0;
+  memset(kept->farthest, 0, sizeof kept->farthest);
+  memset(kept->changes, 0, sizeof kept->changes);
+}
+
+static void pass_step(mech_watch_work *w) {
+  mech_watch *kept = w->kept;
+  int i;
+  look_for_sliding(w);
   for (i = 0; i < WATCH_CHOICES; i++) {
     kept->since_change[i] = mech_min(CLOSE, kept->since_change[i] + 1);
   }
@@ -1120,6 +1165,7 @@ void mech_watch_init(mech_watch *kept) {
     kept->since_change[i] = CLOSE;
   }
   kept->longest_first_step = HUGE_VAL;
+  kept->sliding_since = NAN;
 }
 
 void mech_watch_begin(mech_watch *kept) { kept->begun = 0; }
@@ -1184,15 +1230,15 @@ double mech_watch_search(mech_watch *kept, mech_watch_work *w, mech_watch_path *
   }
   if (stays_in_box(w, from, to)) {
     kept->begun = 0;
-    pass_step(kept);
+    pass_step(w);
     return to;
   }
   end = search_all(w, from, to);
-  pass_step(kept);
   if (end == end) {
     kept->boxed = 0;
-    return end;
+  } else {
+    find_box(w, from, to);
   }
-  find_box(w, from, to);
-  return to;
+  pass_step(w);
+  return end == end ? end : to;
 }

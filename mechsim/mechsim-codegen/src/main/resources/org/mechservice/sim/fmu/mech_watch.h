@@ -82,9 +82,15 @@ typedef struct {
   double before[WATCH_ROOM(WATCH_FORMULAS)], largest[WATCH_ROOM(WATCH_FORMULAS)];
   double sizes[WATCH_ROOM(WATCH_CHOICES)];
   double since_change[WATCH_ROOM(WATCH_CHOICES)], close_changes[WATCH_ROOM(WATCH_CHOICES)];
+  /* Of each choice in the row of steps: largest distance from its boundary, and changes. */
+  double farthest[WATCH_ROOM(WATCH_CHOICES)], changes[WATCH_ROOM(WATCH_CHOICES)];
+  /* Steps in the row, and when it began. */
+  double steps_in_row, row_began;
   double box_low[WATCH_ROOM(WATCH_LEAVES)], box_high[WATCH_ROOM(WATCH_LEAVES)];
   /* Longest first step from where the last search has ended a step; HUGE_VAL: any. */
   double longest_first_step;
+  /* When the row of steps began that ended with the last at one jump, else NaN. */
+  double sliding_since;
   /* Steps accepted without being searched to their ends. */
   double unsearched;
   /* Whether there are values before, and whether nothing changes its form in the box. */

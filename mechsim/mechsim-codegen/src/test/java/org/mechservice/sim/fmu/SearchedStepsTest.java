@@ -424,6 +424,14 @@ class SearchedStepsTest {
         .contains("At t = 0 the shapes of contact \"c\" are inside each other by more than");
   }
 
+  /** A block under a force below that of its friction stays at a velocity of zero. */
+  @Test
+  void motionThatSlidesAlongAJumpEndsByName() throws Exception {
+    Path program = compiled(slider("", "1-2*signum(x.v)"), "ode113");
+    String said = said(List.of(program.toString(), "1e5", "100"));
+    assertThat(said).contains("the solution slides along a jump of its formulas", "ended at");
+  }
+
   @Test
   void modelExchangeIsSaidNotToBeSearched() throws Exception {
     String said = "In Model Exchange the importer takes the steps, and nothing searches them";

@@ -218,9 +218,7 @@ public final class RandomMechmlForces {
         wrench,
         Expression.ZERO,
         Expression.ZERO,
-        List.of(
-            new PairForce.Value("depth", "m", Expression.ZERO),
-            new PairForce.Value("size", "N", shared)),
+        List.of(new PairForce.Value("size", "N", shared), new PairForce.Value("load", "N", shared)),
         Expression.ZERO,
         0,
         false,

@@ -29,4 +29,12 @@ public interface Model {
    * @param y state [q; v; s], length {@code description().stateCount()}; overwritten
    */
   void initialState(double[] y);
+
+  /**
+   * Returns whether classes of users compute some of its forces: nothing is known of these but
+   * their values, so that a run searches for jumps in them.
+   */
+  default boolean hasUserClasses() {
+    return false;
+  }
 }

@@ -93,6 +93,14 @@ public final class LoopProjection {
   }
 
   /**
+   * Likewise, far from singular positions: only there are several velocities possible at the same
+   * positions, and a drive that begins after a rest changes velocities by all of their size.
+   */
+  public boolean projectFarFromSingular(double t, double[] y) {
+    return projectPositions(t, y) && projectVelocities(t, y, Double.POSITIVE_INFINITY);
+  }
+
+  /**
    * Closes the loops after a jump: first with some velocities and their positions held fixed, then,
    * if a residual remains, with all free. Where Newton's method finds no way, as at half a turn,
    * the positions are found as at a start.

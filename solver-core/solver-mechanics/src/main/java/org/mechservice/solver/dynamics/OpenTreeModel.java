@@ -120,6 +120,11 @@ public abstract class OpenTreeModel
   }
 
   @Override
+  public final boolean hasUserClasses() {
+    return tree.mechanism().hasUserClasses();
+  }
+
+  @Override
   public final void initialState(double[] y) {
     tree.mechanism().initialState(y);
   }

@@ -139,9 +139,12 @@ public final class SingularInertia {
     return all > 0 ? Arrays.stream(energies).sum() / all : 0;
   }
 
-  /** Returns whether there is inertia, of which double precision has lost every digit. */
+  /**
+   * Returns whether there is inertia, of another body than most of what hangs there, of which
+   * double precision has lost every digit. One body alone resists little where axes nearly coincide.
+   */
   public boolean isOfDifferentSizes() {
-    return part() > ROUNDING;
+    return part() > ROUNDING && largest(energies) != largest(alone);
   }
 
   /** Returns the bodies of such different sizes and their ratio, as the rest of a sentence. */

@@ -60,6 +60,11 @@ public class UserForcedModel
   }
 
   @Override
+  public final boolean hasUserClasses() {
+    return true;
+  }
+
+  @Override
   public final void initialState(double[] y) {
     generated.initialState(y);
   }

@@ -547,6 +547,12 @@ public final class TapePieces {
     return Double.POSITIVE_INFINITY;
   }
 
+  /** Returns whether the value of a choice jumps where its piece changes. */
+  public boolean jumps(int choice) {
+    TapeStep step = tape.operation[choices[choice]];
+    return step == Operation.STEP || step == Operation.SIGNUM || step == Operation.FLOOR;
+  }
+
   /** Returns the largest size of the arguments of a choice in the box of {@link #decide}. */
   public double size(int choice) {
     int a = tape.first[choices[choice]];

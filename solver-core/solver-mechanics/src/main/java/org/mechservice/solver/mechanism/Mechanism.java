@@ -13,6 +13,7 @@ import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.force.ForceElement;
+import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.mechanism.joint.Attachment;
 import org.mechservice.solver.mechanism.joint.Joint;
 import org.mechservice.solver.mechanism.joint.StartRole;
@@ -302,6 +303,11 @@ public final class Mechanism {
   /** Returns the applied forces besides gravity, in file order. */
   public List<ForceElement> forces() {
     return forces;
+  }
+
+  /** Returns whether classes of users compute some of its forces. */
+  public boolean hasUserClasses() {
+    return forces.stream().anyMatch(UserForceElement.class::isInstance);
   }
 
   /** Returns the numbers that expressions refer to. */

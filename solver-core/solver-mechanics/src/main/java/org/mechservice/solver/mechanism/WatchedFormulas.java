@@ -289,7 +289,8 @@ final class WatchedFormulas implements ForceVisitor<List<Expression>> {
 
   @Override
   public List<Expression> pairForce(PairForce force) {
-    return force.outputs().isEmpty() ? force.wrench() : List.of(force.load());
+    // a pair that tells no load has its formulas watched
+    return force.outputs().size() > 1 ? List.of(force.load()) : force.wrench();
   }
 
   @Override

@@ -285,7 +285,8 @@ public final class RandomForces {
         wrench,
         new Call(Function.SIN, List.of(square)),
         new Product(new Call(Function.COS, List.of(square)), along),
-        List.of(new PairForce.Value("square", "m²", square)),
+        List.of(
+            new PairForce.Value("square", "m²", square), new PairForce.Value("load", "N", square)),
         Expression.ZERO,
         0,
         false,

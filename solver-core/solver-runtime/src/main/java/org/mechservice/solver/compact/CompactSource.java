@@ -5,10 +5,8 @@ import java.util.Optional;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.TunableParameter;
-import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.dynamics.event.WrittenValues;
 import org.mechservice.solver.force.user.UserForceSource;
-import org.mechservice.solver.mechanism.force.UserForceElement;
 
 /**
  * Superclass of the class of a model in compact form, which adds the data. An instance reads its
@@ -48,10 +46,7 @@ public abstract class CompactSource implements ModelSource {
 
   /** Returns the model of some data, complete. */
   protected Model made(CompactModel data) {
-    Model model = ModelSource.of(bare(data, userForces()));
-    boolean userClasses =
-        data.mechanism().forces().stream().anyMatch(UserForceElement.class::isInstance);
-    return userClasses ? ModelParts.of(model).withUserClasses() : model;
+    return ModelSource.of(bare(data, userForces()));
   }
 
   @Override

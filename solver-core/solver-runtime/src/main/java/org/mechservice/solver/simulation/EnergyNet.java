@@ -97,7 +97,7 @@ final class EnergyNet {
    *
    * @param t time, s
    * @param y state there; not modified
-   * @param work work since the start, J
+   * @param work work since the start, J; NaN where it is not known yet
    * @param turned energy added and removed since the start, J
    */
   void look(double t, double[] y, double work, double turned) {
@@ -111,18 +111,21 @@ final class EnergyNet {
    * @param t time, s
    * @param kinetic kinetic energy, J
    * @param potential potential energy, J
-   * @param work work since the start, J
+   * @param work work since the start, J; NaN where it is not known yet
    * @param turned energy added and removed since the start, J
    */
   void look(double t, double kinetic, double potential, double work, double turned) {
-    sinceLook = 0;
-    double off = Math.abs(kinetic + potential - work - start[0]);
-    unknown |= Double.isNaN(off);
     range[0] = Math.max(range[0], kinetic);
     range[1] = Math.min(range[1], kinetic);
     range[2] = Math.max(range[2], potential);
     range[3] = Math.min(range[3], potential);
     turnover = turned;
+    unknown |= Double.isNaN(kinetic + potential + turned);
+    sinceLook = 0;
+    if (Double.isNaN(work)) {
+      return;
+    }
+    double off = Math.abs(kinetic + potential - work - start[0]);
     double sizes = kinetic + Math.abs(potential) + turned + Math.abs(start[0]);
     rounding = Math.max(rounding, ROUNDING * sizes);
     if (off > rounding && off > GROWTH * drift && count < MOST_TIMES) {

@@ -98,7 +98,7 @@ public final class RuntimeSolver implements Solver {
    */
   private static IntegratorFactory integrators(Model model, String name) {
     IntegrationMethod method = IntegrationMethod.of(name);
-    return ModelParts.of(model).userClasses()
+    return model.hasUserClasses()
         ? settings -> UndeclaredJumps.around(integrator(method, settings))
         : settings -> integrator(method, settings);
   }

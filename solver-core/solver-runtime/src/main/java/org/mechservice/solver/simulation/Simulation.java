@@ -189,7 +189,7 @@ public final class Simulation implements Solver {
       work =
           new WorkMeter(
               equations, integrator, model, rows.measuresWork(), momentum, settings.tStart());
-      stepWork = StepWork.of(equations, integrator, model);
+      stepWork = StepWork.of(equations, integrator, model, !rows.measuresWork());
       energyNet = new EnergyNet(model, settings.relativeTolerance());
       silenced = request.silenced();
       notes = new RunNoteCollector(model, rows, events, integrator, momentum, request.silenced());
@@ -332,11 +332,12 @@ public final class Simulation implements Solver {
       if (stiffness.isPresent() && stiffness.get().stepped(integrator, steps, yDot)) {
         control.setStiff(isStiff(false));
       }
-      balance(result != StepResult.ADVANCED);
+      stepWork.advance(result != StepResult.ADVANCED);
       int badColumn = writeRowsOfStep();
       if (badColumn != RowWriter.ALL_FINITE) {
         return Optional.of(failures.ofRow(dueRow(), badColumn));
       }
+      balance(result != StepResult.ADVANCED);
       if (events.failure().isPresent()) {
         return Optional.of(new Outcome.Failed(events.failure().get()));
       }
@@ -354,25 +355,26 @@ public final class Simulation implements Solver {
           : Optional.of(new Outcome.Completed());
     }
 
-    /** Adds the work of the last step, and looks at the balance of energy where that is due. */
+    /** Looks at the balance of energy at the end of the last step where that is due. */
     private void balance(boolean last) {
-      boolean due = energyNet.isDue(last);
-      if (due || stepWork.measures()) {
+      if (energyNet.isDue(last)) {
         double t = integrator.time();
         integrator.interpolate(t, y, yDot);
-        stepWork.advance(y);
-        if (due) {
-          energyNet.look(equations.evaluationTime(t), y, stepWork.work(), stepWork.turnover());
-        }
+        double done = rows.measuresWork() ? work.work() : stepWork.work();
+        energyNet.look(equations.evaluationTime(t), y, done, turnover());
       }
+    }
+
+    private double turnover() {
+      return rows.measuresWork() ? work.turnover() : stepWork.turnover();
     }
 
     /** Looks at the balance in a row, where the energies are known. */
     private void lookAtRow(double t) {
-      double done = rows.measuresWork() ? work.work() : stepWork.work(t);
-      if (model instanceof Energies && !Double.isNaN(done)) {
+      if (model instanceof Energies) {
         EnergyMonitor energy = rows.energyMonitor();
-        energyNet.look(t, energy.kinetic(), energy.potential(), done, stepWork.turnover());
+        double done = rows.measuresWork() ? work.work() : stepWork.work(t);
+        energyNet.look(t, energy.kinetic(), energy.potential(), done, turnover());
       }
     }
 
@@ -392,6 +394,8 @@ public final class Simulation implements Solver {
       while (ended.isEmpty() && nextRow == row) {
         ended = step();
       }
+      // Inputs may be others from here on.
+      stepWork.addWaiting();
       return ended;
     }
 

@@ -8,27 +8,47 @@ import org.mechservice.solver.simulation.equations.ModelEquations;
 
 /**
  * The work of all forces without potential energy to about a thousandth of the energy that they add
- * and remove, with one evaluation of their power in a step: enough to tell whether the balance of
- * energy holds, at a part of the cost of {@link WorkMeter}.
+ * and remove: enough to tell whether the balance of energy holds, at a small part of the cost of
+ * {@link WorkMeter}.
  *
- * <p>The power at the ends of steps is interpolated by the cubic through the last four of them and
- * integrated over the last step. Where that differs from the parabola through the last three by
+ * <p>The power at the ends of steps is interpolated by the cubic through the last four values and
+ * integrated since the last of them. Where that differs from the parabola through the last three by
  * more than {@value #EVEN} of the turnover, as behind a jump, the step is integrated along the
  * interpolated solution by Lobatto's rule with four points, whose inner ones then follow as earlier
  * values; where the first three of these tell otherwise than all, it is halved. Loops need not be
  * closed for this: interpolated states are off by a few tolerances.
  *
+ * <p>Where the two differ by less than {@value #SMOOTH} of the turnover, the power is evaluated in
+ * half as many steps, down to every {@value #MOST}th, and in twice as many where they differ by
+ * more than {@value #ROUGH}. The states of the steps between are kept: their powers are evaluated
+ * after all when the cubic over them is not even. A step that is much shorter than one before ends
+ * the row of steps, and each of the next ones has its power: something happens there. A cubic over
+ * several steps sees no power that comes back in time with them; rows of steps therefore differ in
+ * length.
+ *
  * <p>Workspace of one run; nothing allocates in a step.
  */
 final class StepWork {
-  /** Values that are remembered, the last one at the end of the last step. */
+  /** Values that are remembered, the last one at the end of the last step with a value. */
   private static final int KEPT = 4;
 
-  /** Difference of two rules, relative to the turnover in the step, that is accepted. */
+  /** Difference of two rules, relative to the turnover in the steps, that is accepted. */
   private static final double EVEN = 5e-3;
+
+  /** The same that makes the rows of steps longer: a cubic over twice the time is off 8 times. */
+  private static final double SMOOTH = 5e-4;
+
+  /** The same that makes them shorter. */
+  private static final double ROUGH = 2e-3;
 
   /** The same for the rule along the interpolated solution. */
   private static final double EVEN_INSIDE = 5e-2;
+
+  /** Most steps with one value of the power. */
+  private static final int MOST = 32;
+
+  /** Length of a step, relative to the longest in its row and the one before, that ends the row. */
+  private static final double SHORTER = 0.6;
 
   /** Most halvings of a step. */
   private static final int HALVINGS = 6;
@@ -49,9 +69,33 @@ final class StepWork {
   private final PowerInput source;
   private final double[] times = new double[KEPT];
   private final double[] powers = new double[KEPT];
+  private final double[] earlierTimes = new double[KEPT];
+  private final double[] earlierPowers = new double[KEPT];
+
+  /** States at the ends of steps whose power is not evaluated yet, and their times. */
+  private final double[][] states;
+
+  private final double[] ends = new double[MOST];
   private final double[] y;
   private final double[] yDot;
   private final double[] evaluated = new double[2];
+
+  /** Number of steps whose work is not known yet. */
+  private int waiting;
+
+  /** Steps with one value of the power, at most. */
+  private int stride = 1;
+
+  /** Counts rows of steps. */
+  private int parity;
+
+  /** Where the first step whose work is not known begins. */
+  private double reached;
+
+  /** Longest step of this row and of the one before, s. */
+  private double longest;
+
+  private double longestBefore;
   private int known;
   private double flow;
   private double work;
@@ -67,71 +111,163 @@ final class StepWork {
     this.source = source;
     y = new double[equations.dimension()];
     yDot = new double[equations.dimension()];
-  }
-
-  /** Returns the work in a run of a model. */
-  static StepWork of(ModelEquations equations, Integrator integrator, Model model) {
-    PowerInput source = model instanceof PowerInput able ? able : NOTHING;
-    return new StepWork(equations, integrator, source);
-  }
-
-  /** Returns whether the model can do such work. */
-  boolean measures() {
-    return source != NOTHING;
+    states = new double[source == NOTHING ? 0 : MOST][equations.dimension()];
   }
 
   /**
-   * Adds the work of the last step.
+   * Returns the work in a run of a model.
    *
-   * @param state state at its end; not modified
+   * @param wanted whether it is measured; otherwise, or if the model does no such work, it stays
+   *     zero
    */
-  void advance(double[] state) {
+  static StepWork of(
+      ModelEquations equations, Integrator integrator, Model model, boolean wanted) {
+    PowerInput source = wanted && model instanceof PowerInput able ? able : NOTHING;
+    return new StepWork(equations, integrator, source);
+  }
+
+  /**
+   * Takes note of the last step, and adds the work up to its end where that is due.
+   *
+   * @param last whether it is due in any case
+   */
+  void advance(boolean last) {
     double from = integrator.previousTime();
     double to = integrator.time();
     double h = to - from;
     turnoverBefore = turnover;
-    if (source == NOTHING || !(h > 0)) {
+    if (source == NOTHING) {
       return;
     }
+    boolean happens = false;
+    if (h > 0) {
+      if (waiting == 0) {
+        reached = from;
+      }
+      integrator.interpolate(to, states[waiting], yDot);
+      ends[waiting] = to - inset(to);
+      waiting++;
+      happens = h < SHORTER * Math.max(longest, longestBefore);
+      longest = Math.max(longest, h);
+    }
+    if (waiting >= rowLength() || happens || last) {
+      addWaiting();
+    }
+    if (happens) {
+      stride = 1;
+      longest = h;
+      longestBefore = h;
+    }
+  }
+
+  private int rowLength() {
+    return Math.max(1, stride - (parity % 3) * stride / 8);
+  }
+
+  /** Adds the work up to the end of the last step. */
+  void addWaiting() {
+    if (waiting == 0) {
+      return;
+    }
+    if (waiting == 1 || !addRow()) {
+      addEach();
+    }
+    waiting = 0;
+    parity++;
+    longestBefore = longest;
+    longest = 0;
+  }
+
+  /** Adds the work of several steps by one value of the power; returns false if it is uneven. */
+  private boolean addRow() {
+    System.arraycopy(times, 0, earlierTimes, 0, KEPT);
+    System.arraycopy(powers, 0, earlierPowers, 0, KEPT);
     double flowBefore = flow;
-    push(to - inset(to), state);
-    double rate = 0.5 * (flowBefore + flow);
+    push(waiting - 1);
+    if (addCubic(reached, integrator.time(), 0.5 * (flowBefore + flow))) {
+      even = true;
+      return true;
+    }
+    System.arraycopy(earlierTimes, 0, times, 0, KEPT);
+    System.arraycopy(earlierPowers, 0, powers, 0, KEPT);
+    flow = flowBefore;
+    stride = 1;
+    return false;
+  }
+
+  /** Adds the work between two values of the power by the cubic; returns false if it is uneven. */
+  private boolean addCubic(double from, double to, double rate) {
+    double h = to - from;
     double cubic = known < KEPT ? Double.NaN : h * mean(from, h, 0);
     double parabola = known < KEPT ? Double.NaN : h * mean(from, h, 1);
-    if (Math.abs(cubic - parabola) <= EVEN * h * rate) {
-      work += cubic;
-      turnover += h * rate;
-      even = true;
-      return;
+    double difference = Math.abs(cubic - parabola);
+    if (!(difference <= EVEN * h * rate)) {
+      return false;
     }
-    even = false;
-    double last = powers[KEPT - 1];
-    double lastFlow = flow;
-    power(from + inset(from));
-    double first = evaluated[0];
-    along(from, first, evaluated[1], to, last, lastFlow, HALVINGS);
-    flow = lastFlow;
+    work += cubic;
+    turnover += h * rate;
+    if (difference <= SMOOTH * h * rate) {
+      stride = Math.min(2 * stride, MOST);
+    } else if (difference > ROUGH * h * rate) {
+      stride = Math.max(1, stride / 2);
+    }
+    return true;
+  }
+
+  /**
+   * Adds the work of each step by its own value. Of an uneven step before the last one the cubic
+   * also may be that through values on both sides, or else the trapezoidal rule is taken.
+   */
+  private void addEach() {
+    double from = reached;
+    double before = reached;
+    double rateBefore = 0;
+    boolean left = false;
+    for (int i = 0; i < waiting; i++) {
+      boolean last = i == waiting - 1;
+      double to = last ? integrator.time() : ends[i];
+      double flowBefore = flow;
+      push(i);
+      if (left && !addCubic(before, from, rateBefore)) {
+        work += 0.5 * (from - before) * (powers[KEPT - 3] + powers[KEPT - 2]);
+        turnover += (from - before) * rateBefore;
+      }
+      double rate = 0.5 * (flowBefore + flow);
+      even = addCubic(from, to, rate);
+      left = !even && !last;
+      if (!even) {
+        stride = 1;
+      }
+      if (!even && last) {
+        double end = powers[KEPT - 1];
+        double endFlow = flow;
+        power(integrator.previousTime() + inset(from));
+        double first = evaluated[0];
+        along(from, first, evaluated[1], to, end, endFlow, HALVINGS);
+        flow = endFlow;
+      }
+      before = from;
+      rateBefore = rate;
+      from = to;
+    }
   }
 
   private double inset(double t) {
     return equations.breakpoints().isEmpty() ? 0 : BESIDE_JUMPS * Math.ulp(t);
   }
 
-  private void push(double t, double[] state) {
+  /** Evaluates the power at the end of a step. */
+  private void push(int step) {
     evaluated[0] = 0;
     evaluated[1] = 0;
-    source.power(t, state, evaluated);
-    push(t, evaluated[0]);
-    flow = evaluated[1];
-  }
-
-  private void push(double t, double power) {
+    source.power(ends[step], states[step], evaluated);
     for (int i = 1; i < KEPT; i++) {
       times[i - 1] = times[i];
       powers[i - 1] = powers[i];
     }
-    times[KEPT - 1] = t;
-    powers[KEPT - 1] = power;
+    times[KEPT - 1] = ends[step];
+    powers[KEPT - 1] = evaluated[0];
+    flow = evaluated[1];
     known = Math.min(KEPT, known + 1);
   }
 
@@ -214,23 +350,24 @@ final class StepWork {
     turnover += Math.abs(energy);
   }
 
-  /** Returns the work up to the end of the last step, J; positive into the mechanism. */
+  /** Returns the work up to the end of the last step, J; NaN where it is not added yet. */
   double work() {
-    return work;
+    return waiting > 0 ? Double.NaN : work;
   }
 
   /**
-   * Returns the work up to a time within the last step, J; NaN where the power is too uneven in it.
+   * Returns the work up to a time within the last step, J; NaN where it is not added yet, or the
+   * power is too uneven in the step.
    */
   double work(double t) {
     double left = integrator.time() - t;
-    if (left == 0 || turnover == turnoverBefore) {
-      return work;
+    if (waiting > 0 || left == 0 || turnover == turnoverBefore) {
+      return work();
     }
     return even ? work - left * mean(t, left, 0) : Double.NaN;
   }
 
-  /** Returns the sum of added and removed energy up to then, J. */
+  /** Returns the sum of energy added and removed so far, J. */
   double turnover() {
     return turnover;
   }
@@ -243,5 +380,15 @@ final class StepWork {
     flow = state.number(flow);
     work = state.number(work);
     turnover = state.number(turnover);
+    stride = state.integer(stride);
+    parity = state.integer(parity);
+    reached = state.number(reached);
+    longest = state.number(longest);
+    longestBefore = state.number(longestBefore);
+    waiting = state.integer(waiting);
+    for (int i = 0; i < waiting; i++) {
+      state.numbers(states[i]);
+    }
+    state.numbers(ends);
   }
 }

@@ -1,6 +1,5 @@
 package org.mechservice.solver.closure;
 
-import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.closure.model.LinearisedProjectionModel;
 import org.mechservice.solver.closure.model.LoopModel;
@@ -11,6 +10,14 @@ import org.mechservice.solver.closure.model.ResidualPenaltyModel.Derivatives;
 import org.mechservice.solver.closure.model.ResidualProjectionModel;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.ode.Integrator;
+import org.mechservice.solver.ode.IntegratorSettings;
+import org.mechservice.solver.ode.jumps.UndeclaredJumps;
+import org.mechservice.solver.ode.stiff.Ode15s;
+import org.mechservice.solver.ode.stiff.Ode15sR;
+import org.mechservice.solver.ode.switching.Switching;
+import org.mechservice.solver.simulation.RuntimeSolver;
+import org.mechservice.solver.simulation.Simulation;
 
 /** Makes models of loops by the names of formulation and closure. */
 final class LoopModels {
@@ -45,6 +52,19 @@ final class LoopModels {
 
   /** Runs a mechanism with a search for jumps, as if a class of a user computed its forces. */
   static SceneRun runSearched(Mechanism mechanism, String formulation, RunSettings settings) {
-    return SceneRun.of(ModelParts.of(of(mechanism, formulation, settings)).withUserClasses());
+    LoopModel model = of(mechanism, formulation, settings);
+    String name = settings.integrator();
+    return SceneRun.by(
+        new Simulation(how -> searched(name, how), RuntimeSolver.formOf(model, name)), model);
+  }
+
+  private static Integrator searched(String name, IntegratorSettings how) {
+    return UndeclaredJumps.around(
+        switch (name) {
+          case "ode15s" -> new Ode15s(how);
+          case "ode15sR" -> new Ode15sR(how);
+          case "switching" -> new Switching(how);
+          default -> throw new IllegalArgumentException(name);
+        });
   }
 }

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.OptionalDouble;
 import java.util.Set;
 import org.mechservice.solver.api.Model;
+import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.RunControl;
@@ -22,15 +23,12 @@ final class SceneRun implements ResultSink {
   final List<double[]> rows = new ArrayList<>();
   final RunReport report;
 
-  private SceneRun(Model model, RunSettings settings, boolean strict, OptionalDouble maxDrift) {
+  private SceneRun(
+      Solver solver, Model model, RunSettings settings, boolean strict, OptionalDouble maxDrift) {
     try {
       report =
-          new RuntimeSolver()
-              .run(
-                  model,
-                  new RunRequest(settings, Set.of(), strict, maxDrift),
-                  this,
-                  new RunControl());
+          solver.run(
+              model, new RunRequest(settings, Set.of(), strict, maxDrift), this, new RunControl());
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
@@ -38,17 +36,30 @@ final class SceneRun implements ResultSink {
 
   /** Runs a model as its own settings say. */
   static SceneRun of(Model model) {
-    return new SceneRun(model, model.description().defaults(), false, OptionalDouble.empty());
+    return new SceneRun(
+        new RuntimeSolver(), model, model.description().defaults(), false, OptionalDouble.empty());
+  }
+
+  /** Likewise, by a solver of its own. */
+  static SceneRun by(Solver solver, Model model) {
+    RunSettings settings = model.description().defaults();
+    return new SceneRun(solver, model, settings, false, OptionalDouble.empty());
   }
 
   /** Likewise, and the first warning ends it. */
   static SceneRun strict(Model model) {
-    return new SceneRun(model, model.description().defaults(), true, OptionalDouble.empty());
+    return new SceneRun(
+        new RuntimeSolver(), model, model.description().defaults(), true, OptionalDouble.empty());
   }
 
   /** Likewise, and a drift of the energy balance above a part of its scale ends it. */
   static SceneRun watched(Model model, double maxDrift) {
-    return new SceneRun(model, model.description().defaults(), false, OptionalDouble.of(maxDrift));
+    return new SceneRun(
+        new RuntimeSolver(),
+        model,
+        model.description().defaults(),
+        false,
+        OptionalDouble.of(maxDrift));
   }
 
   /** Returns settings with an absolute tolerance of a hundredth of the relative one. */

@@ -23,6 +23,7 @@ import org.mechservice.sim.model.Scenes;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.Energies;
 import org.mechservice.solver.api.capability.ExplicitModel;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.capability.PowerInput;
 import org.mechservice.solver.api.capability.ResultColumns;
 import org.mechservice.solver.api.result.ColumnGroup;
@@ -69,12 +70,13 @@ class GeneratedForcesTest {
     MechmlModel file = Scenes.model(mechanism);
     GeneratedModel generated = ModelFactory.generate(file, ALL);
     double[] y = RandomMechmlTrees.state(seed, mechanism);
-    assertThat(everything(ModelFactory.compile(file, ALL, generated).newInstance(), y))
-        .containsExactly(
-            everything(ModelFactory.compileSource(file, ALL, generated).newInstance(), y));
+    Model compiled = ModelFactory.compile(file, ALL, generated).newInstance();
+    Model ofSource = ModelFactory.compileSource(file, ALL, generated).newInstance();
+    assertThat(everything(compiled, y)).containsExactly(everything(ofSource, y));
   }
 
-  private static double[] everything(Model model, double[] y) {
+  private static double[] everything(Model whole, double[] y) {
+    Model model = ModelParts.of(whole).equations();
     double[] yDot = new double[y.length];
     ((ExplicitModel) model).derivative(TIME, y, yDot);
     ResultColumns columns = (ResultColumns) model;
@@ -89,7 +91,8 @@ class GeneratedForcesTest {
 
   private static void assertAgreement(Mechanism mechanism) {
     MechmlModel file = Scenes.model(mechanism);
-    Model model = ModelFactory.compile(file, ALL, ModelFactory.generate(file, ALL)).newInstance();
+    Model whole = ModelFactory.compile(file, ALL, ModelFactory.generate(file, ALL)).newInstance();
+    Model model = ModelParts.of(whole).equations();
     DataDrivenModel reference = new DataDrivenModel(mechanism, Scenes.SETTINGS);
     double[] y = RandomMechmlTrees.state(3, mechanism);
     double[] actual = new double[y.length];

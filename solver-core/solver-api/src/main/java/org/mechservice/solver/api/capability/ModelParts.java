@@ -7,16 +7,13 @@ import org.mechservice.solver.api.ModelDescription;
 /**
  * The parts of a model: its equations, its events, and its result columns beside joints, energies
  * and poses. {@link #of} returns the parts of any model; a model that consists of equations only
- * has no events, no columns and no user classes.
+ * has no events and no columns.
  *
  * @param equations the equations, with the capabilities they implement
  * @param events the events; empty if the model has none
  * @param columns the further columns; {@link ResultColumns#NONE} if there are none
- * @param userClasses whether classes of users compute some of its forces: nothing is known of these
- *     but their values, so that a run searches for jumps in them
  */
-public record ModelParts(
-    Model equations, Optional<ModelEvents> events, ResultColumns columns, boolean userClasses)
+public record ModelParts(Model equations, Optional<ModelEvents> events, ResultColumns columns)
     implements Model {
   /** Returns the parts of a model. */
   public static ModelParts of(Model model) {
@@ -24,22 +21,17 @@ public record ModelParts(
       return parts;
     }
     ResultColumns own = model instanceof ResultColumns columns ? columns : ResultColumns.NONE;
-    return new ModelParts(model, Optional.empty(), own, false);
+    return new ModelParts(model, Optional.empty(), own);
   }
 
   /** Returns these parts with events. */
   public ModelParts with(ModelEvents along) {
-    return new ModelParts(equations, Optional.of(along), columns, userClasses);
+    return new ModelParts(equations, Optional.of(along), columns);
   }
 
   /** Returns these parts with other columns. */
   public ModelParts with(ResultColumns further) {
-    return new ModelParts(equations, events, further, userClasses);
-  }
-
-  /** Returns these parts as those of a model with forces by classes of users. */
-  public ModelParts withUserClasses() {
-    return new ModelParts(equations, events, columns, true);
+    return new ModelParts(equations, events, further);
   }
 
   @Override
@@ -50,5 +42,10 @@ public record ModelParts(
   @Override
   public void initialState(double[] y) {
     equations.initialState(y);
+  }
+
+  @Override
+  public boolean hasUserClasses() {
+    return equations.hasUserClasses();
   }
 }

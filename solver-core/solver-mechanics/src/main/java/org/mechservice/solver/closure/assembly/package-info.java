@@ -2,9 +2,10 @@
  * Set-up of closed loops before a run: rank, redundant equations and the closed initial position.
  *
  * <p>{@link org.mechservice.solver.closure.assembly.ClosedStart} is the result, computed once for
- * all who need it. {@link org.mechservice.solver.closure.assembly.Assembly} moves the given
- * position to one that closes all loops by the least change of scaled coordinates, and the
- * velocities likewise; it names a constraint that cannot be closed. {@link
+ * all who need it. {@link org.mechservice.solver.closure.assembly.Assembly} chooses what may move,
+ * {@link org.mechservice.solver.closure.assembly.NearestPositions} finds the nearest positions that
+ * close all loops, at starts and after events alike, and velocities change by the least amount; a
+ * constraint that cannot be closed is named. {@link
  * org.mechservice.solver.closure.assembly.RankAnalysis} determines the rank of the equations and
  * names each redundant one with its direction. Both use singular values for small mechanisms, and
  * sparse factors for large ones, with singular values for unclear pivots. They report each result

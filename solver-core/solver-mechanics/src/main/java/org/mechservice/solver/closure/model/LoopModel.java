@@ -64,6 +64,11 @@ public abstract class LoopModel
   }
 
   @Override
+  public final boolean hasUserClasses() {
+    return closed.tree().mechanism().hasUserClasses();
+  }
+
+  @Override
   public void initialState(double[] y) {
     System.arraycopy(closed.start().state(), 0, y, 0, closed.start().state().length);
   }

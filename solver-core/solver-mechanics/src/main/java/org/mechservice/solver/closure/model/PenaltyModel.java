@@ -100,9 +100,14 @@ public class PenaltyModel extends LoopModel implements ProjectedStates, ModelSta
 
   @Override
   public final boolean project(double t, double[] y) {
-    boolean done = !watch.stallsAtSingularity() && projection.project(t, y) && isSameAssembly(t, y);
+    boolean done = !watch.stallsAtSingularity() && moveOntoLoops(t, y) && isSameAssembly(t, y);
     watch.tried(done);
     return done;
+  }
+
+  private boolean moveOntoLoops(double t, double[] y) {
+    boolean far = movedByTime && !watch.isNearSingular();
+    return far ? projection.projectFarFromSingular(t, y) : projection.project(t, y);
   }
 
   private void orient() {

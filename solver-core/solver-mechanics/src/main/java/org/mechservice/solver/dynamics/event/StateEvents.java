@@ -155,6 +155,11 @@ public final class StateEvents implements ModelEvents, ModelState {
   }
 
   @Override
+  public double slidingSince() {
+    return search.isPresent() ? search.get().slidingSince() : Double.NaN;
+  }
+
+  @Override
   public double longestFirstStep() {
     return search.isPresent() ? search.get().longestFirstStep() : Double.POSITIVE_INFINITY;
   }

@@ -65,6 +65,15 @@ final class StepSearch {
   /** Close changes in a row after which those that show are left to the error test. */
   private static final int MOST_CLOSE = 8;
 
+  /** Steps in a row after which it is asked whether the solution slides along a jump. */
+  private static final int ROW = 2000;
+
+  /** Changes in them, or steps beside one, from which on it may. */
+  private static final int CHANGES = 20;
+
+  /** Distance from the boundary, relative to the size of the argument, that it keeps then. */
+  private static final double HOVERING = 1e-6;
+
   /** The same for changes that do not show, which is next to never. */
   private static final int MOST_HIDDEN = 400;
 
@@ -78,6 +87,9 @@ final class StepSearch {
 
   private static final double SMALL_BOX = 1;
   private static final double SHRINKAGE = 0.25;
+
+  /** Growth of the box in which a change counts as beside the step: one of those tried. */
+  private static final double BESIDE = 4;
 
   /** Part of the way to a hidden value that the first step behind takes. */
   private static final double FIRST_STEP = 0.25;
@@ -115,6 +127,11 @@ final class StepSearch {
   private final double[] sinceChange;
   private final double[] closeChanges;
 
+  /** Of each choice in the row of steps: largest distance from its boundary, and changes. */
+  private final double[] farthest;
+
+  private final double[] changes;
+
   /** Where the sign of an event changes first, if that shows; NaN if it has not yet. */
   private final double[] firstSeen;
 
@@ -136,6 +153,10 @@ final class StepSearch {
   private int evaluations;
   private int allowed;
   private double longestFirstStep = Double.POSITIVE_INFINITY;
+  private double slidingSince = Double.NaN;
+
+  private double stepsInRow;
+  private double rowBegan;
   private boolean begun;
 
   /** Evaluates the watched quantities. */
@@ -169,6 +190,8 @@ final class StepSearch {
     closeChanges = new double[choices];
     Arrays.fill(sinceChange, CLOSE);
     firstSeen = new double[choices];
+    farthest = new double[choices];
+    changes = new double[choices];
     int formulas = pieces.formulaCount();
     valueFrom = new double[formulas];
     valueTo = new double[formulas];
@@ -211,16 +234,17 @@ final class StepSearch {
       return to;
     }
     double end = searchAll(path, from, to);
-    passStep();
     boolean seen = Double.isNaN(end);
     if (seen) {
       findBox(path, from, to);
     }
     boxed &= seen;
+    passStep();
     return seen ? to : end;
   }
 
   private void passStep() {
+    lookForSliding();
     for (int c = 0; c < sinceChange.length; c++) {
       sinceChange[c] = Math.min(CLOSE, sinceChange[c] + 1);
     }
@@ -266,6 +290,9 @@ final class StepSearch {
         pieces.setLeaf(leaf, boxLow[leaf], boxHigh[leaf]);
       }
       boxed = pieces.decide() && pieces.isEven();
+      for (int k = 0; growth == BESIDE && k < pieces.undecidedCount(); k++) {
+        changes[pieces.undecided(k)]++;
+      }
     }
   }
 
@@ -518,8 +545,40 @@ final class StepSearch {
     if (looking) {
       sinceChange[choice] = 0;
       closeChanges[choice] = taken ? row : closeChanges[choice];
+      changes[choice]++;
     }
     return taken;
+  }
+
+  /**
+   * Looks, at the end of each row of steps, for a choice that jumps, has changed in them and has
+   * stayed at its boundary all the time.
+   */
+  private void lookForSliding() {
+    slidingSince = Double.NaN;
+    rowBegan = stepsInRow == 0 ? begin : rowBegan;
+    for (int choice = 0; choice < farthest.length; choice++) {
+      if (pieces.jumps(choice)) {
+        farthest[choice] = Math.max(farthest[choice], pieces.distance(choice, atFrom));
+      }
+    }
+    if (++stepsInRow < ROW) {
+      return;
+    }
+    for (int choice = 0; choice < farthest.length; choice++) {
+      boolean hovers = farthest[choice] < HOVERING * sizes[choice];
+      if (pieces.jumps(choice) && hovers && changes[choice] >= CHANGES) {
+        slidingSince = rowBegan;
+      }
+    }
+    stepsInRow = 0;
+    Arrays.fill(farthest, 0);
+    Arrays.fill(changes, 0);
+  }
+
+  /** Returns when the row of steps began that ended with the last at one jump, or NaN. */
+  double slidingSince() {
+    return slidingSince;
   }
 
   /**
@@ -597,6 +656,8 @@ final class StepSearch {
     state[at] = begun ? 1 : 0;
     state[at + 1] = longestFirstStep;
     state[at + 2] = boxed ? 1 : 0;
+    state[at + 3] = stepsInRow;
+    state[at + 4] = rowBegan;
     state[at + 3] = unsearched;
     state[at + 4] = unsearchedCount;
   }
@@ -611,6 +672,8 @@ final class StepSearch {
     begun = state[at] == 1;
     longestFirstStep = state[at + 1];
     boxed = state[at + 2] == 1;
+    stepsInRow = state[at + 3];
+    rowBegan = state[at + 4];
     unsearched = state[at + 3];
     unsearchedCount = (long) state[at + 4];
   }

@@ -107,6 +107,14 @@ public interface EventFunctions {
     return false;
   }
 
+  /**
+   * Returns since when all of some thousand steps, the last of them searched last, have stayed at
+   * one jump of the equations; NaN if there is no such row of steps.
+   */
+  default double slidingSince() {
+    return Double.NaN;
+  }
+
   /** Returns the longest first step behind the last end that {@link #seenUntil} has set. */
   default double longestFirstStep() {
     return Double.POSITIVE_INFINITY;

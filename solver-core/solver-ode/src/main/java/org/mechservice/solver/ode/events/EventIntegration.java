@@ -60,6 +60,9 @@ public final class EventIntegration implements ResidualIntegrator {
    */
   private static final double FIRST_STEP = 0.05;
 
+  /** Rows of steps at one jump that may be left of the problem. */
+  private static final double MOST_ROWS = 1000;
+
   private final Integrator integrator;
   private final EventFunctions functions;
   private final EventValues values;
@@ -242,6 +245,9 @@ public final class EventIntegration implements ResidualIntegrator {
     if (functions.searchesSteps()) {
       end = values.seenUntil(begin, end);
       time = end;
+      if (Math.abs(tEnd - end) > MOST_ROWS * Math.abs(end - functions.slidingSince())) {
+        return slides(end);
+      }
     }
     double from = begin;
     int points = values.survey(begin, end, parts);
@@ -274,6 +280,17 @@ public final class EventIntegration implements ResidualIntegrator {
     }
     running = result == StepResult.ADVANCED;
     return result;
+  }
+
+  /** Ends the integration: the solution slides along a jump and would take millions of steps. */
+  private StepResult slides(double t) {
+    running = false;
+    double size = Math.max(Math.abs(integrator.stepSize()), 2000 * Math.ulp(t));
+    failure =
+        Optional.of(
+            new IntegrationFailure(
+                Cause.STEP_TOO_SMALL, t, size, integrator.order(), -1, 0, recentSteps.list()));
+    return StepResult.FAILED;
   }
 
   /** Ends the step where something would go unseen; the integration begins anew from there. */

@@ -149,6 +149,11 @@ final class WatchedRun extends RunEvents implements EventFunctions, ModelEvents.
   }
 
   @Override
+  public double slidingSince() {
+    return events.slidingSince();
+  }
+
+  @Override
   public double longestFirstStep() {
     return events.longestFirstStep();
   }
