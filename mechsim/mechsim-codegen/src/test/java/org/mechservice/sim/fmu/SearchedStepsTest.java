@@ -14,6 +14,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
@@ -325,8 +326,28 @@ class SearchedStepsTest {
   }
 
   /** The state along a step: cubics of the time from its start. */
-  private record Way(double from, double[] given, int first, double[] state)
-      implements ModelEvents.Path {
+  private static final class Way implements ModelEvents.Path {
+    private final double from;
+    private final double[] given;
+    private final int first;
+    private final double[] state;
+
+    /**
+     * @param given holds four coefficients for each component of the state
+     * @param first place of the first one
+     */
+    Way(double from, double[] given, int first, double[] state) {
+      this.from = from;
+      this.given = given;
+      this.first = first;
+      this.state = state;
+    }
+
+    @Override
+    public double[] state() {
+      return state;
+    }
+
     @Override
     public boolean moveTo(double t) {
       double s = t - from;
@@ -341,7 +362,8 @@ class SearchedStepsTest {
   private static String formula(Random random, int depth) {
     if (depth == 0) {
       String leaf = random.nextBoolean() ? "x.q" : "x.v";
-      return "(%.3f*%s%+.3f)".formatted(random.nextGaussian(), leaf, random.nextGaussian());
+      return String.format(
+          Locale.ROOT, "(%.3f*%s%+.3f)", random.nextGaussian(), leaf, random.nextGaussian());
     }
     String one = formula(random, depth - 1);
     int kind = random.nextInt(FUNCTIONS.size() + 5);
