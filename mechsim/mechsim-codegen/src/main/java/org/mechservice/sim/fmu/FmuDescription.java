@@ -21,6 +21,12 @@ final class FmuDescription {
       "Closed loops stay on their assembly as far as the error test of the method leads; a position"
           + " in which a loop locks, or two of its assemblies meet, is not noticed.";
 
+  /** The same of a model whose steps are searched. */
+  private static final String SEARCHED =
+      "Co-Simulation searches its steps for hits and other changes that their ends do not show. In"
+          + " Model Exchange the importer takes the steps, and nothing searches them: keep them"
+          + " shorter than what happens.";
+
   private static final String TOOL = "MechService";
 
   /** A variable with all that both versions say about it. */
@@ -177,8 +183,8 @@ final class FmuDescription {
               TOOL,
               "variableNamingConvention",
               "flat");
-          if (model.hasLoops()) {
-            xml.writeAttribute("description", LOOPS);
+          if (!notes().isEmpty()) {
+            xml.writeAttribute("description", String.join(" ", notes()));
           }
           if (two) {
             xml.writeAttribute("numberOfEventIndicators", Integer.toString(model.events().size()));
@@ -212,6 +218,18 @@ final class FmuDescription {
           xml.writeEndElement();
           xml.writeEndElement();
         });
+  }
+
+  /** Returns what an importer should know of the model. */
+  private List<String> notes() {
+    List<String> notes = new ArrayList<>();
+    if (model.hasLoops()) {
+      notes.add(LOOPS);
+    }
+    if (model.isWatched()) {
+      notes.add(SEARCHED);
+    }
+    return notes;
   }
 
   private void kinds(XMLStreamWriter xml) throws XMLStreamException {

@@ -40,8 +40,8 @@ public record FmuModel(
   /** Beginning of the names of all functions of a model in independent coordinates. */
   private static final String INDEPENDENT = "mech_independent";
 
-  /** A program of its own among the files of a printed model. */
-  private static final String EXAMPLE = "example.c";
+  /** The sizes of what the steps of a model watch; without it they watch nothing. */
+  private static final String WATCHED = "mech_watch_tape.h";
 
   public FmuModel {
     states = List.copyOf(states);
@@ -58,8 +58,7 @@ public record FmuModel(
    * @param run the run that its file describes
    */
   public static FmuModel of(CModel model, RunSettings run) {
-    SortedMap<String, String> files = new TreeMap<>(model.files());
-    files.remove(EXAMPLE);
+    SortedMap<String, String> files = new TreeMap<>(model.searchedFiles());
     return new FmuModel(
         model.modelName(),
         model.name(),
@@ -96,10 +95,15 @@ public record FmuModel(
     }
     IndependentCoordinates chosen = new IndependentCoordinates(model, loops, wanted);
     SortedMap<String, String> files = new TreeMap<>(whole.sources());
+    List<String> quantities =
+        FmuSources.QUANTITIES.stream()
+            .filter(function -> whole.declares(whole.identifier(), function))
+            .toList();
     for (String ending : List.of(".h", ".c")) {
       String text = FmuSources.resource(INDEPENDENT + ending);
       files.put(
-          INDEPENDENT + ending, ending.equals(".h") ? chosen.header(text) : chosen.source(text));
+          INDEPENDENT + ending,
+          ending.equals(".h") ? chosen.header(text, quantities) : chosen.source(text, quantities));
     }
     List<FmuVariable> outputs = new ArrayList<>(whole.outputs());
     chosen.others().forEach(i -> outputs.add(whole.states().get(i)));
@@ -113,6 +117,16 @@ public record FmuModel(
         whole.events(),
         whole.experiment(),
         files);
+  }
+
+  /** Returns whether the header with the names of a prefix declares a function. */
+  boolean declares(String prefix, String function) {
+    return sources.getOrDefault(prefix + ".h", "").contains(prefix + "_" + function + "(");
+  }
+
+  /** Returns whether the steps of the model are searched. */
+  boolean isWatched() {
+    return sources.containsKey(WATCHED);
   }
 
   /** Returns whether the model has closed loops. */

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -24,6 +25,12 @@ final class FmuSources {
           "mech_fmu.c",
           "mech_fmu.h",
           "mech_steps.h");
+
+  /** The search of steps, of a model that has something to watch. */
+  private static final List<String> SEARCH = List.of("mech_watch.c", "mech_watch.h");
+
+  /** Functions of what is evaluated for it. */
+  static final List<String> QUANTITIES = List.of("watched", "overlaps");
 
   private static final List<String> FUNCTIONS =
       List.of(
@@ -55,6 +62,7 @@ final class FmuSources {
           Map.entry("go_on", "(m, t, x) ((void)(t), 0)"),
           Map.entry("outputs", "(m, t, x, y) 0"),
           Map.entry("directional", "(m, t, x, seed, dx) ((void)(seed), (void)(dx), -1)"),
+          Map.entry("overlaps", "(m, t, x, values) 0"),
           Map.entry("failure", "(m) \"\""));
 
   private FmuSources() {}
@@ -80,8 +88,9 @@ final class FmuSources {
   /** Returns the files of a model and its integrator, without an interface. */
   private static SortedMap<String, String> unit(FmuModel model) {
     SortedMap<String, String> files = new TreeMap<>(model.sources());
-    for (String name : METHODS) {
-      files.put(name, resource(name));
+    METHODS.forEach(name -> files.put(name, resource(name)));
+    if (model.isWatched()) {
+      SEARCH.forEach(name -> files.put(name, resource(name)));
     }
     for (String name : List.of("mech_math.c", "mech_math.h")) {
       files.putIfAbsent(name, resource("/org/mechservice/sim/emit/c/" + name));
@@ -140,9 +149,13 @@ final class FmuSources {
     define(text, "U(m)", "((m)->" + within + "u)");
     define(text, "LOST(m)", model.isIndependent() ? "((m)->lost)" : "((void)(m), 0)");
     define(text, "IS_LOSING(m)", model.isIndependent() ? "((m)->failures == 1)" : "((void)(m), 0)");
-    String declared = model.sources().getOrDefault(name + ".h", "");
-    for (String function : FUNCTIONS) {
-      boolean there = declared.contains(name + "_" + function + "(");
+    List<String> functions = new ArrayList<>(FUNCTIONS);
+    if (model.isWatched()) {
+      define(text, "WATCHES", "1");
+      functions.addAll(QUANTITIES);
+    }
+    for (String function : functions) {
+      boolean there = model.declares(name, function);
       String without = WITHOUT.getOrDefault(function, "");
       if (there || without.isEmpty()) {
         define(text, function, name + "_" + function);

@@ -283,9 +283,24 @@ final class IndependentCoordinates {
         .anyMatch(b -> given[coordinates.ballVelocity(b)]);
   }
 
-  /** Returns the header of the model in these coordinates. */
-  String header(String template) {
+  private static String quantitiesHead(String function) {
+    return "int mech_independent_"
+        + function
+        + "(mech_independent_t *m, double t, const double *x, double *values)";
+  }
+
+  /**
+   * Returns the header of the model in these coordinates.
+   *
+   * @param quantities names of the functions of quantities that steps watch
+   */
+  String header(String template, List<String> quantities) {
+    String watched =
+        quantities.stream()
+            .map(function -> quantitiesHead(function) + ";\n")
+            .collect(Collectors.joining());
     return template
+        .replace("\n#endif\n", watched + "\n#endif\n")
         .replace("@NX@", Integer.toString(states().size()))
         .replace("@OTHERS@", Integer.toString(others().size()))
         .replace("@NV@", Integer.toString(velocities))
@@ -298,8 +313,35 @@ final class IndependentCoordinates {
     return array + "[] = {" + (values.isEmpty() ? "0" : elements) + "};\n";
   }
 
-  /** Returns the code of the model in these coordinates: the tables, then the functions. */
-  String source(String template) {
+  /**
+   * Returns a function of quantities at a place where perhaps no state is found, which is no
+   * failure of the step.
+   */
+  private String quantities(String function) {
+    return "\n"
+        + quantitiesHead(function)
+        + """
+           {
+            int lost = m->lost, failures = m->failures;
+            double *y = complete(m, t, x);
+            if (y == NULL) {
+              m->lost = lost;
+              m->failures = failures;
+              m->text[0] = 0;
+              return -1;
+            }
+            return %s_%s(&m->full, t, y, values);
+          }
+          """
+            .formatted(model.name(), function);
+  }
+
+  /**
+   * Returns the code of the model in these coordinates: the tables, then the functions.
+   *
+   * @param quantities names of the functions of quantities that steps watch
+   */
+  String source(String template, List<String> quantities) {
     StringBuilder text = new StringBuilder();
     text.append(
         "#include \"mech_independent.h\"\n\n#include <math.h>\n#include <stdio.h>\n#include <string.h>\n\n");
@@ -329,6 +371,8 @@ final class IndependentCoordinates {
     text.append("};\nenum { V = " + coordinates.positionCount() + " };\n");
     text.append(
         "enum { DEPENDENT = " + loops.rank() + ", BALLS = " + (hasBall() ? 1 : 0) + " };\n");
-    return text.append(template.replace("MODEL", model.name())).toString();
+    text.append(template.replace("MODEL", model.name()));
+    quantities.forEach(function -> text.append(quantities(function)));
+    return text.toString();
   }
 }

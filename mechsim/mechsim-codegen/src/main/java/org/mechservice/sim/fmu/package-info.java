@@ -15,8 +15,10 @@
  * event indicators, and after a completed step that has left the constraints the unit asks for an
  * event, in which it projects the state back. In Co-Simulation the unit integrates by the Adams
  * method of {@code org.mechservice.solver.ode.adams}, written once more in C, and projects every
- * step. A unit allocates nothing after it was instantiated, and refuses wrong orders of calls,
- * wrong value references and values that are not finite with an error and a message.
+ * step. {@code mech_watch.c} then searches the step for what its ends do not show, by the decisions
+ * of {@code solver.dynamics.event.StepSearch}. A unit allocates nothing after it was instantiated,
+ * and refuses wrong orders of calls, wrong value references and values that are not finite with an
+ * error and a message.
  *
  * <p>{@code IndependentCoordinates} chooses states of closed loops that determine all others, which
  * {@code mech_independent.c} then computes at every evaluation.

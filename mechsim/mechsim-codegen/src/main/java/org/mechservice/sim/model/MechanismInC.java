@@ -20,6 +20,7 @@ import org.mechservice.sim.emit.c.CModel;
 import org.mechservice.sim.emit.c.CMotion;
 import org.mechservice.sim.emit.c.COutputs;
 import org.mechservice.sim.emit.c.CVariable;
+import org.mechservice.sim.emit.c.CWatch;
 import org.mechservice.sim.equations.EnergyEquations;
 import org.mechservice.sim.equations.PoseEquations;
 import org.mechservice.sim.equations.PowerEquations;
@@ -43,6 +44,7 @@ import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.closure.equations.LoopRounding;
 import org.mechservice.solver.closure.equations.UnwrappedAngles;
 import org.mechservice.solver.dynamics.event.StateEvents;
+import org.mechservice.solver.dynamics.event.WatchedTape;
 import org.mechservice.solver.expression.ClosureCoordinate;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Tape;
@@ -54,6 +56,7 @@ import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Event;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Output;
+import org.mechservice.solver.mechanism.Overlap;
 import org.mechservice.solver.mechanism.Parameter;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.text.ShortestDecimal;
@@ -286,7 +289,8 @@ final class MechanismInC {
         energy,
         outputs(links, energy),
         events(links),
-        inputs(description.states()));
+        inputs(description.states()),
+        watch(links));
   }
 
   private double[] start() {
@@ -365,6 +369,25 @@ final class MechanismInC {
         mechanism.samplings().stream()
             .map(sampling -> new CEvents.Sampled(sampling.period(), sampling.offset()))
             .toList());
+  }
+
+  private Optional<CWatch> watch(Links links) {
+    WatchedTape watched = WatchedTape.of(mechanism);
+    if (watched.isEmpty()) {
+      return Optional.empty();
+    }
+    List<Expression> quantities = watched.searchedQuantities();
+    List<Overlap> overlaps = mechanism.overlaps();
+    return Optional.of(
+        new CWatch(
+            PowerEquations.formulas(links, quantities),
+            quantities.size(),
+            watched.listing(),
+            watched.turns().stream().map(turn -> IntStream.of(turn).boxed().toList()).toList(),
+            overlaps.stream().map(Overlap::contact).toList(),
+            PowerEquations.formulas(
+                links,
+                overlaps.stream().flatMap(one -> Stream.of(one.depth(), one.most())).toList())));
   }
 
   private List<COutputs> outputs(Links links, Program energy) {

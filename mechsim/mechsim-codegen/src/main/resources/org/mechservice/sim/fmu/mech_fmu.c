@@ -27,6 +27,11 @@ static const double SAFETY = MODEL_LOOPS ? 300 : 100, FINEST = 1e-13;
 enum { IN_A_ROW = 20 };
 static const double CHATTER = 1e-10, CLOSE_AHEAD = 1e-6;
 
+#ifdef MODEL_WATCHES
+/* Rows of steps at one jump that may be left of a run. */
+static const double MOST_ROWS = 1000;
+#endif
+
 /* Parts of a step at whose ends the event functions are looked at. */
 enum { LOOKS = 4 };
 
@@ -140,6 +145,9 @@ void mech_reset(mech_instance *c) {
   c->s.mode = MECH_INSTANTIATED;
   c->s.start = c->s.t = MODEL_START;
   c->s.rtol = MODEL_RTOL;
+#ifdef MODEL_WATCHES
+  mech_watch_init(&c->s.watch);
+#endif
   forget(c);
 }
 
@@ -574,47 +582,136 @@ static mech_status step_failed(mech_instance *c, mech_step_result result) {
   }
 }
 
-static mech_status begin_integration(mech_instance *c) {
+/* Begins a step without history at the present place, its first step at most as long. */
+static mech_status begin_integration(mech_instance *c, double first_step) {
   mech_method *a = &c->s.method;
-  double interval = c->s.stop_defined ? c->s.stop - c->s.start : MODEL_INTERVAL;
+  double longest, interval = c->s.stop_defined ? c->s.stop - c->s.start : MODEL_INTERVAL;
   mech_step_result result;
   a->rtol = c->s.rtol / SAFETY;
   if (a->rtol < FINEST) {
     a->rtol = c->s.rtol < FINEST ? c->s.rtol : FINEST;
   }
   a->atol = MODEL_ATOL * (a->rtol < MODEL_RTOL ? a->rtol / MODEL_RTOL : 1);
-  a->longest = 0.1 * (interval > 0 ? interval : 1);
-  if (MODEL_LONGEST < a->longest) {
-    a->longest = MODEL_LONGEST;
-  }
+  longest = 0.1 * (interval > 0 ? interval : 1);
+  longest = MODEL_LONGEST < longest ? MODEL_LONGEST : longest;
   if (!c->s.begun) {
     c->s.last_event = c->s.t;
     c->s.event_distance = HUGE_VAL;
     c->s.shrinking = c->s.chattering = 0;
+#ifdef MODEL_WATCHES
+    mech_watch_begin(&c->s.watch);
+#endif
   }
   c->s.jump = mech_next_jump(c);
   a->stop = c->s.stop_defined && c->s.stop < c->s.jump ? c->s.stop : c->s.jump;
+  a->longest = first_step < longest ? first_step : longest;
   result = mech_method_begin(a, &c->s.model, c->s.t, c->s.x);
+  a->longest = longest;
   if (result != MECH_STEP_DONE) {
     return step_failed(c, result);
   }
   memcpy(c->s.x, a->x, sizeof c->s.x);
   c->s.begun = 1;
   c->s.waiting = 0;
-  c->s.horizon = c->s.t;
+  c->s.horizon = c->s.until = c->s.t;
   forget(c);
   return MECH_OK;
 }
 
-/* Looks for the first change of sign between a place in the last step and its end. */
+#ifdef MODEL_WATCHES
+/* The quantities that are watched at a place in the last step. */
+static int watched_at(void *run, double t, double *quantities) {
+  mech_instance *c = run;
+  double x[MECH_N];
+  mech_method_interpolate(&c->s.method, t, x);
+  return MODEL_watched(&c->s.model, t, x, quantities) >= 0;
+}
+
+/* Tells once of each contact whose shapes are inside each other further than its law means. */
+static void look_at_overlaps(mech_instance *c, double t) {
+  double x[MECH_N], depth[2 * WATCH_ROOM(WATCH_OVERLAPS)];
+  int i;
+  mech_method_interpolate(&c->s.method, t, x);
+  if (MODEL_overlaps(&c->s.model, t, x, depth) < 0) {
+    return;
+  }
+  for (i = 0; i < WATCH_OVERLAPS; i++) {
+    if (depth[2 * i + 1] > 0 && depth[2 * i] > depth[2 * i + 1] && !c->s.told_overlap[i]) {
+      c->s.told_overlap[i] = 1;
+      mech_say(c, MECH_WARNING,
+               "At t = %.17g the shapes of contact \"%s\" are inside each other by more than %g m,"
+               " where one is behind the other: the contact no longer pushes them apart the way"
+               " they came. Make it stiffer, or begin where they are apart.",
+               t, WATCH_CONTACT[i], depth[2 * i + 1]);
+    }
+  }
+}
+
+/* The same of the state at the end of the last step, moved along its derivative. */
+static int watched_behind(void *run, double ahead, double *quantities) {
+  mech_instance *c = run;
+  const mech_method *a = &c->s.method;
+  double x[MECH_N];
+  int i;
+  for (i = 0; i < MODEL_NX; i++) {
+    x[i] = a->x[i] + ahead * c->dx[i];
+  }
+  return MODEL_watched(&c->s.model, a->t, x, quantities) >= 0;
+}
+
+/* After steps have become too short: goes on from the state behind a change of the equations that
+ * lies within rounding, if there is one. */
+static int goes_on_across(mech_instance *c) {
+  const mech_method *a = &c->s.method;
+  double ahead;
+  int i;
+  if (a->previous == a->t ||
+      MODEL_derivatives(&c->s.model, a->t, a->x, c->dx) < 0) {
+    return 0;
+  }
+  ahead = mech_watch_across(&c->s.watch, &c->watch_work, watched_behind, c, a->t);
+  for (i = 0; i < MODEL_NX; i++) {
+    c->s.x[i] = a->x[i] + ahead * c->dx[i];
+  }
+  c->s.t = a->t;
+  forget(c);
+  return ahead > 0;
+}
+
+/* Whether the solution slides along a jump of the equations and would take millions of steps. */
+static int slides(const mech_instance *c) {
+  double t = c->s.until, end = c->s.stop_defined ? c->s.stop : MODEL_START + MODEL_INTERVAL;
+  return end - t > MOST_ROWS * (t - c->s.watch.sliding_since);
+}
+
+/* Ends the last step where something would go unseen in it. */
+static void search_step(mech_instance *c) {
+  const mech_method *a = &c->s.method;
+  if (WATCH_OVERLAPS > 0) {
+    look_at_overlaps(c, a->previous);
+  }
+  c->s.until =
+      mech_watch_search(&c->s.watch, &c->watch_work, watched_at, c, a->previous, a->t);
+  if (c->s.watch.unsearched > 0 && !c->s.told_unsearched) {
+    c->s.told_unsearched = 1;
+    mech_say(c, MECH_WARNING,
+             "From t = %.17g on steps are accepted in which something may have happened unseen: a"
+             " choice in the formulas changes too often to be followed. Build the unit from a model"
+             " with a maxStep.",
+             a->previous);
+  }
+}
+#endif
+
+/* Looks for the first change of sign between a place in the last step and where it ends. */
 static mech_status look_for_events(mech_instance *c, double from) {
   const mech_method *a = &c->s.method;
   double low = from, x[MECH_N], g[MECH_NG];
   int look, i;
   c->s.waiting = 0;
-  c->s.horizon = a->t;
+  c->s.horizon = c->s.until;
   for (look = 1; MODEL_NG > 0 && look <= LOOKS; look++) {
-    double high = look == LOOKS ? a->t : from + (a->t - from) * look / LOOKS;
+    double high = look == LOOKS ? c->s.until : from + (c->s.until - from) * look / LOOKS;
     int some = 0;
     mech_method_interpolate(a, high, x);
     if (events_at(c, high, x, g) != MECH_OK) {
@@ -678,7 +775,7 @@ static mech_status pass_jump(mech_instance *c) {
     c->s.mode = MECH_STEP_FAILED;
     return status;
   }
-  return begin_integration(c);
+  return begin_integration(c, HUGE_VAL);
 }
 
 mech_status mech_do_step(mech_instance *c, const char *function, double from, double size) {
@@ -704,7 +801,7 @@ mech_status mech_do_step(mech_instance *c, const char *function, double from, do
     end = c->s.stop;
   }
   if (!c->s.begun) {
-    mech_status status = begin_integration(c);
+    mech_status status = begin_integration(c, HUGE_VAL);
     if (status != MECH_OK) {
       return status;
     }
@@ -738,7 +835,7 @@ mech_status mech_do_step(mech_instance *c, const char *function, double from, do
                         " before, or stop the changes of the state: a bounce below a certain speed.",
                         te);
       }
-      if (changed && (status = begin_integration(c)) != MECH_OK) {
+      if (changed && (status = begin_integration(c, HUGE_VAL)) != MECH_OK) {
         return status;
       }
       if (c->s.terminate) {
@@ -754,14 +851,44 @@ mech_status mech_do_step(mech_instance *c, const char *function, double from, do
       if ((status = pass_jump(c)) != MECH_OK) {
         return status;
       }
+#ifdef MODEL_WATCHES
+    } else if (c->s.until != c->s.method.t && c->s.horizon == c->s.until) {
+      mech_status status;
+      place(c, c->s.until);
+      status = begin_integration(c, c->s.watch.longest_first_step);
+      if (status != MECH_OK) {
+        return status;
+      }
+#endif
     } else {
       mech_step_result result;
       long left = (long)(MOST_TRIES - (c->s.method.tries - tries));
       result = mech_method_step(&c->s.method, &c->s.model, left);
+#ifdef MODEL_WATCHES
+      if (result == MECH_STEP_TOO_SMALL && goes_on_across(c)) {
+        mech_status status = begin_integration(c, HUGE_VAL);
+        if (status != MECH_OK) {
+          return status;
+        }
+        continue;
+      }
+#endif
       if (result != MECH_STEP_DONE) {
         return step_failed(c, result);
       }
       MODEL_accepted(&c->s.model, c->s.method.t, c->s.method.x);
+      c->s.until = c->s.method.t;
+#ifdef MODEL_WATCHES
+      search_step(c);
+      if (slides(c)) {
+        c->s.mode = MECH_STEP_FAILED;
+        return mech_say(c, MECH_FAILED,
+                        "At t = %.17g the solution slides along a jump of its formulas: steps cross"
+                        " it again and again, and the run would take millions of them. Give the"
+                        " jump a slope, such as tanh in place of signum.",
+                        c->s.until);
+      }
+#endif
       if (c->s.method.stiff && !c->s.told_stiff) {
         c->s.told_stiff = 1;
         mech_say(c, MECH_WARNING,

@@ -11,6 +11,9 @@
 
 #include "mech_adams.h"
 #include "mech_backward.h"
+#ifdef MODEL_WATCHES
+#include "mech_watch.h"
+#endif
 
 /* The method of Co-Simulation: for stiff models the backward formulas, else the Adams method. */
 #if MODEL_STIFF
@@ -71,6 +74,13 @@ typedef struct {
    * there. */
   mech_method method;
   int begun, waiting, told_stiff;
+  /* Where the last step ends: before its end, if something would go unseen in it. */
+  double until;
+#ifdef MODEL_WATCHES
+  mech_watch watch;
+  int told_unsearched;
+  unsigned char told_overlap[WATCH_ROOM(WATCH_OVERLAPS)];
+#endif
   /* The next time at which the equations jump. */
   double horizon, jump;
   /* The last event that changed the state, its distance from the one before, and how many in a row
@@ -92,6 +102,9 @@ struct mech_instance {
   void (*noted)(const mech_instance *, int);
   void (*release)(void *);
   mech_state s;
+#ifdef MODEL_WATCHES
+  mech_watch_work watch_work;
+#endif
   /* Values at (t, x), formed when asked for. */
   int derivatives_known, outputs_known;
   double dx[MECH_N], y[MECH_NY];

@@ -201,7 +201,7 @@ public final class MapSurface implements TapeStep {
   }
 
   /** Returns whether its slope jumps at the lines of the grid. */
-  boolean hasCorners() {
+  public boolean hasCorners() {
     return straight;
   }
 

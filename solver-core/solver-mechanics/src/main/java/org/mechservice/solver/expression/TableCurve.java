@@ -188,7 +188,7 @@ public final class TableCurve implements TapeStep {
   }
 
   /** Returns whether its slope jumps at the points. */
-  boolean hasCorners() {
+  public boolean hasCorners() {
     return straight;
   }
 

@@ -1,6 +1,10 @@
 package org.mechservice.solver.expression;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.mechservice.solver.expression.Expression.ParameterValue;
 import org.mechservice.solver.expression.Expression.Time;
@@ -212,6 +216,34 @@ public final class TapePieces {
   /** Returns the number of formulas. */
   public int formulaCount() {
     return formulas;
+  }
+
+  /** Returns the tape and its choices as lists. */
+  public TapeListing listing() {
+    List<TapeListing.Step> steps = new ArrayList<>();
+    for (int i = 0; i < tape.target.length; i++) {
+      TapeStep step = tape.operation[i];
+      Optional<TableCurve> curve =
+          step instanceof TableCurve table ? Optional.of(table) : Optional.empty();
+      Optional<MapSurface> map =
+          step instanceof MapSurface table ? Optional.of(table) : Optional.empty();
+      String name =
+          step instanceof Operation operation
+              ? operation.name()
+              : curve.isPresent() ? "CURVE" : "MAP";
+      steps.add(
+          new TapeListing.Step(
+              name, tape.target[i], tape.first[i], tape.second[i], choiceAt[i], curve, map));
+    }
+    return new TapeListing(
+        IntStream.of(tape.leafSlot).boxed().toList(),
+        IntStream.range(0, formulas).mapToObj(r -> tape.result[r]).toList(),
+        DoubleStream.of(tape.initial).boxed().toList(),
+        steps,
+        IntStream.range(0, choices.length)
+            .mapToObj(c -> new TapeListing.Choice(choices[c], isSign[c]))
+            .toList(),
+        canBeNarrow);
   }
 
   /** Returns an array for the values at a point. */
@@ -452,7 +484,7 @@ public final class TapePieces {
         case ATAN -> aHigh - aLow <= EVEN || changesLittle(aLow, aHigh, RATIO);
         case POWER ->
             high[tape.target[i]] < StrictMath.exp(NOTHING)
-                || changesLittle(aLow, aHigh, StrictMath.pow(RATIO, 1 / Math.max(1, bHigh)));
+                || changesLittle(aLow, aHigh, Powers.power(RATIO, 1 / Math.max(1, bHigh)));
         default -> aHigh - aLow <= EVEN;
       };
     }

@@ -11,10 +11,21 @@ public final class CArrays {
 
   private final SourceLines source;
   private final NumberText numbers;
+  private final String linkage;
 
   CArrays(SourceLines source, NumberText numbers) {
+    this(source, numbers, "static ");
+  }
+
+  private CArrays(SourceLines source, NumberText numbers, String linkage) {
     this.source = source;
     this.numbers = numbers;
+    this.linkage = linkage;
+  }
+
+  /** Writes arrays that other files of the model read. */
+  static CArrays shared(SourceLines source, NumberText numbers) {
+    return new CArrays(source, numbers, "");
   }
 
   void integers(String array, List<Integer> values) {
@@ -31,7 +42,7 @@ public final class CArrays {
   }
 
   private void array(String type, String array, List<String> texts) {
-    source.line("static const " + type + " " + array + "[] = {");
+    source.line(linkage + "const " + type + " " + array + "[] = {");
     if (texts.isEmpty()) {
       source.line("    0,");
     }
@@ -44,7 +55,7 @@ public final class CArrays {
 
   /** Writes texts, with an empty one behind them. */
   void texts(String array, List<String> texts) {
-    source.line("static const char *const " + array + "[] = {");
+    source.line(linkage + "const char *const " + array + "[] = {");
     texts.forEach(text -> source.line("    " + literal(text) + ","));
     source.line("    \"\",").line("};");
   }

@@ -2,6 +2,7 @@ package org.mechservice.sim.emit.c;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import org.mechservice.sim.emit.source.JavaText;
 
 /**
@@ -11,13 +12,16 @@ final class CHeader {
   private final CModel model;
   private final String name;
   private final int slots;
+  private final Optional<CWatch> watch;
   private final StringBuilder text = new StringBuilder();
 
   /**
    * @param slots length of the workspace of an instance
+   * @param watch what the steps of the model watch, if its code has it
    */
-  CHeader(CModel model, int slots) {
+  CHeader(CModel model, int slots, Optional<CWatch> watch) {
     this.model = model;
+    this.watch = watch;
     this.slots = slots;
     this.name = model.name();
   }
@@ -171,12 +175,27 @@ final class CHeader {
         "Records that the run goes on behind the jump at t, and changes the state there: samples,"
             + " and impulses where a prescribed velocity jumps. Returns 1 if the state changed, 0,"
             + " or -1.");
+    watch.ifPresent(this::watched);
     function(
         "const char *",
         "failure(const @ *m)",
         "Returns why the last evaluation failed; empty if it did not.");
     line("#endif");
     return text.toString();
+  }
+
+  private void watched(CWatch watched) {
+    function(
+        "int",
+        "watched(@ *m, double t, const double *x, double *values)",
+        "Evaluates the quantities from which the watched formulas follow. Returns 0.");
+    if (!watched.contacts().isEmpty()) {
+      function(
+          "int",
+          "overlaps(@ *m, double t, const double *x, double *values)",
+          "Evaluates how far the shapes of each contact are inside each other, and how far its law"
+              + " means, m. Returns 0.");
+    }
   }
 
   private void list(String title, String array, List<CVariable> variables) {

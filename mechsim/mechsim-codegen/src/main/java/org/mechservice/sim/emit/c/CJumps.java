@@ -47,7 +47,8 @@ final class CJumps {
       source.line("enum { JUMP_COUNT = " + jumps.size() + " };").blank();
       source.line("/* Time on the side of a jump on which the run is: at the jump both meet. */");
       source.open("static double beside(const " + instance() + ", double t)");
-      source.open("for (int i = 0; i < JUMP_COUNT; i++)");
+      source.line("int first = (int)mech_interval(JUMPS, JUMP_COUNT, t) - 1;");
+      source.open("for (int i = first < 0 ? 0 : first; i < JUMP_COUNT && i <= first + 1; i++)");
       source.line("double near = margin(JUMPS[i]);");
       source.open("if (fabs(t - JUMPS[i]) < near)");
       source.line("return m->went_on >= JUMPS[i] ? JUMPS[i] + near : JUMPS[i] - near;");
@@ -68,9 +69,9 @@ final class CJumps {
     open("double ", "next_jump", "const " + instance() + ", double t");
     source.line("double after = t > m->went_on ? t : m->went_on, next = HUGE_VAL;");
     if (!jumps.isEmpty()) {
-      source.open("for (int i = 0; i < JUMP_COUNT; i++)");
-      source.open("if (JUMPS[i] > after && JUMPS[i] < next)");
-      source.line("next = JUMPS[i];").close().close();
+      source.line("int ahead = (int)mech_interval(JUMPS, JUMP_COUNT, after);");
+      source.open("if (ahead < JUMP_COUNT)");
+      source.line("next = JUMPS[ahead];").close();
     }
     if (!samplings.isEmpty()) {
       source.open("for (int i = 0; i < SAMPLING_COUNT; i++)");

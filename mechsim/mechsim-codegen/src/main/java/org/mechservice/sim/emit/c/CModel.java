@@ -9,6 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Pattern;
 import org.mechservice.sim.equations.links.Labels;
@@ -92,12 +93,14 @@ public final class CModel {
   private final List<COutputs> outputs;
   private final CEvents events;
   private final CInputs inputs;
+  private final Optional<CWatch> watch;
 
   /**
    * @param start state [q; v; s] at the start, loops closed
    * @param motion what gives the derivative of the state
    * @param energy program from [q; v; s] to kinetic and potential energy
    * @param outputs what the model puts out, in order
+   * @param watch what its steps watch, if there is anything
    */
   public CModel(
       Mechanism mechanism,
@@ -107,7 +110,8 @@ public final class CModel {
       Program energy,
       List<COutputs> outputs,
       CEvents events,
-      CInputs inputs) {
+      CInputs inputs,
+      Optional<CWatch> watch) {
     this.name = identifier(mechanism.name());
     this.mechanism = mechanism;
     this.description = description;
@@ -117,6 +121,7 @@ public final class CModel {
     this.outputs = List.copyOf(outputs);
     this.events = events;
     this.inputs = inputs;
+    this.watch = watch;
   }
 
   private static String identifier(String modelName) {
@@ -242,18 +247,37 @@ public final class CModel {
     return found;
   }
 
-  /** Returns the texts of all files by their names: header, code, elementary functions, example. */
+  /**
+   * Returns the texts of all files of a model that a program integrates, by their names: header,
+   * code, elementary functions, example.
+   */
   public Map<String, String> files() {
+    Map<String, String> files = files(Optional.empty());
+    files.put("example.c", resource("example.c").replace("MODEL", name));
+    return files;
+  }
+
+  /**
+   * Returns the texts of all files of a model whose steps are searched, by their names: as {@link
+   * #files} without the example, and if there is anything to watch, the function of its quantities
+   * and the tape of its formulas.
+   */
+  public Map<String, String> searchedFiles() {
+    Map<String, String> files = files(watch);
+    watch.ifPresent(watched -> files.putAll(CWatchTape.files(watched)));
+    return files;
+  }
+
+  private Map<String, String> files(Optional<CWatch> watched) {
     Map<String, String> files = new LinkedHashMap<>();
-    CSource source = new CSource(this);
-    files.put(name + ".h", new CHeader(this, source.slots()).text());
+    CSource source = new CSource(this, watched);
+    files.put(name + ".h", new CHeader(this, source.slots(), watched).text());
     files.put(name + ".c", source.text());
     List<String> copied = new ArrayList<>(COPIED);
     if (motion instanceof CLoops) {
       copied.addAll(COPIED_WITH_LOOPS);
     }
     copied.forEach(file -> files.put(file, resource(file)));
-    files.put("example.c", resource("example.c").replace("MODEL", name));
     return files;
   }
 

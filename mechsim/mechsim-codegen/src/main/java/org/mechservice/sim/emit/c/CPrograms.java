@@ -2,6 +2,7 @@ package org.mechservice.sim.emit.c;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import org.mechservice.sim.emit.method.ConstantTable;
 import org.mechservice.sim.emit.method.MethodSignature;
 import org.mechservice.sim.emit.plan.CodeForm;
@@ -23,14 +24,23 @@ final class CPrograms {
   /** Function of the derivatives of the further rates along a direction, of a model with loops. */
   static final String FURTHER_TANGENT = "further_along";
 
+  /** Functions of what the steps of a model watch: its quantities, and how deep shapes overlap. */
+  static final String WATCHED = "watched_quantities";
+
+  static final String OVERLAPS = "overlap_depths";
+
   private record Part(MethodSignature head, ProgramPlan plan) {}
 
   private final String name;
   private final ConstantTable constants = new ConstantTable();
   private final List<Part> parts = new ArrayList<>();
 
-  /** Plans the programs of a model. */
-  CPrograms(CModel model) {
+  /**
+   * Plans the programs of a model.
+   *
+   * @param watch what its steps watch, if they are to be searched
+   */
+  CPrograms(CModel model, Optional<CWatch> watch) {
     this.name = model.name();
     int states = model.states().size();
     CTangents tangents = new CTangents(states, model.parameterSlots());
@@ -47,11 +57,19 @@ final class CPrograms {
     if (!events.assignments().isEmpty()) {
       add("assigned", "values", false, events.assigned());
     }
+    watch.ifPresent(this::addWatched);
     add(COutputs.ENERGIES, "energy", false, model.energy());
     for (COutputs group : model.groups()) {
       if (!group.name().equals(COutputs.ENERGIES)) {
         add(group.name(), "values", false, group.program());
       }
+    }
+  }
+
+  private void addWatched(CWatch watch) {
+    add(WATCHED, "values", false, watch.quantities());
+    if (!watch.contacts().isEmpty()) {
+      add(OVERLAPS, "values", false, watch.overlaps());
     }
   }
 

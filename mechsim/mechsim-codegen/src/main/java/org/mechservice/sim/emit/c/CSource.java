@@ -2,6 +2,7 @@ package org.mechservice.sim.emit.c;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import org.mechservice.sim.emit.method.NumberText;
 import org.mechservice.sim.emit.source.SourceLines;
@@ -24,17 +25,22 @@ final class CSource {
   private final int seeds;
 
   private final CModel model;
+  private final Optional<CWatch> watch;
   private final String name;
   private final CPrograms programs;
   private final NumberText numbers = new NumberText();
   private final SourceLines source = new SourceLines();
   private final CArrays arrays = new CArrays(source, numbers);
 
-  CSource(CModel model) {
+  /**
+   * @param watch what the steps of the model watch, if its code is to have it
+   */
+  CSource(CModel model, Optional<CWatch> watch) {
     this.model = model;
+    this.watch = watch;
     this.name = model.name();
     seeds = model.states().size() + 1 + model.parameterSlots();
-    programs = new CPrograms(model);
+    programs = new CPrograms(model, watch);
   }
 
   /** Returns the length of the workspace that the instances need. */
@@ -66,6 +72,7 @@ final class CSource {
     project();
     close();
     jumps.changes();
+    watch.ifPresent(this::watched);
     failure();
     return source.toString();
   }
@@ -321,6 +328,21 @@ final class CSource {
     open("int ", "choose", instance() + ", double t, const double *x, " + given);
     beside();
     source.line("return mech_loops_choose(&LOOPS, m, m->loop, t, x, given);").close();
+  }
+
+  /** Writes the functions of what a search of steps evaluates. */
+  private void watched(CWatch watched) {
+    quantities("watched", CPrograms.WATCHED);
+    if (!watched.contacts().isEmpty()) {
+      quantities("overlaps", CPrograms.OVERLAPS);
+    }
+  }
+
+  private void quantities(String function, String program) {
+    open("int ", function, instance() + ", double t, const double *x, double *values");
+    beside();
+    behind();
+    source.line(program + "(m, t, x, values);").line("return 0;").close();
   }
 
   private void failure() {

@@ -14,6 +14,10 @@
  * org.mechservice.sim.emit.c.CEvents} has events and times of jumps, {@link
  * org.mechservice.sim.emit.c.CInputs} loads that stand for forces written as classes.
  *
+ * <p>For units that take steps themselves, {@link org.mechservice.sim.emit.c.CWatch} has what the
+ * steps watch: a program of quantities, and the tape that {@code CWatchTape} writes as constant
+ * arrays for {@code mech_watch.c} of {@code sim.fmu}.
+ *
  * <p>{@code CTangents} differentiates the equations along directions, for Jacobians and the
  * directional derivatives of FMUs.
  *

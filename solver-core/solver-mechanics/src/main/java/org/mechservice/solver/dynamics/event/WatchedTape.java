@@ -13,6 +13,8 @@ import org.mechservice.solver.expression.Expression.RelativeMotion;
 import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.expression.Tape;
+import org.mechservice.solver.expression.TapeListing;
+import org.mechservice.solver.expression.TapePieces;
 import org.mechservice.solver.mechanism.Event;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Overlap;
@@ -30,6 +32,10 @@ public final class WatchedTape {
   private final Tape tape;
   private final int formulas;
   private final List<Expression> quantities;
+
+  /** Number of quantities that the search needs; those behind are of the overlaps alone. */
+  private final int searched;
+
   private final List<int[]> turns;
   private final List<Overlap> overlaps;
 
@@ -37,11 +43,13 @@ public final class WatchedTape {
       Tape tape,
       int formulas,
       List<Expression> quantities,
+      int searched,
       List<int[]> turns,
       List<Overlap> overlaps) {
     this.tape = tape;
     this.formulas = formulas;
     this.quantities = List.copyOf(quantities);
+    this.searched = searched;
     this.turns = List.copyOf(turns);
     this.overlaps = overlaps;
   }
@@ -73,13 +81,14 @@ public final class WatchedTape {
       }
     }
     quantities.addAll(rates);
+    int searched = quantities.size();
     List<Overlap> overlaps = mechanism.overlaps();
     for (Expression leaf : OverlapMonitor.tape(overlaps).leaves()) {
       if (!quantities.contains(leaf)) {
         quantities.add(leaf);
       }
     }
-    return new WatchedTape(tape, formulas, quantities, turns, overlaps);
+    return new WatchedTape(tape, formulas, quantities, searched, turns, overlaps);
   }
 
   /** Returns the rates of the angles that turn the bodies of a leaf, relative to each other. */
@@ -146,13 +155,23 @@ public final class WatchedTape {
     return quantities;
   }
 
+  /** Returns those of the quantities that the search of steps needs: the leaves, then the rates. */
+  public List<Expression> searchedQuantities() {
+    return quantities.subList(0, searched);
+  }
+
+  /** Returns the tape and its choices as lists. */
+  public TapeListing listing() {
+    return new TapePieces(tape, formulas).listing();
+  }
+
   /** Returns how far shapes are inside each other, of quantities. */
   List<Overlap> overlaps() {
     return overlaps;
   }
 
   /** Returns groups of rates, rad/s, as indices of quantities: one for each path between bodies. */
-  List<int[]> turns() {
+  public List<int[]> turns() {
     return turns;
   }
 }
