@@ -1,5 +1,6 @@
 package org.mechservice.solver.simulation;
 
+import java.util.Arrays;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.PowerInput;
 import org.mechservice.solver.ode.Integrator;
@@ -21,10 +22,10 @@ import org.mechservice.solver.simulation.equations.ModelEquations;
  * <p>Where the two differ by less than {@value #SMOOTH} of the turnover, the power is evaluated in
  * half as many steps, down to every {@value #MOST}th, and in twice as many where they differ by
  * more than {@value #ROUGH}. The states of the steps between are kept: their powers are evaluated
- * after all when the cubic over them is not even. A step that is much shorter than one before ends
- * the row of steps, and each of the next ones has its power: something happens there. A cubic over
- * several steps sees no power that comes back in time with them; rows of steps therefore differ in
- * length.
+ * after all, from the middle on, when the cubic over them is not even. A step that is much shorter
+ * than one before ends the row of steps, and the next one has its power: something happens there. A
+ * cubic over several steps sees no power that comes back in time with them; rows of steps therefore
+ * differ in length.
  *
  * <p>Workspace of one run; nothing allocates in a step.
  */
@@ -43,6 +44,12 @@ final class StepWork {
 
   /** The same for the rule along the interpolated solution. */
   private static final double EVEN_INSIDE = 5e-2;
+
+  /**
+   * Part of the mean flow of energy since the start that is compared with where there is less: the
+   * errors of a flow that decays as slowly as time passes add up to that of the mean.
+   */
+  private static final double MEAN_PART = 0.2;
 
   /** Most steps with one value of the power. */
   private static final int MOST = 32;
@@ -76,6 +83,12 @@ final class StepWork {
   private final double[][] states;
 
   private final double[] ends = new double[MOST];
+
+  /** Their powers and flows, where they are evaluated after all. */
+  private final boolean[] evaluatedAt = new boolean[MOST];
+
+  private final double[] powersAt = new double[MOST];
+  private final double[] flowsAt = new double[MOST];
   private final double[] y;
   private final double[] yDot;
   private final double[] evaluated = new double[2];
@@ -101,6 +114,14 @@ final class StepWork {
   private double work;
   private double turnover;
   private double turnoverBefore;
+  private double start = Double.NaN;
+  private double difference;
+
+  /** Whether the work of the step before the last value is not added yet, and that step. */
+  private boolean left;
+
+  private double leftFrom;
+  private double leftRate;
 
   /** Whether the last step has its work from the cubic. */
   private boolean even;
@@ -143,6 +164,9 @@ final class StepWork {
       if (waiting == 0) {
         reached = from;
       }
+      if (Double.isNaN(start)) {
+        start = from;
+      }
       integrator.interpolate(to, states[waiting], yDot);
       ends[waiting] = to - inset(to);
       waiting++;
@@ -168,86 +192,104 @@ final class StepWork {
     if (waiting == 0) {
       return;
     }
-    if (waiting == 1 || !addRow()) {
-      addEach();
-    }
+    Arrays.fill(evaluatedAt, 0, waiting, false);
+    left = false;
+    addRow(0, waiting - 1);
     waiting = 0;
     parity++;
     longestBefore = longest;
     longest = 0;
   }
 
-  /** Adds the work of several steps by one value of the power; returns false if it is uneven. */
-  private boolean addRow() {
+  /** Adds the work of some of the waiting steps: of all at once, or else of each half. */
+  private void addRow(int first, int last) {
     System.arraycopy(times, 0, earlierTimes, 0, KEPT);
     System.arraycopy(powers, 0, earlierPowers, 0, KEPT);
+    int knownBefore = known;
     double flowBefore = flow;
-    push(waiting - 1);
-    if (addCubic(reached, integrator.time(), 0.5 * (flowBefore + flow))) {
-      even = true;
-      return true;
+    double from = reached;
+    double to = last == waiting - 1 ? integrator.time() : ends[last];
+    push(last);
+    double rate = 0.5 * (flowBefore + flow);
+    even = addCubic(from, to, rate);
+    if (even) {
+      adapt(last - first + 1, (to - from) * rate);
+    } else if (last > first) {
+      System.arraycopy(earlierTimes, 0, times, 0, KEPT);
+      System.arraycopy(earlierPowers, 0, powers, 0, KEPT);
+      known = knownBefore;
+      flow = flowBefore;
+      int middle = (first + last) / 2;
+      stride = Math.max(1, middle - first + 1);
+      addRow(first, middle);
+      addRow(middle + 1, last);
+      return;
     }
-    System.arraycopy(earlierTimes, 0, times, 0, KEPT);
-    System.arraycopy(earlierPowers, 0, powers, 0, KEPT);
-    flow = flowBefore;
-    stride = 1;
-    return false;
+    addLeft();
+    if (!even) {
+      stride = 1;
+      if (last == waiting - 1) {
+        addAlong(from, to);
+      } else {
+        left = true;
+        leftFrom = from;
+        leftRate = rate;
+      }
+    }
+    reached = to;
+  }
+
+  /** Adds the work of an uneven step by the cubic through values on both sides of it. */
+  private void addLeft() {
+    if (left) {
+      left = false;
+      double to = times[KEPT - 2];
+      if (!addCubic(leftFrom, to, leftRate)) {
+        work += 0.5 * (to - leftFrom) * (powers[KEPT - 3] + powers[KEPT - 2]);
+        turnover += (to - leftFrom) * leftRate;
+      }
+    }
+  }
+
+  /** Adds the work of the last step along the interpolated solution. */
+  private void addAlong(double from, double to) {
+    double end = powers[KEPT - 1];
+    double endFlow = flow;
+    power(from + inset(from));
+    double first = evaluated[0];
+    along(from, first, evaluated[1], to, end, endFlow, HALVINGS);
+    flow = endFlow;
   }
 
   /** Adds the work between two values of the power by the cubic; returns false if it is uneven. */
   private boolean addCubic(double from, double to, double rate) {
     double h = to - from;
     double cubic = known < KEPT ? Double.NaN : h * mean(from, h, 0);
-    double parabola = known < KEPT ? Double.NaN : h * mean(from, h, 1);
-    double difference = Math.abs(cubic - parabola);
-    if (!(difference <= EVEN * h * rate)) {
+    difference = known < KEPT ? Double.NaN : Math.abs(cubic - h * mean(from, h, 1));
+    if (!(difference <= EVEN * scale(h, h * rate))) {
       return false;
     }
     work += cubic;
     turnover += h * rate;
-    if (difference <= SMOOTH * h * rate) {
-      stride = Math.min(2 * stride, MOST);
-    } else if (difference > ROUGH * h * rate) {
-      stride = Math.max(1, stride / 2);
-    }
     return true;
   }
 
   /**
-   * Adds the work of each step by its own value. Of an uneven step before the last one the cubic
-   * also may be that through values on both sides, or else the trapezoidal rule is taken.
+   * Returns what differences are compared with in a time, J: the turnover, or a part of the mean.
    */
-  private void addEach() {
-    double from = reached;
-    double before = reached;
-    double rateBefore = 0;
-    boolean left = false;
-    for (int i = 0; i < waiting; i++) {
-      boolean last = i == waiting - 1;
-      double to = last ? integrator.time() : ends[i];
-      double flowBefore = flow;
-      push(i);
-      if (left && !addCubic(before, from, rateBefore)) {
-        work += 0.5 * (from - before) * (powers[KEPT - 3] + powers[KEPT - 2]);
-        turnover += (from - before) * rateBefore;
-      }
-      double rate = 0.5 * (flowBefore + flow);
-      even = addCubic(from, to, rate);
-      left = !even && !last;
-      if (!even) {
-        stride = 1;
-      }
-      if (!even && last) {
-        double end = powers[KEPT - 1];
-        double endFlow = flow;
-        power(integrator.previousTime() + inset(from));
-        double first = evaluated[0];
-        along(from, first, evaluated[1], to, end, endFlow, HALVINGS);
-        flow = endFlow;
-      }
-      before = from;
-      rateBefore = rate;
-      from = to;
+  private double scale(double h, double inTime) {
+    double since = integrator.time() - start;
+    return Math.max(inTime, MEAN_PART * turnover * (h / since));
+  }
+
+  /** Adapts the length of rows to the last difference. */
+  private void adapt(int steps, double inTime) {
+    double h = times[KEPT - 1] - reached;
+    double scale = scale(h, inTime);
+    if (difference <= SMOOTH * scale && 2 * steps > stride) {
+      stride = Math.min(2 * stride, MOST);
+    } else if (difference > ROUGH * scale) {
+      stride = Math.max(1, stride / 2);
     }
   }
 
@@ -257,16 +299,20 @@ final class StepWork {
 
   /** Evaluates the power at the end of a step. */
   private void push(int step) {
-    evaluated[0] = 0;
-    evaluated[1] = 0;
-    source.power(ends[step], states[step], evaluated);
+    if (!evaluatedAt[step]) {
+      Arrays.fill(evaluated, 0);
+      source.power(ends[step], states[step], evaluated);
+      evaluatedAt[step] = true;
+      powersAt[step] = evaluated[0];
+      flowsAt[step] = evaluated[1];
+    }
     for (int i = 1; i < KEPT; i++) {
       times[i - 1] = times[i];
       powers[i - 1] = powers[i];
     }
     times[KEPT - 1] = ends[step];
-    powers[KEPT - 1] = evaluated[0];
-    flow = evaluated[1];
+    powers[KEPT - 1] = powersAt[step];
+    flow = flowsAt[step];
     known = Math.min(KEPT, known + 1);
   }
 
@@ -331,7 +377,7 @@ final class StepWork {
     double middle = 0.5 * (from + to);
     if (more == 0
         || !(middle > from && middle < to)
-        || Math.abs(part - h * mean(from, h, 1)) <= EVEN_INSIDE * flowPart) {
+        || Math.abs(part - h * mean(from, h, 1)) <= EVEN_INSIDE * scale(h, flowPart)) {
       work += part;
       turnover += flowPart;
       return;
@@ -382,6 +428,7 @@ final class StepWork {
     stride = state.integer(stride);
     parity = state.integer(parity);
     reached = state.number(reached);
+    start = state.number(start);
     longest = state.number(longest);
     longestBefore = state.number(longestBefore);
     waiting = state.integer(waiting);
