@@ -122,11 +122,11 @@ final class NothingUnseenTest {
         GROUND + body("a", "", mass(1)),
         joint("x", "P", "G", "o", "z", "a"),
         "<gravity gx='0' gy='0' gz='-9.81'/><sphereContact name='c' box1='1;1;0.02' radius2='0.02'"
-            + " stiffness='1e6' damping='"
+            + " stiffness='1e7' damping='"
             + damping
             + "' exponent='1.5'><body1 name='G' point='o' vector='z'/><body2 name='a' point='o'/>"
             + "</sphereContact>",
-        "<jointVal name='x' posVals='1'/>");
+        "<jointVal name='x' posVals='0.5'/>");
   }
 
   /**
@@ -242,7 +242,7 @@ final class NothingUnseenTest {
   void forceOfATableOverAShortWayActs(String method) throws Exception {
     String table =
         "<Tables><table name='tb' x='0;50;50.01;50.05;50.06;200' y='0;0;100;100;0;0'"
-            + " extrapolation='hold' interpolation='"
+            + " extrapolation='hold' method='"
             + method
             + "'/></Tables>";
     double v = last(slider(until(10), table, force("tb(x.q)"), 10), "x.v");

@@ -30,6 +30,7 @@ import org.mechservice.sim.model.ModelFactory;
 import org.mechservice.sim.model.RandomMechmlForces;
 import org.mechservice.sim.model.RandomMechmlTrees;
 import org.mechservice.sim.model.Scenes;
+import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.capability.LinearisedModel;
 import org.mechservice.solver.api.capability.ModelParts;
@@ -265,7 +266,8 @@ class GeneratedJacobianTest {
 
   private static double[] derivatives(Object model, double[] y) {
     double[] values = new double[20 * y.length * y.length];
-    ((TreeStepModel) ModelParts.of((Model) model).equations()).derivatives(TIME, y, rates(y), values);
+    ((TreeStepModel) ModelParts.of((Model) model).equations())
+        .derivatives(TIME, y, rates(y), values);
     return values;
   }
 

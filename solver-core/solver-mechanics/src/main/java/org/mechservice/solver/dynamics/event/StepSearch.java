@@ -643,7 +643,7 @@ final class StepSearch {
 
   /** Returns the length of {@link #save}. */
   int stateLength() {
-    return Arrays.stream(parts()).mapToInt(part -> part.length).sum() + 5;
+    return Arrays.stream(parts()).mapToInt(part -> part.length).sum() + 7;
   }
 
   /** Writes what later searches depend on. */
@@ -658,8 +658,8 @@ final class StepSearch {
     state[at + 2] = boxed ? 1 : 0;
     state[at + 3] = stepsInRow;
     state[at + 4] = rowBegan;
-    state[at + 3] = unsearched;
-    state[at + 4] = unsearchedCount;
+    state[at + 5] = unsearched;
+    state[at + 6] = unsearchedCount;
   }
 
   /** Restores what {@link #save} has written. */
@@ -674,8 +674,8 @@ final class StepSearch {
     boxed = state[at + 2] == 1;
     stepsInRow = state[at + 3];
     rowBegan = state[at + 4];
-    unsearched = state[at + 3];
-    unsearchedCount = (long) state[at + 4];
+    unsearched = state[at + 5];
+    unsearchedCount = (long) state[at + 6];
   }
 
   private double[][] parts() {
@@ -686,6 +686,8 @@ final class StepSearch {
       sizes,
       sinceChange,
       closeChanges,
+      farthest,
+      changes,
       boxLow,
       boxHigh,
       seen[0],
