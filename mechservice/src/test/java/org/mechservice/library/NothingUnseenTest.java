@@ -124,14 +124,14 @@ final class NothingUnseenTest {
         "<gravity gx='0' gy='0' gz='-9.81'/><sphereContact name='c' box1='1;1;0.02' radius2='0.02'"
             + " stiffness='1e7' damping='"
             + damping
-            + "' exponent='1.5'><body1 name='G' point='o' vector='z'/><body2 name='a' point='o'/>"
+            + "'><body1 name='G' point='o' vector='z'/><body2 name='a' point='o'/>"
             + "</sphereContact>",
         "<jointVal name='x' posVals='0.5'/>");
   }
 
   /**
-   * A ball falls by 0.97 m on a plate and leaves it as fast as it came. The contact lasts some 1.7
-   * ms: at 0.4643 s, 19 ms after the touch, it rises with 2 v − g t up to the duration of contact.
+   * A ball falls by 0.47 m on a plate and leaves it as fast as it came, with 3.037 m/s after some 1
+   * ms of contact: half the time of the fall later it rises with 1.528 m/s (1.518 if rigid).
    */
   @ParameterizedTest
   @CsvSource({
