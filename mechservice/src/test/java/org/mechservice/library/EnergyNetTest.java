@@ -108,8 +108,7 @@ final class EnergyNetTest {
     Model equations =
         searched
             ? instance
-            : new ModelParts(
-                parts.equations(), Optional.empty(), parts.columns(), parts.userClasses());
+            : new ModelParts(parts.equations(), Optional.empty(), parts.columns());
     RunRequest request =
         new RunRequest(model.request().settings(), columns, strict, OptionalDouble.empty());
     return new RuntimeSolver().run(equations, request, rows, new RunControl());

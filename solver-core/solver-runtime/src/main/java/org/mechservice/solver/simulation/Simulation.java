@@ -357,10 +357,10 @@ public final class Simulation implements Solver {
 
     /** Looks at the balance of energy at the end of the last step where that is due. */
     private void balance(boolean last) {
-      if (energyNet.isDue(last)) {
+      double done = rows.measuresWork() ? work.work() : stepWork.work();
+      if (energyNet.isDue(last, !Double.isNaN(done))) {
         double t = integrator.time();
         integrator.interpolate(t, y, yDot);
-        double done = rows.measuresWork() ? work.work() : stepWork.work();
         energyNet.look(equations.evaluationTime(t), y, done, turnover());
       }
     }
