@@ -18,9 +18,10 @@ import org.mechservice.solver.ode.SavedState;
  * {@value #MOST_PART} of it: integration loses some of an energy that stays where it is, too, as
  * that of a rotor.
  *
- * <p>The balance is looked at in every row, after {@value #STRIDE} steps without one and at the end
- * of the run. Whether a drift is too large is decided by the energy that has moved up to then; when
- * it began, from the times at which it has grown by a half. Nothing allocates in a step.
+ * <p>The balance is looked at in every row and after {@value #STRIDE} steps without one where the
+ * work is known, and at the end of the run. Where it is not known yet, only the energies are, after
+ * twice as many steps. Whether a drift is too large is decided by the energy that has moved up to
+ * then; when it began, from the times at which it has grown by a half. Nothing allocates in a step.
  */
 final class EnergyNet {
   /** Largest part of the energy that has moved that may be missing at tight tolerances. */
@@ -86,10 +87,14 @@ final class EnergyNet {
     range[3] = energy[1];
   }
 
-  /** Returns whether the balance is looked at after this step. */
-  boolean isDue(boolean last) {
+  /**
+   * Returns whether the balance is looked at after this step.
+   *
+   * @param known whether the work up to its end is known
+   */
+  boolean isDue(boolean last, boolean known) {
     sinceLook++;
-    return model.isPresent() && (last || sinceLook >= STRIDE);
+    return model.isPresent() && (last || sinceLook >= (known ? STRIDE : 2 * STRIDE));
   }
 
   /**

@@ -332,12 +332,17 @@ public final class Simulation implements Solver {
       if (stiffness.isPresent() && stiffness.get().stepped(integrator, steps, yDot)) {
         control.setStiff(isStiff(false));
       }
-      stepWork.advance(result != StepResult.ADVANCED);
+      stepWork.advance(result != StepResult.ADVANCED || dueRow() <= integrator.time());
+      if (!rows.measuresWork()) {
+        balance(result != StepResult.ADVANCED);
+      }
       int badColumn = writeRowsOfStep();
       if (badColumn != RowWriter.ALL_FINITE) {
         return Optional.of(failures.ofRow(dueRow(), badColumn));
       }
-      balance(result != StepResult.ADVANCED);
+      if (rows.measuresWork()) {
+        balance(result != StepResult.ADVANCED);
+      }
       if (events.failure().isPresent()) {
         return Optional.of(new Outcome.Failed(events.failure().get()));
       }
@@ -357,10 +362,10 @@ public final class Simulation implements Solver {
 
     /** Looks at the balance of energy at the end of the last step where that is due. */
     private void balance(boolean last) {
-      if (energyNet.isDue(last)) {
+      double done = rows.measuresWork() ? work.work() : stepWork.work();
+      if (energyNet.isDue(last, !Double.isNaN(done))) {
         double t = integrator.time();
         integrator.interpolate(t, y, yDot);
-        double done = rows.measuresWork() ? work.work() : stepWork.work();
         energyNet.look(equations.evaluationTime(t), y, done, turnover());
       }
     }

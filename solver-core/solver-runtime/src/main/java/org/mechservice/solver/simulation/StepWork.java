@@ -23,7 +23,7 @@ import org.mechservice.solver.simulation.equations.ModelEquations;
  * half as many steps, down to every {@value #MOST}th, and in twice as many where they differ by
  * more than {@value #ROUGH}. The states of the steps between are kept: their powers are evaluated
  * after all, from the middle on, when the cubic over them is not even. A step that is much shorter
- * than one before ends the row of steps, and the next one has its power: something happens there. A
+ * than one before ends the row of steps, and the next ones are short: something happens there. A
  * cubic over several steps sees no power that comes back in time with them; rows of steps therefore
  * differ in length.
  *
@@ -34,13 +34,13 @@ final class StepWork {
   private static final int KEPT = 4;
 
   /** Difference of two rules, relative to the turnover in the steps, that is accepted. */
-  private static final double EVEN = 5e-3;
+  private static final double EVEN = 1e-2;
 
   /** The same that makes the rows of steps longer: a cubic over twice the time is off 8 times. */
-  private static final double SMOOTH = 5e-4;
+  private static final double SMOOTH = 1.2e-3;
 
   /** The same that makes them shorter. */
-  private static final double ROUGH = 2e-3;
+  private static final double ROUGH = 5e-3;
 
   /** The same for the rule along the interpolated solution. */
   private static final double EVEN_INSIDE = 5e-2;
@@ -55,7 +55,7 @@ final class StepWork {
   private static final int MOST = 32;
 
   /** Length of a step, relative to the longest in its row and the one before, that ends the row. */
-  private static final double SHORTER = 0.6;
+  private static final double SHORTER = 0.45;
 
   /** Most halvings of a step. */
   private static final int HALVINGS = 6;
@@ -177,7 +177,7 @@ final class StepWork {
       addWaiting();
     }
     if (happens) {
-      stride = 1;
+      stride = Math.min(stride, 2);
       longest = h;
       longestBefore = h;
     }

@@ -141,4 +141,58 @@ class EnergyNetTest {
         .extracting(RunNotes.Note::code)
         .containsExactly(MessageCode.ENERGY_BALANCE_OFF);
   }
+
+  /** Damped, and braked by a pulse; of either a part may be missing in the power. */
+  private static final class Counted extends HarmonicOscillator implements PowerInput {
+    private final double damper;
+    private final double pulse;
+    private long derivatives;
+    private long powers;
+
+    Counted(double damper, double pulse) {
+      this.damper = damper;
+      this.pulse = pulse;
+    }
+
+    @Override
+    public int derivative(double t, double[] y, double[] yDot) {
+      derivatives++;
+      super.derivative(t, y, yDot);
+      yDot[1] += (Braked.brake(t) - 0.01) * y[1];
+      return REGULAR;
+    }
+
+    @Override
+    public void power(double t, double[] y, double[] power) {
+      powers++;
+      power[0] = (pulse * Braked.brake(t) - 0.01 * damper) * y[1] * y[1];
+      power[1] = -power[0];
+    }
+  }
+
+  private static RunReport longRun(Counted model, double tolerance) throws IOException {
+    RunSettings settings = new RunSettings(0, 60, 60, "ode113", tolerance, tolerance);
+    RunRequest request = new RunRequest(settings, Set.of(), false, OptionalDouble.empty());
+    return new RuntimeSolver().run(model, request, new RecordedRows(), new RunControl());
+  }
+
+  @Test
+  void thePowerIsEvaluatedInFewStepsAndNothingIsMissed() throws IOException {
+    Counted right = new Counted(1, 1);
+    assertThat(longRun(right, 1e-9).notes()).isEmpty();
+    for (double tolerance : new double[] {1e-9, 1e-12}) {
+      assertThat(longRun(new Counted(1, 1), tolerance).notes()).isEmpty();
+      // The pulse takes 0.35 J of 0.5 J; longer steps of looser tolerances pass over it.
+      assertThat(longRun(new Counted(1, 0.9), tolerance).notes())
+          .as("pulse at %s", tolerance)
+          .extracting(RunNotes.Note::code)
+          .containsExactly(MessageCode.ENERGY_BALANCE_OFF);
+      assertThat(longRun(new Counted(0.8, 1), tolerance).notes())
+          .as("damper at %s", tolerance)
+          .extracting(RunNotes.Note::code)
+          .containsExactly(MessageCode.ENERGY_BALANCE_OFF);
+    }
+    // Two derivatives in a step, and 32 steps in a swing of the power, of which a cubic needs 13.
+    assertThat(right.powers).isLessThan(right.derivatives / 2 * 13 / 32);
+  }
 }

@@ -323,7 +323,8 @@ public final class EventIntegration implements ResidualIntegrator {
   /** Ends the integration: the solution slides along a jump and would take millions of steps. */
   private StepResult slides(double t) {
     running = false;
-    double size = Math.max(Math.abs(integrator.stepSize()), 2000 * Math.ulp(t));
+    // as long as the row of steps: the way along the derivative leads across the jump
+    double size = Math.max(Math.abs(t - functions.slidingSince()), 2000 * Math.ulp(t));
     failure =
         Optional.of(
             new IntegrationFailure(
