@@ -85,9 +85,6 @@ public final class EventIntegration implements ResidualIntegrator {
   private boolean justRestarted;
   private boolean stateChanged;
 
-  /** Where the last history was given up because its steps had become too short. */
-  private double begunAnewAt = Double.NaN;
-
   /** Whether the first step after the restart has been taken again. */
   private boolean bounded;
 
@@ -223,21 +220,15 @@ public final class EventIntegration implements ResidualIntegrator {
 
   /**
    * After steps have become too short: goes on from the state behind a change of the equations that
-   * lies within rounding, if there is one; else begins anew, once at a place, since the history may
-   * be that of another form of the equations.
+   * lies within rounding, if there is one.
    */
   private boolean goesOnAcross() {
     double t = integrator.time();
     if (!functions.searchesSteps()
         || justRestarted
-        || integrator.failure().cause() != Cause.STEP_TOO_SMALL) {
+        || integrator.failure().cause() != Cause.STEP_TOO_SMALL
+        || !values.moveAcross(t, restarted)) {
       return false;
-    }
-    if (!values.moveAcross(t, restarted)) {
-      if (t == begunAnewAt || !values.stopAt(t, restarted)) {
-        return false;
-      }
-      begunAnewAt = t;
     }
     time = t;
     cutOff = true;
@@ -487,7 +478,6 @@ public final class EventIntegration implements ResidualIntegrator {
     stateChanged = state.flag(stateChanged);
     longestFirstStep = state.number(longestFirstStep);
     bounded = state.flag(bounded);
-    begunAnewAt = state.number(begunAnewAt);
     events = state.integer(events);
     values.transfer(state);
   }
