@@ -17,7 +17,7 @@ static const double CLEAR = 1e-14;
 /* Way beyond a boundary that is a touch, relative to the largest size of the argument. */
 static const double TOUCH = 1e-12;
 /* Size of a formula, relative to the largest value it has had, that does not matter. */
-static const double NOTHING = 1e-3;
+static const double NOTHING = 1e-8;
 /* Growth of a box beside a step, in lengths of the step's way: at most, at least, and between. */
 static const double LARGE_BOX = 16, SMALL_BOX = 1, SHRINKAGE = 0.25;
 /* Growth of the box in which a change counts as beside the step: one of those tried. */

@@ -25,6 +25,7 @@ import org.mechservice.solver.api.capability.DependentStates;
 import org.mechservice.solver.api.capability.Energies;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.capability.LinearisedModel;
+import org.mechservice.solver.api.capability.ModelParts;
 
 /** Agreement and speed of code for loops; the soak run writes them to a page of docs/reports. */
 @Tag("soak")
@@ -185,7 +186,7 @@ class GeneratedLoopsPageTest {
     double[] y = new double[model.description().stateCount()];
     double[] energy = new double[2];
     model.initialState(y);
-    return least(() -> ((Energies) model).energy(0, y, energy));
+    return least(() -> ((Energies) ModelParts.of(model).equations()).energy(0, y, energy));
   }
 
   private static ExplicitModel model(MechmlModel file, String closure, boolean compact) {

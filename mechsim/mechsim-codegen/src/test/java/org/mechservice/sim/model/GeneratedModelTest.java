@@ -111,7 +111,7 @@ class GeneratedModelTest {
     model.derivative(TIME, y, yDot);
     assertSameBits(yDot, evaluated(ArticulatedBodyEquations.derive(links), y, y.length));
     double[] energy = new double[2];
-    ((Energies) model).energy(TIME, y, energy);
+    ((Energies) ModelParts.of(model).equations()).energy(TIME, y, energy);
     assertSameBits(energy, evaluated(EnergyEquations.derive(links), y, 2));
     double[] poses = new double[BodyPoses.NUMBERS_PER_BODY * mechanism.bodies().size()];
     ((BodyPoses) ModelParts.of(model).equations()).poses(TIME, y, poses);
@@ -162,7 +162,7 @@ class GeneratedModelTest {
 
   private static double[] energies(Object model, double[] y) {
     double[] energy = new double[2];
-    ((Energies) model).energy(TIME, y, energy);
+    ((Energies) ModelParts.of(model).equations()).energy(TIME, y, energy);
     return energy;
   }
 
@@ -300,7 +300,7 @@ class GeneratedModelTest {
       ExplicitModel model, double[] y, double[] yDot, double[] energy, double[] poses) {
     model.derivative(0, y, yDot);
     ((Energies) model).energy(TIME, y, energy);
-    ((BodyPoses) ModelParts.of(model).equations()).poses(TIME, y, poses);
+    ((BodyPoses) model).poses(TIME, y, poses);
   }
 
   @Test

@@ -199,9 +199,9 @@ public record LoopAgreement(
 
   private static double[] energies(ExplicitModel model, double t, double[] y) {
     double[] energies = new double[4];
-    ((Energies) model).energy(t, y, energies);
+    ((Energies) ModelParts.of(model).equations()).energy(t, y, energies);
     double[] power = new double[2];
-    ((PowerInput) model).power(t, y, power);
+    ((PowerInput) ModelParts.of(model).equations()).power(t, y, power);
     System.arraycopy(power, 0, energies, 2, power.length);
     return energies;
   }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Arrays;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.Energies;
+import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.api.capability.PowerInput;
 import org.mechservice.solver.dynamics.DataDrivenModel;
 
@@ -32,12 +33,12 @@ public final class ModelAgreement {
       Model model, DataDrivenModel reference, double t, double[] y) {
     double[] energy = new double[2];
     double[] energies = new double[2];
-    ((Energies) model).energy(t, y, energy);
+    ((Energies) ModelParts.of(model).equations()).energy(t, y, energy);
     reference.energy(t, y, energies);
     assertClose(energy, energies, 1e-12);
     double[] power = new double[2];
     double[] powers = new double[2];
-    ((PowerInput) model).power(t, y, power);
+    ((PowerInput) ModelParts.of(model).equations()).power(t, y, power);
     reference.power(t, y, powers);
     assertClose(new double[] {power[0]}, new double[] {powers[0]}, 1e-9);
     assertClose(new double[] {power[1]}, new double[] {powers[1]}, 1e-9);

@@ -177,7 +177,7 @@ class SameBitsInCTest {
     ((BodyPoses) ModelParts.of(java).equations()).poses(t, x, poses);
     System.arraycopy(poses, 0, y, 0, poses.length);
     double[] energy = new double[2];
-    ((Energies) java).energy(t, x, energy);
+    ((Energies) ModelParts.of(java).equations()).energy(t, x, energy);
     System.arraycopy(energy, 0, y, poses.length, 2);
     if (forces > 0) {
       ((ResultColumns) java).values(ColumnGroup.FORCES, t, x, y, poses.length + 2);

@@ -192,7 +192,7 @@ class SharedKernelsTest {
     if (model instanceof TreeStepModel steps) {
       steps.derivatives(TIME, y, yDot, derivatives);
     }
-    ((Energies) model).energy(TIME, y, energy);
+    ((Energies) ModelParts.of(model).equations()).energy(TIME, y, energy);
     if (model instanceof BodyPoses places) {
       places.poses(TIME, y, poses);
     }
@@ -295,14 +295,19 @@ class SharedKernelsTest {
     com.sun.management.ThreadMXBean threads =
         (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
     Mechanism mechanism = Chains.ofDifferentLinks(12);
-    Model model = compiled(Scenes.model(mechanism), options("DTR", CodeForm.SHARED)).newInstance();
+    ExplicitModel model =
+        (ExplicitModel)
+            ModelParts.of(
+                    compiled(Scenes.model(mechanism), options("DTR", CodeForm.SHARED))
+                        .newInstance())
+                .equations();
     double[] y = RandomMechmlTrees.state(1, mechanism);
     double[] yDot = new double[y.length];
-    ((ExplicitModel) ModelParts.of(model).equations()).derivative(TIME, y, yDot);
+    model.derivative(TIME, y, yDot);
     long id = Thread.currentThread().getId();
     long before = threads.getThreadAllocatedBytes(id);
     for (int i = 0; i < 100; i++) {
-      ((ExplicitModel) ModelParts.of(model).equations()).derivative(TIME, y, yDot);
+      model.derivative(TIME, y, yDot);
     }
     // Asking for the count may itself allocate once.
     assertThat(threads.getThreadAllocatedBytes(id) - before).isLessThan(100);

@@ -93,7 +93,9 @@ class GeneratedJacobianTest {
 
   private static TreeStepModel modelOfScene(Mechanism mechanism) {
     return (TreeStepModel)
-        CODE.computeIfAbsent(mechanism, GeneratedJacobianTest::compiled).newInstance();
+        ModelParts.of(
+                CODE.computeIfAbsent(mechanism, GeneratedJacobianTest::compiled).newInstance())
+            .equations();
   }
 
   @ParameterizedTest

@@ -83,9 +83,9 @@ class GeneratedForcesTest {
     double[] values = new double[columns.columns(ColumnGroup.FORCES).size()];
     columns.values(ColumnGroup.FORCES, TIME, y, values, 0);
     double[] energy = new double[2];
-    ((Energies) model).energy(TIME, y, energy);
+    ((Energies) ModelParts.of(model).equations()).energy(TIME, y, energy);
     double[] power = new double[2];
-    ((PowerInput) model).power(TIME, y, power);
+    ((PowerInput) ModelParts.of(model).equations()).power(TIME, y, power);
     return Stream.of(yDot, values, energy, power).flatMapToDouble(Arrays::stream).toArray();
   }
 

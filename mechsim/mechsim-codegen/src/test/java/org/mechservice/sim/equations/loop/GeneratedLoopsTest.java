@@ -196,9 +196,9 @@ public class GeneratedLoopsTest {
     residual.residual(0, y, rates, out);
     System.arraycopy(out, 0, all, y.length, y.length);
     double[] energy = new double[3];
-    ((PowerInput) model).power(0, y, energy);
+    ((PowerInput) ModelParts.of(model).equations()).power(0, y, energy);
     energy[2] = energy[0];
-    ((Energies) model).energy(0, y, energy);
+    ((Energies) ModelParts.of(model).equations()).energy(0, y, energy);
     System.arraycopy(energy, 0, all, 3 * y.length, energy.length);
     if (model instanceof LinearisedModel linearised) {
       assertThat(linearised.linearise(0, y, rates) && linearised.factor(0.1)).isTrue();
@@ -256,8 +256,8 @@ public class GeneratedLoopsTest {
       for (int i = 0; i < 50; i++) {
         model.derivative(0, y, rates);
         model.residual(0, y, rates, residual);
-        ((Energies) model).energy(0, y, energy);
-        ((PowerInput) model).power(0, y, energy);
+        ((Energies) ModelParts.of(model).equations()).energy(0, y, energy);
+        ((PowerInput) ModelParts.of(model).equations()).power(0, y, energy);
         model.linearise(0, y, rates);
         model.factor(0.1);
         model.solve(residual);
