@@ -162,7 +162,7 @@ class GeneratedModelTest {
 
   private static double[] energies(Object model, double[] y) {
     double[] energy = new double[2];
-    ((Energies) ModelParts.of(model).equations()).energy(TIME, y, energy);
+    ((Energies) ModelParts.of((Model) model).equations()).energy(TIME, y, energy);
     return energy;
   }
 
