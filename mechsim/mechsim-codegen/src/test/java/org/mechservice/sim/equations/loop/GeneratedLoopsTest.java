@@ -256,8 +256,8 @@ public class GeneratedLoopsTest {
       for (int i = 0; i < 50; i++) {
         model.derivative(0, y, rates);
         model.residual(0, y, rates, residual);
-        ((Energies) ModelParts.of(model).equations()).energy(0, y, energy);
-        ((PowerInput) ModelParts.of(model).equations()).power(0, y, energy);
+        ((Energies) model).energy(0, y, energy);
+        ((PowerInput) model).power(0, y, energy);
         model.linearise(0, y, rates);
         model.factor(0.1);
         model.solve(residual);
