@@ -95,7 +95,6 @@ final class MotionProblem {
             .rtol(run.relativeTolerance())
             .atol(tolerances)
             .keepSteps(false)
-            .searchUndeclaredJumps()
             .maxSteps(100_000_000);
     if (run.maxStep() > 0) {
       options = options.maxStep(run.maxStep());
