@@ -70,6 +70,9 @@ final class ConsistentStart {
   private double size;
   private double part;
 
+  /** Size of the change that a longer short step asked for, infinite if the step is the first. */
+  private double sizeBefore;
+
   private enum Stage {
     BEGIN,
     LINEARISE,
@@ -139,6 +142,7 @@ final class ConsistentStart {
     System.arraycopy(yDot0, 0, yDot, 0, y.length);
     measure();
     shortStep = SHORT_STEP * firstStep;
+    sizeBefore = Double.POSITIVE_INFINITY;
     iteration = 0;
     stage = Stage.LINEARISE;
     return equations.manifold().complete(t0, y);
@@ -156,16 +160,18 @@ final class ConsistentStart {
         return attempt;
       }
     }
-    return end();
+    return end(size);
   }
 
   /**
    * Ends a search that gets no further. Multipliers of stiff forces have the rounding of these, so
    * that the accuracy sought may be out of reach; what is right to the error allowed is kept.
+   *
+   * @param left the change that is left, in units of the error allowed
    */
-  private TrialOutcome end() {
+  private TrialOutcome end(double left) {
     stage = Stage.BEGIN;
-    return size <= 1 ? settle(0) : TrialOutcome.NOT_CONVERGING;
+    return left <= 1 ? settle(0) : TrialOutcome.NOT_CONVERGING;
   }
 
   /** Finds the length of a first step that the slope would allow. */
@@ -199,6 +205,10 @@ final class ConsistentStart {
       stage = Stage.BEGIN;
       return settle(iteration == 0 && !slopeIsOfAnother ? 0 : 1);
     }
+    if (sizeBefore <= 1 && size > sizeBefore) {
+      // y_d misses its constraints by rounding r: no y' but r/h closes them, the shorter the worse
+      return end(sizeBefore);
+    }
     part = 1;
     stage = Stage.DAMP;
     return TrialOutcome.PASSED;
@@ -229,11 +239,16 @@ final class ConsistentStart {
       if (attempt == TrialOutcome.PASSED && size(triedChange) <= (1 - SUFFICIENT * part) * size) {
         takeOver();
         measure();
+        sizeBefore = Double.POSITIVE_INFINITY;
         return goOn();
       }
     }
+    if (!equations.startsApproximately()) {
+      return end(size);
+    }
     shortStep *= SHORTER;
-    return equations.startsApproximately() ? goOn() : end();
+    sizeBefore = size;
+    return goOn();
   }
 
   private TrialOutcome goOn() {

@@ -380,24 +380,35 @@ class Ode15sRTest extends IntegratorContract {
 
   @Test
   void contradictionAtTheStartNamesTheWorstRow() {
-    // Row 1 asks for y_0 = 2 of a differential component that is 1.
-    ResidualSystem contradiction =
-        new ImplicitOde(
-            2,
-            (t, y, yDot, r) -> {
-              r[0] = yDot[0] - y[1];
-              r[1] = y[0] - 2;
-            }) {
-          @Override
-          public Component component(int index) {
-            return index == 1 ? Component.ALGEBRAIC : Component.DIFFERENTIAL;
-          }
-        };
     Ode15sR integrator = new Ode15sR(new IntegratorSettings(1e-6, 1e-6));
-    assertThat(integrator.start(contradiction, 0, new double[] {1, 0}, new double[2], 1))
+    assertThat(integrator.start(held(2), 0, new double[] {1, 0}, new double[2], 1))
         .isEqualTo(StepResult.FAILED);
     assertThat(integrator.failure().cause()).isEqualTo(IntegrationFailure.Cause.INCONSISTENT_START);
     assertThat(integrator.failure().worstComponent()).isEqualTo(1);
+  }
+
+  /** No y' but r/h corrects a rounding r of a differential component: it is kept. */
+  @ParameterizedTest
+  @ValueSource(doubles = {1e-14, 1e-12, 1e-11, 5e-11})
+  void roundingOfAHeldComponentIsNoContradiction(double rounding) {
+    Ode15sR integrator = new Ode15sR(new IntegratorSettings(1e-6, 1e-6));
+    assertThat(integrator.start(held(2), 0, new double[] {2 + rounding, 0}, new double[2], 1))
+        .isEqualTo(StepResult.ADVANCED);
+  }
+
+  /** y_0' = y_1, where the algebraic y_1 is to keep y_0 at a value. */
+  private static ResidualSystem held(double value) {
+    return new ImplicitOde(
+        2,
+        (t, y, yDot, r) -> {
+          r[0] = yDot[0] - y[1];
+          r[1] = y[0] - value;
+        }) {
+      @Override
+      public Component component(int index) {
+        return index == 1 ? Component.ALGEBRAIC : Component.DIFFERENTIAL;
+      }
+    };
   }
 
   @Test
