@@ -125,6 +125,7 @@ class WarningsAgreeTest {
   @ParameterizedTest
   @CsvSource({
     "nothing wrong, ''",
+    "pulse, ''",
     "at rest, N-036",
     "coupling over time, ''",
     "constraint over time, ''",
@@ -132,7 +133,6 @@ class WarningsAgreeTest {
     "no mass, S-086",
     "spring in one body, M-095",
     "no word of gravity, M-090",
-    "pulse, N-025",
     "friction that jumps, N-028",
     "extremes/fourbar_redundant, S-090",
     "extremes/coaxial_massless, N-002"

@@ -29,6 +29,9 @@ import org.mechservice.solver.spatial.Vector3;
  * the leaves.
  */
 public final class Mechanism {
+  /** Most times at which the equations change their form that are known of an interval. */
+  public static final int MOST_TIME_JUMPS = 1_000_000;
+
   /** Body index of the root. */
   public static final int ROOT = -1;
 
@@ -322,7 +325,7 @@ public final class Mechanism {
 
   /**
    * Returns the times at which the equations change their form because of an expression of time,
-   * such as {@code step(t-1)}.
+   * such as {@code step(t-1)}, ascending; no more than {@link #MOST_TIME_JUMPS} of them.
    *
    * @param from first time of interest, s
    * @param to last one, s

@@ -39,9 +39,6 @@ import org.mechservice.solver.mechanism.force.ForceElement;
  * is as short as the resolution, so that no change is overlooked, however close others are.
  */
 final class TimePlaces {
-  /** Largest number of places found; a function with more is not piecewise smooth. */
-  private static final int MOST = 1_000_000;
-
   /** Halvings of the interval after which a part counts as a place. */
   private static final int HALVINGS = 42;
 
@@ -247,7 +244,7 @@ final class TimePlaces {
   }
 
   private void halve(Search search, double start, double end, int depth) {
-    if (times.size() >= MOST || search.isDecided(start, end)) {
+    if (times.size() >= Mechanism.MOST_TIME_JUMPS || search.isDecided(start, end)) {
       return;
     }
     double middle = 0.5 * (start + end);
@@ -300,13 +297,13 @@ final class TimePlaces {
       add(line.where(0));
       return;
     }
-    for (int i = 0; i < MOST && first + i <= last; i++) {
+    for (int i = 0; i < Mechanism.MOST_TIME_JUMPS && first + i <= last; i++) {
       add(line.where(first + i));
     }
   }
 
   private void add(double t) {
-    if (t >= from && t <= to && times.size() < MOST) {
+    if (t >= from && t <= to && times.size() < Mechanism.MOST_TIME_JUMPS) {
       times.add(t);
     }
   }

@@ -1,11 +1,16 @@
 package org.mechservice.sim.scene.forecast;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Deque;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
+import java.util.Set;
 import org.mechservice.sim.scene.Finding;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
@@ -64,7 +69,7 @@ final class FormulaForecast {
     FormulaForecast forecast = new FormulaForecast(mechanism, settings);
     for (ForceElement force : mechanism.forces()) {
       String part = "force \"" + force.name() + "\"";
-      ShortPulseCheck.formulas(force).forEach(f -> forecast.look(f, part, force.origin()));
+      force.formulas().forEach(f -> forecast.look(f.expression(), part, force.origin()));
     }
     for (FurtherState state : mechanism.furtherStates()) {
       forecast.look(state.derivative(), "state \"" + state.name() + "\"", state.origin());
@@ -74,11 +79,15 @@ final class FormulaForecast {
       String part = "the motion of joint \"" + joint.name() + "\"";
       motion.coordinates().forEach(f -> forecast.look(f, part, joint.origin()));
     }
+    if (forecast.findings.values().stream()
+        .noneMatch(finding -> finding.code() == MessageCode.VERY_MANY_STEPS)) {
+      forecast.changes();
+    }
     return new ArrayList<>(forecast.findings.values());
   }
 
   private void look(Expression formula, String part, Origin origin) {
-    ShortPulseCheck.parts(formula).forEach(one -> lookAt(one, part, origin));
+    parts(formula).forEach(one -> lookAt(one, part, origin));
   }
 
   private void lookAt(Expression formula, String part, Origin origin) {
@@ -130,6 +139,22 @@ final class FormulaForecast {
           part,
           origin,
           where + (jumps ? jumping(rate, steps) : turning(rate, steps)));
+    }
+  }
+
+  /** Looks whether the formulas of time change their form too often for all changes to be known. */
+  private void changes() {
+    List<Double> known = mechanism.timeJumps(settings.tStart(), settings.tEnd());
+    if (known.size() >= Mechanism.MOST_TIME_JUMPS) {
+      String text =
+          String.format(
+              Locale.ROOT,
+              "the formulas of time change their form more than %d times within %.3g s; steps end at"
+                  + " these changes only and may pass over the others; leave out what is too fast to"
+                  + " matter, or end the run earlier",
+              Mechanism.MOST_TIME_JUMPS,
+              settings.tEnd() - settings.tStart());
+      add(MessageCode.VERY_MANY_STEPS, "", Origin.NONE, text);
     }
   }
 
@@ -193,8 +218,21 @@ final class FormulaForecast {
     }
   }
 
+  /** Returns an expression and all of its parts, each object once: formulas may share parts. */
+  static Set<Expression> parts(Expression formula) {
+    Set<Expression> parts = Collections.newSetFromMap(new IdentityHashMap<>());
+    Deque<Expression> open = new ArrayDeque<>(List.of(formula));
+    while (!open.isEmpty()) {
+      Expression next = open.pop();
+      if (parts.add(next)) {
+        open.addAll(Expression.operands(next));
+      }
+    }
+    return parts;
+  }
+
   private static boolean dependsOnVelocity(Expression formula) {
-    return ShortPulseCheck.parts(formula).stream().anyMatch(FormulaForecast::isVelocity);
+    return parts(formula).stream().anyMatch(FormulaForecast::isVelocity);
   }
 
   private static boolean isVelocity(Expression part) {

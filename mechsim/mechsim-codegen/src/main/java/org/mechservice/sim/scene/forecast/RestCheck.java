@@ -100,12 +100,12 @@ final class RestCheck {
   }
 
   private static boolean isTimed(Expression formula) {
-    return ShortPulseCheck.parts(formula).stream().anyMatch(Expression.Time.class::isInstance);
+    return FormulaForecast.parts(formula).stream().anyMatch(Expression.Time.class::isInstance);
   }
 
   /** Returns whether a formula may read what other bodies do. */
   private static boolean isOfState(Expression formula) {
-    return ShortPulseCheck.parts(formula).stream()
+    return FormulaForecast.parts(formula).stream()
         .anyMatch(
             part ->
                 part instanceof Expression.CoordinatePosition

@@ -64,8 +64,8 @@ public final class RunForecast {
 
   /**
    * Returns the findings that the model does not silence: of its loops, joints that move nothing,
-   * bodies that nothing moves, causes of a long run, dense matrices of large mechanisms, tolerances
-   * near rounding, and pulses that a step may miss.
+   * bodies that nothing moves, causes of a long run, dense matrices of large mechanisms, and
+   * tolerances near rounding.
    *
    * @param formulation requested formulation, {@code auto} or a name
    * @param closure requested closure, {@code auto} or a name
@@ -88,7 +88,6 @@ public final class RunForecast {
         .or(() -> StiffnessForecast.of(model, settings))
         .ifPresent(findings::add);
     DigitsForecast.of(mechanism, formulation, settings).ifPresent(findings::add);
-    ShortPulseCheck.of(mechanism, settings).ifPresent(findings::add);
     findings.addAll(FormulaForecast.of(mechanism, settings));
     ToleranceForecast.of(model, formulation, closure, settings).ifPresent(findings::add);
     findings.addAll(DenseForecast.of(model, formulation, settings));

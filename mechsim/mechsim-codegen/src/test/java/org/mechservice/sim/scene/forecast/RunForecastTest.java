@@ -54,6 +54,15 @@ class RunForecastTest {
         .satisfies(finding -> assertThat(finding.origin().line()).isPositive());
   }
 
+  /** floor(20000 t²) changes two million times up to t = 10 s, though at the start not at all. */
+  @Test
+  void changesTooManyToBeKnownAreTold() throws Exception {
+    assertThat(ofPush("floor(20000*t*t)"))
+        .singleElement()
+        .satisfies(finding -> assertThat(finding.code()).isEqualTo(MessageCode.VERY_MANY_STEPS))
+        .satisfies(finding -> assertThat(finding.text()).contains("more than 1000000 times"));
+  }
+
   /** Every step may end where the sine has the same value. */
   @ParameterizedTest
   @CsvSource({"0.0004, false", "0.001, true"})
