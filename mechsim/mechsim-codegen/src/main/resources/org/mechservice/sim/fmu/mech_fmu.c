@@ -614,6 +614,10 @@ static mech_status begin_integration(mech_instance *c, double first_step) {
   c->s.begun = 1;
   c->s.waiting = 0;
   c->s.horizon = c->s.until = c->s.t;
+#ifdef MODEL_WATCHES
+  c->s.cut = 0;
+  c->s.first = 1;
+#endif
   forget(c);
   return MECH_OK;
 }
@@ -687,11 +691,13 @@ static int slides(const mech_instance *c) {
 /* Ends the last step where something would go unseen in it. */
 static void search_step(mech_instance *c) {
   const mech_method *a = &c->s.method;
+  double seen;
   if (WATCH_OVERLAPS > 0) {
     look_at_overlaps(c, a->previous);
   }
-  c->s.until =
-      mech_watch_search(&c->s.watch, &c->watch_work, watched_at, c, a->previous, a->t);
+  seen = mech_watch_search(&c->s.watch, &c->watch_work, watched_at, c, a->previous, a->t);
+  c->s.cut = seen == seen;
+  c->s.until = c->s.cut ? seen : a->t;
   if (c->s.watch.unsearched > 0 && !c->s.told_unsearched) {
     c->s.told_unsearched = 1;
     mech_say(c, MECH_WARNING,
@@ -700,6 +706,15 @@ static void search_step(mech_instance *c) {
              " with a maxStep.",
              a->previous);
   }
+}
+
+/* Whether the equations change inside the first step after a restart. That step knows them at its
+ * two ends alone, the second beyond the change: it is taken again, no longer than up to there. */
+static int ends_too_late(mech_instance *c) {
+  int too_late = c->s.first && !c->s.bounded && c->s.cut && c->s.until < c->s.method.t;
+  c->s.first = 0;
+  c->s.bounded = too_late;
+  return too_late;
 }
 #endif
 
@@ -852,7 +867,7 @@ mech_status mech_do_step(mech_instance *c, const char *function, double from, do
         return status;
       }
 #ifdef MODEL_WATCHES
-    } else if (c->s.until != c->s.method.t && c->s.horizon == c->s.until) {
+    } else if (c->s.cut && c->s.horizon == c->s.until) {
       mech_status status;
       place(c, c->s.until);
       status = begin_integration(c, c->s.watch.longest_first_step);
@@ -880,6 +895,13 @@ mech_status mech_do_step(mech_instance *c, const char *function, double from, do
       c->s.until = c->s.method.t;
 #ifdef MODEL_WATCHES
       search_step(c);
+      if (ends_too_late(c)) {
+        mech_status status = begin_integration(c, c->s.until - c->s.t);
+        if (status != MECH_OK) {
+          return status;
+        }
+        continue;
+      }
       if (slides(c)) {
         c->s.mode = MECH_STEP_FAILED;
         return mech_say(c, MECH_FAILED,

@@ -77,6 +77,8 @@ typedef struct {
   /* Where the last step ends: before its end, if something would go unseen in it. */
   double until;
 #ifdef MODEL_WATCHES
+  /* Whether the last step is cut there, is the first behind a restart, and is one taken again. */
+  int cut, first, bounded;
   mech_watch watch;
   int told_unsearched;
   unsigned char told_overlap[WATCH_ROOM(WATCH_OVERLAPS)];

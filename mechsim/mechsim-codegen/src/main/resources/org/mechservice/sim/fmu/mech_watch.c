@@ -1226,12 +1226,12 @@ double mech_watch_search(mech_watch *kept, mech_watch_work *w, mech_watch_path *
   w->evaluations = 0;
   w->turning = 0;
   if (!evaluate(w, from, w->from) || !evaluate(w, to, w->to)) {
-    return to;
+    return NAN;
   }
   if (stays_in_box(w, from, to)) {
     kept->begun = 0;
     pass_step(w);
-    return to;
+    return NAN;
   }
   end = search_all(w, from, to);
   if (end == end) {
@@ -1240,5 +1240,5 @@ double mech_watch_search(mech_watch *kept, mech_watch_work *w, mech_watch_path *
     find_box(w, from, to);
   }
   pass_step(w);
-  return end == end ? end : to;
+  return end;
 }

@@ -127,7 +127,7 @@ typedef struct {
 void mech_watch_init(mech_watch *kept);
 /* Begins at a state without history. */
 void mech_watch_begin(mech_watch *kept);
-/* Searches a step; returns where it has to end, behind from: to if it may stand. */
+/* Searches a step; returns where it has to end, behind from and at most to; NaN if it may stand. */
 double mech_watch_search(mech_watch *kept, mech_watch_work *work, mech_watch_path *path, void *run,
                          double from, double to);
 /* How far behind t the next change of a choice that matters lies, if that is within rounding and a

@@ -317,7 +317,7 @@ class SearchedStepsTest {
       }
       expected[2 * k] = java.seenUntil(from, to, way);
       expected[2 * k + 1] = java.longestFirstStep();
-      cut += expected[2 * k] == to ? 0 : 1;
+      cut += Double.isNaN(expected[2 * k]) ? 0 : 1;
       from = to;
     }
     double[] found = numbers(program, given);

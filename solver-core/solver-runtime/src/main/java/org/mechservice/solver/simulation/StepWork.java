@@ -229,7 +229,7 @@ final class StepWork {
     if (!even) {
       stride = 1;
       if (last == waiting - 1) {
-        addAlong(from, to);
+        addAlong(Math.max(from, integrator.previousTime()), to);
       } else {
         left = true;
         leftFrom = from;

@@ -93,10 +93,11 @@ public interface ModelEvents {
    *
    * @param from where the step begins, s
    * @param to where it ends, s
-   * @return where it has to end so that nothing has happened in it unseen, at most {@code to}
+   * @return where it has to end so that nothing has happened in it unseen, at most {@code to}; NaN
+   *     if it may stand
    */
   default double seenUntil(double from, double to, Path path) {
-    return to;
+    return Double.NaN;
   }
 
   /**

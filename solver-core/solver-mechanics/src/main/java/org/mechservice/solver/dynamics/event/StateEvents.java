@@ -146,7 +146,7 @@ public final class StateEvents implements ModelEvents, ModelState {
 
   @Override
   public double seenUntil(double from, double to, Path path) {
-    return search.isPresent() ? search.get().search(from, to, path) : to;
+    return search.isPresent() ? search.get().search(from, to, path) : Double.NaN;
   }
 
   @Override

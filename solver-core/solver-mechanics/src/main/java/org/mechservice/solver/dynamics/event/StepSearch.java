@@ -213,7 +213,7 @@ final class StepSearch {
    * Searches a step.
    *
    * @param path the interpolated solution in the step
-   * @return where the step has to end; {@code to} if it may stand
+   * @return where the step has to end, at most {@code to}; NaN if it may stand
    */
   double search(double from, double to, ModelEvents.Path path) {
     begin = from;
@@ -222,16 +222,16 @@ final class StepSearch {
     evaluations = 0;
     turning = 0;
     if (!evaluate(path, from, atFrom)) {
-      return to;
+      return Double.NaN;
     }
     overlaps.look(from, here);
     if (!evaluate(path, to, atTo)) {
-      return to;
+      return Double.NaN;
     }
     if (staysInBox(path, from, to)) {
       begun = false;
       passStep();
-      return to;
+      return Double.NaN;
     }
     double end = searchAll(path, from, to);
     boolean seen = Double.isNaN(end);
@@ -240,7 +240,7 @@ final class StepSearch {
     }
     boxed &= seen;
     passStep();
-    return seen ? to : end;
+    return end;
   }
 
   private void passStep() {

@@ -80,7 +80,7 @@ final class StepSearchTest {
   @Test
   void stepWithoutChangeStands() {
     Expression gap = call(Function.MAX, Expression.ZERO, X);
-    assertThat(seen(gap, 2, t -> -1 + 0.4 * t, t -> 0)).isEqualTo(2);
+    assertThat(seen(gap, 2, t -> -1 + 0.4 * t, t -> 0)).isNaN();
   }
 
   /** x passes through a window of any width and any place, at any speed. */
@@ -149,7 +149,7 @@ final class StepSearchTest {
   void changeThatHasNoEffectIsNone() {
     Expression touching = call(Function.MAX, Expression.ZERO, Y);
     Expression rate = new Product(touching, call(Function.ABS, X));
-    assertThat(seen(rate, 1, t -> t - 0.5, t -> -1)).isEqualTo(1);
+    assertThat(seen(rate, 1, t -> t - 0.5, t -> -1)).isNaN();
     assertThat(seen(rate, 1, t -> t - 0.5, t -> 1)).isCloseTo(0.5, within(1e-12));
   }
 
@@ -162,7 +162,7 @@ final class StepSearchTest {
       double from = step;
       double sign = step % 2 == 0 ? 1e-9 : -1e-9;
       Way way = new Way(t -> sign * (1 - 2 * (t - from)), t -> 0);
-      cut += events.seenUntil(from, from + 1, way) < from + 1 ? 1 : 0;
+      cut += Double.isNaN(events.seenUntil(from, from + 1, way)) ? 0 : 1;
     }
     assertThat(cut).isBetween(1, 20);
   }

@@ -85,11 +85,12 @@ public interface EventFunctions {
    * @param from where the step begins
    * @param to where it ends
    * @param path the interpolated solution between
-   * @return where the step has to end so that nothing has happened in it unseen: behind {@code
-   *     from}, and {@code to} if it may stand. The integration begins anew from there
+   * @return where the step has to end so that nothing has happened in it unseen, behind {@code
+   *     from} and at most at {@code to}: the integration begins anew from there. NaN if the step may
+   *     stand
    */
   default double seenUntil(double from, double to, Path path) {
-    return to;
+    return Double.NaN;
   }
 
   /**

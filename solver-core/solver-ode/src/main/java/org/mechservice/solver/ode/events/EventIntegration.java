@@ -250,7 +250,7 @@ public final class EventIntegration implements ResidualIntegrator {
     }
     double end = direction * (integrator.time() - tEnd) > 0 ? tEnd : integrator.time();
     double seen = values.seenUntil(time, end);
-    if (seen == end || !values.stopAt(time, restarted)) {
+    if (!(direction * (end - seen) > 0) || !values.stopAt(time, restarted)) {
       return false;
     }
     longestFirstStep = Math.abs(seen - time);
@@ -270,9 +270,11 @@ public final class EventIntegration implements ResidualIntegrator {
     time = end;
     recentSteps.record(
         begin, integrator.stepSize(), integrator.order(), Double.NaN, TrialOutcome.PASSED);
-    double whole = end;
+    boolean changes = false;
     if (functions.searchesSteps()) {
-      end = values.seenUntil(begin, end);
+      double seen = values.seenUntil(begin, end);
+      changes = direction * (tEnd - seen) > 0;
+      end = Double.isNaN(seen) ? end : seen;
       time = end;
       if (Math.abs(tEnd - end) > MOST_ROWS * Math.abs(end - functions.slidingSince())) {
         return slides(end);
@@ -304,7 +306,7 @@ public final class EventIntegration implements ResidualIntegrator {
       }
     }
     values.endStep(end, tEnd);
-    if (end != whole) {
+    if (changes) {
       return goOnFrom(end);
     }
     running = result == StepResult.ADVANCED;
