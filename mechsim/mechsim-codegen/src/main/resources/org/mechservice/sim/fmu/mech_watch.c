@@ -911,16 +911,20 @@ static int changed(const mech_watch_work *w, const double *start, const double *
 }
 
 /* A time just behind a change at which the argument of the choice is off its boundary by more than
- * rounding, so that equations that compute it in another order choose the same. */
-static double clear(mech_watch_work *w, int choice, double behind, double end, double width) {
+ * rounding, so that equations that compute it in another order choose the same: at most the end of
+ * the step, and the change itself where the argument stays at the boundary. */
+static double clear(mech_watch_work *w, int choice, double behind, double width) {
   double t = behind, beyond;
-  for (beyond = width; t + beyond < end && evaluate(w, t, w->narrowing); beyond *= 2) {
+  for (beyond = width; beyond <= ACROSS * width; beyond *= 2) {
+    if (t >= w->finish || !evaluate(w, t, w->narrowing)) {
+      return t < w->finish ? t : w->finish;
+    }
     if (distance(choice, w->narrowing) > CLEAR * w->kept->sizes[choice]) {
       return t;
     }
     t = behind + beyond;
   }
-  return t;
+  return behind;
 }
 
 /* The time just behind the change of a choice in a part. */
@@ -939,7 +943,7 @@ static double narrowed(mech_watch_work *w, int choice, double start, const doubl
       behind = middle;
     }
   }
-  return clear(w, choice, behind, end, width);
+  return clear(w, choice, behind, width);
 }
 
 /* Whether the ends of the step show that a choice changes in it. */
@@ -1106,6 +1110,7 @@ static double search_all(mech_watch_work *w, double from, double to) {
     w->looking = 0;
     w->evaluations = 0;
     forget_first_seen(w);
+    w->finish = last;
     if (evaluate(w, last, w->to)) {
       double before = search_parts(w, from, last, count);
       end = before == before ? before : end;
@@ -1221,6 +1226,7 @@ double mech_watch_search(mech_watch *kept, mech_watch_work *w, mech_watch_path *
   double end;
   use(w, kept, path, run);
   w->begin = from;
+  w->finish = to;
   w->gave_up = 0;
   kept->longest_first_step = HUGE_VAL;
   w->evaluations = 0;

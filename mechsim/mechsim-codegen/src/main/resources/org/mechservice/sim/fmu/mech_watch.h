@@ -116,7 +116,7 @@ typedef struct {
   double first_seen[WATCH_ROOM(WATCH_CHOICES)];
   double value_from[WATCH_ROOM(WATCH_FORMULAS)], value_to[WATCH_ROOM(WATCH_FORMULAS)];
   /* The fastest turn at the ends of the step, rad/s. */
-  double turning, begin;
+  double turning, begin, finish;
   long evaluations, allowed;
   int looking, hidden, gave_up;
   /* Whether the points hold the constants, and down to which depth those between do. */

@@ -150,6 +150,7 @@ final class StepSearch {
   private boolean gaveUp;
 
   private double begin;
+  private double finish;
   private int evaluations;
   private int allowed;
   private double longestFirstStep = Double.POSITIVE_INFINITY;
@@ -217,6 +218,7 @@ final class StepSearch {
    */
   double search(double from, double to, ModelEvents.Path path) {
     begin = from;
+    finish = to;
     gaveUp = false;
     longestFirstStep = Double.POSITIVE_INFINITY;
     evaluations = 0;
@@ -319,6 +321,7 @@ final class StepSearch {
       evaluations = 0;
       Arrays.fill(firstSeen, Double.NaN);
       double last = Double.isNaN(end) ? to : end;
+      finish = last;
       if (evaluate(path, last, atTo)) {
         double before = searchParts(path, from, last, parts);
         end = Double.isNaN(before) ? end : before;
@@ -499,22 +502,25 @@ final class StepSearch {
         behind = middle;
       }
     }
-    return clear(path, choice, behind, end, width);
+    return clear(path, choice, behind, width);
   }
 
   /**
    * Returns a time just behind a change at which the argument of the choice is off its boundary by
-   * more than rounding, so that equations that compute it in another order choose the same.
+   * more than rounding, so that equations that compute it in another order choose the same: at most
+   * the end of the step, and the change itself where the argument stays at the boundary.
    */
-  private double clear(ModelEvents.Path path, int choice, double behind, double end, double width) {
+  private double clear(ModelEvents.Path path, int choice, double behind, double width) {
     double t = behind;
-    for (double beyond = width; t + beyond < end && evaluate(path, t, narrowing); beyond *= 2) {
-      if (pieces.distance(choice, narrowing) > CLEAR * sizes[choice]) {
+    for (double beyond = width; beyond <= ROUNDINGS * width; beyond *= 2) {
+      if (t >= finish || !evaluate(path, t, narrowing)) {
+        return Math.min(t, finish);
+      } else if (pieces.distance(choice, narrowing) > CLEAR * sizes[choice]) {
         return t;
       }
       t = behind + beyond;
     }
-    return t;
+    return behind;
   }
 
   /** Returns the place of a change if it ends the step, else NaN. */
