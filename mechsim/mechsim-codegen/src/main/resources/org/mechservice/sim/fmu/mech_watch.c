@@ -899,15 +899,17 @@ static void note_unsearched(mech_watch_work *w) {
   }
 }
 
-/* An open choice that differs at the ends of a part; -1 if there is none. */
+/* An open choice that differs at the ends of a part, of several the one that others may follow
+ * from; -1 if there is none. */
 static int changed(const mech_watch_work *w, const double *start, const double *end) {
-  int k;
+  int k, first = -1;
   for (k = 0; k < w->undecided_count; k++) {
-    if (piece(w->undecided[k], start) != piece(w->undecided[k], end)) {
-      return w->undecided[k];
+    int choice = w->undecided[k];
+    if ((first < 0 || choice < first) && piece(choice, start) != piece(choice, end)) {
+      first = choice;
     }
   }
-  return -1;
+  return first;
 }
 
 /* A time just behind a change at which the argument of the choice is off its boundary by more than
@@ -951,16 +953,20 @@ static int shows(const mech_watch_work *w, int choice) {
   return fabs(w->pieces_to[choice] - w->pieces_from[choice]) == 1;
 }
 
-/* Decides whether a change of a choice ends the step, and counts it if so. */
-static int counts(mech_watch_work *w, int choice) {
+/* Decides whether a change of a choice ends the step, and counts it if so. A choice that goes on to
+ * a third piece does not hover about a boundary. */
+static int counts(mech_watch_work *w, int choice, const double *start, const double *end) {
   mech_watch *kept = w->kept;
-  double row = kept->since_change[choice] < CLOSE ? kept->close_changes[choice] + 1 : 1;
+  double leaving = piece(choice, start);
+  int back = leaving == kept->left[choice] || piece(choice, end) == kept->left[choice];
+  double row = back && kept->since_change[choice] < CLOSE ? kept->close_changes[choice] + 1 : 1;
   int taken = row <= (shows(w, choice) ? MOST_CLOSE : MOST_HIDDEN);
   if (!taken && !shows(w, choice)) {
     note_unsearched(w);
   }
   if (w->looking) {
     kept->since_change[choice] = 0;
+    kept->left[choice] = leaving;
     kept->close_changes[choice] = taken ? row : kept->close_changes[choice];
     kept->changes[choice]++;
   }
@@ -968,13 +974,14 @@ static int counts(mech_watch_work *w, int choice) {
 }
 
 /* The place of a change if it ends the step, else NaN. */
-static double taken(mech_watch_work *w, int choice, double place) {
+static double taken(mech_watch_work *w, int choice, const double *start, const double *end,
+                    double place) {
   if (w->first_seen[choice] == w->first_seen[choice]) {
     return w->first_seen[choice];
   }
   if (shows(w, choice) && WATCH_CHOICE_OF[choice].sign) {
     w->first_seen[choice] = place;
-  } else if (counts(w, choice)) {
+  } else if (counts(w, choice, start, end)) {
     return place;
   }
   return NAN;
@@ -1034,7 +1041,7 @@ static double search_part(mech_watch_work *w, int depth, double start, const dou
       return NAN;
     }
     if (finest) {
-      return taken(w, choice, narrowed(w, choice, start, at_start, end));
+      return taken(w, choice, at_start, at_end, narrowed(w, choice, start, at_start, end));
     }
   } else if (finest) {
     return NAN;
@@ -1168,6 +1175,7 @@ void mech_watch_init(mech_watch *kept) {
   memset(kept, 0, sizeof *kept);
   for (i = 0; i < WATCH_CHOICES; i++) {
     kept->since_change[i] = CLOSE;
+    kept->left[i] = NAN;
   }
   kept->longest_first_step = HUGE_VAL;
   kept->sliding_since = NAN;

@@ -82,6 +82,8 @@ typedef struct {
   double before[WATCH_ROOM(WATCH_FORMULAS)], largest[WATCH_ROOM(WATCH_FORMULAS)];
   double sizes[WATCH_ROOM(WATCH_CHOICES)];
   double since_change[WATCH_ROOM(WATCH_CHOICES)], close_changes[WATCH_ROOM(WATCH_CHOICES)];
+  /* Of each choice, the piece it took before its last change. */
+  double left[WATCH_ROOM(WATCH_CHOICES)];
   /* Of each choice in the row of steps: largest distance from its boundary, and changes. */
   double farthest[WATCH_ROOM(WATCH_CHOICES)], changes[WATCH_ROOM(WATCH_CHOICES)];
   /* Steps in the row, and when it began. */

@@ -127,6 +127,9 @@ final class StepSearch {
   private final double[] sinceChange;
   private final double[] closeChanges;
 
+  /** Of each choice, the piece it took before its last change. */
+  private final double[] left;
+
   /** Of each choice in the row of steps: largest distance from its boundary, and changes. */
   private final double[] farthest;
 
@@ -189,6 +192,8 @@ final class StepSearch {
     piecesTo = new double[choices];
     sinceChange = new double[choices];
     closeChanges = new double[choices];
+    left = new double[choices];
+    Arrays.fill(left, Double.NaN);
     Arrays.fill(sinceChange, CLOSE);
     firstSeen = new double[choices];
     farthest = new double[choices];
@@ -414,7 +419,8 @@ final class StepSearch {
         }
         return Double.NaN;
       } else if (finest) {
-        return taken(changed, narrowed(path, changed, start, atStart, end));
+        double place = narrowed(path, changed, start, atStart, end);
+        return taken(changed, atStart, atEnd, place);
       }
     } else if (finest) {
       return Double.NaN;
@@ -473,15 +479,20 @@ final class StepSearch {
     return true;
   }
 
-  /** Returns an open choice that differs at the ends of a part; −1 if there is none. */
+  /**
+   * Returns an open choice that differs at the ends of a part, of several the one that others may
+   * follow from; −1 if there is none.
+   */
   private int changed(double[] atStart, double[] atEnd) {
+    int first = -1;
     for (int k = 0; k < pieces.undecidedCount(); k++) {
       int choice = pieces.undecided(k);
-      if (pieces.piece(choice, atStart) != pieces.piece(choice, atEnd)) {
-        return choice;
+      if ((first < 0 || choice < first)
+          && pieces.piece(choice, atStart) != pieces.piece(choice, atEnd)) {
+        first = choice;
       }
     }
-    return -1;
+    return first;
   }
 
   /** Returns the time just behind the change of a choice in a part. */
@@ -524,12 +535,12 @@ final class StepSearch {
   }
 
   /** Returns the place of a change if it ends the step, else NaN. */
-  private double taken(int choice, double place) {
+  private double taken(int choice, double[] atStart, double[] atEnd, double place) {
     if (!Double.isNaN(firstSeen[choice])) {
       return firstSeen[choice];
     } else if (shows(choice) && pieces.isSign(choice)) {
       firstSeen[choice] = place;
-    } else if (counts(choice)) {
+    } else if (counts(choice, atStart, atEnd)) {
       return place;
     }
     return Double.NaN;
@@ -540,9 +551,14 @@ final class StepSearch {
     return Math.abs(piecesTo[choice] - piecesFrom[choice]) == 1;
   }
 
-  /** Decides whether a change of a choice ends the step, and counts it if so. */
-  private boolean counts(int choice) {
-    boolean close = sinceChange[choice] < CLOSE;
+  /**
+   * Decides whether a change of a choice ends the step, and counts it if so. A choice that goes on
+   * to a third piece does not hover about a boundary.
+   */
+  private boolean counts(int choice, double[] atStart, double[] atEnd) {
+    double leaving = pieces.piece(choice, atStart);
+    boolean back = leaving == left[choice] || pieces.piece(choice, atEnd) == left[choice];
+    boolean close = back && sinceChange[choice] < CLOSE;
     double row = close ? closeChanges[choice] + 1 : 1;
     boolean taken = row <= (shows(choice) ? MOST_CLOSE : MOST_HIDDEN);
     if (!taken && !shows(choice)) {
@@ -550,6 +566,7 @@ final class StepSearch {
     }
     if (looking) {
       sinceChange[choice] = 0;
+      left[choice] = leaving;
       closeChanges[choice] = taken ? row : closeChanges[choice];
       changes[choice]++;
     }
@@ -692,6 +709,7 @@ final class StepSearch {
       sizes,
       sinceChange,
       closeChanges,
+      left,
       farthest,
       changes,
       boxLow,
