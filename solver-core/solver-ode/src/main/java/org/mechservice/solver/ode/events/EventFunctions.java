@@ -86,8 +86,8 @@ public interface EventFunctions {
    * @param to where it ends
    * @param path the interpolated solution between
    * @return where the step has to end so that nothing has happened in it unseen, behind {@code
-   *     from} and at most at {@code to}: the integration begins anew from there. NaN if the step may
-   *     stand
+   *     from} and at most at {@code to}: the integration begins anew from there. NaN if the step
+   *     may stand
    */
   default double seenUntil(double from, double to, Path path) {
     return Double.NaN;

@@ -70,7 +70,7 @@ public final class EventIntegration implements ResidualIntegrator {
   private final RecentSteps recentSteps = new RecentSteps();
   private Optional<IntegrationFailure> failure = Optional.empty();
 
-  /** State to restart from. */
+  /** State to restart from, or of the last start. */
   private double[] restarted = {};
 
   private double tEnd;
@@ -109,7 +109,7 @@ public final class EventIntegration implements ResidualIntegrator {
   @Override
   public StepResult start(OdeSystem system, double t0, double[] y0, double tEnd) {
     StepResult result = integrator.start(system, t0, y0, tEnd);
-    return begin(result, system, t0, y0.length, tEnd);
+    return begin(result, system, t0, y0, tEnd);
   }
 
   /**
@@ -122,7 +122,7 @@ public final class EventIntegration implements ResidualIntegrator {
   public StepResult start(
       ResidualSystem system, double t0, double[] y0, double[] yDot0, double tEnd) {
     StepResult result = residual().start(system, t0, y0, yDot0, tEnd);
-    return begin(result, system, t0, y0.length, tEnd);
+    return begin(result, system, t0, y0, tEnd);
   }
 
   private ResidualIntegrator residual() {
@@ -133,8 +133,9 @@ public final class EventIntegration implements ResidualIntegrator {
   }
 
   private StepResult begin(
-      StepResult result, SystemParts system, double t0, int dimension, double tEnd) {
-    prepare(system, dimension, tEnd);
+      StepResult result, SystemParts system, double t0, double[] y0, double tEnd) {
+    prepare(system, y0.length, tEnd);
+    System.arraycopy(y0, 0, restarted, 0, y0.length);
     direction = tEnd < t0 ? -1 : 1;
     accumulation.begin(t0);
     recentSteps.clear();
@@ -169,6 +170,7 @@ public final class EventIntegration implements ResidualIntegrator {
   @Override
   public StepResult restart(double t, double[] y, double longestFirstStep) {
     requireInLastStep(t);
+    System.arraycopy(y, 0, restarted, 0, restarted.length);
     return settle(integrator.restart(t, y, longestFirstStep), t);
   }
 
@@ -250,7 +252,7 @@ public final class EventIntegration implements ResidualIntegrator {
     }
     double end = direction * (integrator.time() - tEnd) > 0 ? tEnd : integrator.time();
     double seen = values.seenUntil(time, end);
-    if (!(direction * (end - seen) > 0) || !values.stopAt(time, restarted)) {
+    if (!(direction * (end - seen) > 0)) {
       return false;
     }
     longestFirstStep = Math.abs(seen - time);
