@@ -71,6 +71,15 @@ def test_keywords_are_settings_or_parameters():
     assert rows.complete and rows.report["outcome"] == "completed"
 
 
+def test_a_model_never_changes():
+    model = mechservice.read("examples/elements/Parameters.xml")
+    before = model.simulate()["slide.q"][-1]
+    pushed = model.set(push=4)
+    assert model.simulate(push=4, t_end=0.5)["slide.q"][-1] != before
+    assert pushed.simulate()["slide.q"][-1] != before
+    assert model.simulate()["slide.q"][-1] == before
+
+
 def test_errors_have_their_codes_and_advice():
     model = mechservice.read(PENDULUM)
     with pytest.raises(mechservice.ModelError) as unknown:

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.net.InetAddress;
+import java.net.NetworkInterface;
 import java.net.Socket;
 import java.net.URI;
 import java.net.http.HttpClient;
@@ -89,6 +90,22 @@ class BoundedHttpTest {
     Socket socket = halfSent();
     socket.setSoTimeout((int) PATIENCE.toMillis());
     assertThat(socket.getInputStream().read()).isEqualTo(-1);
+  }
+
+  /** Not even at the other addresses of this machine. */
+  @Test
+  void onlyTheLoopbackAddressIsListenedAt() throws Exception {
+    List<InetAddress> others =
+        NetworkInterface.networkInterfaces()
+            .flatMap(NetworkInterface::inetAddresses)
+            .filter(address -> !address.getHostAddress().equals("127.0.0.1"))
+            .toList();
+    for (InetAddress other : others) {
+      assertThatThrownBy(() -> new Socket(other, server.port()).close())
+          .as(other.getHostAddress())
+          .isInstanceOf(IOException.class);
+    }
+    assertThat(health()).isEqualTo("well");
   }
 
   @Test

@@ -62,7 +62,7 @@ final class StabilityCommand implements Callable<Integer> {
   @Option(
       names = "--case",
       paramLabel = "NAME",
-      description = "Run this case of the suite only, such as chain_1000; may be repeated.")
+      description = "Run this case of the suite, such as chain_1000; may be repeated.")
   private List<String> cases = List.of();
 
   @Mixin private ServerOption server = new ServerOption();

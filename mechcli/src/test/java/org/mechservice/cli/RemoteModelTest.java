@@ -251,6 +251,19 @@ class RemoteModelTest {
     assertThat(verbs(RemoteModel.class)).isEqualTo(verbs(MechModel.class));
   }
 
+  @Test
+  void whatIsOnlyInProcessIsNotThere() {
+    assertThat(RemoteModel.class.getDeclaredMethods())
+        .filteredOn(m -> m.getParameterCount() == 0)
+        .extracting(Method::getName)
+        .doesNotContainAnyElementsOf(HERE)
+        .doesNotContain("writeUrdf");
+    assertThat(MechModel.class.getDeclaredMethods())
+        .extracting(Method::getName)
+        .containsAll(HERE)
+        .contains("writeUrdf");
+  }
+
   private static Set<String> verbs(Class<?> model) {
     return Arrays.stream(model.getDeclaredMethods())
         .filter(m -> Modifier.isPublic(m.getModifiers()) && !Modifier.isStatic(m.getModifiers()))

@@ -147,6 +147,14 @@ class WholeWayTest {
     assertThat(folder.resolve("arm.xml")).doesNotExist();
   }
 
+  @Test
+  void strictExportThatWouldLoseSomethingWritesNothing() {
+    String model = Path.of("..", "examples", "elements", "joint-C.xml").toString();
+    assertThat(mech("export", model, "-o", file("bead.urdf"), "--strict")).isEqualTo(2);
+    assertThat(err.toString()).contains("S-127 " + model + " has 2 things");
+    assertThat(folder.resolve("bead.urdf")).doesNotExist();
+  }
+
   private static final String TOO_LONG =
       Path.of("..", "examples", "extremes", "fps_inconsistent_rod.xml").toString();
 

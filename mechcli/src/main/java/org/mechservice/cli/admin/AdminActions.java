@@ -103,7 +103,7 @@ final class AdminActions {
     @Parameters(
         arity = "0..1",
         paramLabel = "HOST|SERVER",
-        description = "Its name; without it the server asked.")
+        description = "Its name; the server asked if left out.")
     private String name = "";
 
     /** Returns the action; the host is empty if a server is meant. */
@@ -156,7 +156,7 @@ final class AdminActions {
     @Parameters(
         arity = "0..1",
         paramLabel = "SERVER",
-        description = "Its name or address; without it the server asked.")
+        description = "Its name or address; the server asked if left out.")
     private String name = "";
 
     @Option(
@@ -187,7 +187,7 @@ final class AdminActions {
     @Option(
         names = "--host",
         paramLabel = "HOST",
-        description = "Of this host; without it of the servers asked and all their hosts.")
+        description = "Of this host; of the servers asked and all their hosts if left out.")
     private String host = "";
 
     @Parameters(

@@ -211,7 +211,7 @@ public final class AdminCommand implements Callable<Integer> {
               names = "--state",
               paramLabel = "S",
               description =
-                  "Only created, queued, running, paused, done, failed or cancelled ones.")
+                  "Those that are created, queued, running, paused, done, failed or cancelled.")
           @Nullable String state)
       throws Exception {
     if (state != null && !KnownSimulation.states().contains(state)) {
@@ -272,7 +272,7 @@ public final class AdminCommand implements Callable<Integer> {
       @Parameters(
               arity = "0..1",
               paramLabel = "NAME",
-              description = "A host or server; without it all servers.")
+              description = "A host or server; all servers if left out.")
           @Nullable String name,
       @Option(
               names = "--lines",

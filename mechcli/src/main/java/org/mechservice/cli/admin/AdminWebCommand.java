@@ -36,8 +36,8 @@ final class AdminWebCommand implements Callable<Integer> {
       names = "--tokens",
       paramLabel = "FILE",
       description =
-          "Keep the tokens monitor and admin in this file; made if it is missing. Without it they"
-              + " are new at every start.")
+          "Keep the tokens monitor and admin in this file; made if it is missing. If left out,"
+              + " they are new at every start.")
   private @Nullable Path tokenFile;
 
   @Option(

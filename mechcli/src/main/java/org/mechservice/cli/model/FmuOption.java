@@ -22,7 +22,7 @@ public final class FmuOption {
       names = "--fmi",
       paramLabel = "2|3",
       hideParamSyntax = true,
-      description = "For a FILE.fmu: version of the Functional Mock-up Interface; without it 2.")
+      description = "For a FILE.fmu: version of the Functional Mock-up Interface; 2 if left out.")
   private String version = "";
 
   @Option(
@@ -31,7 +31,7 @@ public final class FmuOption {
       hideParamSyntax = true,
       description =
           "For a FILE.fmu: linux64, win64, darwin-aarch64, linux-aarch64, separated by commas, or"
-              + " source for none; without it this machine's.")
+              + " source for none; this machine's if left out.")
   private String platforms = "";
 
   @Option(
@@ -48,9 +48,9 @@ public final class FmuOption {
       hideParamSyntax = true,
       description =
           "For a FILE.fmu with closed loops: its states are all coordinates, moved onto the loops"
-              + " after steps (projection, as without the option), or independent ones alone, from"
+              + " after steps (projection, the default), or independent ones alone, from"
               + " which each evaluation computes the others; NAMES are those of joints or"
-              + " positions, separated by commas, without them they are chosen at the start.")
+              + " positions, separated by commas; if left out, they are chosen at the start.")
   private String coordinates = "";
 
   /**

@@ -21,7 +21,7 @@ public final class MethodOptions {
   @Option(
       names = "--simulation",
       paramLabel = "NAME|N",
-      description = "Simulation of the file, by name or number; without it the first.")
+      description = "Simulation of the file, by name or number; the first if left out.")
   private String simulation = "";
 
   @Option(

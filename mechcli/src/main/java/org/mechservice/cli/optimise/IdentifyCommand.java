@@ -90,7 +90,7 @@ public final class IdentifyCommand implements Callable<Integer> {
       arity = "1..*",
       paramLabel = "PARAMETER",
       description =
-          "Parameters whose intervals are computed without taking the model as linear: each is"
+          "Parameters whose intervals are computed and the model is not taken as linear: each is"
               + " held at values beside the found one, and the others are fitted anew.")
   private List<String> profiled = List.of();
 

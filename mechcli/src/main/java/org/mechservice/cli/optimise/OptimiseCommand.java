@@ -138,8 +138,8 @@ public final class OptimiseCommand implements Callable<Integer> {
       names = "--failed-as",
       paramLabel = "VALUE",
       description =
-          "Objective of points that fail, so that the method goes around them; without it a point"
-              + " that fails ends its start.")
+          "Objective of points that fail, so that the method goes around them; if left out, a"
+              + " point that fails ends its start.")
   private @Nullable Double failedAs;
 
   @Option(

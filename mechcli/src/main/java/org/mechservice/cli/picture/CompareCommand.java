@@ -76,7 +76,7 @@ public final class CompareCommand implements Callable<Integer> {
       description = "Print the N signals that differ most (default: ${DEFAULT-VALUE}).")
   private int worst = 10;
 
-  @Option(names = "--quiet", description = "Print nothing; only the exit status tells.")
+  @Option(names = "--quiet", description = "Print nothing; the exit status tells.")
   private boolean quiet;
 
   @Option(names = "--json", description = "Print all signals as one JSON object.")

@@ -7,8 +7,8 @@ final class DarkOption {
   @Option(
       names = "--dark",
       description =
-          "Light lines on black. Without it PNG files are light, SVG and HTML files as their reader"
-              + " prefers.")
+          "Light lines on black. If left out, PNG files are light, SVG and HTML files as their"
+              + " reader prefers.")
   private boolean dark;
 
   boolean isDark() {

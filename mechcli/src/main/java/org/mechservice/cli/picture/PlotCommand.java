@@ -38,7 +38,8 @@ public final class PlotCommand implements Callable<Integer> {
       paramLabel = "RESULT|COLUMN",
       description =
           "Result files (CSV, TSV, MAT, JSON, Parquet), and the names of columns; * and ? stand for"
-              + " other characters. Without columns the coordinates of the joints are drawn.")
+              + " other characters. If no columns are named, the coordinates of the joints are"
+              + " drawn.")
   private List<String> words = List.of();
 
   @Option(

@@ -50,7 +50,7 @@ public final class ShowCommand implements Callable<Integer> {
   @Option(
       names = "--simulation",
       paramLabel = "NAME|N",
-      description = "Simulation of the file whose start is drawn; without it the first.")
+      description = "Simulation of the file whose start is drawn; the first if left out.")
   private Optional<String> simulation = Optional.empty();
 
   @Mixin private ParameterOption parameters = new ParameterOption();
@@ -58,7 +58,7 @@ public final class ShowCommand implements Callable<Integer> {
   @Option(
       names = "--dark",
       description =
-          "Light lines on black. Without it PNG files are light, SVG files as their reader"
+          "Light lines on black. If left out, PNG files are light, SVG files as their reader"
               + " prefers.")
   private boolean dark;
 

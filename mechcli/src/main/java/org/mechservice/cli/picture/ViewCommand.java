@@ -87,7 +87,7 @@ public final class ViewCommand implements Callable<Integer> {
       paramLabel = "FILE.html",
       description =
           "The page to write with the model itself in it: sliders for parameters and start values"
-              + " run it again at once, without a network; needs clang with lld, or zig.")
+              + " run it again at once, with no network; it needs clang with lld, or zig.")
   private Optional<Path> live = Optional.empty();
 
   @Option(
@@ -107,7 +107,7 @@ public final class ViewCommand implements Callable<Integer> {
   @Option(
       names = "--simulation",
       paramLabel = "NAME|N",
-      description = "Simulation of the file, by name or number; without it the first.")
+      description = "Simulation of the file, by name or number; the first if left out.")
   private Optional<String> simulation = Optional.empty();
 
   @Mixin private ServerOption server = new ServerOption();

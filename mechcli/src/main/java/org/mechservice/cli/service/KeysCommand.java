@@ -69,7 +69,7 @@ public final class KeysCommand implements Callable<Integer> {
       paramLabel = "NAME",
       description =
           "Make a new key and certificate for this identity; processes that run with its folder"
-              + " use it without a restart. May be given several times.")
+              + " need no restart. May be given several times.")
   private List<String> renewed = List.of();
 
   @Option(

@@ -40,7 +40,7 @@ public final class ServerCommand implements Callable<Integer> {
       names = "--capacity",
       paramLabel = "K",
       description =
-          "Simulations it runs at once; 0: only its hosts run any (default: number of processors).")
+          "Simulations it runs at once; 0: its hosts run all (default: number of processors).")
   private int capacity = Runtime.getRuntime().availableProcessors();
 
   @Mixin private HostingOptions hosting = new HostingOptions();
@@ -78,7 +78,7 @@ public final class ServerCommand implements Callable<Integer> {
       names = "--metrics-listen",
       paramLabel = "ADDR",
       description =
-          "Address of the metrics port; other than loopback only where nobody else reaches it"
+          "Address of the metrics port; one that nobody but the monitoring system reaches"
               + " (default: 127.0.0.1).")
   private String metricsListen = "127.0.0.1";
 

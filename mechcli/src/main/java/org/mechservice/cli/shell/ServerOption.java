@@ -12,8 +12,8 @@ public final class ServerOption {
       names = "--server",
       paramLabel = "URL[,URL...]",
       description =
-          "Server as host:port or URL, the next where one is gone; without it this process does the"
-              + " work.")
+          "Server as host:port or URL, the next where one is gone; this process does the work if"
+              + " left out.")
   private Optional<String> address = Optional.empty();
 
   @Mixin private TlsOption tls = new TlsOption();

@@ -64,7 +64,7 @@ final class ResultOptions {
 
   @Option(
       names = "--verbose",
-      description = "Print the whole run report; without it ten lines, --json always has all.")
+      description = "Print the whole run report; ten lines if left out, while --json has all.")
   private boolean verbose;
 
   @Option(names = "--quiet", description = "Print nothing but errors.")

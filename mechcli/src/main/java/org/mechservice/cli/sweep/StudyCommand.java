@@ -94,7 +94,7 @@ public final class StudyCommand implements Callable<Integer> {
       names = "--part",
       paramLabel = "I/N",
       description =
-          "Run only part I of N, for array jobs; mech study join puts the parts together. A stop"
+          "Run part I of N, for array jobs; mech study join puts the parts together. A stop"
               + " rule acts when they are joined.")
   private String part = StudyPart.WHOLE.toString();
 
