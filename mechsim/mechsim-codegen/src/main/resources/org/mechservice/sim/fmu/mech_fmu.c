@@ -615,19 +615,51 @@ static mech_status begin_integration(mech_instance *c, double first_step) {
   c->s.waiting = 0;
   c->s.horizon = c->s.until = c->s.t;
 #ifdef MODEL_WATCHES
-  c->s.cut = 0;
+  c->s.cut = c->s.joined = 0;
   c->s.first = 1;
 #endif
   forget(c);
   return MECH_OK;
 }
 
+/* The solution at a place in the last step. That of the first one behind a restart need not begin in
+ * the very state, and so may begin on the other side of a change of the equations: it is moved there,
+ * by less towards the end of the step. */
+static void solution_at(const mech_instance *c, double t, double *x) {
+  const mech_method *a = &c->s.method;
+  mech_method_interpolate(a, t, x);
 #ifdef MODEL_WATCHES
+  if (c->s.joined) {
+    double share = (a->t - t) / (a->t - c->s.beginning);
+    int i;
+    for (i = 0; i < MODEL_NX; i++) {
+      x[i] += share * c->s.offset[i];
+    }
+  }
+#endif
+}
+
+#ifdef MODEL_WATCHES
+/* Takes note of a step that has just been made. */
+static void join_step(mech_instance *c) {
+  double x[MECH_N];
+  int i;
+  c->s.joined = 0;
+  if (c->s.first && c->s.t == c->s.method.previous) {
+    c->s.beginning = c->s.t;
+    mech_method_interpolate(&c->s.method, c->s.t, x);
+    for (i = 0; i < MODEL_NX; i++) {
+      c->s.offset[i] = c->s.x[i] - x[i];
+    }
+    c->s.joined = 1;
+  }
+}
+
 /* The quantities that are watched at a place in the last step. */
 static int watched_at(void *run, double t, double *quantities) {
   mech_instance *c = run;
   double x[MECH_N];
-  mech_method_interpolate(&c->s.method, t, x);
+  solution_at(c, t, x);
   return MODEL_watched(&c->s.model, t, x, quantities) >= 0;
 }
 
@@ -728,7 +760,7 @@ static mech_status look_for_events(mech_instance *c, double from) {
   for (look = 1; MODEL_NG > 0 && look <= LOOKS; look++) {
     double high = look == LOOKS ? c->s.until : from + (c->s.until - from) * look / LOOKS;
     int some = 0;
-    mech_method_interpolate(a, high, x);
+    solution_at(c, high, x);
     if (events_at(c, high, x, g) != MECH_OK) {
       return MECH_DISCARD;
     }
@@ -743,7 +775,7 @@ static mech_status look_for_events(mech_instance *c, double from) {
         c->s.horizon = high;
         return MECH_OK;
       }
-      mech_method_interpolate(a, middle, x);
+      solution_at(c, middle, x);
       if (events_at(c, middle, x, g) != MECH_OK) {
         return MECH_DISCARD;
       }
@@ -777,7 +809,7 @@ static int accumulates(mech_state *s) {
 
 /* Brings the state to a place inside the last step. */
 static void place(mech_instance *c, double t) {
-  mech_method_interpolate(&c->s.method, t, c->s.x);
+  solution_at(c, t, c->s.x);
   c->s.t = t;
   forget(c);
 }
@@ -894,6 +926,7 @@ mech_status mech_do_step(mech_instance *c, const char *function, double from, do
       MODEL_accepted(&c->s.model, c->s.method.t, c->s.method.x);
       c->s.until = c->s.method.t;
 #ifdef MODEL_WATCHES
+      join_step(c);
       search_step(c);
       if (ends_too_late(c)) {
         mech_status status = begin_integration(c, c->s.until - c->s.t);

@@ -79,6 +79,10 @@ typedef struct {
 #ifdef MODEL_WATCHES
   /* Whether the last step is cut there, is the first behind a restart, and is one taken again. */
   int cut, first, bounded;
+  /* Whether the last step is the first one behind a restart, where that was, and by what its
+   * solution is moved there. */
+  int joined;
+  double beginning, offset[MECH_N];
   mech_watch watch;
   int told_unsearched;
   unsigned char told_overlap[WATCH_ROOM(WATCH_OVERLAPS)];

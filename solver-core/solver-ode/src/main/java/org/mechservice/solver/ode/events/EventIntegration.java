@@ -136,6 +136,7 @@ public final class EventIntegration implements ResidualIntegrator {
       StepResult result, SystemParts system, double t0, double[] y0, double tEnd) {
     prepare(system, y0.length, tEnd);
     System.arraycopy(y0, 0, restarted, 0, y0.length);
+    values.stepsBegin(t0, y0);
     direction = tEnd < t0 ? -1 : 1;
     accumulation.begin(t0);
     recentSteps.clear();
@@ -171,6 +172,7 @@ public final class EventIntegration implements ResidualIntegrator {
   public StepResult restart(double t, double[] y, double longestFirstStep) {
     requireInLastStep(t);
     System.arraycopy(y, 0, restarted, 0, restarted.length);
+    values.stepsBegin(t, y);
     return settle(integrator.restart(t, y, longestFirstStep), t);
   }
 
@@ -187,6 +189,7 @@ public final class EventIntegration implements ResidualIntegrator {
       }
       restartDue = false;
       justRestarted = true;
+      values.stepsBegin(time, restarted);
       cutOff = false;
       if (result != StepResult.ADVANCED) {
         running = false;
@@ -196,6 +199,7 @@ public final class EventIntegration implements ResidualIntegrator {
         values.lookAhead(time, tEnd);
       }
     }
+    values.leaveStep();
     StepResult result = integrator.step();
     if (result == StepResult.STOPPED) {
       return result;
@@ -208,6 +212,7 @@ public final class EventIntegration implements ResidualIntegrator {
       return searchStep(result, PARTS);
     }
     time = integrator.previousTime();
+    values.joinStep(time, integrator.time());
     if (endsTooLate()) {
       return StepResult.ADVANCED;
     }

@@ -40,6 +40,17 @@ final class EventValues implements EventFunctions.Path {
   private double tEnd;
   private boolean inFirstStep;
 
+  /** Where the steps began last, and the state there. */
+  private double beginning = Double.NaN;
+
+  private double[] atBeginning = {};
+
+  /** Whether the last step is the first one from there, its end, and by what it is moved there. */
+  private boolean joined;
+
+  private double joinedUntil;
+  private double[] offset = {};
+
   /** The point looked at. */
   private double place;
 
@@ -72,6 +83,9 @@ final class EventValues implements EventFunctions.Path {
     completed = system.part(CompletedSystem.class).orElse(CompletedSystem.NOTHING_PASSIVE);
     y = new double[dimension];
     yDot = new double[dimension];
+    atBeginning = new double[dimension];
+    offset = new double[dimension];
+    joined = false;
     this.tEnd = tEnd;
   }
 
@@ -101,6 +115,33 @@ final class EventValues implements EventFunctions.Path {
       }
       zeroAtStart[i] &= signs.isOpen(i);
     }
+  }
+
+  /** Takes note of where and in which state steps begin anew. */
+  void stepsBegin(double t, double[] state) {
+    beginning = t;
+    System.arraycopy(state, 0, atBeginning, 0, atBeginning.length);
+  }
+
+  /**
+   * Takes note of a step. The interpolated solution of the first one need not begin in the very
+   * state that it was restarted from, and so may begin on the other side of a change of the
+   * equations: where steps are searched it is moved there, by less towards the end of the step.
+   */
+  void joinStep(double from, double to) {
+    joined = functions.searchesSteps() && from == beginning && from != to;
+    if (joined) {
+      joinedUntil = to;
+      integrator.interpolate(from, y, yDot);
+      for (int l = 0; l < y.length; l++) {
+        offset[l] = atBeginning[l] - y[l];
+      }
+    }
+  }
+
+  /** Takes note that there is no step. */
+  void leaveStep() {
+    joined = false;
   }
 
   /** Begins at a state without history; returns false if something is not finite. */
@@ -288,6 +329,12 @@ final class EventValues implements EventFunctions.Path {
   @Override
   public boolean moveTo(double t) {
     integrator.interpolate(t, y, yDot);
+    if (joined) {
+      double share = (joinedUntil - t) / (joinedUntil - beginning);
+      for (int l = 0; l < y.length; l++) {
+        y[l] += share * offset[l];
+      }
+    }
     return completed.complete(t, y);
   }
 
@@ -296,7 +343,7 @@ final class EventValues implements EventFunctions.Path {
     return y;
   }
 
-  /** Returns up to where nothing has happened unseen in a step. */
+  /** Returns where a step has to end so that nothing has happened in it unseen, or NaN. */
   double seenUntil(double from, double to) {
     return functions.seenUntil(from, to, this);
   }
@@ -320,6 +367,8 @@ final class EventValues implements EventFunctions.Path {
     turns.transfer(state);
     start = state.number(start);
     inFirstStep = state.flag(inFirstStep);
+    beginning = state.number(beginning);
+    state.numbers(atBeginning);
     state.numbers(before);
     for (int i = 0; i < occurred.length; i++) {
       occurred[i] = state.flag(occurred[i]);
