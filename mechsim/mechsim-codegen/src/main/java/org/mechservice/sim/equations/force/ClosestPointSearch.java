@@ -22,8 +22,7 @@ final class ClosestPointSearch {
    * @param bend h″
    * @param row the curve of a table
    */
-  record Curve(
-      Scalar way, Scalar height, Scalar slope, Scalar bend, Optional<NumberRow> row) {
+  record Curve(Scalar way, Scalar height, Scalar slope, Scalar bend, Optional<NumberRow> row) {
     private Curve at(Scalar s) {
       Substitution place = new Substitution(way, s);
       return new Curve(s, place.of(height), place.of(slope), place.of(bend), row);
@@ -68,7 +67,7 @@ final class ClosestPointSearch {
       sine = at.slope().over(root);
     } else {
       Scalar twice = direct.times(2);
-      Scalar least = e.function(MathFunction.PICK, radius, e.zero(), e.constant(FAR), radius);
+      Scalar least = pick(radius, e.zero(), e.constant(FAR), radius);
       Scalar level = e.one().over(root);
       Scalar rise = at.slope().over(root);
       cosine = e.function(MathFunction.CHOOSE, least, twice, up.over(distance), level);
@@ -107,7 +106,7 @@ final class ClosestPointSearch {
   private Scalar searched(Curve curve, Scalar x, Scalar z, Scalar radius, Scalar reach) {
     Scalar above = e.function(MathFunction.ABS, curve.at(x).height().minus(z));
     Scalar shorter = e.function(MathFunction.MIN, above, reach);
-    Scalar width = e.function(MathFunction.PICK, radius, e.zero(), above, shorter);
+    Scalar width = pick(radius, e.zero(), above, shorter);
     Scalar part = width.over(e.constant(ClosestPoint.SEEDS));
     Scalar s = x;
     Scalar least = above.squared();
@@ -116,25 +115,45 @@ final class ClosestPointSearch {
         Scalar place = x.plus(part.times(side * i));
         Scalar up = curve.at(place).height().minus(z);
         Scalar square = place.minus(x).squared().plus(up.squared());
-        s = e.function(MathFunction.PICK, square, least, place, s);
-        least = e.function(MathFunction.PICK, square, least, square, least);
+        s = pick(square, least, place, s);
+        least = pick(square, least, square, least);
       }
     }
     Scalar low = s.minus(part);
     Scalar high = s.plus(part);
+    Scalar lowSlope = curve.at(low).slope();
+    Scalar lowHeight = curve.at(low).height().minus(lowSlope.times(low));
+    Scalar highSlope = curve.at(high).slope();
+    Scalar highHeight = curve.at(high).height().minus(highSlope.times(high));
     for (int i = 0; i < ClosestPoint.STEPS; i++) {
       Curve at = curve.at(s);
       Scalar up = at.height().minus(z);
       Scalar g = s.minus(x).plus(up.times(at.slope()));
       Scalar rise = e.one().plus(at.slope().squared()).plus(up.times(at.bend()));
-      low = e.function(MathFunction.PICK, g, e.zero(), s, low);
-      high = e.function(MathFunction.PICK, g, e.zero(), high, s);
-      Scalar middle = low.plus(high).times(0.5);
-      Scalar next = s.minus(g.over(rise));
-      Scalar upTo = e.function(MathFunction.PICK, next, high, next, middle);
-      Scalar inside = e.function(MathFunction.PICK, low, next, upTo, middle);
-      s = e.function(MathFunction.PICK, rise, e.zero(), middle, inside);
+      Scalar height = at.height().minus(at.slope().times(s));
+      low = pick(g, e.zero(), s, low);
+      lowSlope = pick(g, e.zero(), at.slope(), lowSlope);
+      lowHeight = pick(g, e.zero(), height, lowHeight);
+      high = pick(g, e.zero(), high, s);
+      highSlope = pick(g, e.zero(), highSlope, at.slope());
+      highHeight = pick(g, e.zero(), highHeight, height);
+      Scalar other = low.plus(high).times(0.5);
+      if (i % 2 == 1) {
+        Scalar corner = highHeight.minus(lowHeight).over(lowSlope.minus(highSlope));
+        other = between(low, corner, high, other);
+      }
+      Scalar next = between(low, s.minus(g.over(rise)), high, other);
+      s = pick(rise, e.zero(), other, next);
     }
     return s;
+  }
+
+  /** Returns a number if it is between two others, else another. */
+  private Scalar between(Scalar low, Scalar value, Scalar high, Scalar other) {
+    return pick(low, value, pick(value, high, value, other), other);
+  }
+
+  private Scalar pick(Scalar a, Scalar b, Scalar first, Scalar second) {
+    return e.function(MathFunction.PICK, a, b, first, second);
   }
 }

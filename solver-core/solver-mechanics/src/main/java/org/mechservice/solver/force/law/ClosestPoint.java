@@ -21,9 +21,9 @@ import org.mechservice.solver.spatial.CubicCurve;
  * that every touch is in the window; that is enough for σ below w. On a table {@link
  * CubicCurve#closest} finds it, piece for piece. On any other height the closest of {@value #SEEDS}
  * places to each side of x is taken, and g = 0 is solved between its neighbours, by Newton's method
- * with an interval that shrinks; what is narrower than a {@value #SEEDS}th of the window can be
- * missed. Generated code takes the same steps. Of two points at the same distance either is taken;
- * σ is continuous there, n jumps.
+ * with an interval that shrinks, by half or to where the tangents at its ends meet, a corner; what
+ * is narrower than a {@value #SEEDS}th of the window can be missed. Generated code takes the same
+ * steps. Of two points at the same distance either is taken; σ is continuous there, n jumps.
  *
  * <p>Away from the curve, and at a corner, the point need not be a foot of a perpendicular: σ is
  * then the way to it, and n of a sphere the direction of this way.
@@ -143,15 +143,32 @@ public final class ClosestPoint {
     }
     double low = s - part;
     double high = s + part;
+    evaluate(low);
+    double lowSlope = slope;
+    double lowHeight = value - slope * low;
+    evaluate(high);
+    double highSlope = slope;
+    double highHeight = value - slope * high;
     evaluate(s);
     for (int i = 0; i < STEPS; i++) {
       double g = s - x + (value - z) * slope;
       double rise = 1 + slope * slope + (value - z) * bend;
-      low = g <= 0 ? s : low;
-      high = g <= 0 ? high : s;
+      double height = value - slope * s;
+      if (g <= 0) {
+        low = s;
+        lowSlope = slope;
+        lowHeight = height;
+      } else {
+        high = s;
+        highSlope = slope;
+        highHeight = height;
+      }
       double next = s - g / rise;
-      boolean inside = rise > 0 && next >= low && next <= high;
-      next = inside ? next : 0.5 * (low + high);
+      if (!(rise > 0 && next >= low && next <= high)) {
+        double corner = (highHeight - lowHeight) / (lowSlope - highSlope);
+        boolean between = i % 2 == 1 && corner >= low && corner <= high;
+        next = between ? corner : 0.5 * (low + high);
+      }
       if (next == s) {
         break;
       }
