@@ -17,15 +17,15 @@ public final class CubicCurve {
   private CubicCurve() {}
 
   /**
-   * Returns the abscissa s of the point of the curve between x − reach and x + reach that is
-   * closest to (x, z); the same arguments give the same bits on every machine. Between knots the
+   * Returns the abscissa s of the point of the curve that is closest to (x, z), for a point above
+   * the curve of those between x − reach and x + reach; the same arguments give the same bits on every machine. Between knots the
    * distance is searched where its derivative, g(s) = s − x + (h(s) − z) h′(s), rises through zero.
    * Pieces whose box is farther away than a point that has been found are left out.
    *
    * @param table holds the row; not modified
    * @param first where the row begins
    * @param count its numbers
-   * @param reach half the width of the window, m; 0 for the whole curve
+   * @param reach half the width of the window of a point above the curve, m; 0 for the whole curve
    * @return s, x where h(x) is not finite
    */
   public static double closest(
@@ -40,7 +40,7 @@ public final class CubicCurve {
     }
     double best = x;
     double width = Math.abs(above);
-    if (reach > 0 && reach < width) {
+    if (above < 0 && reach > 0 && reach < width) {
       width = reach;
     }
     double low = x - width;

@@ -96,7 +96,7 @@ class CubicCurveTest {
       double off = Math.exp(-8 * random.nextDouble()) * (random.nextBoolean() ? 1 : -1);
       double z = curve.at(x) + off;
       double reach = random.nextInt(3) == 0 ? 0 : 2 * random.nextDouble();
-      double width = reach > 0 ? Math.min(reach, Math.abs(off)) : Math.abs(off);
+      double width = reach > 0 && off > 0 ? Math.min(reach, Math.abs(off)) : Math.abs(off);
       double s = CubicCurve.closest(row, 0, row.length, x, z, reach);
       double expected = least(curve, x, z, x - width, x + width);
       assertThat(Math.abs(s - x)).isLessThanOrEqualTo(width * (1 + 1e-12));

@@ -104,9 +104,10 @@ final class ClosestPointSearch {
   }
 
   private Scalar searched(Curve curve, Scalar x, Scalar z, Scalar radius, Scalar reach) {
-    Scalar above = e.function(MathFunction.ABS, curve.at(x).height().minus(z));
+    Scalar below = curve.at(x).height();
+    Scalar above = e.function(MathFunction.ABS, below.minus(z));
     Scalar shorter = e.function(MathFunction.MIN, above, reach);
-    Scalar width = pick(radius, e.zero(), above, shorter);
+    Scalar width = pick(radius, e.zero(), above, pick(z, below, above, shorter));
     Scalar part = width.over(e.constant(ClosestPoint.SEEDS));
     Scalar s = x;
     Scalar least = above.squared();

@@ -1173,7 +1173,7 @@ double mech_closest(const double *row, int count, double x, double z, double rea
   }
   double best = x;
   double width = mech_abs(above);
-  if (reach > 0 && reach < width) {
+  if (above < 0 && reach > 0 && reach < width) {
     width = reach;
   }
   double low = x - width;

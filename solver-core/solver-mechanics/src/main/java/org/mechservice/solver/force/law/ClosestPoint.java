@@ -17,8 +17,8 @@ import org.mechservice.solver.spatial.CubicCurve;
  * normal; σ the distance along n, positive above the curve; g(s) = s − x + (h(s) − z) h′(s) half of
  * the derivative of the squared distance.
  *
- * <p>The point is sought between x − w and x + w, with w = {@value #REACH} radii of the sphere, so
- * that every touch is in the window; that is enough for σ below w. On a table {@link
+ * <p>The point is sought between x − w and x + w, with w = |h(x) − z|, above the curve at most
+ * {@value #REACH} radii of the sphere: that is enough for σ below w. On a table {@link
  * CubicCurve#closest} finds it, piece for piece. On any other height the closest of {@value #SEEDS}
  * places to each side of x is taken, and g = 0 is solved between its neighbours, by Newton's method
  * with an interval that shrinks, by half or to where the tangents at its ends meet, a corner; what
@@ -126,7 +126,7 @@ public final class ClosestPoint {
   /** Finds s and evaluates the curve there. */
   private double search(double x, double z, double radius) {
     double above = Math.abs(value - z);
-    double width = radius > 0 ? Math.min(above, REACH * radius) : above;
+    double width = radius > 0 && z > value ? Math.min(above, REACH * radius) : above;
     double part = width / SEEDS;
     double s = x;
     double least = above * above;
