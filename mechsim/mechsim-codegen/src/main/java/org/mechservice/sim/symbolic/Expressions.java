@@ -90,10 +90,9 @@ public final class Expressions {
    * Returns the abscissa of the point of a curve that is closest to (x, z).
    *
    * @param curve a row of {@link org.mechservice.solver.spatial.CubicCurve}
-   * @param reach half the width of the window around x in which it is sought; 0 for everywhere
    */
-  public Scalar closest(NumberRow curve, Scalar x, Scalar z, Scalar reach) {
-    return read(MathFunction.CLOSEST, curve, List.of(x, z, reach));
+  public Scalar closest(NumberRow curve, Scalar x, Scalar z) {
+    return read(MathFunction.CLOSEST, curve, List.of(x, z));
   }
 
   private Scalar read(MathFunction function, NumberRow row, List<Scalar> x) {

@@ -47,10 +47,10 @@ public enum MathFunction {
   /** {@code element(row, k)}: number k of a {@link NumberRow}, counted from 0. */
   ELEMENT("org/mechservice/solver/spatial/NumberTable", "element", 1),
   /**
-   * {@code closest(row, x, z, reach)}: abscissa of the point closest to (x, z) of the curve that a
-   * {@link NumberRow} holds; found by a search, so without derivatives.
+   * {@code closest(row, x, z)}: abscissa of the point closest to (x, z) of the curve that a {@link
+   * NumberRow} holds; found by a search, so without derivatives.
    */
-  CLOSEST("org/mechservice/solver/spatial/CubicCurve", "closest", 3);
+  CLOSEST("org/mechservice/solver/spatial/CubicCurve", "closest", 2);
 
   private final String owner;
   private final String method;
@@ -91,7 +91,7 @@ public enum MathFunction {
     return switch (this) {
       case INTERVAL -> NumberTable.interval(row, 0, row.length, x[0]);
       case ELEMENT -> NumberTable.element(row, 0, row.length, x[0]);
-      case CLOSEST -> CubicCurve.closest(row, 0, row.length, x[0], x[1], x[2]);
+      case CLOSEST -> CubicCurve.closest(row, 0, row.length, x[0], x[1]);
       default -> throw new IllegalStateException(this + " reads no row");
     };
   }

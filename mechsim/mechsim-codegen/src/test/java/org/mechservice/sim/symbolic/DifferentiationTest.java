@@ -59,7 +59,7 @@ class DifferentiationTest {
   void foundNumbersHaveNoSlope() {
     Differentiation byX = new Differentiation(e, Map.of(x, e.one()));
     NumberRow line = new NumberRow(0, 0, 0, 1, 1, 1, 1, 0, 0, 0, 0);
-    assertThat(byX.of(e.closest(line, x, y, e.zero())).isZero()).isTrue();
+    assertThat(byX.of(e.closest(line, x, y)).isZero()).isTrue();
     assertThat(byX.of(e.function(MathFunction.PICK, x, y, x, y)).isZero()).isTrue();
     assertThat(byX.of(e.function(MathFunction.HELD, x)).isZero()).isTrue();
   }

@@ -17,19 +17,17 @@ public final class CubicCurve {
   private CubicCurve() {}
 
   /**
-   * Returns the abscissa s of the point of the curve that is closest to (x, z), for a point above
-   * the curve of those between x − reach and x + reach; the same arguments give the same bits on every machine. Between knots the
-   * distance is searched where its derivative, g(s) = s − x + (h(s) − z) h′(s), rises through zero.
-   * Pieces whose box is farther away than a point that has been found are left out.
+   * Returns the abscissa s of the point of the curve that is closest to (x, z); the same arguments
+   * give the same bits on every machine. Between knots the distance is searched where its
+   * derivative, g(s) = s − x + (h(s) − z) h′(s), rises through zero. Pieces whose box is farther
+   * away than a point that has been found are left out.
    *
    * @param table holds the row; not modified
    * @param first where the row begins
    * @param count its numbers
-   * @param reach half the width of the window of a point above the curve, m; 0 for the whole curve
    * @return s, x where h(x) is not finite
    */
-  public static double closest(
-      double[] table, int first, int count, double x, double z, double reach) {
+  public static double closest(double[] table, int first, int count, double x, double z) {
     int n = (count - 5) / 6;
     int here = (int) NumberTable.interval(table, first, n, x);
     int polynomials = first + n;
@@ -40,9 +38,6 @@ public final class CubicCurve {
     }
     double best = x;
     double width = Math.abs(above);
-    if (above < 0 && reach > 0 && reach < width) {
-      width = reach;
-    }
     double low = x - width;
     double high = x + width;
     int last = n;

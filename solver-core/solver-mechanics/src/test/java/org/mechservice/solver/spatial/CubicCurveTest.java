@@ -95,13 +95,12 @@ class CubicCurveTest {
       double x = -0.5 + (end + 1) * random.nextDouble();
       double off = Math.exp(-8 * random.nextDouble()) * (random.nextBoolean() ? 1 : -1);
       double z = curve.at(x) + off;
-      double reach = random.nextInt(3) == 0 ? 0 : 2 * random.nextDouble();
-      double width = reach > 0 && off > 0 ? Math.min(reach, Math.abs(off)) : Math.abs(off);
-      double s = CubicCurve.closest(row, 0, row.length, x, z, reach);
+      double width = Math.abs(off);
+      double s = CubicCurve.closest(row, 0, row.length, x, z);
       double expected = least(curve, x, z, x - width, x + width);
       assertThat(Math.abs(s - x)).isLessThanOrEqualTo(width * (1 + 1e-12));
       assertThat(distance(curve, s, x, z))
-          .as("seed %d, (%s, %s) within %s", seed, x, z, reach)
+          .as("seed %d, (%s, %s)", seed, x, z)
           .isLessThan(expected + 1e-12);
     }
   }
@@ -119,7 +118,7 @@ class CubicCurveTest {
     double step = (knots[knots.length - 1] + 1) / 20_000;
     double before = Double.NaN;
     for (int i = 0; i < 20_000; i++) {
-      double s = CubicCurve.closest(row, 0, row.length, x, z, 0);
+      double s = CubicCurve.closest(row, 0, row.length, x, z);
       double d = distance(curve, s, x, z);
       if (i > 0) {
         assertThat(Math.abs(d - before)).isLessThanOrEqualTo(step * (1 + 1e-9) + 1e-15);
@@ -139,8 +138,8 @@ class CubicCurveTest {
             Table.Method.LINEAR,
             Table.Extrapolation.LINEAR);
     double[] row = roof.curve().row();
-    assertThat(CubicCurve.closest(row, 0, row.length, 1.1, 1.5, 0)).isEqualTo(1);
-    assertThat(CubicCurve.closest(row, 0, row.length, 2.0, 1.0, 0)).isCloseTo(1.5, within(1e-15));
+    assertThat(CubicCurve.closest(row, 0, row.length, 1.1, 1.5)).isEqualTo(1);
+    assertThat(CubicCurve.closest(row, 0, row.length, 2.0, 1.0)).isCloseTo(1.5, within(1e-15));
   }
 
   /** Where a table has no values there is nothing to touch. */
@@ -154,7 +153,7 @@ class CubicCurveTest {
             Table.Method.LINEAR,
             Table.Extrapolation.ERROR);
     double[] row = shelf.curve().row();
-    assertThat(CubicCurve.closest(row, 0, row.length, 0.9, 3, 0)).isEqualTo(0.9);
-    assertThat(CubicCurve.closest(row, 0, row.length, 1.5, 0.1, 0)).isEqualTo(1.5);
+    assertThat(CubicCurve.closest(row, 0, row.length, 0.9, 3)).isEqualTo(0.9);
+    assertThat(CubicCurve.closest(row, 0, row.length, 1.5, 0.1)).isEqualTo(1.5);
   }
 }

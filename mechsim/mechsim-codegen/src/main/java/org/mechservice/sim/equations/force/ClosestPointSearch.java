@@ -47,7 +47,7 @@ final class ClosestPointSearch {
   ClosestPointSearch(Curve curve, Scalar x, Scalar z, Scalar radius, boolean ofCentre) {
     e = x.expressions();
     boolean straight = curve.bend().isZero() && curve.row().isEmpty();
-    Curve at = curve.at(straight ? foot(curve.at(x), x, z) : found(curve, x, z, radius));
+    Curve at = curve.at(straight ? foot(curve.at(x), x, z) : found(curve, x, z));
     Scalar root = e.one().plus(at.slope().squared()).squareRoot();
     Scalar way = x.minus(at.way());
     Scalar up = z.minus(at.height());
@@ -83,32 +83,29 @@ final class ClosestPointSearch {
   }
 
   /** Returns s, with the derivatives of the root of g. */
-  private Scalar found(Curve curve, Scalar x, Scalar z, Scalar radius) {
-    Scalar reach = radius.times(ClosestPoint.REACH);
-    Scalar s =
-        curve
-            .row()
-            .map(row -> e.closest(row, x, z, reach))
-            .orElseGet(() -> searched(curve, x, z, radius, reach));
+  private Scalar found(Curve curve, Scalar x, Scalar z) {
+    Scalar s = curve.row().map(row -> e.closest(row, x, z)).orElseGet(() -> searched(curve, x, z));
     Curve at = curve.at(s);
     Scalar g = s.minus(x).plus(at.height().minus(z).times(at.slope()));
     Scalar square = e.one().plus(at.slope().squared());
     Scalar full = square.plus(at.height().minus(z).times(at.bend()));
     Scalar rise = e.function(MathFunction.MAX, full, square.times(ClosestPoint.LEAST));
+    Scalar way = x.minus(s);
+    Scalar up = z.minus(at.height());
+    Scalar length = square.times(way.squared().plus(up.squared())).squareRoot();
+    Scalar size = e.function(MathFunction.ABS, g);
+    Scalar smooth = pick(size, length.times(ClosestPoint.CORNER), rise, e.constant(FAR));
     // the step has no length; its derivative is that of s
-    return s.minus(g.minus(held(g)).over(held(rise)));
+    return s.minus(g.minus(held(g)).over(smooth));
   }
 
   private Scalar held(Scalar value) {
     return e.function(MathFunction.HELD, value);
   }
 
-  private Scalar searched(Curve curve, Scalar x, Scalar z, Scalar radius, Scalar reach) {
-    Scalar below = curve.at(x).height();
-    Scalar above = e.function(MathFunction.ABS, below.minus(z));
-    Scalar shorter = e.function(MathFunction.MIN, above, reach);
-    Scalar width = pick(radius, e.zero(), above, pick(z, below, above, shorter));
-    Scalar part = width.over(e.constant(ClosestPoint.SEEDS));
+  private Scalar searched(Curve curve, Scalar x, Scalar z) {
+    Scalar above = e.function(MathFunction.ABS, curve.at(x).height().minus(z));
+    Scalar part = above.over(e.constant(ClosestPoint.SEEDS));
     Scalar s = x;
     Scalar least = above.squared();
     for (int i = 1; i <= ClosestPoint.SEEDS; i++) {

@@ -1163,7 +1163,7 @@ static double curve_piece(
   return best;
 }
 
-double mech_closest(const double *row, int count, double x, double z, double reach) {
+double mech_closest(const double *row, int count, double x, double z) {
   int n = (count - 5) / 6;
   int here = (int)mech_interval(row, n, x);
   double above = curve_value(row + n, n, here, x) - z;
@@ -1173,9 +1173,6 @@ double mech_closest(const double *row, int count, double x, double z, double rea
   }
   double best = x;
   double width = mech_abs(above);
-  if (above < 0 && reach > 0 && reach < width) {
-    width = reach;
-  }
   double low = x - width;
   double high = x + width;
   for (int turn = 0; turn < 2; turn++) {

@@ -52,8 +52,8 @@ double mech_interval(const double *row, int count, double x);
 /* Number index of a row, a whole number from 0 to count - 1. */
 double mech_element(const double *row, int count, double index);
 
-/* Abscissa of the point closest to (x, z) of a curve of cubics, at most reach (if not 0) from x. */
-double mech_closest(const double *row, int count, double x, double z, double reach);
+/* Abscissa of the point of a curve of cubics that is closest to (x, z). */
+double mech_closest(const double *row, int count, double x, double z);
 
 /* x where a <= b, else y, and x: numbers that a search has found. */
 double mech_pick(double a, double b, double x, double y);

@@ -66,8 +66,7 @@ class StrictMathInCTest {
     BINARY.put("mech_max", Math::max);
     BINARY.put("mech_power", Powers::power);
     BINARY.put("mech_product", Piecewise::product);
-    BINARY.put("closest", (x, z) -> CubicCurve.closest(CURVE, 0, CURVE.length, x, z, 0));
-    BINARY.put("near", (x, z) -> CubicCurve.closest(CURVE, 0, CURVE.length, x, z, 0.3));
+    BINARY.put("closest", (x, z) -> CubicCurve.closest(CURVE, 0, CURVE.length, x, z));
     BINARY.put("pick", (a, b) -> Piecewise.pick(a, b, a, 2.5));
     BINARY.put("choose", (a, b) -> Piecewise.choose(a, b, a, 2.5));
   }
@@ -160,10 +159,8 @@ class StrictMathInCTest {
     lines.add("static const double ROAD[] = {" + numbers + "};");
     lines.add("enum { N = sizeof ROAD / sizeof ROAD[0] };");
     lines.add("static double closest(double x, double z) {");
-    lines.add("  return mech_closest(ROAD, N, x, z, 0.0);");
+    lines.add("  return mech_closest(ROAD, N, x, z);");
     lines.add("}");
-    lines.add(
-        "static double near(double x, double z) { return mech_closest(ROAD, N, x, z, 0.3); }");
     lines.add("static double pick(double a, double b) { return mech_pick(a, b, a, 2.5); }");
     lines.add("int main(int count, char **names) {");
     lines.add("  double x[2], y = 0.0;");

@@ -17,21 +17,17 @@ import org.mechservice.solver.spatial.CubicCurve;
  * normal; σ the distance along n, positive above the curve; g(s) = s − x + (h(s) − z) h′(s) half of
  * the derivative of the squared distance.
  *
- * <p>The point is sought between x − w and x + w, with w = |h(x) − z|, above the curve at most
- * {@value #REACH} radii of the sphere: that is enough for σ below w. On a table {@link
+ * <p>The point is sought between x − w and x + w, with w = |h(x) − z|. On a table {@link
  * CubicCurve#closest} finds it, piece for piece. On any other height the closest of {@value #SEEDS}
  * places to each side of x is taken, and g = 0 is solved between its neighbours, by Newton's method
  * with an interval that shrinks, by half or to where the tangents at its ends meet, a corner; what
  * is narrower than a {@value #SEEDS}th of the window can be missed. Generated code takes the same
  * steps. Of two points at the same distance either is taken; σ is continuous there, n jumps.
  *
- * <p>Away from the curve, and at a corner, the point need not be a foot of a perpendicular: σ is
- * then the way to it, and n of a sphere the direction of this way.
+ * <p>At a corner the point is no foot of a perpendicular: σ is then the way to it, and n of a
+ * sphere the direction of this way.
  */
 public final class ClosestPoint {
-  /** Half of the window in which the point is sought, by the radius. */
-  public static final double REACH = 2;
-
   /** Places to each side of x. */
   public static final int SEEDS = 8;
 
@@ -40,6 +36,12 @@ public final class ClosestPoint {
 
   /** Least of 1 − σ κ, with κ the curvature: at the centre of curvature s has no derivative. */
   public static final double LEAST = 1e-6;
+
+  /**
+   * Largest angle between the normal and the way to a foot of a perpendicular, rad; at a corner,
+   * where s does not move, it is larger. Rounding leaves 1e-12.
+   */
+  public static final double CORNER = 1e-7;
 
   private final TapeEvaluation height;
 
@@ -101,10 +103,10 @@ public final class ClosestPoint {
     double below = value;
     double s = x;
     if (row.length > 0) {
-      s = CubicCurve.closest(row, 0, row.length, x, z, REACH * radius);
+      s = CubicCurve.closest(row, 0, row.length, x, z);
       evaluate(s);
     } else if (argument >= 0) {
-      s = search(x, z, radius);
+      s = search(x, z);
     }
     double root = Math.sqrt(1 + slope * slope);
     cosine = 1 / root;
@@ -119,15 +121,18 @@ public final class ClosestPoint {
       cosine = up / distance;
     }
     double curvature = bend / (root * root * root);
-    turning = curvature / Math.max(1 - curvature * distance, LEAST);
+    double g = up * slope + way;
+    turning =
+        Math.abs(g) <= CORNER * root * direct
+            ? curvature / Math.max(1 - curvature * distance, LEAST)
+            : -1 / distance;
     return Double.isFinite(distance + bend);
   }
 
   /** Finds s and evaluates the curve there. */
-  private double search(double x, double z, double radius) {
+  private double search(double x, double z) {
     double above = Math.abs(value - z);
-    double width = radius > 0 && z > value ? Math.min(above, REACH * radius) : above;
-    double part = width / SEEDS;
+    double part = above / SEEDS;
     double s = x;
     double least = above * above;
     for (int i = 1; i <= SEEDS; i++) {
