@@ -78,24 +78,33 @@ public final class Expressions {
    * @param ascending the row, ascending
    */
   public Scalar interval(NumberRow ascending, Scalar x) {
-    return read(MathFunction.INTERVAL, ascending, x);
+    return read(MathFunction.INTERVAL, ascending, List.of(x));
   }
 
   /** Returns number {@code index} of a row, counted from 0; a constant if the index is one. */
   public Scalar element(NumberRow row, Scalar index) {
-    return row.isConstant() ? constant(row.at(0)) : read(MathFunction.ELEMENT, row, index);
+    return row.isConstant() ? constant(row.at(0)) : read(MathFunction.ELEMENT, row, List.of(index));
   }
 
-  private Scalar read(MathFunction function, NumberRow row, Scalar x) {
-    return x.isConstant()
-        ? constant(row.value(function, x.value()))
-        : call(function, row, List.of(x));
+  /**
+   * Returns the abscissa of the point of a curve that is closest to (x, z).
+   *
+   * @param curve a row of {@link org.mechservice.solver.spatial.CubicCurve}
+   */
+  public Scalar closest(NumberRow curve, Scalar x, Scalar z) {
+    return read(MathFunction.CLOSEST, curve, List.of(x, z));
+  }
+
+  private Scalar read(MathFunction function, NumberRow row, List<Scalar> x) {
+    return x.stream().allMatch(Scalar::isConstant)
+        ? constant(row.value(function, x.stream().mapToDouble(Scalar::value).toArray()))
+        : call(function, row, x);
   }
 
   /** Returns the call of a node of this or another graph with other arguments. */
   Scalar function(Scalar node, List<Scalar> arguments) {
     return node.function().readsRow()
-        ? read(node.function(), node.row(), arguments.get(0))
+        ? read(node.function(), node.row(), arguments)
         : Simplification.function(node.function(), arguments);
   }
 

@@ -26,7 +26,7 @@ final class FunctionSlopes {
       case SINH -> e.function(MathFunction.COSH, x);
       case COSH -> e.function(MathFunction.SINH, x);
       case TANH -> ofTanh(e, x);
-      case SIGNUM, FLOOR, INTERVAL, ELEMENT -> e.zero();
+      case SIGNUM, FLOOR, PICK, HELD, INTERVAL, ELEMENT, CLOSEST -> e.zero();
       case ATAN2 -> ofAngle(node, argument);
       case HYPOT -> node.operands().get(argument).over(notZero(node));
       case PRODUCT -> argument == 0 ? node.second() : x;

@@ -1,6 +1,7 @@
 package org.mechservice.sim.symbolic;
 
 import org.mechservice.solver.expression.Powers;
+import org.mechservice.solver.spatial.CubicCurve;
 import org.mechservice.solver.spatial.NumberTable;
 import org.mechservice.solver.spatial.Piecewise;
 
@@ -34,13 +35,22 @@ public enum MathFunction {
   CHOOSE("org/mechservice/solver/spatial/Piecewise", "choose", 4),
   /** {@code product(a, b)}: a b, but 0 if one factor is 0, even if the other is infinite or NaN. */
   PRODUCT("org/mechservice/solver/spatial/Piecewise", "product", 2),
+  /** {@code pick(a, b, x, y)}: x where a ≤ b, else y; found by a search, so without derivatives. */
+  PICK("org/mechservice/solver/spatial/Piecewise", "pick", 4),
+  /** {@code held(x)}: x, without a derivative. */
+  HELD("org/mechservice/solver/spatial/Piecewise", "held", 1),
   /**
    * {@code interval(row, x)}: how many numbers of an ascending {@link NumberRow} are not above x, 0
    * if x is NaN.
    */
   INTERVAL("org/mechservice/solver/spatial/NumberTable", "interval", 1),
   /** {@code element(row, k)}: number k of a {@link NumberRow}, counted from 0. */
-  ELEMENT("org/mechservice/solver/spatial/NumberTable", "element", 1);
+  ELEMENT("org/mechservice/solver/spatial/NumberTable", "element", 1),
+  /**
+   * {@code closest(row, x, z)}: abscissa of the point closest to (x, z) of the curve that a {@link
+   * NumberRow} holds; found by a search, so without derivatives.
+   */
+  CLOSEST("org/mechservice/solver/spatial/CubicCurve", "closest", 2);
 
   private final String owner;
   private final String method;
@@ -73,14 +83,17 @@ public enum MathFunction {
    * argument.
    */
   public boolean readsRow() {
-    return this == INTERVAL || this == ELEMENT;
+    return this == INTERVAL || this == ELEMENT || this == CLOSEST;
   }
 
-  /** Returns its value if it reads a row. */
-  double value(double[] row, double x) {
-    return this == INTERVAL
-        ? NumberTable.interval(row, 0, row.length, x)
-        : NumberTable.element(row, 0, row.length, x);
+  /** Returns its value if it reads a row; {@code x} holds the other arguments. */
+  double value(double[] row, double[] x) {
+    return switch (this) {
+      case INTERVAL -> NumberTable.interval(row, 0, row.length, x[0]);
+      case ELEMENT -> NumberTable.element(row, 0, row.length, x[0]);
+      case CLOSEST -> CubicCurve.closest(row, 0, row.length, x[0], x[1]);
+      default -> throw new IllegalStateException(this + " reads no row");
+    };
   }
 
   /** Returns its value; {@code x} holds the arguments. */
@@ -106,7 +119,9 @@ public enum MathFunction {
       case POWER -> Powers.power(x[0], x[1]);
       case CHOOSE -> Piecewise.choose(x[0], x[1], x[2], x[3]);
       case PRODUCT -> Piecewise.product(x[0], x[1]);
-      case INTERVAL, ELEMENT -> throw new IllegalStateException(this + " reads a row");
+      case PICK -> Piecewise.pick(x[0], x[1], x[2], x[3]);
+      case HELD -> Piecewise.held(x[0]);
+      case INTERVAL, ELEMENT, CLOSEST -> throw new IllegalStateException(this + " reads a row");
     };
   }
 }

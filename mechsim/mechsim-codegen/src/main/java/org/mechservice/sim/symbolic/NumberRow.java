@@ -51,7 +51,7 @@ public final class NumberRow {
   }
 
   /** Returns the result of a function that reads this row. */
-  double value(MathFunction function, double argument) {
-    return function.value(numbers, argument);
+  double value(MathFunction function, double... arguments) {
+    return function.value(numbers, arguments);
   }
 }

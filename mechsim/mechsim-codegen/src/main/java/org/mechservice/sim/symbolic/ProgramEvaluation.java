@@ -40,11 +40,11 @@ final class ProgramEvaluation {
   }
 
   private static double function(Scalar node, double[] values) {
-    if (node.function().readsRow()) {
-      return node.row().value(node.function(), values[node.first().id()]);
-    }
-    return node.function()
-        .value(node.operands().stream().mapToDouble(operand -> values[operand.id()]).toArray());
+    double[] arguments =
+        node.operands().stream().mapToDouble(operand -> values[operand.id()]).toArray();
+    return node.function().readsRow()
+        ? node.row().value(node.function(), arguments)
+        : node.function().value(arguments);
   }
 
   private double unary(Scalar node, double operand) {

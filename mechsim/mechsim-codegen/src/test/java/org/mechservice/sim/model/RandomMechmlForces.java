@@ -10,6 +10,7 @@ import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Expression.Time;
 import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.JointCoordinate;
+import org.mechservice.solver.expression.Table;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.Bushing;
 import org.mechservice.solver.mechanism.force.Contact;
@@ -172,6 +173,21 @@ public final class RandomMechmlForces {
     return new Bushing(name(), frame(), frame(), stiffness, damping, preload, law, Origin.NONE);
   }
 
+  private Expression surface(Expression bump) {
+    Table table =
+        new Table(
+            "surface",
+            List.of(-1.0, -0.4, -0.1, 0.3, 0.9),
+            List.of(0.0, 0.15, -0.1, 0.2, 0.1),
+            Table.Method.AKIMA,
+            Table.Extrapolation.HOLD);
+    return switch (random.nextInt(3)) {
+      case 0 -> Expression.ZERO;
+      case 1 -> bump;
+      default -> new Expression.TableValue(table, List.of(new Expression.Argument()));
+    };
+  }
+
   private ForceElement contact() {
     Expression x = new Expression.Argument();
     Expression bump =
@@ -183,7 +199,7 @@ public final class RandomMechmlForces {
         point(),
         positive(0.3),
         frame(),
-        random.nextBoolean() ? Expression.ZERO : bump,
+        surface(bump),
         List.of(),
         positive(100),
         positive(3),

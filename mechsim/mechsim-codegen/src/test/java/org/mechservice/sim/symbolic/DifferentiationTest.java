@@ -40,7 +40,9 @@ class DifferentiationTest {
   }
 
   @ParameterizedTest
-  @EnumSource(MathFunction.class)
+  @EnumSource(
+      mode = EnumSource.Mode.EXCLUDE,
+      names = {"PICK", "HELD", "CLOSEST"})
   void slopesOfFunctionsAreTheirDifferences(MathFunction function) {
     Scalar[] arguments = {x, y, x.times(y), y.squared()};
     Scalar value =
@@ -50,6 +52,16 @@ class DifferentiationTest {
           default -> e.function(function, Arrays.copyOf(arguments, function.arity()));
         };
     assertSlope(value, 0.3, 0.7);
+  }
+
+  /** What a search has found is held: the formula around it says how it changes. */
+  @Test
+  void foundNumbersHaveNoSlope() {
+    Differentiation byX = new Differentiation(e, Map.of(x, e.one()));
+    NumberRow line = new NumberRow(0, 0, 0, 1, 1, 1, 1, 0, 0, 0, 0);
+    assertThat(byX.of(e.closest(line, x, y)).isZero()).isTrue();
+    assertThat(byX.of(e.function(MathFunction.PICK, x, y, x, y)).isZero()).isTrue();
+    assertThat(byX.of(e.function(MathFunction.HELD, x)).isZero()).isTrue();
   }
 
   @ParameterizedTest

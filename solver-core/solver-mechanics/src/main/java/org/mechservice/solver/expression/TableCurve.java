@@ -13,6 +13,9 @@ public final class TableCurve implements TapeStep {
   /** Numbers of a polynomial: origin, c0, c1, c2, c3. */
   private static final int NUMBERS = 5;
 
+  /** Height of what is not there; its square is infinite. */
+  private static final double BEYOND = 1e300;
+
   private final double[] knots;
   private final double[] polynomials;
   private final boolean bounded;
@@ -181,6 +184,24 @@ public final class TableCurve implements TapeStep {
       all[place] = polynomials[NUMBERS * place + number];
     }
     return all;
+  }
+
+  /**
+   * Returns the curve as a row of {@link org.mechservice.solver.spatial.CubicCurve}; beyond the
+   * ends of a table that has no values there it is far away.
+   */
+  public double[] row() {
+    int n = knots.length;
+    double[] row = Arrays.copyOf(knots, 6 * n + NUMBERS);
+    for (int number = 0; number < NUMBERS; number++) {
+      double[] all = numbers(number);
+      if (bounded) {
+        all[0] = number == 1 ? BEYOND : 0;
+        all[n] = all[0];
+      }
+      System.arraycopy(all, 0, row, n + number * (n + 1), n + 1);
+    }
+    return row;
   }
 
   private int polynomialAt(double x) {

@@ -13,4 +13,14 @@ public final class Piecewise {
   public static double product(double a, double b) {
     return a == 0 || b == 0 ? 0 : a * b;
   }
+
+  /** Returns {@link #choose}, as a number that a search has found: its derivatives count as 0. */
+  public static double pick(double a, double b, double first, double second) {
+    return a <= b ? first : second;
+  }
+
+  /** Returns x, as a number that a search has found: its derivative counts as 0. */
+  public static double held(double x) {
+    return x;
+  }
 }

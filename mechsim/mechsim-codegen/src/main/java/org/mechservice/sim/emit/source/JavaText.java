@@ -19,6 +19,7 @@ public final class JavaText {
           "Arrays",
           "BodyPoses",
           "ColumnGroup",
+          "CubicCurve",
           "DirectedForces",
           "Energies",
           "ExplicitModel",

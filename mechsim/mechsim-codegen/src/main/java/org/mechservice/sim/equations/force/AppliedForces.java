@@ -20,6 +20,7 @@ import org.mechservice.sim.equations.recursion.Loads;
 import org.mechservice.sim.scene.ForceReach;
 import org.mechservice.sim.symbolic.Differentiation;
 import org.mechservice.sim.symbolic.Expressions;
+import org.mechservice.sim.symbolic.NumberRow;
 import org.mechservice.sim.symbolic.Program;
 import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.sim.symbolic.ScalarVector;
@@ -28,6 +29,7 @@ import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.force.law.ClosestPoint;
 import org.mechservice.solver.mechanism.FurtherState;
 import org.mechservice.solver.mechanism.force.Bushing;
 import org.mechservice.solver.mechanism.force.Contact;
@@ -388,7 +390,8 @@ public final class AppliedForces {
     ClosestPointSearch.Curve curve(Expression height) {
       Scalar h = scalar(height);
       Scalar slope = byWay(h);
-      return new ClosestPointSearch.Curve(way(), h, slope, byWay(slope));
+      return new ClosestPointSearch.Curve(
+          way(), h, slope, byWay(slope), ClosestPoint.row(height).map(NumberRow::new));
     }
 
     private Scalar byWay(Scalar value) {

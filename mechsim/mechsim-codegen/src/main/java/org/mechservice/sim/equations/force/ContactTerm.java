@@ -1,7 +1,6 @@
 package org.mechservice.sim.equations.force;
 
 import java.util.List;
-import java.util.Optional;
 import java.util.function.Function;
 import org.mechservice.sim.equations.coordinates.RelativeFrameMotion;
 import org.mechservice.sim.equations.recursion.Loads;
@@ -60,7 +59,7 @@ final class ContactTerm implements ForceTerm {
       ScalarVector place = frames.displacement();
       Expressions e = place.x().expressions();
       Scalar reach = c.ofCentre() ? e.zero() : c.radius();
-      point = new ClosestPointSearch(curve, place.x(), place.z(), reach);
+      point = new ClosestPointSearch(curve, place.x(), place.z(), c.radius(), c.ofCentre());
       ScalarVector u = frames.rate();
       ScalarVector omega = frames.omega();
       Scalar sine = point.sine;
@@ -112,16 +111,6 @@ final class ContactTerm implements ForceTerm {
 
   private Scalar sum(Function<Touch, Scalar> part) {
     return touches.stream().map(part).reduce(Scalar::plus).orElseThrow();
-  }
-
-  @Override
-  public Optional<Direction> direction() {
-    return touches.stream()
-        .map(touch -> touch.point)
-        .filter(point -> !point.isCertain())
-        .map(point -> point.certainty)
-        .reduce((a, b) -> a.expressions().function(MathFunction.MIN, a, b))
-        .map(certainty -> new Direction(certainty, 0));
   }
 
   @Override

@@ -1055,6 +1055,146 @@ double mech_element(const double *row, int count, double index) {
   return row[(int)index];
 }
 
+double mech_pick(double a, double b, double x, double y) {
+  return a <= b ? x : y;
+}
+
+double mech_held(double x) {
+  return x;
+}
+
+enum { CURVE_PARTS = 8, CURVE_STEPS = 1100 };
+
+static double curve_value(const double *table, int n, int place, double x) {
+  double d = x - table[place];
+  double inner = table[3 * (n + 1) + place] + d * table[4 * (n + 1) + place];
+  return table[n + 1 + place] + d * (table[2 * (n + 1) + place] + d * inner);
+}
+
+static double curve_square(const double *table, int n, int place, double s, double x, double z) {
+  double above = curve_value(table, n, place, s) - z;
+  return (s - x) * (s - x) + above * above;
+}
+
+/* Returns where g rises through zero; an end of the interval if g has one sign. */
+static double curve_zero(
+    const double *table, int n, int place, double from, double to, double x, double z) {
+  double c0 = table[n + 1 + place];
+  double c1 = table[2 * (n + 1) + place];
+  double c2 = table[3 * (n + 1) + place];
+  double c3 = table[4 * (n + 1) + place];
+  double origin = table[place];
+  double low = from;
+  double high = to;
+  double s = x < from ? from : x > to ? to : x;
+  for (int i = 0; i < CURVE_STEPS; i++) {
+    double d = s - origin;
+    double above = c0 + d * (c1 + d * (c2 + d * c3)) - z;
+    double slope = c1 + d * (2 * c2 + d * (3 * c3));
+    double bend = 2 * c2 + d * (6 * c3);
+    double g = s - x + above * slope;
+    double rise = 1 + slope * slope + above * bend;
+    if (g > 0) {
+      high = s;
+    } else {
+      low = s;
+    }
+    double next = s - g / rise;
+    if (!(rise > 0) || !(next > low && next < high)) {
+      /* The first step may leave the interval for good: to its end. */
+      int to_end = rise > 0 && i == 0;
+      next = to_end && next >= to ? to : to_end && next <= from ? from : 0.5 * (low + high);
+      if (!to_end && (next <= low || next >= high)) {
+        break;
+      }
+    }
+    if (next == s) {
+      break;
+    }
+    s = next;
+  }
+  return s;
+}
+
+static double curve_piece(
+    const double *table, int n, int place, double from, double to, double x, double z,
+    double known, double least_known) {
+  double c1 = table[2 * (n + 1) + place];
+  double c2 = table[3 * (n + 1) + place];
+  double c3 = table[4 * (n + 1) + place];
+  double origin = table[place];
+  double third = (to - from) / 3;
+  double at_from = curve_value(table, n, place, from);
+  double at_to = curve_value(table, n, place, to);
+  double slope_from = c1 + (from - origin) * (2 * c2 + (from - origin) * (3 * c3));
+  double slope_to = c1 + (to - origin) * (2 * c2 + (to - origin) * (3 * c3));
+  double one = at_from + third * slope_from;
+  double two = at_to - third * slope_to;
+  /* The cubic lies between the least and the largest of its Bernstein coefficients. */
+  double lowest = mech_min(mech_min(at_from, at_to), mech_min(one, two));
+  double highest = mech_max(mech_max(at_from, at_to), mech_max(one, two));
+  double off = mech_max(0, mech_max(z - highest, lowest - z));
+  double aside = mech_max(0, mech_max(from - x, x - to));
+  if (off * off + aside * aside >= least_known) {
+    return known;
+  }
+  double bend_from = 2 * c2 + (from - origin) * (6 * c3);
+  double bend_to = 2 * c2 + (to - origin) * (6 * c3);
+  double most = mech_max(mech_abs(bend_from), mech_abs(bend_to));
+  double farthest = mech_max(highest - z, z - lowest);
+  int parts = most * farthest < 1 ? 1 : CURVE_PARTS;
+  if (parts == 1 && from <= x && x < to) {
+    /* At least as close as what is known, the point at x, even if rounding hides it. */
+    return curve_zero(table, n, place, from, to, x, z);
+  }
+  double best = known;
+  double least = least_known;
+  double start = from;
+  for (int i = 1; i <= parts; i++) {
+    double end = i == parts ? to : from + (to - from) * i / parts;
+    double s = curve_zero(table, n, place, start, end, x, z);
+    double square = curve_square(table, n, place, s, x, z);
+    if (square < least) {
+      least = square;
+      best = s;
+    }
+    start = end;
+  }
+  return best;
+}
+
+double mech_closest(const double *row, int count, double x, double z) {
+  int n = (count - 5) / 6;
+  int here = (int)mech_interval(row, n, x);
+  double above = curve_value(row + n, n, here, x) - z;
+  double least = above * above;
+  if (!(least < INFINITY)) {
+    return x;
+  }
+  double best = x;
+  double width = mech_abs(above);
+  double low = x - width;
+  double high = x + width;
+  for (int turn = 0; turn < 2; turn++) {
+    int place = turn == 0 ? here : here - 1;
+    while (turn == 0 ? place <= n : place >= 0) {
+      double from = place == 0 ? low : mech_max(low, row[place - 1]);
+      double to = place == n ? high : mech_min(high, row[place]);
+      double aside = turn == 0 ? from - x : x - to;
+      if (from > to || (aside > 0 && aside * aside >= least)) {
+        break;
+      }
+      double found = curve_piece(row + n, n, place, from, to, x, z, best, least);
+      if (found != best) {
+        best = found;
+        least = curve_square(row + n, n, place, best, x, z);
+      }
+      place += turn == 0 ? 1 : -1;
+    }
+  }
+  return best;
+}
+
 /*
  * Reduction by the nearest multiple of pi/2 in three parts (Cody and Waite), exact to twice the
  * working precision up to 1e4 rad, and two minimax polynomials on [-pi/4, pi/4].

@@ -52,6 +52,13 @@ double mech_interval(const double *row, int count, double x);
 /* Number index of a row, a whole number from 0 to count - 1. */
 double mech_element(const double *row, int count, double index);
 
+/* Abscissa of the point of a curve of cubics that is closest to (x, z). */
+double mech_closest(const double *row, int count, double x, double z);
+
+/* x where a <= b, else y, and x: numbers that a search has found. */
+double mech_pick(double a, double b, double x, double y);
+double mech_held(double x);
+
 /* Writes sine and cosine of one angle to out[0] and out[1], error below 1 ulp. */
 void mech_sin_cos(double angle, double *out);
 

@@ -7,16 +7,20 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import java.util.function.DoubleBinaryOperator;
 import java.util.function.DoubleUnaryOperator;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.solver.expression.Powers;
+import org.mechservice.solver.expression.Table;
+import org.mechservice.solver.spatial.CubicCurve;
 import org.mechservice.solver.spatial.Piecewise;
 import org.mechservice.solver.spatial.SinCos;
 
@@ -25,6 +29,17 @@ class StrictMathInCTest {
   private static final long SEED = 20261123;
   private static final int FEW = 20_000;
   private static final int MANY = 2_000_000;
+
+  /** A road of cubics with hollows and bumps of all widths. */
+  private static final double[] CURVE =
+      new Table(
+              "road",
+              List.of(-2.0, -1.0, -0.9, -0.2, 0.0, 0.01, 0.5, 0.7, 1.5, 3.0),
+              List.of(0.0, 0.5, 0.4, -0.3, 0.2, 0.1, 0.0, 0.6, -0.5, 0.0),
+              Table.Method.AKIMA,
+              Table.Extrapolation.LINEAR)
+          .curve()
+          .row();
 
   private static final Map<String, DoubleUnaryOperator> UNARY = new LinkedHashMap<>();
   private static final Map<String, DoubleBinaryOperator> BINARY = new LinkedHashMap<>();
@@ -51,6 +66,8 @@ class StrictMathInCTest {
     BINARY.put("mech_max", Math::max);
     BINARY.put("mech_power", Powers::power);
     BINARY.put("mech_product", Piecewise::product);
+    BINARY.put("closest", (x, z) -> CubicCurve.closest(CURVE, 0, CURVE.length, x, z));
+    BINARY.put("pick", (a, b) -> Piecewise.pick(a, b, a, 2.5));
     BINARY.put("choose", (a, b) -> Piecewise.choose(a, b, a, 2.5));
   }
 
@@ -137,6 +154,14 @@ class StrictMathInCTest {
     lines.add("static double sine(double x) { mech_sin_cos(x, two); return two[0]; }");
     lines.add("static double cosine(double x) { mech_sin_cos(x, two); return two[1]; }");
     lines.add("static double choose(double a, double b) { return mech_choose(a, b, a, 2.5); }");
+    String numbers =
+        Arrays.stream(CURVE).mapToObj(Double::toHexString).collect(Collectors.joining(", "));
+    lines.add("static const double ROAD[] = {" + numbers + "};");
+    lines.add("enum { N = sizeof ROAD / sizeof ROAD[0] };");
+    lines.add("static double closest(double x, double z) {");
+    lines.add("  return mech_closest(ROAD, N, x, z);");
+    lines.add("}");
+    lines.add("static double pick(double a, double b) { return mech_pick(a, b, a, 2.5); }");
     lines.add("int main(int count, char **names) {");
     lines.add("  double x[2], y = 0.0;");
     lines.add("  while (count > 1 && fread(x, sizeof x, 1, stdin) == 1) {");

@@ -1,33 +1,52 @@
 package org.mechservice.solver.force.law;
 
 import java.util.List;
+import java.util.Optional;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Expression.Argument;
 import org.mechservice.solver.expression.Expression.ParameterValue;
+import org.mechservice.solver.expression.Expression.TableValue;
+import org.mechservice.solver.expression.Table;
 import org.mechservice.solver.expression.Tape;
 import org.mechservice.solver.expression.TapeEvaluation;
+import org.mechservice.solver.spatial.CubicCurve;
 
 /**
  * The point of a curve z = h(x) that is closest to a point (x, z), and the frame of the curve
  * there. Legend: s its abscissa; θ the angle of slope, tan θ = h′(s); n = (−sin θ, cos θ) the
- * normal; σ the distance along n, positive above the curve.
+ * normal; σ the distance along n, positive above the curve; g(s) = s − x + (h(s) − z) h′(s) half of
+ * the derivative of the squared distance.
  *
- * <p>s is the root of g(s) = s − x + (h(s) − z) h′(s). {@value #STEPS} steps of Newton's method
- * lead to it from the point below, s = x; generated code takes the same steps. A straight line
- * needs one. Above the curve σ is at least the way to the point at s, wherever the steps have led:
- * a search that went astray finds no contact where there is none.
+ * <p>The point is sought between x − w and x + w, with w = |h(x) − z|. On a table {@link
+ * CubicCurve#closest} finds it, piece for piece. On any other height the closest of {@value #SEEDS}
+ * places to each side of x is taken, and g = 0 is solved between its neighbours, by Newton's method
+ * with an interval that shrinks, by half or to where the tangents at its ends meet, a corner; what
+ * is narrower than a {@value #SEEDS}th of the window can be missed. Generated code takes the same
+ * steps. Of two points at the same distance either is taken; σ is continuous there, n jumps.
+ *
+ * <p>At a corner the point is no foot of a perpendicular: σ is then the way to it, and n of a
+ * sphere the direction of this way.
  */
 public final class ClosestPoint {
-  /** Steps of Newton's method. */
-  public static final int STEPS = 5;
+  /** Places to each side of x. */
+  public static final int SEEDS = 8;
 
-  /** Largest last step of a search that has converged, relative to the radius and the way to s. */
-  public static final double CONVERGED = 1e-6;
+  /** Largest number of steps of Newton's method; halvings would leave 2⁻¹² of an interval. */
+  public static final int STEPS = 12;
 
-  /** Least share of 1 + h′² that divides a step: far above a hollow Newton's own may be zero. */
-  public static final double LEAST = 0.25;
+  /** Least of 1 − σ κ, with κ the curvature: at the centre of curvature s has no derivative. */
+  public static final double LEAST = 1e-6;
+
+  /**
+   * Largest angle between the normal and the way to a foot of a perpendicular, rad; at a corner,
+   * where s does not move, it is larger. Rounding leaves 1e-12.
+   */
+  public static final double CORNER = 1e-7;
 
   private final TapeEvaluation height;
+
+  /** The curve as a row of {@link CubicCurve}; empty if it is not a table of the abscissa. */
+  private final double[] row;
 
   /** Leaf that is the abscissa; −1 of a horizontal line. */
   private final int argument;
@@ -39,11 +58,24 @@ public final class ClosestPoint {
   private double sine;
   private double cosine;
   private double turning;
-  private boolean found;
 
-  ClosestPoint(Expression curve) {
+  /** Whether the curve is that of the centre of the sphere, else the surface. */
+  private final boolean ofCentre;
+
+  ClosestPoint(Expression curve, boolean ofCentre) {
+    this.ofCentre = ofCentre;
     height = new TapeEvaluation(new Tape(List.of(curve)));
     argument = leaves().indexOf(new Argument());
+    row = row(curve).orElse(new double[0]);
+  }
+
+  /** Returns a table of the abscissa as a row of {@link CubicCurve}; empty for other curves. */
+  public static Optional<double[]> row(Expression curve) {
+    return curve instanceof TableValue value
+            && value.table() instanceof Table table
+            && value.arguments().get(0) instanceof Argument
+        ? Optional.of(table.curve().row())
+        : Optional.empty();
   }
 
   /** Returns what the curve depends on. */
@@ -63,35 +95,92 @@ public final class ClosestPoint {
   /**
    * Finds the closest point.
    *
-   * @param radius of the sphere around (x, z), m
+   * @param radius of the sphere, m
    * @return whether height, slope and bend are finite
    */
   boolean find(double x, double z, double radius) {
     evaluate(x);
     double below = value;
-    double top = value + radius * Math.sqrt(1 + slope * slope) + radius;
     double s = x;
-    double step = 0;
-    for (int i = 0; i < STEPS && argument >= 0; i++) {
-      double g = s - x + (value - z) * slope;
-      double square = 1 + slope * slope;
-      step = g / Math.max(square + (value - z) * bend, LEAST * square);
-      s -= step;
+    if (row.length > 0) {
+      s = CubicCurve.closest(row, 0, row.length, x, z);
       evaluate(s);
+    } else if (argument >= 0) {
+      s = search(x, z);
     }
     double root = Math.sqrt(1 + slope * slope);
     cosine = 1 / root;
     sine = slope / root;
     double way = x - s;
     double up = z - value;
-    distance = (up - slope * way) / root;
-    if (z > below) {
-      distance = Math.max(distance, Math.sqrt(way * way + up * up));
+    double along = (up - slope * way) / root;
+    double direct = Math.sqrt(way * way + up * up);
+    distance = z > below ? Math.max(along, direct) : Math.min(along, -direct);
+    if (!ofCentre && radius > 0 && radius <= 2 * direct) {
+      sine = -way / distance;
+      cosine = up / distance;
     }
     double curvature = bend / (root * root * root);
-    turning = curvature / (1 - curvature * distance);
-    found = z >= top || Math.abs(step) <= CONVERGED * (radius + Math.abs(way) + Math.abs(up));
+    double g = up * slope + way;
+    turning =
+        Math.abs(g) <= CORNER * root * direct
+            ? curvature / Math.max(1 - curvature * distance, LEAST)
+            : -1 / distance;
     return Double.isFinite(distance + bend);
+  }
+
+  /** Finds s and evaluates the curve there. */
+  private double search(double x, double z) {
+    double above = Math.abs(value - z);
+    double part = above / SEEDS;
+    double s = x;
+    double least = above * above;
+    for (int i = 1; i <= SEEDS; i++) {
+      for (int side = -1; side <= 1; side += 2) {
+        double place = x + side * i * part;
+        evaluate(place);
+        double square = (place - x) * (place - x) + (value - z) * (value - z);
+        if (square <= least) {
+          least = square;
+          s = place;
+        }
+      }
+    }
+    double low = s - part;
+    double high = s + part;
+    evaluate(low);
+    double lowSlope = slope;
+    double lowHeight = value - slope * low;
+    evaluate(high);
+    double highSlope = slope;
+    double highHeight = value - slope * high;
+    evaluate(s);
+    for (int i = 0; i < STEPS; i++) {
+      double g = s - x + (value - z) * slope;
+      double rise = 1 + slope * slope + (value - z) * bend;
+      double height = value - slope * s;
+      if (g <= 0) {
+        low = s;
+        lowSlope = slope;
+        lowHeight = height;
+      } else {
+        high = s;
+        highSlope = slope;
+        highHeight = height;
+      }
+      double next = s - g / rise;
+      if (!(rise > 0 && next >= low && next <= high)) {
+        double corner = (highHeight - lowHeight) / (lowSlope - highSlope);
+        boolean between = i % 2 == 1 && corner >= low && corner <= high;
+        next = between ? corner : 0.5 * (low + high);
+      }
+      if (next == s) {
+        break;
+      }
+      s = next;
+      evaluate(s);
+    }
+    return s;
   }
 
   private void evaluate(double s) {
@@ -103,14 +192,6 @@ public final class ClosestPoint {
     value = height.value(0);
     slope = height.rate(0);
     bend = height.secondRate(0);
-  }
-
-  /**
-   * Returns whether the search converged; also true where the sphere is more than its radius above
-   * a touch.
-   */
-  boolean isFound() {
-    return found;
   }
 
   /** Returns σ, m. */

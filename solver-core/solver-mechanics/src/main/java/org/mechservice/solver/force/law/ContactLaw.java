@@ -2,7 +2,6 @@ package org.mechservice.solver.force.law;
 
 import java.util.Arrays;
 import java.util.List;
-import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Expression.Argument;
 import org.mechservice.solver.expression.Expression.ParameterValue;
@@ -58,7 +57,7 @@ public final class ContactLaw implements FrameLaw {
     List<Expression> curves = ofCentre ? element.tracks() : List.of(element.height());
     touches =
         curves.stream()
-            .map(curve -> new Touch(new ClosestPoint(curve), ofCentre))
+            .map(curve -> new Touch(new ClosestPoint(curve, ofCentre), ofCentre))
             .toArray(Touch[]::new);
     for (Touch touch : touches) {
       for (Expression leaf : touch.point.leaves()) {
@@ -179,19 +178,9 @@ public final class ContactLaw implements FrameLaw {
       double radius = coefficients.at(RADIUS);
       double reach = ofCentre ? 0 : radius;
       double x = motion.displacement[0];
-      if (!point.find(x, motion.displacement[2], reach)) {
+      if (!point.find(x, motion.displacement[2], radius)) {
         return force.notFinite(
             "height of the profile, or its slope, at x = " + x + " m", Double.NaN);
-      }
-      if (!point.isFound()) {
-        return force.fail(
-            MessageCode.FORCE_WITHOUT_DIRECTION,
-            "At x = "
-                + x
-                + " m the surface bends more than the sphere, so that its closest point is"
-                + " not unique.",
-            "Give the height by <profile> or by a table, enlarge the radius of its hollows, or make"
-                + " the sphere smaller.");
       }
       double sine = point.sine();
       double cosine = point.cosine();
