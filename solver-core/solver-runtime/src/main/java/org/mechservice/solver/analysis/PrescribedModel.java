@@ -186,7 +186,7 @@ final class PrescribedModel extends AnalysisModel {
     double[] rates = new double[equations.nq];
     equations.coordinates.rates(y, 0, y, equations.nq, rates, 0);
     double[] to = y.clone();
-    LoopContinuation.End end = continuation.follow(reached, y, rates, orientation, t, to, false);
+    LoopContinuation.End end = continuation.follow(reached, y, rates, orientation, t, to);
     if (end == LoopContinuation.End.REACHED && equations.closePositions(t, to)) {
       System.arraycopy(to, 0, y, 0, equations.nq);
       reached = t;
@@ -308,6 +308,12 @@ final class PrescribedModel extends AnalysisModel {
 
   /** The equations of all positions, by least changes where some of them are redundant. */
   private final class AllPositions implements LoopContinuation.Equations {
+    /** {@inheritDoc} No motion is free here. */
+    @Override
+    public boolean crosses(double t, double[] q) {
+      return false;
+    }
+
     @Override
     public int positionCount() {
       return equations.nq;

@@ -117,7 +117,8 @@ public record LoopFinding(Kind kind, String part, double amount, String unit, do
               + number
               + " of what it was, at "
               + part
-              + ". The motion went on with continuous velocities; another branch begins there.";
+              + ". The motion went on with continuous velocities; another branch passes through there, or"
+              + " very near.";
       case CHOSEN_ANEW -> "From here the independent coordinates are " + part + ".";
     };
   }

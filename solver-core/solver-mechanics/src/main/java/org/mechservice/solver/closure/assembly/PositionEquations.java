@@ -6,6 +6,7 @@ import java.util.BitSet;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.mechservice.solver.closure.equations.LoopEquations;
+import org.mechservice.solver.closure.equations.LoopRounding;
 import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.linear.SparseMatrix;
 
@@ -122,6 +123,17 @@ public final class PositionEquations {
   /** Returns the size of what an equation measures: m, or 1 of rotations and norms. */
   public double size(int row) {
     return row < loopRow.length ? loops.size(loopRow[row]) : 1;
+  }
+
+  /**
+   * Returns the rounding error of an equation's value, in its unit; the equations must be placed.
+   *
+   * @param q positions; not modified
+   */
+  public double rounding(int row, LoopRounding rounding, double[] q) {
+    return row < loopRow.length
+        ? rounding.of(loopRow[row], q) * loops.size(loopRow[row])
+        : LoopRounding.OF_NORM;
   }
 
   /** Evaluates Φ and the norms; the equations must be placed. */

@@ -40,6 +40,9 @@ public final class LoopRounding {
   /** A rotation is twice the vector part of a change of Euler parameters, which are at most 1. */
   private static final double OF_ROTATION = 2 * Math.ulp(1.0);
 
+  /** Rounding error of (|e|² − 1)/2: half an ulp of each of four squares, and of their sums. */
+  public static final double OF_NORM = ROUNDINGS * Math.ulp(1.0);
+
   private final LoopEquations loops;
   private final StateCoordinates coordinates;
 
@@ -102,12 +105,21 @@ public final class LoopRounding {
   }
 
   /**
+   * Returns the relative rounding error of an equation's residual, with that of the way to its
+   * points, which no correction sees.
+   *
+   * @param y state that begins with the positions; not modified
+   */
+  public double of(int row, double[] y) {
+    return part(row, y) + ROUNDINGS * ofWay[row];
+  }
+
+  /**
    * Returns the excess of an equation's last residual over its rounding error, relative to its
    * size.
    */
   public double excess(int row, double[] y) {
-    double rounding = part(row, y) + ROUNDINGS * ofWay[row];
-    return Math.abs(loops.value[row]) / loops.size(row) - rounding;
+    return Math.abs(loops.value[row]) / loops.size(row) - of(row, y);
   }
 
   /** Returns the largest {@link #excess} of all equations, NaN if one is. */

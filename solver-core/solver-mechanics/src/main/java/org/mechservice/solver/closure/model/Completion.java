@@ -72,6 +72,9 @@ public final class Completion {
   /** How far ahead of a state near a singular position this is searched for, s or parts of t. */
   private static final double AHEAD = 1e-2;
 
+  /** Ratio of the golden section; its multiples modulo 1 are spread evenly. */
+  private static final double GOLDEN = 0.6180339887498949;
+
   /** Part of the largest move between two assemblies with which a coordinate is named. */
   private static final double PART_OF_WAY = 0.1;
 
@@ -304,14 +307,7 @@ public final class Completion {
     }
     System.arraycopy(given, 0, followed, 0, nq);
     LoopContinuation.End end =
-        continuation.follow(
-            from.time,
-            from.positions,
-            from.rates,
-            from.orientation,
-            t,
-            followed,
-            ofPositions.freedom() > 0);
+        continuation.follow(from.time, from.positions, from.rates, from.orientation, t, followed);
     if (end != LoopContinuation.End.REACHED) {
       double time = from.time + continuation.reached() * (t - from.time);
       obstacle = Optional.of(new Obstacle(end, time, continuation.positions()));
@@ -402,13 +398,7 @@ public final class Completion {
       System.arraycopy(reached.positions, 0, followed, 0, nq);
       LoopContinuation.End end =
           continuation.follow(
-              reached.time,
-              reached.positions,
-              reached.rates,
-              reached.orientation,
-              t,
-              followed,
-              false);
+              reached.time, reached.positions, reached.rates, reached.orientation, t, followed);
       if (end != LoopContinuation.End.REACHED) {
         return Optional.of(new Obstacle(end, t, continuation.positions()));
       }
@@ -635,6 +625,34 @@ public final class Completion {
     @Override
     public int orientation() {
       return ofPositions.orientation();
+    }
+
+    /**
+     * {@inheritDoc} With B of the positions last corrected, w = B⁻ᵀ z is the combination of
+     * equations that no correction changes in the change point, up to the distance from it: the
+     * smallest pivot is about that distance. So w·Φ is the misfit there, and Σ |w| δΦ its rounding.
+     */
+    @Override
+    public boolean crosses(double t, double[] q) {
+      if (ofPositions.freedom() == 0) {
+        return false;
+      }
+      for (int k = 0; k < correction.length; k++) {
+        // no right null vector of a symmetric mechanism is orthogonal to it
+        correction[k] = units.positions[ofPositions.dependent[k]] * (0.5 + (k + 1) * GOLDEN % 1);
+      }
+      ofPositions.solveTransposed(correction);
+      System.arraycopy(q, 0, state, 0, nq);
+      work.placeLoops(t, state);
+      differentiate(state);
+      double misfit = 0;
+      double ofRounding = 0;
+      for (int k = 0; k < correction.length; k++) {
+        int row = ofPositions.kept[k];
+        misfit += correction[k] * positions.value[row];
+        ofRounding += Math.abs(correction[k]) * positions.rounding(row, rounding, state);
+      }
+      return Math.abs(misfit) <= ofRounding;
     }
   }
 }

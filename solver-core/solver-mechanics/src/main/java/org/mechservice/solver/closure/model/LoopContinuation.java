@@ -18,7 +18,10 @@ package org.mechservice.solver.closure.model;
  * </ul>
  *
  * <p>The sign of the determinant of the equations must not change: it is zero in a change point, in
- * which two branches cross. Workspace of one thread; nothing allocates after construction.
+ * which two branches cross. A free motion goes straight through it, if the loops close in the
+ * change point as far as rounding tells. Where they do not close, the branches only come near to
+ * each other, and the positions straight ahead belong to the other one. Workspace of one thread;
+ * nothing allocates after construction.
  */
 public final class LoopContinuation {
   /** The equations of the loops, solved for the positions that are not given. */
@@ -42,6 +45,15 @@ public final class LoopContinuation {
 
     /** Returns the sign of the determinant of the equations in the last correction. */
     int orientation();
+
+    /**
+     * Returns whether the motion goes straight through a change point: it is free, and the loops
+     * close there as far as rounding tells.
+     *
+     * @param q positions halfway between the last ones and those last corrected, which are on
+     *     either side of the change point; not modified
+     */
+    boolean crosses(double t, double[] q);
   }
 
   /** Why a path was not followed to its end. */
@@ -66,9 +78,9 @@ public final class LoopContinuation {
   private static final double SHORTEST = 1e-12;
 
   /**
-   * Shortest move, in the units of positions, by which branches are told apart. At a distance g
-   * from a change point, as a part of the size, they are √g from each other: 1e-12, near which
-   * rounding closes loops.
+   * Shortest move, in the units of positions, in which a path is followed, and longest in which it
+   * may cross a change point. Positions this far from one carry an error of 1e-9, for rounding
+   * closes loops to 1e-15 and the smallest pivot is as large as the distance.
    */
   private static final double CLOSEST = 1e-6;
 
@@ -76,7 +88,9 @@ public final class LoopContinuation {
   private final double[] last;
   private final double[] rate;
   private final double[] trial;
+  private final double[] middle;
   private double reached;
+  private double timeReached;
   private boolean crossed;
 
   /** Whether the part tried ends where the determinant has the other sign, and its largest move. */
@@ -91,6 +105,7 @@ public final class LoopContinuation {
     last = new double[n];
     rate = new double[n];
     trial = new double[n];
+    middle = new double[n];
   }
 
   /**
@@ -102,11 +117,8 @@ public final class LoopContinuation {
    * @param sign sign of the determinant there
    * @param t1 time at the end, s
    * @param to given positions at the end; the others are overwritten if it is reached
-   * @param crosses whether the path may cross a change point on its straight continuation, because
-   *     the motion is free
    */
-  public End follow(
-      double t0, double[] from, double[] rates, int sign, double t1, double[] to, boolean crosses) {
+  public End follow(double t0, double[] from, double[] rates, int sign, double t1, double[] to) {
     int n = last.length;
     for (int i = 0; i < n; i++) {
       last[i] = from[i];
@@ -115,18 +127,20 @@ public final class LoopContinuation {
     orientation = sign;
     crossed = false;
     reached = 0;
+    timeReached = t0;
     double part = 1;
     while (reached < 1) {
       double end = reached + part >= 1 ? 1 : reached + part;
       double t = end == 1 ? t1 : t0 + end * (t1 - t0);
       turned = false;
       tried = 0;
-      if (continues(end, t, from, to, crosses) || (!turned && begins(end, t, from, to))) {
+      if (continues(end, t, from, to) || (!turned && begins(end, t, from, to))) {
         for (int i = 0; i < n; i++) {
           rate[i] = (trial[i] - last[i]) / (end - reached);
           last[i] = trial[i];
         }
         reached = end;
+        timeReached = t;
         part *= 2;
       } else {
         part /= 2;
@@ -140,7 +154,7 @@ public final class LoopContinuation {
   }
 
   /** Tries a part from the continuation of the secant. */
-  private boolean continues(double end, double t, double[] from, double[] to, boolean crosses) {
+  private boolean continues(double end, double t, double[] from, double[] to) {
     double move = place(end, end - reached, from, to);
     tried = move;
     double correction = close(t, Double.POSITIVE_INFINITY);
@@ -151,12 +165,19 @@ public final class LoopContinuation {
       return true;
     }
     turned = true;
-    if (crosses && move <= CLOSEST) {
+    if (move <= CLOSEST && crosses(t)) {
       orientation = -orientation;
       crossed = true;
       return true;
     }
     return false;
+  }
+
+  private boolean crosses(double t) {
+    for (int i = 0; i < middle.length; i++) {
+      middle[i] = 0.5 * (last[i] + trial[i]);
+    }
+    return equations.crosses(0.5 * (timeReached + t), middle);
   }
 
   /** Tries a part from the last positions. */
