@@ -752,7 +752,6 @@ static int ends_too_late(mech_instance *c) {
 
 /* Looks for the first change of sign between a place in the last step and where it ends. */
 static mech_status look_for_events(mech_instance *c, double from) {
-  const mech_method *a = &c->s.method;
   double low = from, x[MECH_N], g[MECH_NG];
   int look, i;
   c->s.waiting = 0;
