@@ -34,6 +34,7 @@ final class AdjointRun {
   private final int n;
   private final int p;
   private final int[] integralOf;
+  private final int integrals;
   private final int length;
   private final double[] both;
   private final double[] rate;
@@ -53,11 +54,10 @@ final class AdjointRun {
     for (int i = 0; i < wanted.size(); i++) {
       integralOf[i] = wanted.get(i).isIntegral() ? count++ : -1;
     }
-    length = n + count;
+    integrals = count;
     both = new double[2 * n];
     rate = new double[n];
     weights = new double[n];
-    y = new double[length];
     byBoth = new double[2 * n];
     motion =
         new MotionProblem(
@@ -73,6 +73,8 @@ final class AdjointRun {
                 one.corner(t, z, NONE, Observation.Side.BEHIND);
               }
             });
+    length = n + integrals + motion.markers();
+    y = new double[length];
   }
 
   /** Runs from a start. */
@@ -147,13 +149,17 @@ final class AdjointRun {
     double[] tolerances = new double[length];
     System.arraycopy(motion.tolerances(), 0, tolerances, 0, n);
     double time = Math.max(1e-3, motion.run.tEnd() - motion.run.tStart());
-    Arrays.fill(tolerances, n, length, motion.run.absoluteTolerance() * time);
+    Arrays.fill(tolerances, n, n + integrals, motion.run.absoluteTolerance() * time);
+    Arrays.fill(tolerances, n + integrals, length, motion.markerTolerance());
     return tolerances;
   }
 
   private void derivative(double t, double[] z, double[] zDot) {
     model.derivative(t, z, zDot);
-    if (length > n) {
+    if (length > n + integrals) {
+      zDot[n + integrals] = motion.markerRate(t, z);
+    }
+    if (integrals > 0) {
       double[] columns = columns(t, z, zDot);
       for (int i = 0; i < integralOf.length; i++) {
         if (integralOf[i] >= 0) {
@@ -176,19 +182,31 @@ final class AdjointRun {
 
     double stretchEndTime = Double.NaN;
 
+    /** State where a stretch begins, on its side of the transition there. */
+    double[] stretchBegin = {};
+
+    double stretchBeginTime = Double.NaN;
+
     Back(GradientOutput one, SolutionSegments way, double share) {
       this.one = one;
       this.way = way;
       this.share = share;
     }
 
-    /** The derivatives of λ and of the sums for the parameters. */
-    void derivative(double t, double[] u, double[] uDot) {
+    /** Evaluates the state on the stretch. */
+    private void stateAt(double t) {
       if (t >= stretchEndTime) {
         System.arraycopy(stretchEnd, 0, y, 0, n);
+      } else if (t <= stretchBeginTime) {
+        System.arraycopy(stretchBegin, 0, y, 0, n);
       } else {
         way.at(t, y);
       }
+    }
+
+    /** The derivatives of λ and of the sums for the parameters. */
+    void derivative(double t, double[] u, double[] uDot) {
+      stateAt(t);
       System.arraycopy(u, 0, weights, 0, n);
       Arrays.fill(uDot, 0);
       if (share != 0) {
@@ -206,11 +224,7 @@ final class AdjointRun {
     }
 
     void jacobian(double t, double[] u, double[] fu) {
-      if (t >= stretchEndTime) {
-        System.arraycopy(stretchEnd, 0, y, 0, n);
-      } else {
-        way.at(t, y);
-      }
+      stateAt(t);
       double[] seed = new double[n + 1 + model.inputCount];
       double[] out = new double[2 * n];
       int size = n + p;
@@ -270,8 +284,7 @@ final class AdjointRun {
       addStop(one, integral, share, u, way);
     }
     List<FoundEvent> events =
-        way.events().stream()
-            .filter(event -> !motion.isStop(event.index()))
+        motion.changes(way.events()).stream()
             .filter(
                 event ->
                     event.time() < from
@@ -281,16 +294,20 @@ final class AdjointRun {
     double[] tolerances = tolerancesBack(one, value, way);
     double time = from;
     for (int e = events.size() - 1; e >= -1; e--) {
-      double until = e >= 0 ? events.get(e).time() : t0;
-      u = stretch(back, time, until, u, tolerances);
-      time = until;
-      if (e >= 0) {
+      if (e < 0) {
+        back.stretchBeginTime = Double.NaN;
+        u = stretch(back, time, t0, u, tolerances);
+      } else {
         FoundEvent event = events.get(e);
         Transition transition = motion.transitions.get(event.index());
-        Transition.Sides sides = transition.sides(time, event.before());
+        Transition.Sides sides = transition.sides(event.time(), event.before());
+        back.stretchBegin = sides.outside();
+        back.stretchBeginTime = sides.outsideTime();
+        u = stretch(back, time, event.time(), u, tolerances);
+        time = event.time();
         double[] lambda = Arrays.copyOf(u, n);
         double[] byDirection = Arrays.copyOfRange(u, n, n + p);
-        double further = share * jumpOfIntegrand(one, time, sides);
+        double further = transition.isCorner() ? 0 : share * jumpOfIntegrand(one, time, sides);
         if (time == from) {
           further += slopeOfTime;
         }

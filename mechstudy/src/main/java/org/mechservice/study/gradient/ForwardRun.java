@@ -18,7 +18,7 @@ import org.mechservice.study.Reduction;
 /**
  * One integration of the state together with its tangents along all directions; the error of each
  * is held below the tolerances. The vector is [y; S_1 .. S_p; W; w_1 .. w_p] with W the integrals
- * of columns and w their tangents.
+ * of columns and w their tangents, and a marker if there are switches.
  */
 final class ForwardRun {
   private final GradientModel model;
@@ -47,18 +47,22 @@ final class ForwardRun {
       integralOf[i] = wanted.get(i).isIntegral() ? count++ : -1;
     }
     integrals = count;
-    length = (n + integrals) * (p + 1);
-    zDot = new double[length];
     both = new double[2 * n];
     seeds = new double[p * n];
     rates = new double[p * n];
     slopes = new double[model.c * (p + 1)];
     motion = new MotionProblem(model, run, this::change);
+    length = (n + integrals) * (p + 1) + motion.markers();
+    zDot = new double[length];
   }
 
   /** Returns where the integrals begin. */
   private int integralAt() {
     return n * (p + 1);
+  }
+
+  private int markerAt() {
+    return (n + integrals) * (p + 1);
   }
 
   /** Runs from a start. */
@@ -144,12 +148,16 @@ final class ForwardRun {
         tolerances[integralAt() + integrals * (k + 1) + i] = ofIntegrals / size;
       }
     }
+    Arrays.fill(tolerances, markerAt(), length, motion.markerTolerance());
     return tolerances;
   }
 
   private void derivative(double t, double[] z, double[] out) {
     System.arraycopy(z, n, seeds, 0, p * n);
     model.tangents(t, z, seeds, out);
+    if (length > markerAt()) {
+      out[markerAt()] = motion.markerRate(t, z);
+    }
     if (integrals > 0) {
       columnsOf(t, z, out);
       for (int i = 0; i < wanted.size(); i++) {
@@ -227,7 +235,7 @@ final class ForwardRun {
     }
     System.arraycopy(sides.after(), 0, z, 0, n);
     double[] after = integrands(t, z, sides.rateAfter());
-    for (int i = 0; i < integrals; i++) {
+    for (int i = 0; i < integrals && !transition.isCorner(); i++) {
       for (int k = 0; k < p; k++) {
         z[integralAt() + integrals * (k + 1) + i] += (before[i] - after[i]) * dt[k];
       }

@@ -1,7 +1,9 @@
 package org.mechservice.study.gradient;
 
 import java.util.Arrays;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
 import org.mechservice.sim.gradient.DifferentiableFunction;
 import org.mechservice.sim.gradient.ModelFunctions;
 import org.mechservice.sim.gradient.ProgramCode;
@@ -33,6 +35,7 @@ final class GradientModel {
   private final double[] marginBeside;
   private final double[] column;
   private final double[][] beside;
+  private final Map<Part, Known> known = new EnumMap<>(Part.class);
   private final double[] seed;
   private final double[] out;
   private final double[] adjoint;
@@ -174,6 +177,36 @@ final class GradientModel {
         case ASSIGNMENTS -> functions.assignments();
       };
     }
+  }
+
+  /** Values of a function at the place where it was evaluated last. */
+  private static final class Known {
+    final double[] y;
+    final double[] values;
+    double t = Double.NaN;
+
+    Known(int states, int count) {
+      y = new double[states];
+      values = new double[count];
+    }
+  }
+
+  /**
+   * Returns the values of a function of t and y; evaluated once for a place that is asked for
+   * again.
+   *
+   * @param y state, may be longer; not modified
+   * @return not to be modified; overwritten for another place
+   */
+  double[] values(Part part, double t, double[] y) {
+    DifferentiableFunction function = part.of(functions);
+    Known last = known.computeIfAbsent(part, its -> new Known(n, function.count()));
+    if (t != last.t || !Arrays.equals(last.y, 0, n, y, 0, n)) {
+      function.value(t, y, last.values);
+      last.t = t;
+      System.arraycopy(y, 0, last.y, 0, n);
+    }
+    return last.values;
   }
 
   /** Returns y'' along the motion. */

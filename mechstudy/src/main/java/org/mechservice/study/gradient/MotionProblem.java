@@ -7,6 +7,7 @@ import org.mechservice.solver.api.capability.ModelEvents;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.mechanism.Event;
 import org.mechservice.solver.ode.ProjectedSystem;
+import org.mechservice.solver.ode.solve.FoundEvent;
 import org.mechservice.solver.ode.solve.Ode;
 import org.mechservice.solver.ode.solve.OdeEvent;
 import org.mechservice.solver.ode.solve.OdeFunction;
@@ -25,6 +26,9 @@ final class MotionProblem {
 
   private final List<OdeEvent> events = new ArrayList<>();
   private final int stopsFrom;
+
+  /** Where the equations changed their form last. */
+  private double switched = Double.NaN;
 
   /** The change of all integrated values at a transition. */
   interface Change {
@@ -57,7 +61,16 @@ final class MotionProblem {
       Transition transition =
           new Transition(model, Part.SWITCHES, i, "a sign, step or contact of the forces");
       transitions.add(transition);
-      events.add(OdeEvent.when(transition::value).then((t, z) -> change.apply(transition, t, z)));
+      events.add(
+          OdeEvent.when(transition::value)
+              .then(
+                  (t, z) -> {
+                    // both sides of the first one hold what all at the same time change
+                    if (t != switched) {
+                      switched = t;
+                      change.apply(transition, t, z);
+                    }
+                  }));
     }
     stopsFrom = transitions.size();
     transitions.addAll(ends);
@@ -70,6 +83,20 @@ final class MotionProblem {
       case FALLING -> event.falling();
       case BOTH -> event;
     };
+  }
+
+  /** Returns the events behind which the motion goes on, of switches at the same time the first. */
+  List<FoundEvent> changes(List<FoundEvent> found) {
+    List<FoundEvent> changes = new ArrayList<>();
+    double last = Double.NaN;
+    for (FoundEvent event : found) {
+      boolean isSwitch = transitions.get(event.index()).isSwitch();
+      if (!isStop(event.index()) && !(isSwitch && event.time() == last)) {
+        changes.add(event);
+        last = isSwitch ? event.time() : last;
+      }
+    }
+    return changes;
   }
 
   /** Returns whether an event ends the run. */
@@ -100,6 +127,32 @@ final class MotionProblem {
       options = options.maxStep(run.maxStep());
     }
     return options;
+  }
+
+  /** Returns the number of components by which steps see switches: 1, or 0 if there are none. */
+  int markers() {
+    return model.functions.switches().count() > 0 ? 1 : 0;
+  }
+
+  /**
+   * Returns the derivative of a marker. It jumps at each switch, so the error test bounds how far a
+   * step reaches across one: at a corner the state alone would let it pass by far, and what is
+   * interpolated in such a step, the place of the corner first of all, is less accurate than its
+   * end.
+   */
+  double markerRate(double t, double[] z) {
+    double[] margins = model.values(Part.SWITCHES, t, z);
+    double sum = 0;
+    for (int i = 0; i < margins.length; i++) {
+      // different weights: switches that change together in opposite ways show, too
+      sum += margins[i] > 0 ? 1 + (double) i / margins.length : 0;
+    }
+    return sum;
+  }
+
+  /** Returns the tolerance of a marker: the length of the run to the relative tolerance, s. */
+  double markerTolerance() {
+    return run.relativeTolerance() * (run.tEnd() - run.tStart());
   }
 
   /** Returns the options with the events of the motion. */

@@ -5,15 +5,16 @@ import java.util.List;
 import org.mechservice.study.gradient.GradientModel.Part;
 
 /**
- * One of the places at which the state or its derivative jumps: an event of the file, or a switch
- * of the equations. With g its function, h the change of the state and f⁻, f⁺ the derivatives
- * before and behind, a tangent δy becomes
+ * One of the places at which the state, its derivative or the derivative of that jumps: an event of
+ * the file, or a switch of the equations. With g its function, h the change of the state and f⁻, f⁺
+ * the derivatives before and behind, a tangent δy becomes
  *
  * <pre>{@code
  * h_y (δy + f⁻ δt) + h_t δt + h_p − f⁺ δt,   δt = −(g_y δy + g_p) / (g_t + g_y f⁻)
  * }</pre>
  *
- * <p>at the same time (Galán, Feehery and Barton 1999, equations 24 and 30).
+ * <p>at the same time (Galán, Feehery and Barton 1999, equations 24 and 30). At a corner of the
+ * equations f⁻ = f⁺, and tangents go on as they are; they need not cross it.
  */
 final class Transition {
   /** Rate of the function, relative to the sizes of its terms, from which it is crossed. */
@@ -27,6 +28,7 @@ final class Transition {
   private final GradientModel model;
   private final Part part;
   private final int index;
+  private final boolean corner;
   private final String name;
 
   /** Components of the state that the event sets, and where their values stand. */
@@ -42,6 +44,7 @@ final class Transition {
     this.model = model;
     this.part = part;
     this.index = index;
+    corner = part == Part.SWITCHES && model.functions.isCorner(index);
     this.name = name;
     List<int[]> components = model.functions.assignedComponents();
     int first = 0;
@@ -54,7 +57,17 @@ final class Transition {
 
   /** Returns the value of its function. */
   double value(double t, double[] y) {
-    return part.of(model.functions).values(t, y)[index];
+    return model.values(part, t, y)[index];
+  }
+
+  /** Returns whether the equations take another form there. */
+  boolean isSwitch() {
+    return part == Part.SWITCHES;
+  }
+
+  /** Returns whether the state and its derivative are continuous there. */
+  boolean isCorner() {
+    return corner;
   }
 
   /**
@@ -64,10 +77,12 @@ final class Transition {
    * @param after state behind
    * @param rateBefore f⁻
    * @param rateAfter f⁺
-   * @param speed g_t + g_y f⁻
+   * @param speed g_t + g_y f⁻; NaN at a corner that is only touched
    * @param inside a state on the near side: that before an event, or one close before a switch,
    *     whose equations still have their form of before
    * @param insideTime its time, s: between it and the transition the form may be either
+   * @param outside a state on the far side: that behind an event, or one close behind a switch
+   * @param outsideTime its time, s
    */
   @SuppressWarnings("ArrayRecordComponent") // never compared
   record Sides(
@@ -77,14 +92,16 @@ final class Transition {
       double[] rateAfter,
       double speed,
       double[] inside,
-      double insideTime) {}
+      double insideTime,
+      double[] outside,
+      double outsideTime) {}
 
   /**
    * Returns both sides.
    *
    * @param y state before the change, at the place where the function is zero or just behind it
-   * @throws IllegalArgumentException if the function only touches zero: the time of the event is no
-   *     differentiable function then
+   * @throws IllegalArgumentException if something jumps, and the function only touches zero: the
+   *     time of the event is no differentiable function then
    */
   Sides sides(double t, double[] y) {
     int n = model.n;
@@ -94,6 +111,8 @@ final class Transition {
     double[] rateAfter = new double[n];
     double[] inside = before;
     double insideTime = t;
+    double[] outside = after;
+    double outsideTime = t;
     if (part == Part.TRIGGERS) {
       double[] values = Part.ASSIGNMENTS.of(model.functions).values(t, before);
       for (int i = 0; i < assigned.length; i++) {
@@ -103,8 +122,14 @@ final class Transition {
       model.derivative(t, after, rateAfter);
     } else {
       double sign = rateBehind(t, before, rateAfter);
+      outside = new double[n];
+      outsideTime = stepAhead(t, before, sign, rateAfter, outside);
       inside = new double[n];
       insideTime = stepBack(t, before, sign, rateAfter, rateBefore, inside);
+      if (corner) {
+        model.derivative(t, before, rateAfter);
+        System.arraycopy(rateAfter, 0, rateBefore, 0, n);
+      }
     }
     double speed = model.along(part, t, before, rateBefore, 1, -1)[index];
     double size = 0;
@@ -113,14 +138,22 @@ final class Transition {
       one[i] = rateBefore[i];
       size += Math.abs(model.along(part, t, before, one, 0, -1)[index]);
     }
-    if (!(Math.abs(speed) > GRAZING * size) || speed == 0) {
-      throw new IllegalArgumentException(
-          name
-              + " is only touched at t = "
-              + t
-              + " s, not crossed: its time has no derivative there");
+    if (!(Math.abs(speed) > GRAZING * size) || speed == 0 || Double.isNaN(insideTime)) {
+      if (!corner) {
+        throw new IllegalArgumentException(
+            name
+                + " is only touched at t = "
+                + t
+                + " s, not crossed: its time has no derivative there");
+      }
+      speed = Double.NaN;
     }
-    return new Sides(before, after, rateBefore, rateAfter, speed, inside, insideTime);
+    if (Double.isNaN(insideTime)) {
+      inside = before;
+      insideTime = t;
+    }
+    return new Sides(
+        before, after, rateBefore, rateAfter, speed, inside, insideTime, outside, outsideTime);
   }
 
   /**
@@ -157,11 +190,33 @@ final class Transition {
   }
 
   /**
+   * Goes on from a switch until its function has left zero.
+   *
+   * @param sign of the function behind the switch
+   * @param near overwritten with the state there, or with that at the switch
+   * @return its time
+   */
+  private double stepAhead(double t, double[] at, double sign, double[] rateAfter, double[] near) {
+    double ahead = LITTLE * Math.max(1e-3, Math.abs(t));
+    for (int tries = 0; tries < TRIES; tries++) {
+      for (int i = 0; i < near.length; i++) {
+        near[i] = at[i] + ahead * rateAfter[i];
+      }
+      if (Math.signum(value(t + ahead, near)) == sign) {
+        return t + ahead;
+      }
+      ahead *= 4;
+    }
+    System.arraycopy(at, 0, near, 0, near.length);
+    return t;
+  }
+
+  /**
    * Evaluates f before a switch, extrapolated from two states on the way to it.
    *
    * @param sign of the function behind the switch
    * @param near overwritten with the nearer state
-   * @return its time
+   * @return its time; NaN if the function has had the same sign before
    */
   private double stepBack(
       double t, double[] at, double sign, double[] rateAfter, double[] rateBefore, double[] near) {
@@ -185,11 +240,7 @@ final class Transition {
       }
       back *= 4;
     }
-    throw new IllegalArgumentException(
-        name
-            + " is only touched at t = "
-            + t
-            + " s, not crossed: its time has no derivative there");
+    return Double.NaN;
   }
 
   /**
@@ -208,6 +259,9 @@ final class Transition {
    * @param dt derivative of the time along it
    */
   void carry(double t, Sides sides, double[] tangent, double dt, int direction) {
+    if (corner) {
+      return;
+    }
     int n = model.n;
     double[] moved = new double[n];
     for (int i = 0; i < n; i++) {
@@ -234,6 +288,12 @@ final class Transition {
    */
   void carryBack(double t, Sides sides, double[] lambda, double[] byDirection, double further) {
     int n = model.n;
+    if (corner) {
+      if (further != 0) {
+        addTime(t, sides, further, lambda, byDirection);
+      }
+      return;
+    }
     double gain = further - GradientModel.dot(lambda, sides.rateAfter(), n);
     double[] through = Arrays.copyOf(lambda, n);
     if (assigned.length > 0) {

@@ -9,7 +9,6 @@ import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.emit.ModelClass;
 import org.mechservice.sim.equations.PowerEquations;
 import org.mechservice.sim.equations.links.Links;
-import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.closure.assembly.Assembly;
 import org.mechservice.solver.closure.assembly.LoopFinding;
@@ -37,6 +36,7 @@ public final class ModelFunctions {
   private final DifferentiableFunction triggers;
   private final DifferentiableFunction assignments;
   private final DifferentiableFunction switches;
+  private final int jumps;
 
   /**
    * Derives the functions of a model.
@@ -78,9 +78,9 @@ public final class ModelFunctions {
             StateEvents.assigned(mechanism).size(),
             chosen,
             parameters);
-    Program margins = Switches.of(equations.programs(), chosen);
-    int count = margins.sections().stream().mapToInt(section -> section.outputs().size()).sum();
-    switches = new DifferentiableFunction(margins, n, count, chosen, parameters);
+    Switches places = new Switches(equations.programs(), chosen);
+    switches = new DifferentiableFunction(places.margins(), n, places.count(), chosen, parameters);
+    jumps = places.jumps();
   }
 
   private static void requireDifferentiable(Mechanism mechanism) {
@@ -203,9 +203,14 @@ public final class ModelFunctions {
     return components;
   }
 
-  /** Returns the functions at whose zeros the equations may jump. */
+  /** Returns the functions at whose zeros the equations take another form; jumps first. */
   public DifferentiableFunction switches() {
     return switches;
+  }
+
+  /** Returns whether the equations are continuous where a switch is zero. */
+  public boolean isCorner(int number) {
+    return number >= jumps;
   }
 
   /** Returns the times between start and end at which the equations jump by themselves. */

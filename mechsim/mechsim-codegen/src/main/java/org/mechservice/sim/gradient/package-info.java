@@ -14,8 +14,8 @@
  *
  * <p>{@link org.mechservice.sim.gradient.ModelFunctions} has all of a model: its equations, the
  * columns of results that are observed ({@code ObservedColumns}), its events, and the places at
- * which its equations may jump ({@code Switches}). Nothing here integrates; the module {@code
- * mechstudy} does.
+ * which its equations jump or have a corner ({@code Switches}). Nothing here integrates; the module
+ * {@code mechstudy} does.
  */
 @NullMarked
 package org.mechservice.sim.gradient;

@@ -5,9 +5,13 @@ import java.util.Arrays;
 /**
  * Numbers in a fixed order, of which a program picks one by a computed index: the points of a
  * table. Code holds them as an array; two rows of the same numbers are equal. Immutable.
+ *
+ * <p>A row that divides the arguments of a table may tell at which of them the slope jumps; rows
+ * that tell otherwise are not equal.
  */
 public final class NumberRow {
   private final double[] numbers;
+  private final double[] corners;
   private final int hash;
 
   /**
@@ -16,8 +20,28 @@ public final class NumberRow {
    * @param numbers the numbers, finite; not modified
    */
   public NumberRow(double... numbers) {
+    this(numbers, new double[0]);
+  }
+
+  private NumberRow(double[] numbers, double[] corners) {
     this.numbers = numbers.clone();
-    this.hash = Arrays.hashCode(numbers);
+    this.corners = corners.clone();
+    this.hash = 31 * Arrays.hashCode(numbers) + Arrays.hashCode(corners);
+  }
+
+  /**
+   * Returns the row of the points of a table.
+   *
+   * @param knots ascending; not modified
+   * @param corners those at which the slope jumps, ascending; not modified
+   */
+  public static NumberRow ofKnots(double[] knots, double[] corners) {
+    return new NumberRow(knots, corners);
+  }
+
+  /** Returns the numbers at which the slope of what is chosen by this row jumps; a copy. */
+  public double[] corners() {
+    return corners.clone();
   }
 
   /** Returns how many there are. */
@@ -42,7 +66,9 @@ public final class NumberRow {
 
   @Override
   public boolean equals(Object other) {
-    return other instanceof NumberRow row && Arrays.equals(numbers, row.numbers);
+    return other instanceof NumberRow row
+        && Arrays.equals(numbers, row.numbers)
+        && Arrays.equals(corners, row.corners);
   }
 
   @Override

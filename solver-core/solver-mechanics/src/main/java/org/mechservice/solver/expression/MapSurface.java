@@ -27,6 +27,7 @@ public final class MapSurface implements TapeStep {
   private final double[] cells;
   private final boolean bounded;
   private final boolean straight;
+  private final boolean holds;
 
   MapSurface(TableMap map) {
     x = map.x().stream().mapToDouble(Double::doubleValue).toArray();
@@ -36,6 +37,7 @@ public final class MapSurface implements TapeStep {
     cells = new double[NUMBERS * originX.length * originY.length];
     bounded = map.outside() == Extrapolation.ERROR;
     straight = map.method() == Method.LINEAR;
+    holds = map.outside() == Extrapolation.HOLD;
     double[][] z = new double[x.length][y.length];
     double[][] byX = new double[x.length][y.length];
     double[][] byY = new double[x.length][y.length];
@@ -203,6 +205,15 @@ public final class MapSurface implements TapeStep {
   /** Returns whether its slope jumps at the lines of the grid. */
   public boolean hasCorners() {
     return straight;
+  }
+
+  /**
+   * Returns the lines of the grid at which a slope jumps, ascending.
+   *
+   * @param axis 0: x, 1: y
+   */
+  public double[] corners(int axis) {
+    return TableCurve.corners(axis == 0 ? x : y, straight, holds);
   }
 
   /** Returns the number of a point's cell: k (m + 1) + l as in {@link #coefficients}. */

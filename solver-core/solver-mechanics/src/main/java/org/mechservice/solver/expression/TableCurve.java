@@ -20,6 +20,7 @@ public final class TableCurve implements TapeStep {
   private final double[] polynomials;
   private final boolean bounded;
   private final boolean straight;
+  private final boolean holds;
 
   TableCurve(Table table) {
     knots = table.x().stream().mapToDouble(Double::doubleValue).toArray();
@@ -41,7 +42,7 @@ public final class TableCurve implements TapeStep {
         put(i + 1, knots[i], y[i], slope[i], c2, c3);
       }
     }
-    boolean holds = table.outside() == Extrapolation.HOLD;
+    holds = table.outside() == Extrapolation.HOLD;
     put(0, knots[0], y[0], holds ? 0 : slope[0], 0, 0);
     put(n, knots[n - 1], y[n - 1], holds ? 0 : slope[n - 1], 0, 0);
     bounded = table.outside() == Extrapolation.ERROR;
@@ -211,6 +212,21 @@ public final class TableCurve implements TapeStep {
   /** Returns whether its slope jumps at the points. */
   public boolean hasCorners() {
     return straight;
+  }
+
+  /** Returns the points at which its slope jumps, ascending. */
+  public double[] corners() {
+    return corners(knots, straight, holds);
+  }
+
+  /**
+   * Returns the points of straight lines; of other curves the ends, if they are held beyond them.
+   */
+  static double[] corners(double[] knots, boolean straight, boolean holds) {
+    if (straight) {
+      return knots.clone();
+    }
+    return holds ? new double[] {knots[0], knots[knots.length - 1]} : new double[0];
   }
 
   /** Returns the number of points that are not above an argument. */

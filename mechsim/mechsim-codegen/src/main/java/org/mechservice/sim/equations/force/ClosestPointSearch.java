@@ -59,8 +59,9 @@ final class ClosestPointSearch {
       return;
     }
     Scalar direct = way.squared().plus(up.squared()).squareRoot();
-    Scalar below = e.function(MathFunction.MIN, along, direct.negated());
-    Scalar above = e.function(MathFunction.MAX, along, direct);
+    // the larger in size; at a foot of a perpendicular both are the same, and no choice is a switch
+    Scalar below = larger(direct, along.negated(), direct.negated(), along);
+    Scalar above = larger(direct, along, direct, along);
     distance = e.function(MathFunction.CHOOSE, z, curve.at(x).height(), below, above);
     if (ofCentre || radius.isZero()) {
       cosine = e.one().over(root);
@@ -97,6 +98,11 @@ final class ClosestPointSearch {
     Scalar smooth = pick(size, length.times(ClosestPoint.CORNER), rise, e.constant(FAR));
     // the step has no length; its derivative is that of s
     return s.minus(g.minus(held(g)).over(smooth));
+  }
+
+  /** Returns the number whose size is larger, the second if they are equal. */
+  private Scalar larger(Scalar size, Scalar otherSize, Scalar first, Scalar second) {
+    return e.function(MathFunction.CHOOSE, held(size), held(otherSize), second, first);
   }
 
   private Scalar held(Scalar value) {

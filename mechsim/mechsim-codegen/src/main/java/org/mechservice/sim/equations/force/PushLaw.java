@@ -32,6 +32,23 @@ record PushLaw(Scalar k, double n, Scalar c, Scalar chi, double eps) {
 
   /** Returns the force, never negative. */
   Scalar force(Scalar x, Scalar rate) {
+    return eps == 0 && chi.isZero() && !c.isZero() ? linear(x, rate) : any(x, rate);
+  }
+
+  /**
+   * Returns the force with pos′ chosen outside of the bound: what is bounded, E + c x′, does not
+   * jump at a touch, and its zero is where the push ends.
+   */
+  private Scalar linear(Scalar x, Scalar rate) {
+    Expressions e = x.expressions();
+    Scalar damper = rate.times(c);
+    Scalar pressed = e.function(MathFunction.MAX, e.zero(), elastic(x).plus(damper));
+    Scalar half = e.function(MathFunction.MAX, e.zero(), damper.times(0.5));
+    Scalar touching = e.function(MathFunction.CHOOSE, e.zero(), x, half, e.zero());
+    return e.function(MathFunction.CHOOSE, x, e.zero(), touching, pressed);
+  }
+
+  private Scalar any(Scalar x, Scalar rate) {
     Scalar elastic = elastic(x);
     Scalar damper = damper(x, rate, elastic);
     return damper.isZero() ? elastic : bounded(elastic, elastic.plus(damper));

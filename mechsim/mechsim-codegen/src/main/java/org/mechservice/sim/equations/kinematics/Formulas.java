@@ -133,7 +133,7 @@ public abstract class Formulas {
 
   /** Returns the polynomial of the interval that an argument is in, in the solver's order. */
   private Scalar table(TableCurve curve, Scalar x) {
-    Scalar place = e.interval(new NumberRow(curve.knots()), x);
+    Scalar place = e.interval(NumberRow.ofKnots(curve.knots(), curve.corners()), x);
     Scalar[] chosen = new Scalar[5];
     for (int number = 0; number < chosen.length; number++) {
       chosen[number] = e.element(new NumberRow(curve.numbers(number)), place);
@@ -148,8 +148,8 @@ public abstract class Formulas {
   private Scalar map(MapSurface surface, Scalar x, Scalar y) {
     NumberRow originX = new NumberRow(surface.origins(0));
     NumberRow originY = new NumberRow(surface.origins(1));
-    Scalar k = e.interval(new NumberRow(surface.knots(0)), x);
-    Scalar l = e.interval(new NumberRow(surface.knots(1)), y);
+    Scalar k = e.interval(NumberRow.ofKnots(surface.knots(0), surface.corners(0)), x);
+    Scalar l = e.interval(NumberRow.ofKnots(surface.knots(1), surface.corners(1)), y);
     Scalar cell = k.times(originY.size()).plus(l);
     Scalar dx = x.minus(e.element(originX, k));
     Scalar dy = y.minus(e.element(originY, l));
