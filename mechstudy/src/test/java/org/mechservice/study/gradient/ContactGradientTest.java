@@ -22,7 +22,7 @@ final class ContactGradientTest {
   private static final double STEP = 5e-4;
 
   /**
-   * Of the effect of a parameter's value, m or m/s: sixth order leaves h⁶, and runs at 1e-12 err by
+   * Of the effect of a parameter's value, m or m/s: sixth order leaves h⁶, and runs at 1e-13 err by
    * some 1e-11 m, which a step of 5e-4 makes 2e-8.
    */
   private static final double NEAR = 1e-6;
@@ -141,9 +141,9 @@ final class ContactGradientTest {
                 + "' extrapolation='hold'/></Tables><Bodies>");
   }
 
-  /** Returns a model whose runs have a tenth of the tolerances of the gradient's. */
+  /** Returns a model whose runs have a hundredth of the tolerances of the gradient's. */
   private static MechModel tight(String text) throws Exception {
-    String tolerances = "relTol='1e-12' absTol='1e-13'";
+    String tolerances = "relTol='1e-13' absTol='1e-14'";
     return MechModel.of("model.xml", text.replace(TOLERANCES, tolerances));
   }
 
