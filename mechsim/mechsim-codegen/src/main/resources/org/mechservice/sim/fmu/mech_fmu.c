@@ -598,10 +598,10 @@ static mech_status begin_integration(mech_instance *c, double first_step) {
     c->s.last_event = c->s.t;
     c->s.event_distance = HUGE_VAL;
     c->s.shrinking = c->s.chattering = 0;
-#ifdef MODEL_WATCHES
-    mech_watch_begin(&c->s.watch);
-#endif
   }
+#ifdef MODEL_WATCHES
+  mech_watch_begin(&c->s.watch);
+#endif
   c->s.jump = mech_next_jump(c);
   a->stop = c->s.stop_defined && c->s.stop < c->s.jump ? c->s.stop : c->s.jump;
   a->longest = first_step < longest ? first_step : longest;

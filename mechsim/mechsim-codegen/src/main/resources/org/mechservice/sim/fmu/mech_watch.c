@@ -40,6 +40,8 @@ enum {
   /* Most evaluations in a step beyond its first division, and most parts of that. */
   MOST_EVALUATIONS = 4000,
   MOST_PARTS = 1000000,
+  /* Farthest place behind a change at which a step is cut, in the widths that it is narrowed to. */
+  FARTHEST = 64,
   /* Roundings of t within which a change lies that steps cannot cross. */
   ACROSS = 16384,
   /* Depth to which the first way to a hidden value is followed. */
@@ -914,10 +916,10 @@ static int changed(const mech_watch_work *w, const double *start, const double *
 
 /* A time just behind a change at which the argument of the choice is off its boundary by more than
  * rounding, so that equations that compute it in another order choose the same: at most the end of
- * the step, and the change itself where the argument stays at the boundary. */
+ * the step, and FARTHEST widths where the argument stays at the boundary. */
 static double clear(mech_watch_work *w, int choice, double behind, double width) {
   double t = behind, beyond;
-  for (beyond = width; beyond <= ACROSS * width; beyond *= 2) {
+  for (beyond = width; beyond <= FARTHEST * width; beyond *= 2) {
     if (t >= w->finish || !evaluate(w, t, w->narrowing)) {
       return t < w->finish ? t : w->finish;
     }
@@ -926,7 +928,7 @@ static double clear(mech_watch_work *w, int choice, double behind, double width)
     }
     t = behind + beyond;
   }
-  return behind;
+  return t < w->finish ? t : w->finish;
 }
 
 /* The time just behind the change of a choice in a part. */

@@ -45,6 +45,12 @@ final class TimePlaces {
   /** Further halvings by which a place is narrowed down. */
   private static final int NARROWINGS = 60;
 
+  /** Doublings of the last place of time up to which it is asked whether rounding decides. */
+  private static final int DOUBLINGS = 20;
+
+  /** Doublings that steps keep off a place in any case. */
+  private static final int FINE = 1;
+
   private final List<Parameter> parameters;
   private final double from;
   private final double to;
@@ -235,6 +241,11 @@ final class TimePlaces {
       return pieces.decide();
     }
 
+    /** Returns whether the choice takes a piece, and its argument is off where that ends. */
+    boolean isClear(double t, double piece) {
+      return piece(t) == piece && pieces.distance(0, point) > 0;
+    }
+
     /** Returns the number of the piece of the choice. */
     double piece(double t) {
       leaves[time] = t;
@@ -270,7 +281,29 @@ final class TimePlaces {
         before = between;
       }
     }
-    add(behind);
+    double zone = rounding(search, behind, search.piece(start), last);
+    if (zone > 0) {
+      add(behind - zone);
+      add(behind + zone);
+    } else {
+      add(behind);
+    }
+  }
+
+  /**
+   * Returns half the width of the times in which rounding decides which piece is taken, where that
+   * is more than some last places of time: the argument may be coarser than time. Steps end at both
+   * ends of it.
+   */
+  private static double rounding(Search search, double place, double before, double behind) {
+    double width = Math.ulp(place);
+    for (int i = 0; i < DOUBLINGS; i++) {
+      if (search.isClear(place - width, before) && search.isClear(place + width, behind)) {
+        return i <= FINE ? 0 : 2 * width;
+      }
+      width *= 2;
+    }
+    return 0;
   }
 
   /** Adds the times at which the slope or the curvature of a table or map jumps. */

@@ -243,6 +243,7 @@ public final class StateEvents implements ModelEvents, ModelState {
   @Override
   public void continueFrom(double t) {
     driven.ifPresent(jumps -> jumps.continueFrom(t));
+    search.ifPresent(StepSearch::begin);
   }
 
   @Override

@@ -44,6 +44,9 @@ final class StepSearch {
   /** Width to which a change is narrowed down, in units of the last place of time. */
   private static final double RESOLUTION = 4;
 
+  /** Farthest place behind a change at which a step is cut, in these widths. */
+  private static final double FARTHEST = 64;
+
   /** Distance from a boundary, relative to the size of the argument, beyond rounding. */
   private static final double CLEAR = 1e-14;
 
@@ -519,11 +522,11 @@ final class StepSearch {
   /**
    * Returns a time just behind a change at which the argument of the choice is off its boundary by
    * more than rounding, so that equations that compute it in another order choose the same: at most
-   * the end of the step, and the change itself where the argument stays at the boundary.
+   * the end of the step, and {@value #FARTHEST} widths where the argument stays at the boundary.
    */
   private double clear(ModelEvents.Path path, int choice, double behind, double width) {
     double t = behind;
-    for (double beyond = width; beyond <= ROUNDINGS * width; beyond *= 2) {
+    for (double beyond = width; beyond <= FARTHEST * width; beyond *= 2) {
       if (t >= finish || !evaluate(path, t, narrowing)) {
         return Math.min(t, finish);
       } else if (pieces.distance(choice, narrowing) > CLEAR * sizes[choice]) {
@@ -531,7 +534,7 @@ final class StepSearch {
       }
       t = behind + beyond;
     }
-    return behind;
+    return Math.min(t, finish);
   }
 
   /** Returns the place of a change if it ends the step, else NaN. */

@@ -16,6 +16,7 @@ import org.mechservice.solver.ode.StepPolynomial;
 import org.mechservice.solver.ode.StepResult;
 import org.mechservice.solver.ode.SystemParts;
 import org.mechservice.solver.ode.TrialOutcome;
+import org.mechservice.solver.ode.step.Breakpoints;
 import org.mechservice.solver.ode.events.EventFunctions.Reaction;
 import org.mechservice.solver.ode.step.RecentSteps;
 
@@ -68,6 +69,10 @@ public final class EventIntegration implements ResidualIntegrator {
   private final EventValues values;
   private final AccumulationMonitor accumulation = new AccumulationMonitor();
   private final RecentSteps recentSteps = new RecentSteps();
+
+  /** Where the integrator begins anew by itself. */
+  private final Breakpoints places = new Breakpoints();
+
   private Optional<IntegrationFailure> failure = Optional.empty();
 
   /** State to restart from, or of the last start. */
@@ -135,6 +140,7 @@ public final class EventIntegration implements ResidualIntegrator {
   private StepResult begin(
       StepResult result, SystemParts system, double t0, double[] y0, double tEnd) {
     prepare(system, y0.length, tEnd);
+    places.begin(system, t0, tEnd);
     System.arraycopy(y0, 0, restarted, 0, y0.length);
     values.stepsBegin(t0, y0);
     direction = tEnd < t0 ? -1 : 1;
@@ -183,6 +189,7 @@ public final class EventIntegration implements ResidualIntegrator {
     }
     if (restartDue) {
       functions.restarting(time);
+      places.passUpTo(time);
       StepResult result = integrator.restart(time, restarted, longestFirstStep);
       if (result == StepResult.STOPPED) {
         return result;
@@ -198,6 +205,8 @@ public final class EventIntegration implements ResidualIntegrator {
       if (stateChanged) {
         values.lookAhead(time, tEnd);
       }
+    } else if (functions.searchesSteps() && places.reachedAt(integrator.time())) {
+      beginPiece();
     }
     values.leaveStep();
     StepResult result = integrator.step();
@@ -223,6 +232,16 @@ public final class EventIntegration implements ResidualIntegrator {
     result = searchStep(result, PARTS_AFTER_RESTART);
     values.reportZerosLeft();
     return result;
+  }
+
+  /** Takes note that the next step begins without history, behind a breakpoint. */
+  private void beginPiece() {
+    double t = integrator.time();
+    places.passUpTo(t);
+    functions.restarting(t);
+    values.stopAt(t, restarted);
+    values.stepsBegin(t, restarted);
+    justRestarted = true;
   }
 
   /**
@@ -470,6 +489,8 @@ public final class EventIntegration implements ResidualIntegrator {
           prepare(system, dimension, state.number(0));
           steps.accept(inner);
           transfer(state);
+          places.begin(system, Math.copySign(Double.POSITIVE_INFINITY, -direction), tEnd);
+          places.passUpTo(direction > 0 ? Math.nextDown(time) : Math.nextUp(time));
         });
     return running ? StepResult.ADVANCED : StepResult.REACHED_END;
   }

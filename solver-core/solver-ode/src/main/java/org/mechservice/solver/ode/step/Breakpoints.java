@@ -10,6 +10,12 @@ import org.mechservice.solver.ode.SystemParts;
 public final class Breakpoints {
   private static final double[] NONE = {Double.POSITIVE_INFINITY};
 
+  /**
+   * Relative distance of a place within which the equations are not evaluated, and within which two
+   * places are one: where they jump is known to rounding.
+   */
+  private static final double MARGIN = 4 * Math.ulp(1.0);
+
   /** Places times the direction, ascending, the last one infinite. */
   private double[] ahead = NONE;
 
@@ -34,7 +40,7 @@ public final class Breakpoints {
     ahead = places.isEmpty() ? NONE : aheadOf(direction * t0, places);
     next = 0;
     first = Double.NEGATIVE_INFINITY;
-    last = Math.nextDown(ahead[0]);
+    last = before(ahead[0]);
     if (reachedAt(t0)) {
       pass();
     }
@@ -45,12 +51,25 @@ public final class Breakpoints {
         places.stream()
             .mapToDouble(place -> direction * requireNumber(place))
             .filter(place -> place >= start)
-            .distinct()
             .sorted()
             .toArray();
-    double[] ahead = Arrays.copyOf(ascending, ascending.length + 1);
-    ahead[ahead.length - 1] = Double.POSITIVE_INFINITY;
-    return ahead;
+    double[] ahead = new double[ascending.length + 1];
+    int count = 0;
+    for (double place : ascending) {
+      if (count == 0 || place > behind(ahead[count - 1])) {
+        ahead[count++] = place;
+      }
+    }
+    ahead[count] = Double.POSITIVE_INFINITY;
+    return Arrays.copyOf(ahead, count + 1);
+  }
+
+  private static double before(double place) {
+    return Double.isInfinite(place) ? place : Math.nextDown(place - MARGIN * Math.abs(place));
+  }
+
+  private static double behind(double place) {
+    return Math.nextUp(place + MARGIN * Math.abs(place));
   }
 
   private static double requireNumber(double place) {
@@ -77,9 +96,9 @@ public final class Breakpoints {
 
   /** Goes on beyond the next place. */
   public void pass() {
-    first = Math.nextUp(ahead[next]);
+    first = behind(ahead[next]);
     next++;
-    last = Math.nextDown(ahead[next]);
+    last = before(ahead[next]);
   }
 
   /** Goes on beyond all places up to {@code t}. */
@@ -101,7 +120,7 @@ public final class Breakpoints {
       throw new IllegalArgumentException("the saved state has passed other breakpoints");
     }
     next = passed;
-    first = passed == 0 ? Double.NEGATIVE_INFINITY : Math.nextUp(ahead[passed - 1]);
-    last = Math.nextDown(ahead[passed]);
+    first = passed == 0 ? Double.NEGATIVE_INFINITY : behind(ahead[passed - 1]);
+    last = before(ahead[passed]);
   }
 }
