@@ -29,7 +29,7 @@ final class ClosestPointSearch {
     }
   }
 
-  /** More than twice any distance, m. */
+  /** Divides a step where s does not move. */
   private static final double FAR = 1e300;
 
   private final Expressions e;
@@ -40,69 +40,87 @@ final class ClosestPointSearch {
   final Scalar sine;
   final Scalar cosine;
 
+  /** Whether the curve has corners: it is the surface, not that of the centre. */
+  private final boolean corners;
+
   /**
-   * @param radius of the sphere, m
    * @param ofCentre whether the curve is that of the sphere's centre, else the surface
    */
-  ClosestPointSearch(Curve curve, Scalar x, Scalar z, Scalar radius, boolean ofCentre) {
+  ClosestPointSearch(Curve curve, Scalar x, Scalar z, boolean ofCentre) {
     e = x.expressions();
-    boolean straight = curve.bend().isZero() && curve.row().isEmpty();
-    Curve at = curve.at(straight ? foot(curve.at(x), x, z) : found(curve, x, z));
-    Scalar root = e.one().plus(at.slope().squared()).squareRoot();
-    Scalar way = x.minus(at.way());
-    Scalar up = z.minus(at.height());
-    Scalar along = up.minus(at.slope().times(way)).over(root);
-    if (straight) {
-      distance = along;
-      cosine = e.one().over(root);
+    corners = !ofCentre;
+    if (curve.bend().isZero() && curve.slope() == curve.at(x).slope()) {
+      Curve at = curve.at(foot(curve.at(x), x, z));
+      Scalar root = root(at);
+      distance = along(at, x, z);
       sine = at.slope().over(root);
+      cosine = e.one().over(root);
       return;
     }
-    Scalar direct = way.squared().plus(up.squared()).squareRoot();
-    // the larger in size; at a foot of a perpendicular both are the same, and no choice is a switch
-    Scalar below = larger(direct, along.negated(), direct.negated(), along);
-    Scalar above = larger(direct, along, direct, along);
-    distance = e.function(MathFunction.CHOOSE, z, curve.at(x).height(), below, above);
-    if (ofCentre || radius.isZero()) {
-      cosine = e.one().over(root);
-      sine = at.slope().over(root);
-    } else {
-      Scalar twice = direct.times(2);
-      Scalar least = pick(radius, e.zero(), e.constant(FAR), radius);
-      Scalar level = e.one().over(root);
-      Scalar rise = at.slope().over(root);
-      cosine = e.function(MathFunction.CHOOSE, least, twice, up.over(distance), level);
-      Scalar towards = way.negated().over(distance);
-      sine = e.function(MathFunction.CHOOSE, least, twice, towards, rise);
+    Scalar s = curve.row().map(row -> e.closest(row, x, z)).orElseGet(() -> searched(curve, x, z));
+    Curve near = curve.at(s);
+    Scalar g = g(near, x, z);
+    Scalar full = rise(near, z);
+    Scalar least = e.one().plus(near.slope().squared()).times(ClosestPoint.LEAST);
+    Scalar rise = pick(full, least, least, full);
+    Scalar size = held(e.function(MathFunction.ABS, g));
+    Scalar limit = held(limit(near, x, z));
+    Scalar moves = corners ? pick(size, limit, rise, e.constant(FAR)) : rise;
+    // the step has no length; its derivative is that of s
+    Curve at = curve.at(s.minus(g.minus(held(g)).over(moves)));
+    Scalar root = root(at);
+    Scalar along = along(at, x, z);
+    Scalar level = e.one().over(root);
+    Scalar slant = at.slope().over(root);
+    if (!corners) {
+      distance = along;
+      sine = slant;
+      cosine = level;
+      return;
     }
+    // choices between what is equal where they change are no switches
+    Scalar direct = direct(at, x, z);
+    Scalar side =
+        e.function(
+            MathFunction.CHOOSE, held(z), held(curve.at(x).height()), direct.negated(), direct);
+    Scalar towards = at.way().minus(x).over(side);
+    Scalar up = z.minus(at.height()).over(side);
+    distance = e.function(MathFunction.CHOOSE, size, limit, along, side);
+    sine = e.function(MathFunction.CHOOSE, size, limit, slant, towards);
+    cosine = e.function(MathFunction.CHOOSE, size, limit, level, up);
+  }
+
+  /** Returns the largest |g| of a foot of a perpendicular. */
+  private Scalar limit(Curve at, Scalar x, Scalar z) {
+    Scalar size = e.function(MathFunction.ABS, x).plus(e.function(MathFunction.ABS, z));
+    return root(at)
+        .times(direct(at, x, z).times(ClosestPoint.CORNER).plus(size.times(ClosestPoint.ROUNDING)));
+  }
+
+  private Scalar root(Curve at) {
+    return e.one().plus(at.slope().squared()).squareRoot();
+  }
+
+  private Scalar direct(Curve at, Scalar x, Scalar z) {
+    return x.minus(at.way()).squared().plus(z.minus(at.height()).squared()).squareRoot();
+  }
+
+  private Scalar along(Curve at, Scalar x, Scalar z) {
+    return z.minus(at.height()).minus(at.slope().times(x.minus(at.way()))).over(root(at));
+  }
+
+  private static Scalar g(Curve at, Scalar x, Scalar z) {
+    return at.way().minus(x).plus(at.height().minus(z).times(at.slope()));
+  }
+
+  /** Returns g′. */
+  private Scalar rise(Curve at, Scalar z) {
+    return e.one().plus(at.slope().squared()).plus(at.height().minus(z).times(at.bend()));
   }
 
   /** Returns s on a straight line, by one step of Newton's method from any place. */
   private Scalar foot(Curve at, Scalar x, Scalar z) {
-    Scalar g = at.way().minus(x).plus(at.height().minus(z).times(at.slope()));
-    return at.way().minus(g.over(e.one().plus(at.slope().squared())));
-  }
-
-  /** Returns s, with the derivatives of the root of g. */
-  private Scalar found(Curve curve, Scalar x, Scalar z) {
-    Scalar s = curve.row().map(row -> e.closest(row, x, z)).orElseGet(() -> searched(curve, x, z));
-    Curve at = curve.at(s);
-    Scalar g = s.minus(x).plus(at.height().minus(z).times(at.slope()));
-    Scalar square = e.one().plus(at.slope().squared());
-    Scalar full = square.plus(at.height().minus(z).times(at.bend()));
-    Scalar rise = e.function(MathFunction.MAX, full, square.times(ClosestPoint.LEAST));
-    Scalar way = x.minus(s);
-    Scalar up = z.minus(at.height());
-    Scalar length = square.times(way.squared().plus(up.squared())).squareRoot();
-    Scalar size = e.function(MathFunction.ABS, g);
-    Scalar smooth = pick(size, length.times(ClosestPoint.CORNER), rise, e.constant(FAR));
-    // the step has no length; its derivative is that of s
-    return s.minus(g.minus(held(g)).over(smooth));
-  }
-
-  /** Returns the number whose size is larger, the second if they are equal. */
-  private Scalar larger(Scalar size, Scalar otherSize, Scalar first, Scalar second) {
-    return e.function(MathFunction.CHOOSE, held(size), held(otherSize), second, first);
+    return at.way().minus(g(at, x, z).over(e.one().plus(at.slope().squared())));
   }
 
   private Scalar held(Scalar value) {
@@ -131,9 +149,8 @@ final class ClosestPointSearch {
     Scalar highHeight = curve.at(high).height().minus(highSlope.times(high));
     for (int i = 0; i < ClosestPoint.STEPS; i++) {
       Curve at = curve.at(s);
-      Scalar up = at.height().minus(z);
-      Scalar g = s.minus(x).plus(up.times(at.slope()));
-      Scalar rise = e.one().plus(at.slope().squared()).plus(up.times(at.bend()));
+      Scalar g = g(at, x, z);
+      Scalar rise = rise(at, z);
       Scalar height = at.height().minus(at.slope().times(s));
       low = pick(g, e.zero(), s, low);
       lowSlope = pick(g, e.zero(), at.slope(), lowSlope);

@@ -59,7 +59,7 @@ final class ContactTerm implements ForceTerm {
       ScalarVector place = frames.displacement();
       Expressions e = place.x().expressions();
       Scalar reach = c.ofCentre() ? e.zero() : c.radius();
-      point = new ClosestPointSearch(curve, place.x(), place.z(), c.radius(), c.ofCentre());
+      point = new ClosestPointSearch(curve, place.x(), place.z(), c.ofCentre());
       ScalarVector u = frames.rate();
       ScalarVector omega = frames.omega();
       Scalar sine = point.sine;

@@ -24,8 +24,8 @@ import org.mechservice.solver.spatial.CubicCurve;
  * is narrower than a {@value #SEEDS}th of the window can be missed. Generated code takes the same
  * steps. Of two points at the same distance either is taken; σ is continuous there, n jumps.
  *
- * <p>At a corner the point is no foot of a perpendicular: σ is then the way to it, and n of a
- * sphere the direction of this way.
+ * <p>At a corner of the surface the point is no foot of a perpendicular: σ is then the way to it,
+ * and n its direction. The curve of a sphere's centre has no corners.
  */
 public final class ClosestPoint {
   /** Places to each side of x. */
@@ -38,10 +38,13 @@ public final class ClosestPoint {
   public static final double LEAST = 1e-6;
 
   /**
-   * Largest angle between the normal and the way to a foot of a perpendicular, rad; at a corner,
-   * where s does not move, it is larger. Rounding leaves 1e-12.
+   * Largest angle between the normal and the way to a foot of a perpendicular, rad; at a corner of
+   * the surface, where s does not move, it is larger. A search that has converged leaves 1e-12.
    */
   public static final double CORNER = 1e-7;
+
+  /** Rounding of g, by |x| + |z| and √(1 + h′²): some fifty units in the last place. */
+  public static final double ROUNDING = 1e-14;
 
   private final TapeEvaluation height;
 
@@ -95,10 +98,9 @@ public final class ClosestPoint {
   /**
    * Finds the closest point.
    *
-   * @param radius of the sphere, m
    * @return whether height, slope and bend are finite
    */
-  boolean find(double x, double z, double radius) {
+  boolean find(double x, double z) {
     evaluate(x);
     double below = value;
     double s = x;
@@ -115,17 +117,18 @@ public final class ClosestPoint {
     double up = z - value;
     double along = (up - slope * way) / root;
     double direct = Math.sqrt(way * way + up * up);
-    distance = z > below ? Math.max(along, direct) : Math.min(along, -direct);
-    if (!ofCentre && radius > 0 && radius <= 2 * direct) {
+    double g = up * slope + way;
+    double limit = root * (CORNER * direct + ROUNDING * (Math.abs(x) + Math.abs(z)));
+    if (ofCentre || Math.abs(g) <= limit) {
+      distance = along;
+      double curvature = bend / (root * root * root);
+      turning = curvature / Math.max(1 - curvature * distance, LEAST);
+    } else {
+      distance = z > below ? direct : -direct;
       sine = -way / distance;
       cosine = up / distance;
+      turning = -1 / distance;
     }
-    double curvature = bend / (root * root * root);
-    double g = up * slope + way;
-    turning =
-        Math.abs(g) <= CORNER * root * direct
-            ? curvature / Math.max(1 - curvature * distance, LEAST)
-            : -1 / distance;
     return Double.isFinite(distance + bend);
   }
 

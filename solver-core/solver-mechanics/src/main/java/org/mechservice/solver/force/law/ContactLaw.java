@@ -178,7 +178,7 @@ public final class ContactLaw implements FrameLaw {
       double radius = coefficients.at(RADIUS);
       double reach = ofCentre ? 0 : radius;
       double x = motion.displacement[0];
-      if (!point.find(x, motion.displacement[2], radius)) {
+      if (!point.find(x, motion.displacement[2])) {
         return force.notFinite(
             "height of the profile, or its slope, at x = " + x + " m", Double.NaN);
       }

@@ -26,10 +26,10 @@ import org.mechservice.solver.text.Origin;
  * surface, in the tangent plane. The opposite forces act on the body of the surface at the same
  * points.
  *
- * <p>The closest point is sought on h from the point below the centre. That is enough where the
- * surface bends less than the sphere. Otherwise the sphere touches at several points at once, and
+ * <p>Where the surface bends more than the sphere, the sphere touches at several points at once.
  * {@code tracks} has the curves on which its centre moves while it touches each of them; depth and
- * normal are then those of the centre and the closest point of each track.
+ * normal are then those of the centre and the closest point of each track. Without tracks only the
+ * closest of the points pushes.
  *
  * <p>Energy: k ∫ posⁿ (zero at d = 0 for n = 1, at d = −∞ for n &gt; 1); the rest of the push and
  * friction do work.

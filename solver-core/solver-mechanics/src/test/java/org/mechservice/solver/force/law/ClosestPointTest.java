@@ -72,7 +72,7 @@ class ClosestPointTest {
     for (int i = 0; i < 40; i++) {
       double x = random.nextGaussian() * width;
       double z = h.applyAsDouble(x) + 1.9 * RADIUS * random.nextDouble();
-      assertThat(point.find(x, z, RADIUS)).isTrue();
+      assertThat(point.find(x, z)).isTrue();
       double expected = least(h, x, z);
       assertThat(point.distance())
           .as("seed %d, (%s, %s)", seed, x, z)
@@ -88,11 +88,11 @@ class ClosestPointTest {
     ClosestPoint point = new ClosestPoint(wave(0.03, 2 + random.nextDouble()), false);
     double x = 3 * random.nextGaussian();
     double z = RADIUS + 0.05 * random.nextGaussian();
-    point.find(x - 1e-6, z, RADIUS);
+    point.find(x - 1e-6, z);
     double before = Math.atan2(point.sine(), point.cosine());
-    point.find(x + 1e-6, z, RADIUS);
+    point.find(x + 1e-6, z);
     double behind = Math.atan2(point.sine(), point.cosine());
-    point.find(x, z, RADIUS);
+    point.find(x, z);
     double turn = point.turning() * point.cosine();
     assertThat((behind - before) / 2e-6).isCloseTo(turn, within(1e-6 * (1 + Math.abs(turn))));
   }
@@ -103,7 +103,7 @@ class ClosestPointTest {
     ClosestPoint point = new ClosestPoint(wave(0.2, 30), false);
     for (double z = 0.6; z < 100; z *= 1.1) {
       for (double x = 0; x < 0.3; x += 0.01) {
-        assertThat(point.find(x, z, RADIUS)).isTrue();
+        assertThat(point.find(x, z)).isTrue();
         assertThat(point.distance()).isGreaterThanOrEqualTo(z - 0.2);
       }
     }
@@ -117,7 +117,7 @@ class ClosestPointTest {
     ClosestPoint point = new ClosestPoint(roof, false);
     double x = 0.1;
     double z = 0.25;
-    assertThat(point.find(x, z, RADIUS)).isTrue();
+    assertThat(point.find(x, z)).isTrue();
     double expected = Math.hypot(x, z);
     assertThat(point.distance()).isCloseTo(expected, within(1e-14));
     assertThat(point.sine()).isCloseTo(-x / expected, within(1e-12));

@@ -228,10 +228,8 @@ public abstract class ModelEquations implements UnitNormGroups, PiecewiseSystem,
     return new Defects.Defect(
         MessageCode.FORCE_WITHOUT_DIRECTION,
         "force " + forces.directedForce(DirectedForces.force(result)),
-        "It has no direction: its two points coincide, its frames are turned by half a turn, or the"
-            + " surface of a contact bends more than the sphere that touches it.",
-        "Move a point or turn a frame, or use an element that suits the motion; give a bent surface"
-            + " by <profile> or a table.");
+        "It has no direction: its two points coincide, or its frames are turned by half a turn.",
+        "Move a point or turn a frame, or use an element that suits the motion.");
   }
 
   /** Returns why the integration could not continue, if the model gives a reason. */
