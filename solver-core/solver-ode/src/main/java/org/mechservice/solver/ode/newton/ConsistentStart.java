@@ -70,8 +70,11 @@ final class ConsistentStart {
   private double size;
   private double part;
 
-  /** Size of the change that a longer short step asked for, infinite if the step is the first. */
-  private double sizeBefore;
+  /** Whether values right to the error allowed were found with a longer short step, and these. */
+  private boolean kept;
+
+  private final double[] keptState;
+  private final double[] keptSlope;
 
   private enum Stage {
     BEGIN,
@@ -98,6 +101,8 @@ final class ConsistentStart {
     triedState = new double[n];
     triedSlope = new double[n];
     triedChange = new double[n];
+    keptState = new double[n];
+    keptSlope = new double[n];
   }
 
   /**
@@ -142,7 +147,7 @@ final class ConsistentStart {
     System.arraycopy(yDot0, 0, yDot, 0, y.length);
     measure();
     shortStep = SHORT_STEP * firstStep;
-    sizeBefore = Double.POSITIVE_INFINITY;
+    kept = false;
     iteration = 0;
     stage = Stage.LINEARISE;
     return equations.manifold().complete(t0, y);
@@ -160,18 +165,23 @@ final class ConsistentStart {
         return attempt;
       }
     }
-    return end(size);
+    return end();
   }
 
   /**
    * Ends a search that gets no further. Multipliers of stiff forces have the rounding of these, so
-   * that the accuracy sought may be out of reach; what is right to the error allowed is kept.
-   *
-   * @param left the change that is left, in units of the error allowed
+   * that the accuracy sought may be out of reach; what is right to the error allowed is kept. Where
+   * y_d misses its constraints by rounding r, no y' but r/h closes them, so that shorter steps ask
+   * for more and more.
    */
-  private TrialOutcome end(double left) {
+  private TrialOutcome end() {
     stage = Stage.BEGIN;
-    return left <= 1 ? settle(0) : TrialOutcome.NOT_CONVERGING;
+    if (size > 1 && kept) {
+      System.arraycopy(keptState, 0, y, 0, y.length);
+      System.arraycopy(keptSlope, 0, yDot, 0, y.length);
+      return settle(0);
+    }
+    return size <= 1 ? settle(0) : TrialOutcome.NOT_CONVERGING;
   }
 
   /** Finds the length of a first step that the slope would allow. */
@@ -205,10 +215,6 @@ final class ConsistentStart {
       stage = Stage.BEGIN;
       return settle(iteration == 0 && !slopeIsOfAnother ? 0 : 1);
     }
-    if (sizeBefore <= 1 && size > sizeBefore) {
-      // y_d misses its constraints by rounding r: no y' but r/h closes them, the shorter the worse
-      return end(sizeBefore);
-    }
     part = 1;
     stage = Stage.DAMP;
     return TrialOutcome.PASSED;
@@ -239,15 +245,18 @@ final class ConsistentStart {
       if (attempt == TrialOutcome.PASSED && size(triedChange) <= (1 - SUFFICIENT * part) * size) {
         takeOver();
         measure();
-        sizeBefore = Double.POSITIVE_INFINITY;
         return goOn();
       }
     }
     if (!equations.startsApproximately()) {
-      return end(size);
+      return end();
+    }
+    if (size <= 1) {
+      kept = true;
+      System.arraycopy(y, 0, keptState, 0, y.length);
+      System.arraycopy(yDot, 0, keptSlope, 0, y.length);
     }
     shortStep *= SHORTER;
-    sizeBefore = size;
     return goOn();
   }
 
