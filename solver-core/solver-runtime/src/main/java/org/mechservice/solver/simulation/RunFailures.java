@@ -116,20 +116,23 @@ final class RunFailures {
   }
 
   /**
-   * Looks for the force that jumps beside the last state, from which the last step went back to its
-   * side of the jump: at the state that lies such a step ahead.
+   * Looks for the force that jumps beside the last state, at the states that lie a step ahead and a
+   * step back: a solution that slides along a jump is thrown to and fro, so that its last slope may
+   * lead either way.
    */
   private Optional<Defects.Defect> acrossTheJump(
       IntegrationFailure failure, double[] y, double[] yDot) {
+    double size = Math.abs(failure.stepSize());
+    return across(failure, size, y, yDot).or(() -> across(failure, -size, y, yDot));
+  }
+
+  private Optional<Defects.Defect> across(
+      IntegrationFailure failure, double way, double[] y, double[] yDot) {
     double t = integrator.time();
-    Failure.Step ahead =
+    Failure.Step step =
         new Failure.Step(
-            t,
-            Math.abs(failure.stepSize()),
-            failure.order(),
-            Double.POSITIVE_INFINITY,
-            FailureText.TOO_INACCURATE);
-    return equations.defect(t, y, yDot, List.of(ahead));
+            t, way, failure.order(), Double.POSITIVE_INFINITY, FailureText.TOO_INACCURATE);
+    return equations.defect(t, y, yDot, List.of(step));
   }
 
   /** Returns the value instead of a column if a balance has drifted too far. */

@@ -16,8 +16,8 @@ import org.mechservice.solver.ode.StepPolynomial;
 import org.mechservice.solver.ode.StepResult;
 import org.mechservice.solver.ode.SystemParts;
 import org.mechservice.solver.ode.TrialOutcome;
-import org.mechservice.solver.ode.step.Breakpoints;
 import org.mechservice.solver.ode.events.EventFunctions.Reaction;
+import org.mechservice.solver.ode.step.Breakpoints;
 import org.mechservice.solver.ode.step.RecentSteps;
 
 /**
