@@ -97,6 +97,37 @@ final class DrivenLinkagesTest {
     }
   }
 
+  /** Positions a turn apart close the loop alike, however far the crank turns between rows. */
+  @ParameterizedTest
+  @ValueSource(doubles = {0.1, 0.3, 0.7, 1.3, 4})
+  void kinematicsCountsTheTurns(double step) throws Exception {
+    DrivenLinkage linkage = fourBar(10, 0.464, 0.557, 0.926, 1.004);
+    String text = linkage.mechml(12, step);
+    Trajectory rows = MechModel.of("linkage.xml", text).kinematics();
+    double[] time = rows.column("t");
+    double angle = linkage.angle(time[0]);
+    List<Coordinate> before = linkage.positions(angle);
+    double[] turned = before.stream().mapToDouble(Coordinate::value).toArray();
+    for (int i = 0; i < time.length; i++) {
+      // in parts of the crank's way over which no angle turns by more than 0.2 rad
+      double from = angle;
+      int parts = 1 + (int) ((linkage.angle(time[i]) - from) / 0.05);
+      for (int part = 1; part <= parts; part++) {
+        angle = from + (linkage.angle(time[i]) - from) * part / parts;
+        List<Coordinate> here = linkage.positions(angle);
+        for (int k = 0; k < turned.length; k++) {
+          turned[k] += Math.IEEEremainder(here.get(k).value() - turned[k], 2 * Math.PI);
+        }
+      }
+      for (int k = 0; k < turned.length; k++) {
+        String name = before.get(k).name() + ".q";
+        assertThat(rows.column(name)[i])
+            .as("%s at %s s", name, time[i])
+            .isCloseTo(turned[k], within(EXACT));
+      }
+    }
+  }
+
   /**
    * Dependent velocities carry the rounding errors of the fastest ones, also where they pass
    * through zero: tolerances relative to their own size would be out of reach there.

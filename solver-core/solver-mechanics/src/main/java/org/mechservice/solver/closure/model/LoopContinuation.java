@@ -9,13 +9,17 @@ package org.mechservice.solver.closure.model;
  * accepted from one of two guesses:
  *
  * <ul>
- *   <li>the straight continuation, by the rates at first and by the secant then, if its correction
- *       is at most a quarter of the predicted move, the estimate of the prediction's own error;
+ *   <li>the straight continuation, by the rates at first and by the secant then, if all its
+ *       corrections together are at most a quarter of the predicted move, the estimate of the
+ *       prediction's own error;
  *   <li>where that finds nothing, the last positions, if each correction is at most a quarter of
  *       the one before: then the solution is the only one within reach (Deuflhard 2011, Newton
  *       Methods for Nonlinear Problems, theorem 2.1 and section 5.1). This one passes corners of
  *       drives.
  * </ul>
+ *
+ * <p>Positions a turn apart close the loops alike. A part in which something moves far is therefore
+ * accepted only if the straight continuation needs no correction.
  *
  * <p>The sign of the determinant of the equations must not change: it is zero in a change point, in
  * which two branches cross. A free motion goes straight through it, if the loops close in the
@@ -73,6 +77,12 @@ public final class LoopContinuation {
   private static final double CONTRACTION = 0.25;
 
   private static final int ITERATIONS = 12;
+
+  /**
+   * Longest predicted move in a part that needs corrections, in the units of positions. The largest
+   * error accepted of a prediction is then a fiftieth of a turn.
+   */
+  private static final double FARTHEST = 0.5;
 
   /** Shortest part of a path. */
   private static final double SHORTEST = 1e-12;
@@ -157,8 +167,8 @@ public final class LoopContinuation {
   private boolean continues(double end, double t, double[] from, double[] to) {
     double move = place(end, end - reached, from, to);
     tried = move;
-    double correction = close(t, Double.POSITIVE_INFINITY);
-    if (!(correction <= Math.max(CONTRACTION * move, CONVERGED))) {
+    double largest = move <= FARTHEST ? Math.max(CONTRACTION * move, CONVERGED) : CONVERGED;
+    if (!close(t, 1, largest)) {
       return false;
     }
     if (equations.orientation() == orientation) {
@@ -183,7 +193,7 @@ public final class LoopContinuation {
   /** Tries a part from the last positions. */
   private boolean begins(double end, double t, double[] from, double[] to) {
     tried = Math.max(tried, place(end, 0, from, to));
-    if (!(close(t, CONTRACTION) < Double.POSITIVE_INFINITY)) {
+    if (!(tried <= FARTHEST && close(t, CONTRACTION, FARTHEST))) {
       return false;
     }
     boolean same = equations.orientation() == orientation;
@@ -207,20 +217,26 @@ public final class LoopContinuation {
     return move;
   }
 
-  /** Newton's method; returns the first correction, NaN if it does not contract. */
-  private double close(double t, double contraction) {
-    double first = equations.correct(t, trial);
-    tried = Math.max(tried, first);
-    double before = first;
-    double limit = contraction;
-    for (int i = 1; i < ITERATIONS && before > CONVERGED; i++) {
+  /**
+   * Newton's method.
+   *
+   * @param contraction largest ratio of a correction to the one before
+   * @param farthest largest sum of the corrections
+   * @return whether it has converged within them
+   */
+  private boolean close(double t, double contraction, double farthest) {
+    double before = equations.correct(t, trial);
+    tried = Math.max(tried, before);
+    double sum = before;
+    for (int i = 1; i < ITERATIONS && before > CONVERGED && sum <= farthest; i++) {
       double next = equations.correct(t, trial);
-      if (!(next <= Math.max(Math.min(limit, 1) * before, CONVERGED))) {
-        return Double.NaN;
+      if (!(next <= Math.max(contraction * before, CONVERGED))) {
+        return false;
       }
       before = next;
+      sum += next;
     }
-    return before <= CONVERGED ? first : Double.NaN;
+    return before <= CONVERGED && sum <= farthest;
   }
 
   /** Returns the part of the last path that was followed, 1 if all of it was. */
