@@ -17,7 +17,7 @@ static const double CLEAR = 1e-14;
 /* Way beyond a boundary that is a touch, relative to the largest size of the argument. */
 static const double TOUCH = 1e-12;
 /* Size of a formula, relative to the largest value it has had, that does not matter. */
-static const double NOTHING = 1e-8;
+static const double NOTHING = 1e-10;
 /* Growth of a box beside a step, in lengths of the step's way: at most, at least, and between. */
 static const double LARGE_BOX = 16, SMALL_BOX = 1, SHRINKAGE = 0.25;
 /* Growth of the box in which a change counts as beside the step: one of those tried. */
@@ -648,10 +648,13 @@ static int changes_evenly(const mech_watch_work *w, const mech_watch_step *step)
   }
   switch (step->operation) {
     case WATCH_ADD:
-    case WATCH_MULTIPLY:
     case WATCH_NEGATE:
-    case WATCH_SQUARE:
       return 1;
+    /* curved factors that pass through zero make a corner that no three points show */
+    case WATCH_SQUARE:
+      return !(low <= 0 && high >= 0);
+    case WATCH_MULTIPLY:
+      return !(low <= 0 && high >= 0 && b_low <= 0 && b_high >= 0);
     case WATCH_SIN:
     case WATCH_COS:
       return high - low <= EVEN;

@@ -395,7 +395,10 @@ public final class TapePieces {
       return isDecided(step, a, b);
     }
     return switch ((Operation) step) {
-      case ADD, MULTIPLY, NEGATE, SQUARE -> true;
+      case ADD, NEGATE -> true;
+      // curved factors that pass through zero make a corner that no three points show
+      case SQUARE -> !reachesZero(a);
+      case MULTIPLY -> !(reachesZero(a) && reachesZero(b));
       case SIN, COS -> high[a] - low[a] <= EVEN;
       case SQRT, LOG -> changesLittle(low[a], high[a], RATIO);
       case ABS, MIN, MAX, SIGNUM, FLOOR, STEP, SMOOTH_STEP -> isDecided(step, a, b);
@@ -404,6 +407,10 @@ public final class TapePieces {
       case ATAN2 -> changesLittle(low[b], high[b], RATIO) && low[b] > 0;
       case DIVIDE, TAN, ATAN, EXP, SINH, COSH, TANH, POWER -> isEven(step, i);
     };
+  }
+
+  private boolean reachesZero(int slot) {
+    return low[slot] <= 0 && high[slot] >= 0;
   }
 
   private boolean findOpen() {

@@ -81,7 +81,7 @@ final class StepSearch {
   private static final int MOST_HIDDEN = 400;
 
   /** Size of a formula, relative to the largest value it has had, that does not matter. */
-  private static final double NOTHING = 1e-8;
+  private static final double NOTHING = 1e-10;
 
   /**
    * Growth of a box beside a step, in lengths of the step's way: at most, at least, and between.
