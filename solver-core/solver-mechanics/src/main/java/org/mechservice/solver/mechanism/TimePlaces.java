@@ -46,7 +46,7 @@ final class TimePlaces {
   private static final int NARROWINGS = 60;
 
   /** Doublings of the last place of time up to which it is asked whether rounding decides. */
-  private static final int DOUBLINGS = 20;
+  private static final int DOUBLINGS = 9;
 
   /** Doublings that steps keep off a place in any case. */
   private static final int FINE = 1;
@@ -292,8 +292,8 @@ final class TimePlaces {
 
   /**
    * Returns half the width of the times in which rounding decides which piece is taken, where that
-   * is more than some last places of time: the argument may be coarser than time. Steps end at both
-   * ends of it.
+   * is more than some last places of time: the argument may be coarser than time. Both ends of it
+   * are places, and one to the integrator.
    */
   private static double rounding(Search search, double place, double before, double behind) {
     double width = Math.ulp(place);

@@ -11,13 +11,19 @@ public final class Breakpoints {
   private static final double[] NONE = {Double.POSITIVE_INFINITY};
 
   /**
-   * Relative distance of a place within which the equations are not evaluated, and within which two
-   * places are one: where they jump is known to rounding.
+   * Relative distance of a place within which the equations are not evaluated: where they jump is
+   * known to rounding.
    */
   private static final double MARGIN = 4 * Math.ulp(1.0);
 
+  /** Relative distance within which places are one, from the first to the last of them. */
+  private static final double ONE = 1024 * Math.ulp(1.0);
+
   /** Places times the direction, ascending, the last one infinite. */
   private double[] ahead = NONE;
+
+  /** Of each place, the last of those that are one with it. */
+  private double[] until = NONE;
 
   private double direction = 1;
   private int next;
@@ -37,7 +43,7 @@ public final class Breakpoints {
     direction = tEnd < t0 ? -1 : 1;
     List<Double> places =
         system.part(PiecewiseSystem.class).map(PiecewiseSystem::breakpoints).orElse(List.of());
-    ahead = places.isEmpty() ? NONE : aheadOf(direction * t0, places);
+    setPlaces(direction * t0, places);
     next = 0;
     first = Double.NEGATIVE_INFINITY;
     last = before(ahead[0]);
@@ -46,22 +52,35 @@ public final class Breakpoints {
     }
   }
 
-  private double[] aheadOf(double start, List<Double> places) {
+  private void setPlaces(double start, List<Double> places) {
     double[] ascending =
         places.stream()
             .mapToDouble(place -> direction * requireNumber(place))
             .filter(place -> place >= start)
             .sorted()
             .toArray();
-    double[] ahead = new double[ascending.length + 1];
+    double[] from = new double[ascending.length + 1];
+    double[] to = new double[from.length];
     int count = 0;
     for (double place : ascending) {
-      if (count == 0 || place > behind(ahead[count - 1])) {
-        ahead[count++] = place;
+      if (count > 0 && place - from[count - 1] <= ONE * Math.abs(place)) {
+        to[count - 1] = place;
+      } else {
+        from[count] = place;
+        to[count++] = place;
       }
     }
-    ahead[count] = Double.POSITIVE_INFINITY;
-    return Arrays.copyOf(ahead, count + 1);
+    from[count] = Double.POSITIVE_INFINITY;
+    to[count] = Double.POSITIVE_INFINITY;
+    ahead = Arrays.copyOf(from, count + 1);
+    until = Arrays.copyOf(to, count + 1);
+  }
+
+  private static double requireNumber(double place) {
+    if (Double.isNaN(place)) {
+      throw new IllegalArgumentException("a breakpoint is NaN; it must be a number");
+    }
+    return place;
   }
 
   private static double before(double place) {
@@ -70,13 +89,6 @@ public final class Breakpoints {
 
   private static double behind(double place) {
     return Math.nextUp(place + MARGIN * Math.abs(place));
-  }
-
-  private static double requireNumber(double place) {
-    if (Double.isNaN(place)) {
-      throw new IllegalArgumentException("a breakpoint is NaN; it must be a number");
-    }
-    return place;
   }
 
   /** Returns which way time runs: 1 or -1. */
@@ -96,7 +108,7 @@ public final class Breakpoints {
 
   /** Goes on beyond the next place. */
   public void pass() {
-    first = behind(ahead[next]);
+    first = behind(until[next]);
     next++;
     last = before(ahead[next]);
   }
@@ -120,7 +132,7 @@ public final class Breakpoints {
       throw new IllegalArgumentException("the saved state has passed other breakpoints");
     }
     next = passed;
-    first = passed == 0 ? Double.NEGATIVE_INFINITY : behind(ahead[passed - 1]);
+    first = passed == 0 ? Double.NEGATIVE_INFINITY : behind(until[passed - 1]);
     last = before(ahead[passed]);
   }
 }
