@@ -70,7 +70,10 @@ final class ConsistentStart {
   private double size;
   private double part;
 
-  /** Whether values right to the error allowed were found with a longer short step, and these. */
+  /**
+   * Whether values right to the error allowed were found with a longer short step, or, of a
+   * restart, any; and these.
+   */
   private boolean kept;
 
   private final double[] keptState;
@@ -171,8 +174,9 @@ final class ConsistentStart {
   /**
    * Ends a search that gets no further. Multipliers of stiff forces have the rounding of these, so
    * that the accuracy sought may be out of reach; what is right to the error allowed is kept. Where
-   * y_d misses its constraints by rounding r, no y' but r/h closes them, so that shorter steps ask
-   * for more and more.
+   * y_d misses its constraints by an error r, of rounding or of the steps before a restart, no y'
+   * but r/h closes them, so that shorter steps ask for more and more: a restart then goes on with
+   * the y' before, and the error test judges the steps.
    */
   private TrialOutcome end() {
     stage = Stage.BEGIN;
@@ -251,7 +255,7 @@ final class ConsistentStart {
     if (!equations.startsApproximately()) {
       return end();
     }
-    if (size <= 1) {
+    if (size <= 1 || (slopeIsOfAnother && !kept)) {
       kept = true;
       System.arraycopy(y, 0, keptState, 0, y.length);
       System.arraycopy(yDot, 0, keptSlope, 0, y.length);
