@@ -20,6 +20,8 @@ static const double TOUCH = 1e-12;
 static const double NOTHING = 1e-10;
 /* Growth of a box beside a step, in lengths of the step's way: at most, at least, and between. */
 static const double LARGE_BOX = 16, SMALL_BOX = 1, SHRINKAGE = 0.25;
+/* Most steps after which a box is sought again where there was none. */
+static const double LONGEST_PAUSE = 15;
 /* Growth of the box in which a change counts as beside the step: one of those tried. */
 static const double BESIDE = 4;
 /* Distance from a boundary, relative to the size of the argument, that one keeps that slides. */
@@ -865,6 +867,10 @@ static void find_box(mech_watch_work *w, double from, double to) {
   mech_watch *kept = w->kept;
   double growth;
   kept->boxed = 0;
+  if (kept->pause_left > 0) {
+    kept->pause_left--;
+    return;
+  }
   if (parts(w, to - from) > 1 || !evaluate(w, 0.5 * (from + to), w->middle)) {
     return;
   }
@@ -885,6 +891,8 @@ static void find_box(mech_watch_work *w, double from, double to) {
       kept->changes[w->undecided[i]]++;
     }
   }
+  kept->pause = kept->boxed ? 0 : mech_min(LONGEST_PAUSE, 2 * kept->pause + 1);
+  kept->pause_left = kept->pause;
 }
 
 static void read_point(const double *point, double *pieces, double *values) {

@@ -89,6 +89,8 @@ typedef struct {
   /* Steps in the row, and when it began. */
   double steps_in_row, row_began;
   double box_low[WATCH_ROOM(WATCH_LEAVES)], box_high[WATCH_ROOM(WATCH_LEAVES)];
+  /* Steps for which no box is sought, and how many are left of them. */
+  double pause, pause_left;
   /* Longest first step from where the last search has ended a step; HUGE_VAL: any. */
   double longest_first_step;
   /* When the row of steps began that ended with the last at one jump, else NaN. */

@@ -91,6 +91,9 @@ final class StepSearch {
   private static final double SMALL_BOX = 1;
   private static final double SHRINKAGE = 0.25;
 
+  /** Most steps after which a box is sought again where there was none. */
+  private static final double LONGEST_PAUSE = 15;
+
   /** Growth of the box in which a change counts as beside the step: one of those tried. */
   private static final double BESIDE = 4;
 
@@ -146,6 +149,11 @@ final class StepSearch {
 
   /** Whether nothing changes its form in the box. */
   private boolean boxed;
+
+  /** Steps for which no box is sought, and how many are left of them. */
+  private double pause;
+
+  private double pauseLeft;
 
   private final OverlapMonitor overlaps;
 
@@ -284,6 +292,10 @@ final class StepSearch {
   /** Finds a box for the steps to come, if nothing changes its form in one about this step. */
   private void findBox(ModelEvents.Path path, double from, double to) {
     boxed = false;
+    if (pauseLeft > 0) {
+      pauseLeft--;
+      return;
+    }
     if (parts(to - from) > 1 || !evaluate(path, 0.5 * (from + to), atMiddle)) {
       return;
     }
@@ -304,6 +316,8 @@ final class StepSearch {
         changes[pieces.undecided(k)]++;
       }
     }
+    pause = boxed ? 0 : Math.min(LONGEST_PAUSE, 2 * pause + 1);
+    pauseLeft = pause;
   }
 
   /** Returns where a step has to end; NaN if it may stand. */
@@ -669,7 +683,7 @@ final class StepSearch {
 
   /** Returns the length of {@link #save}. */
   int stateLength() {
-    return Arrays.stream(parts()).mapToInt(part -> part.length).sum() + 7;
+    return Arrays.stream(parts()).mapToInt(part -> part.length).sum() + 9;
   }
 
   /** Writes what later searches depend on. */
@@ -686,6 +700,8 @@ final class StepSearch {
     state[at + 4] = rowBegan;
     state[at + 5] = unsearched;
     state[at + 6] = unsearchedCount;
+    state[at + 7] = pause;
+    state[at + 8] = pauseLeft;
   }
 
   /** Restores what {@link #save} has written. */
@@ -702,6 +718,8 @@ final class StepSearch {
     rowBegan = state[at + 4];
     unsearched = state[at + 5];
     unsearchedCount = (long) state[at + 6];
+    pause = state[at + 7];
+    pauseLeft = state[at + 8];
   }
 
   private double[][] parts() {
