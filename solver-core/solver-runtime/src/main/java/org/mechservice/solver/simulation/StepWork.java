@@ -66,9 +66,6 @@ final class StepWork {
   /** Points of Gauss' rule with two points in [0, 1], which is exact for a cubic. */
   private static final double GAUSS = 0.5 - 0.5 / Math.sqrt(3);
 
-  /** Units in the last place of time around a jump. */
-  private static final double BESIDE_JUMPS = 8;
-
   private static final PowerInput NOTHING = (t, y, power) -> {};
 
   private final ModelEquations equations;
@@ -167,8 +164,8 @@ final class StepWork {
       if (Double.isNaN(start)) {
         start = from;
       }
-      integrator.interpolate(to, states[waiting], yDot);
-      ends[waiting] = to - inset(to);
+      ends[waiting] = Math.max(from + 0.5 * h, to - equations.inset(to));
+      integrator.interpolate(ends[waiting], states[waiting], yDot);
       waiting++;
       happens = h < SHORTER * Math.max(longest, longestBefore);
       longest = Math.max(longest, h);
@@ -255,7 +252,7 @@ final class StepWork {
   private void addAlong(double from, double to) {
     double end = powers[KEPT - 1];
     double endFlow = flow;
-    power(from + inset(from));
+    power(Math.min(0.5 * (from + to), from + equations.inset(from)));
     double first = evaluated[0];
     along(from, first, evaluated[1], to, end, endFlow, HALVINGS);
     flow = endFlow;
@@ -291,10 +288,6 @@ final class StepWork {
     } else if (difference > ROUGH * scale) {
       stride = Math.max(1, stride / 2);
     }
-  }
-
-  private double inset(double t) {
-    return equations.breakpoints().isEmpty() ? 0 : BESIDE_JUMPS * Math.ulp(t);
   }
 
   /** Evaluates the power at the end of a step. */

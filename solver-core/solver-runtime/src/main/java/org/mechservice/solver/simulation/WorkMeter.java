@@ -21,9 +21,6 @@ final class WorkMeter {
 
   private static final double[] WEIGHTS = {1.0 / 6, 5.0 / 6, 5.0 / 6, 1.0 / 6};
 
-  /** Units in the last place of time around a jump of prescribed motions. */
-  private static final double BESIDE_JUMPS = 8;
-
   private static final PowerInput NOTHING = (t, y, power) -> {};
 
   private final ModelEquations equations;
@@ -65,8 +62,7 @@ final class WorkMeter {
     }
     double half = 0.5 * (t - reached);
     double middle = reached + half;
-    // At a jump itself the equations may have either value.
-    double inset = equations.breakpoints().isEmpty() ? 0 : BESIDE_JUMPS * Math.ulp(t);
+    double inset = equations.inset(t);
     for (int i = 0; i < POINTS.length; i++) {
       double at = middle + half * POINTS[i];
       if (i == 0 || i == POINTS.length - 1) {

@@ -30,6 +30,9 @@ import org.mechservice.solver.ode.UnitNormGroups;
  * of jumps, and the defect of the last failed evaluation.
  */
 public abstract class ModelEquations implements UnitNormGroups, PiecewiseSystem, SavedSystem {
+  /** Last places of time within which a step ends behind a change of the equations. */
+  private static final double BESIDE_CHANGES = 512;
+
   private static final int EULER_PARAMETERS = 4;
 
   private final ExplicitModel model;
@@ -37,6 +40,7 @@ public abstract class ModelEquations implements UnitNormGroups, PiecewiseSystem,
   private final int[] groupStarts;
   private final boolean[] angle;
   private List<Double> breakpoints = List.of();
+  private boolean endsBehindChanges;
   private RunEvents events = new RunEvents();
   private int result = ExplicitModel.REGULAR;
 
@@ -172,6 +176,21 @@ public abstract class ModelEquations implements UnitNormGroups, PiecewiseSystem,
   @Override
   public final List<Double> breakpoints() {
     return breakpoints;
+  }
+
+  /** Takes note that steps end just behind changes of the equations' form over the state. */
+  final void endStepsBehindChanges() {
+    endsBehindChanges = true;
+  }
+
+  /**
+   * Returns how far inside a step its ends have to be looked at to see the form of the equations
+   * that holds in it, s: at the end they may have the next one.
+   *
+   * @param t where a step ends, s
+   */
+  public final double inset(double t) {
+    return endsBehindChanges || !breakpoints.isEmpty() ? BESIDE_CHANGES * Math.ulp(t) : 0;
   }
 
   /** Returns the name of an unknown. */

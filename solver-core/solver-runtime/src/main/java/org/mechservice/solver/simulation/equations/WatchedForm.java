@@ -24,6 +24,9 @@ public record WatchedForm(EquationForm equations) implements EquationForm {
             .events()
             .orElseThrow(() -> new IllegalArgumentException("nothing happens to the model"));
     of.breakAt(events.begin(settings.tStart(), settings.tEnd()));
+    if (events.watches()) {
+      of.endStepsBehindChanges();
+    }
     return events.kinds().isEmpty() && !events.watches()
         ? new RunEvents()
         : new WatchedRun(events, of, settings.relativeTolerance());
