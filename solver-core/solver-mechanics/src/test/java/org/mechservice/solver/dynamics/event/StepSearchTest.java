@@ -118,6 +118,16 @@ final class StepSearchTest {
     }
   }
 
+  /** Where a step jumps because a floor does, the floor has to be off its boundary. */
+  @Test
+  void changeIsClearOfItsCause() {
+    Expression fraction = new Sum(X, new Negation(call(Function.FLOOR, X)));
+    Expression low = call(Function.STEP, minus(new Negation(fraction), -0.5));
+    double found = seen(low, 0.9, t -> 11.6 + t, t -> 0);
+    // x is rounded by 2e-15; 256 last places of time are 1.4e-14 s
+    assertThat(11.6 + found - 12).isBetween(1e-14, 1e-13);
+  }
+
   /** Strobe: many turns in one step. */
   @Test
   void noTurnIsSkipped() {
