@@ -4,8 +4,8 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * Replaces an input by an expression. Results derived for the input, such as a slope, then hold for
- * the expression, however it is simplified.
+ * Replaces inputs by expressions, all at once. Results derived for an input, such as a slope, then
+ * hold for its expression, however it is simplified.
  */
 public final class Substitution {
   private final Expressions expressions;
@@ -13,11 +13,16 @@ public final class Substitution {
 
   /** Replaces {@code input} by {@code value}. */
   public Substitution(Scalar input, Scalar value) {
-    this.expressions = input.expressions();
-    images.put(input, value);
+    this(input.expressions(), Map.of(input, value));
   }
 
-  /** Returns an expression with the input replaced. */
+  /** Replaces inputs by values, in which nothing is replaced. */
+  public Substitution(Expressions expressions, Map<Scalar, Scalar> values) {
+    this.expressions = expressions;
+    images.putAll(values);
+  }
+
+  /** Returns an expression with the inputs replaced. */
   public Scalar of(Scalar node) {
     Scalar known = images.get(node);
     if (known == null) {

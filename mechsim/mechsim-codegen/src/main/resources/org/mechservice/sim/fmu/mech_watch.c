@@ -20,7 +20,7 @@ static const double TOUCH = 1e-12;
 static const double NOTHING = 1e-10;
 /* Growth of a box beside a step, in lengths of the step's way: at most, at least, and between. */
 static const double LARGE_BOX = 16, SMALL_BOX = 1, SHRINKAGE = 0.25;
-/* Most steps after which a box is sought again where there was none. */
+/* Most steps after which a box is sought again where there was none, or one of no use. */
 static const double LONGEST_PAUSE = 15;
 /* Growth of the box in which a change counts as beside the step: one of those tried. */
 static const double BESIDE = 4;
@@ -34,8 +34,11 @@ static const double EVEN = 0.5;
 static const double RATIO = 2;
 /* Exponent below which an exponential is nothing; twice the argument beyond which tanh is 1. */
 static const double NO_POWER = -40;
-/* Roundings by which the values of an operation may differ, and of a polynomial. */
-static const double ROUNDINGS = 4, ROUNDINGS_OF_TABLE = 64;
+/* Rounding by which the values of an operation may differ, relative to their size, and of a
+ * polynomial, and the smallest number of full precision. */
+static const double ROUNDING = 4 * 2.220446049250313e-16;
+static const double ROUNDING_OF_TABLE = 64 * 2.220446049250313e-16;
+static const double MIN_NORMAL = 2.2250738585072014e-308;
 static const double PI_NUMBER = 3.141592653589793;
 
 enum {
@@ -569,8 +572,9 @@ static void enclose(mech_watch_work *w, const mech_watch_step *step) {
   if (!(result.low <= result.high)) {
     result = all();
   } else if (rounds(step)) {
-    double error = (is_table(step) ? ROUNDINGS_OF_TABLE : ROUNDINGS) *
-                   mech_max(last_place(result.low), last_place(result.high));
+    double error = (is_table(step) ? ROUNDING_OF_TABLE : ROUNDING) *
+                       mech_max(fabs(result.low), fabs(result.high)) +
+                   MIN_NORMAL;
     result.low -= result.low == 0 ? 0 : error;
     result.high += result.high == 0 ? 0 : error;
   }
@@ -642,10 +646,13 @@ static int is_even(const mech_watch_work *w, const mech_watch_step *step) {
 }
 
 /* Whether an operation changes evenly within the bounds of its operands. */
-static int changes_evenly(const mech_watch_work *w, const mech_watch_step *step) {
+static int changes_evenly(mech_watch_work *w, const mech_watch_step *step) {
   double low = w->low[step->first], high = w->high[step->first];
   double b_low = w->low[step->second], b_high = w->high[step->second];
   if (is_narrow(step)) {
+    if (step->operation == WATCH_POWER) {
+      enclose(w, step);
+    }
     return is_even(w, step);
   }
   switch (step->operation) {
@@ -845,11 +852,15 @@ static bounds way(const mech_watch_work *w, int leaf, double *bow) {
   return between(least_of(a, m, b), most_of(a, m, b));
 }
 
+static int evaluate_middle(mech_watch_work *w, double from, double to) {
+  w->middle_known = w->middle_known || evaluate(w, 0.5 * (from + to), w->middle);
+  return w->middle_known;
+}
+
 /* Whether the quantities stay in a box in which nothing changes its form. */
 static int stays_in_box(mech_watch_work *w, double from, double to) {
   int leaf;
-  if (!w->kept->boxed || parts(w, to - from) > 1 ||
-      !evaluate(w, 0.5 * (from + to), w->middle)) {
+  if (!w->kept->boxed || parts(w, to - from) > 1 || !evaluate_middle(w, from, to)) {
     return 0;
   }
   for (leaf = 0; leaf < WATCH_LEAVES; leaf++) {
@@ -859,6 +870,7 @@ static int stays_in_box(mech_watch_work *w, double from, double to) {
       return 0;
     }
   }
+  w->kept->pause = 0;
   return 1;
 }
 
@@ -866,12 +878,15 @@ static int stays_in_box(mech_watch_work *w, double from, double to) {
 static void find_box(mech_watch_work *w, double from, double to) {
   mech_watch *kept = w->kept;
   double growth;
-  kept->boxed = 0;
+  if (kept->boxed) {
+    kept->boxed = 0;
+    kept->pause_left = kept->pause;
+  }
   if (kept->pause_left > 0) {
     kept->pause_left--;
     return;
   }
-  if (parts(w, to - from) > 1 || !evaluate(w, 0.5 * (from + to), w->middle)) {
+  if (parts(w, to - from) > 1 || !evaluate_middle(w, from, to)) {
     return;
   }
   for (growth = LARGE_BOX; !kept->boxed && growth >= SMALL_BOX; growth *= SHRINKAGE) {
@@ -891,7 +906,7 @@ static void find_box(mech_watch_work *w, double from, double to) {
       kept->changes[w->undecided[i]]++;
     }
   }
-  kept->pause = kept->boxed ? 0 : mech_min(LONGEST_PAUSE, 2 * kept->pause + 1);
+  kept->pause = mech_min(LONGEST_PAUSE, 2 * kept->pause + 1);
   kept->pause_left = kept->pause;
 }
 
@@ -1026,20 +1041,14 @@ static int formulas_show(mech_watch_work *w, const double *start, const double *
   return 1;
 }
 
-/* Where the step has to end within a part of it; NaN if it may go on. */
 static double search_part(mech_watch_work *w, int depth, double start, const double *at_start,
-                          double end, const double *at_end) {
+                          double end, const double *at_end);
+
+/* Where the step has to end within a part of it with a point in its middle; NaN if it may go on. */
+static double search_between(mech_watch_work *w, int depth, double start, const double *at_start,
+                             const double *at_middle, double end, const double *at_end) {
   double middle = 0.5 * (start + end), found;
-  double *at_middle = w->between[depth];
-  int decided, finest;
-  if (depth >= w->depths) {
-    memcpy(at_middle, WATCH_INITIAL, sizeof w->from);
-    w->depths = depth + 1;
-  }
-  if (!evaluate(w, middle, at_middle)) {
-    return NAN;
-  }
-  decided = decide(w, at_start, at_middle, at_end);
+  int decided = decide(w, at_start, at_middle, at_end), finest;
   if (depth == 0) {
     note_sizes(w);
   }
@@ -1074,12 +1083,27 @@ static double search_part(mech_watch_work *w, int depth, double start, const dou
                         : search_part(w, depth + 1, middle, at_middle, end, at_end);
 }
 
+/* The same of a part whose middle is not known. */
+static double search_part(mech_watch_work *w, int depth, double start, const double *at_start,
+                          double end, const double *at_end) {
+  double *at_middle = w->between[depth];
+  for (; w->depths <= depth; w->depths++) {
+    memcpy(w->between[w->depths], WATCH_INITIAL, sizeof w->from);
+  }
+  return evaluate(w, 0.5 * (start + end), at_middle)
+             ? search_between(w, depth, start, at_start, at_middle, end, at_end)
+             : NAN;
+}
+
 static double search_parts(mech_watch_work *w, double from, double to, int count) {
   double start = from;
   int k;
   if (count == 1) {
-    return search_part(w, 0, from, w->from, to, w->to);
+    return evaluate_middle(w, from, to)
+               ? search_between(w, 0, from, w->from, w->middle, to, w->to)
+               : NAN;
   }
+  w->middle_known = 0;
   memcpy(w->moving, w->from, sizeof w->moving);
   for (k = 1; k <= count; k++) {
     double end = k == count ? to : from + (to - from) * k / count, found;
@@ -1131,6 +1155,7 @@ static double search_all(mech_watch_work *w, double from, double to) {
     w->evaluations = 0;
     forget_first_seen(w);
     w->finish = last;
+    w->middle_known = 0;
     if (evaluate(w, last, w->to)) {
       double before = search_parts(w, from, last, count);
       end = before == before ? before : end;
@@ -1252,6 +1277,7 @@ double mech_watch_search(mech_watch *kept, mech_watch_work *w, mech_watch_path *
   kept->longest_first_step = HUGE_VAL;
   w->evaluations = 0;
   w->turning = 0;
+  w->middle_known = 0;
   if (!evaluate(w, from, w->from) || !evaluate(w, to, w->to)) {
     return NAN;
   }

@@ -124,7 +124,7 @@ typedef struct {
   long evaluations, allowed;
   int looking, hidden, gave_up;
   /* Whether the points hold the constants, and down to which depth those between do. */
-  int ready, depths;
+  int ready, depths, middle_known;
 } mech_watch_work;
 
 /* Makes all ready for a run. */

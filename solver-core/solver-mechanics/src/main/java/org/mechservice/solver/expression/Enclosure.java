@@ -10,11 +10,11 @@ import java.util.function.DoubleUnaryOperator;
  * <p>R. E. Moore, <i>Interval Analysis</i>, Prentice-Hall 1966.
  */
 final class Enclosure {
-  /** Roundings by which the values of an operation may differ, in units of the last place. */
-  private static final double ROUNDINGS = 4;
+  /** Rounding by which the values of an operation may differ, relative to their size. */
+  private static final double ROUNDING = 4 * 0x1p-52;
 
   /** The same of a polynomial, whose terms may be larger than their sum. */
-  private static final double ROUNDINGS_OF_TABLE = 64;
+  private static final double ROUNDING_OF_TABLE = 64 * 0x1p-52;
 
   /** The bounds found last. */
   double low;
@@ -33,7 +33,7 @@ final class Enclosure {
     if (!(low <= high)) {
       set(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
     } else if (rounds(step)) {
-      round(step instanceof Operation ? ROUNDINGS : ROUNDINGS_OF_TABLE);
+      round(step instanceof Operation ? ROUNDING : ROUNDING_OF_TABLE);
     }
   }
 
@@ -67,10 +67,19 @@ final class Enclosure {
   }
 
   /** Widens the bounds by the rounding of both ways of evaluation; what is exactly 0 stays so. */
-  private void round(double roundings) {
-    double error = roundings * Math.max(Math.ulp(low), Math.ulp(high));
+  private void round(double rounding) {
+    double error = error(rounding, low, high);
     low -= low == 0 ? 0 : error;
     high += high == 0 ? 0 : error;
+  }
+
+  private static double error(double rounding, double low, double high) {
+    return rounding * Math.max(Math.abs(low), Math.abs(high)) + Double.MIN_NORMAL;
+  }
+
+  /** Returns what the bounds of a sum or a product are widened by. */
+  static double rounding(double low, double high) {
+    return error(ROUNDING, low, high);
   }
 
   void set(double lowest, double highest) {

@@ -10,6 +10,14 @@ import java.util.List;
  * mechanism's motion.
  */
 public final class Tape {
+  /** Kinds of steps: the four that most steps are, and all others. */
+  static final byte SUM = 0;
+
+  static final byte PRODUCT = 1;
+  static final byte NEGATION = 2;
+  static final byte SQUARE = 3;
+  static final byte OTHER = 4;
+
   private final List<Expression> leaves;
   private final boolean[] constantResult;
 
@@ -21,6 +29,9 @@ public final class Tape {
 
   /** The steps in order: operation, slot written, slots read. */
   final TapeStep[] operation;
+
+  /** The same as numbers, for the operations that most steps are. */
+  final byte[] kind;
 
   final int[] target;
   final int[] first;
@@ -47,7 +58,45 @@ public final class Tape {
     target = compiler.targets.stream().mapToInt(Integer::intValue).toArray();
     first = compiler.steps.stream().mapToInt(TapeCompiler.Step::first).toArray();
     second = compiler.steps.stream().mapToInt(TapeCompiler.Step::second).toArray();
+    kind = new byte[operation.length];
+    for (int i = 0; i < kind.length; i++) {
+      kind[i] = kind(operation[i]);
+    }
     initial = compiler.constants.stream().mapToDouble(Double::doubleValue).toArray();
+  }
+
+  private static byte kind(TapeStep step) {
+    if (step instanceof Operation operation) {
+      return switch (operation) {
+        case ADD -> SUM;
+        case MULTIPLY -> PRODUCT;
+        case NEGATE -> NEGATION;
+        case SQUARE -> SQUARE;
+        default -> OTHER;
+      };
+    }
+    return OTHER;
+  }
+
+  /**
+   * Evaluates all steps.
+   *
+   * @param value of each slot: leaves and constants given, the others overwritten
+   * @param local scratch
+   */
+  void evaluate(double[] value, LocalDerivatives local) {
+    for (int i = 0; i < kind.length; i++) {
+      double a = value[first[i]];
+      double b = value[second[i]];
+      value[target[i]] =
+          switch (kind[i]) {
+            case SUM -> a + b;
+            case PRODUCT -> a * b;
+            case NEGATION -> -a;
+            case SQUARE -> a * a;
+            default -> operation[i].value(a, b, local);
+          };
+    }
   }
 
   /** Returns the inputs of an evaluation: all leaves except constants, each once. */

@@ -83,10 +83,7 @@ public final class TapeEvaluation {
 
   /** Evaluates all results. */
   public void values() {
-    for (int i = 0; i < tape.target.length; i++) {
-      value[tape.target[i]] =
-          tape.operation[i].value(value[tape.first[i]], value[tape.second[i]], local);
-    }
+    tape.evaluate(value, local);
   }
 
   /**

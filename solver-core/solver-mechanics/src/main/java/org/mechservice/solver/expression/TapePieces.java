@@ -20,35 +20,15 @@ import org.mechservice.solver.expression.Expression.Time;
  * step} that keeps its value. Choices of time alone are left out, since steps end where they
  * change.
  *
- * <p>Along a short way the values at its start, middle and end are given. An operation that changes
- * evenly stays near the parabola through its three values, with a margin of {@value #MARGIN} of its
- * bow; the others are bounded by interval arithmetic. A parabola passes its points by 1/8 of the
- * second difference at most, so that the margin covers three times as much for what is none.
- *
  * <p>Workspace of one thread; nothing allocates after construction.
  */
 public final class TapePieces {
-  /** Margin beside three values, relative to their second difference. */
-  private static final double MARGIN = 0.5;
-
-  /** Change of an argument within which exponential and hyperbolic functions change evenly. */
-  private static final double EVEN = 0.5;
-
-  /** Factor within which a divisor may change for its quotient to change evenly. */
-  private static final double RATIO = 2;
-
-  /** Exponent below which an exponential is nothing; twice the argument beyond which tanh is 1. */
-  private static final double NOTHING = -40;
-
   private final Tape tape;
   private final LocalDerivatives local = new LocalDerivatives();
-  private final Enclosure enclosure = new Enclosure();
+  private final TapeBounds bounds;
   private final double[] low;
   private final double[] high;
   private final boolean[] matters;
-
-  /** Slots whose way is no parabola. */
-  private final boolean[] rough;
 
   /** Steps that are choices of the state, and the index among them of each step, −1 of others. */
   private final int[] choices;
@@ -87,10 +67,10 @@ public final class TapePieces {
     this.tape = tape;
     this.formulas = formulas;
     int slots = tape.initial.length;
-    low = tape.initial.clone();
-    high = tape.initial.clone();
+    bounds = new TapeBounds(tape);
+    low = bounds.low;
+    high = bounds.high;
     matters = new boolean[slots];
-    rough = new boolean[slots];
     boolean[] moves = moving(tape, slots, ofTime);
     choiceAt = new int[tape.target.length];
     int[] found = new int[tape.target.length];
@@ -108,7 +88,7 @@ public final class TapePieces {
     choices = Arrays.copyOf(found, count);
     undecided = new int[count];
     isSign = new boolean[count];
-    canBeNarrow = Arrays.stream(tape.operation).anyMatch(TapePieces::isNarrow);
+    canBeNarrow = IntStream.range(0, found.length).anyMatch(bounds::isNarrow);
     for (int i = 0; i < found.length; i++) {
       for (int r = formulas; r < tape.result.length; r++) {
         if (choiceAt[i] >= 0 && tape.result[r] == tape.target[i]) {
@@ -141,7 +121,7 @@ public final class TapePieces {
     return moves;
   }
 
-  private static boolean hasPieces(TapeStep step) {
+  static boolean hasPieces(TapeStep step) {
     if (step instanceof Operation operation) {
       return switch (operation) {
         case ABS, MIN, MAX, SIGNUM, FLOOR, STEP, SMOOTH_STEP -> true;
@@ -169,38 +149,6 @@ public final class TapePieces {
       };
     }
     return step instanceof TableCurve curve ? curve.hasCorners() : ((MapSurface) step).hasCorners();
-  }
-
-  /**
-   * Returns whether an operation that is no choice can change much while its argument hardly does.
-   */
-  private static boolean isNarrow(TapeStep step) {
-    if (step instanceof Operation operation) {
-      return switch (operation) {
-        case DIVIDE, TAN, ATAN, EXP, SINH, COSH, TANH, POWER -> true;
-        case ADD,
-            MULTIPLY,
-            NEGATE,
-            SQUARE,
-            SQRT,
-            ABS,
-            SIN,
-            COS,
-            ASIN,
-            ACOS,
-            ATAN2,
-            LOG,
-            MIN,
-            MAX,
-            SIGNUM,
-            HYPOT,
-            FLOOR,
-            STEP,
-            SMOOTH_STEP ->
-            false;
-      };
-    }
-    return !hasPieces(step);
   }
 
   /** Returns whether any formula can be large over a short way without a choice. */
@@ -261,10 +209,7 @@ public final class TapePieces {
     for (int leaf = 0; leaf < tape.leafSlot.length; leaf++) {
       point[tape.leafSlot[leaf]] = leaves[leaf];
     }
-    for (int i = 0; i < tape.target.length; i++) {
-      point[tape.target[i]] =
-          tape.operation[i].value(point[tape.first[i]], point[tape.second[i]], local);
-    }
+    tape.evaluate(point, local);
   }
 
   /** Returns a formula's value at a point. */
@@ -308,7 +253,7 @@ public final class TapePieces {
         : ((MapSurface) step).distanceFromLine(a, b);
   }
 
-  private static double piece(TapeStep step, double a, double b) {
+  static double piece(TapeStep step, double a, double b) {
     if (step instanceof Operation operation) {
       return switch (operation) {
         case ABS, STEP -> a < 0 ? 0 : 1;
@@ -336,9 +281,7 @@ public final class TapePieces {
    * @return whether there is none
    */
   public boolean decide() {
-    for (int i = 0; i < tape.target.length; i++) {
-      enclose(i);
-    }
+    bounds.ofBox();
     return findOpen();
   }
 
@@ -352,65 +295,8 @@ public final class TapePieces {
    * @return whether there is none
    */
   public boolean decide(double[] start, double[] middle, double[] end) {
-    for (int slot : tape.leafSlot) {
-      follow(slot, start, middle, end);
-    }
-    for (int i = 0; i < tape.target.length; i++) {
-      int target = tape.target[i];
-      rough[target] = rough[tape.first[i]] || rough[tape.second[i]] || !changesEvenly(i);
-      if (rough[target]) {
-        enclose(i);
-      } else {
-        follow(target, start, middle, end);
-      }
-    }
+    bounds.ofWay(start, middle, end);
     return findOpen();
-  }
-
-  private void enclose(int i) {
-    int a = tape.first[i];
-    int b = tape.second[i];
-    enclosure.of(tape.operation[i], low[a], high[a], low[b], high[b]);
-    low[tape.target[i]] = enclosure.low;
-    high[tape.target[i]] = enclosure.high;
-  }
-
-  private void follow(int slot, double[] start, double[] middle, double[] end) {
-    double a = start[slot];
-    double m = middle[slot];
-    double b = end[slot];
-    double bow = MARGIN * Math.abs(a - 2 * m + b);
-    low[slot] = Math.min(a, Math.min(m, b)) - bow;
-    high[slot] = Math.max(a, Math.max(m, b)) + bow;
-  }
-
-  /** Returns whether an operation changes evenly within the bounds of its operands. */
-  private boolean changesEvenly(int i) {
-    TapeStep step = tape.operation[i];
-    int a = tape.first[i];
-    int b = tape.second[i];
-    if (isNarrow(step)) {
-      return isEven(step, i);
-    } else if (!(step instanceof Operation)) {
-      return isDecided(step, a, b);
-    }
-    return switch ((Operation) step) {
-      case ADD, NEGATE -> true;
-      // curved factors that pass through zero make a corner that no three points show
-      case SQUARE -> !reachesZero(a);
-      case MULTIPLY -> !(reachesZero(a) && reachesZero(b));
-      case SIN, COS -> high[a] - low[a] <= EVEN;
-      case SQRT, LOG -> changesLittle(low[a], high[a], RATIO);
-      case ABS, MIN, MAX, SIGNUM, FLOOR, STEP, SMOOTH_STEP -> isDecided(step, a, b);
-      case ASIN, ACOS -> high[a] < EVEN && low[a] > -EVEN;
-      case HYPOT -> changesLittle(low[a], high[a], RATIO) || changesLittle(low[b], high[b], RATIO);
-      case ATAN2 -> changesLittle(low[b], high[b], RATIO) && low[b] > 0;
-      case DIVIDE, TAN, ATAN, EXP, SINH, COSH, TANH, POWER -> isEven(step, i);
-    };
-  }
-
-  private boolean reachesZero(int slot) {
-    return low[slot] <= 0 && high[slot] >= 0;
   }
 
   private boolean findOpen() {
@@ -427,8 +313,7 @@ public final class TapePieces {
     }
     for (int choice : signs) {
       int i = choices[choice];
-      if (!matters[tape.target[i]]
-          && !isDecided(tape.operation[i], tape.first[i], tape.second[i])) {
+      if (!matters[tape.target[i]] && !bounds.isDecided(i)) {
         undecided[undecidedCount++] = choice;
       }
     }
@@ -439,22 +324,29 @@ public final class TapePieces {
   private void passOn(int i) {
     int a = tape.first[i];
     int b = tape.second[i];
-    TapeStep step = tape.operation[i];
-    even &= !isNarrow(step) || isEven(step, i);
-    boolean open = choiceAt[i] >= 0 && !isDecided(step, a, b);
-    if (open) {
-      undecided[undecidedCount++] = choiceAt[i];
+    if (tape.kind[i] == Tape.PRODUCT) {
+      boolean aIsZero = bounds.isZero(a);
+      matters[a] |= aIsZero || !bounds.isZero(b);
+      matters[b] |= !aIsZero;
+    } else if (tape.kind[i] == Tape.OTHER) {
+      even &= !bounds.isNarrow(i) || bounds.isEven(i);
+      boolean open = choiceAt[i] >= 0 && !bounds.isDecided(i);
+      if (open) {
+        undecided[undecidedCount++] = choiceAt[i];
+      }
+      passOn(tape.operation[i], a, b, open);
+    } else {
+      matters[a] = true;
+      matters[b] = true;
     }
+  }
+
+  private void passOn(TapeStep step, int a, int b, boolean open) {
     if (step instanceof Operation operation) {
       switch (operation) {
-        case MULTIPLY -> {
-          boolean aIsZero = isZero(a);
-          matters[a] |= aIsZero || !isZero(b);
-          matters[b] |= !aIsZero;
-        }
         case DIVIDE, POWER -> {
           matters[a] = true;
-          matters[b] |= !isZero(a);
+          matters[b] |= !bounds.isZero(a);
         }
         case MIN -> {
           matters[a] |= low[a] <= high[b];
@@ -477,51 +369,12 @@ public final class TapePieces {
     }
   }
 
-  /** Returns whether an operation that can be narrow changes evenly all over the box. */
-  private boolean isEven(TapeStep step, int i) {
-    double aLow = low[tape.first[i]];
-    double aHigh = high[tape.first[i]];
-    double bLow = low[tape.second[i]];
-    double bHigh = high[tape.second[i]];
-    if (step instanceof Operation operation) {
-      return switch (operation) {
-        case DIVIDE -> changesLittle(bLow, bHigh, RATIO);
-        case EXP -> aHigh - aLow <= EVEN || aHigh < NOTHING;
-        case TANH -> aHigh - aLow <= EVEN || 2 * aHigh < NOTHING || 2 * aLow > -NOTHING;
-        case ATAN -> aHigh - aLow <= EVEN || changesLittle(aLow, aHigh, RATIO);
-        case POWER ->
-            high[tape.target[i]] < StrictMath.exp(NOTHING)
-                || changesLittle(aLow, aHigh, Powers.power(RATIO, 1 / Math.max(1, bHigh)));
-        default -> aHigh - aLow <= EVEN;
-      };
-    }
-    return step instanceof TableCurve curve
-        ? curve.place(aHigh) - curve.place(aLow) <= 1
-        : ((MapSurface) step).crossings(aLow, aHigh, bLow, bHigh) <= 1;
-  }
-
-  private static boolean changesLittle(double lowest, double highest, double ratio) {
-    return lowest > 0 ? highest <= ratio * lowest : highest < 0 && lowest >= ratio * highest;
-  }
-
   /**
    * Returns whether the formulas change evenly all over the box of the last {@link #decide}, so
    * that a parabola through three of their values describes them.
    */
   public boolean isEven() {
     return even;
-  }
-
-  private boolean isZero(int slot) {
-    return low[slot] == 0 && high[slot] == 0;
-  }
-
-  private boolean isDecided(TapeStep step, int a, int b) {
-    if (step == Operation.MIN || step == Operation.MAX) {
-      boolean apart = high[a] < low[b] || low[a] >= high[b];
-      return apart || (isZero(a) && isZero(b));
-    }
-    return piece(step, low[a], low[b]) == piece(step, high[a], high[b]);
   }
 
   /** Returns the number of choices that {@link #decide} has left open. */

@@ -60,7 +60,18 @@ final class TimePlaces {
   private final Set<Expression> searched = Collections.newSetFromMap(new IdentityHashMap<>());
 
   private final IdentityHashMap<Expression, Optional<Line>> lines = new IdentityHashMap<>();
-  private final IdentityHashMap<Expression, Boolean> ofTime = new IdentityHashMap<>();
+  private final IdentityHashMap<Expression, Dependence> dependences = new IdentityHashMap<>();
+
+  /** What a formula depends on: nothing that changes, time alone, or more. */
+  private enum Dependence {
+    NOTHING,
+    TIME,
+    STATE;
+
+    Dependence and(Dependence other) {
+      return compareTo(other) < 0 ? other : this;
+    }
+  }
 
   private TimePlaces(List<Parameter> parameters, double from, double to) {
     this.parameters = parameters;
@@ -151,15 +162,37 @@ final class TimePlaces {
 
   /** Returns whether an expression depends on time, and on nothing else that changes. */
   private boolean isOfTime(Expression expression) {
-    Boolean known = ofTime.get(expression);
-    if (known == null) {
-      List<Expression> leaves = new Tape(List.of(expression)).leaves();
-      known =
-          leaves.contains(new Time())
-              && leaves.stream().allMatch(l -> l instanceof Time || l instanceof ParameterValue);
-      ofTime.put(expression, known);
+    Deque<Expression> open = new ArrayDeque<>();
+    open.push(expression);
+    while (!open.isEmpty()) {
+      Expression next = open.element();
+      Dependence all = dependence(next);
+      for (Expression operand : Expression.operands(next)) {
+        Dependence known = dependences.get(operand);
+        if (known == null) {
+          open.push(operand);
+        } else {
+          all = all.and(known);
+        }
+      }
+      if (next == open.element()) {
+        open.pop();
+        dependences.put(next, all);
+      }
     }
-    return known;
+    return dependences.get(expression) == Dependence.TIME;
+  }
+
+  /** Returns what an expression itself depends on, without its operands. */
+  private static Dependence dependence(Expression part) {
+    if (part instanceof Time) {
+      return Dependence.TIME;
+    }
+    boolean moves =
+        !(part instanceof Constant)
+            && !(part instanceof ParameterValue)
+            && Expression.operands(part).isEmpty();
+    return moves ? Dependence.STATE : Dependence.NOTHING;
   }
 
   /** Adds the places of a choice. */

@@ -1,6 +1,7 @@
 package org.mechservice.sim.equations.coordinates;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -47,6 +48,7 @@ public final class Relation extends Formulas {
   private final JointLinks joints;
   private final CutCoordinateTerms cuts;
   private final List<Leaf> leaves = new ArrayList<>();
+  private final Map<Leaf, Scalar> slopes = new HashMap<>();
   private final Scalar derived;
 
   /** Derives the formula with placeholders. */
@@ -105,8 +107,13 @@ public final class Relation extends Formulas {
 
   /** Returns ∂x/∂(position). */
   public Scalar slope(Leaf leaf) {
-    Map<Scalar, Scalar> direction = Map.of(leaf.stand(), expressions.one());
-    return inPlace(new Differentiation(expressions, direction).of(derived), Optional.empty());
+    Scalar known = slopes.get(leaf);
+    if (known == null) {
+      Map<Scalar, Scalar> direction = Map.of(leaf.stand(), expressions.one());
+      known = inPlace(new Differentiation(expressions, direction).of(derived), Optional.empty());
+      slopes.put(leaf, known);
+    }
+    return known;
   }
 
   /** Returns ∂x/∂t. */
@@ -153,27 +160,24 @@ public final class Relation extends Formulas {
   }
 
   private Scalar statesInPlace(Scalar scalar) {
-    Scalar found = scalar;
+    Map<Scalar, Scalar> positions = new HashMap<>();
     for (Leaf leaf : leaves) {
-      if (leaf.ofTree().isPresent()) {
-        Scalar position = joints.position(leaf.ofTree().get());
-        found = new Substitution(leaf.stand(), position).of(found);
-      }
+      leaf.ofTree().ifPresent(joint -> positions.put(leaf.stand(), joints.position(joint)));
     }
-    return found;
+    return new Substitution(expressions, positions).of(scalar);
   }
 
   private Scalar computedInPlace(Scalar scalar, Optional<ForceSweep> sweep) {
-    Scalar found = scalar;
+    Map<Scalar, Scalar> motion = new HashMap<>();
     ScalarVector none = ScalarVector.zero(expressions);
     for (Leaf leaf : leaves) {
       if (leaf.ofTree().isEmpty()) {
         CutCoordinate coordinate = computed(leaf);
-        found = new Substitution(leaf.stand(), coordinate.position()).of(found);
-        found = new Substitution(leaf.rate(), coordinate.velocity()).of(found);
-        found = new Substitution(leaf.second(), coordinate.acceleration(sweep, none)).of(found);
+        motion.put(leaf.stand(), coordinate.position());
+        motion.put(leaf.rate(), coordinate.velocity());
+        motion.put(leaf.second(), coordinate.acceleration(sweep, none));
       }
     }
-    return found;
+    return new Substitution(expressions, motion).of(scalar);
   }
 }

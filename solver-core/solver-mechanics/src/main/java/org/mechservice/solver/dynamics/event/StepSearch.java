@@ -91,7 +91,7 @@ final class StepSearch {
   private static final double SMALL_BOX = 1;
   private static final double SHRINKAGE = 0.25;
 
-  /** Most steps after which a box is sought again where there was none. */
+  /** Most steps after which a box is sought again where there was none, or one of no use. */
   private static final double LONGEST_PAUSE = 15;
 
   /** Growth of the box in which a change counts as beside the step: one of those tried. */
@@ -107,6 +107,10 @@ final class StepSearch {
   private final double[][] scratch;
   private final double[] atFrom;
   private final double[] atMiddle;
+
+  /** Whether the point in the middle of the step has been evaluated. */
+  private boolean middleKnown;
+
   private final double[] atTo;
   private final double[] moving;
   private final double[] narrowing;
@@ -239,6 +243,7 @@ final class StepSearch {
     longestFirstStep = Double.POSITIVE_INFINITY;
     evaluations = 0;
     turning = 0;
+    middleKnown = false;
     if (!evaluate(path, from, atFrom)) {
       return Double.NaN;
     }
@@ -273,7 +278,7 @@ final class StepSearch {
    * form.
    */
   private boolean staysInBox(ModelEvents.Path path, double from, double to) {
-    if (!boxed || parts(to - from) > 1 || !evaluate(path, 0.5 * (from + to), atMiddle)) {
+    if (!boxed || parts(to - from) > 1 || !evaluateMiddle(path, from, to)) {
       return false;
     }
     for (int leaf = 0; leaf < leaves; leaf++) {
@@ -286,17 +291,26 @@ final class StepSearch {
         return false;
       }
     }
+    pause = 0;
     return true;
+  }
+
+  private boolean evaluateMiddle(ModelEvents.Path path, double from, double to) {
+    middleKnown = middleKnown || evaluate(path, 0.5 * (from + to), atMiddle);
+    return middleKnown;
   }
 
   /** Finds a box for the steps to come, if nothing changes its form in one about this step. */
   private void findBox(ModelEvents.Path path, double from, double to) {
-    boxed = false;
+    if (boxed) {
+      boxed = false;
+      pauseLeft = pause;
+    }
     if (pauseLeft > 0) {
       pauseLeft--;
       return;
     }
-    if (parts(to - from) > 1 || !evaluate(path, 0.5 * (from + to), atMiddle)) {
+    if (parts(to - from) > 1 || !evaluateMiddle(path, from, to)) {
       return;
     }
     for (double growth = LARGE_BOX; !boxed && growth >= SMALL_BOX; growth *= SHRINKAGE) {
@@ -316,7 +330,7 @@ final class StepSearch {
         changes[pieces.undecided(k)]++;
       }
     }
-    pause = boxed ? 0 : Math.min(LONGEST_PAUSE, 2 * pause + 1);
+    pause = Math.min(LONGEST_PAUSE, 2 * pause + 1);
     pauseLeft = pause;
   }
 
@@ -344,6 +358,7 @@ final class StepSearch {
       Arrays.fill(firstSeen, Double.NaN);
       double last = Double.isNaN(end) ? to : end;
       finish = last;
+      middleKnown = false;
       if (evaluate(path, last, atTo)) {
         double before = searchParts(path, from, last, parts);
         end = Double.isNaN(before) ? end : before;
@@ -390,8 +405,11 @@ final class StepSearch {
 
   private double searchParts(ModelEvents.Path path, double from, double to, int parts) {
     if (parts == 1) {
-      return searchPart(path, 0, from, atFrom, to, atTo);
+      return evaluateMiddle(path, from, to)
+          ? searchPart(path, 0, from, atFrom, atMiddle, to, atTo)
+          : Double.NaN;
     }
+    middleKnown = false;
     System.arraycopy(atFrom, 0, moving, 0, moving.length);
     double[] next = atMiddle;
     double start = from;
@@ -418,11 +436,22 @@ final class StepSearch {
       double[] atStart,
       double end,
       double[] atEnd) {
-    double middle = 0.5 * (start + end);
     double[] between = scratch[depth];
-    if (!evaluate(path, middle, between)) {
-      return Double.NaN;
-    }
+    return evaluate(path, 0.5 * (start + end), between)
+        ? searchPart(path, depth, start, atStart, between, end, atEnd)
+        : Double.NaN;
+  }
+
+  /** The same with the point in the middle of the part. */
+  private double searchPart(
+      ModelEvents.Path path,
+      int depth,
+      double start,
+      double[] atStart,
+      double[] between,
+      double end,
+      double[] atEnd) {
+    double middle = 0.5 * (start + end);
     boolean decided = pieces.decide(atStart, between, atEnd);
     if (depth == 0) {
       noteSizes();

@@ -1,8 +1,11 @@
 package org.mechservice.solver.force.formula;
 
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Table;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -70,13 +73,16 @@ public final class ForceFormulas {
 
   private void add(String force, String quantity, Expression formula) {
     String head = force + "\t" + quantity + "\t" + shown(formula);
-    parts(head, formula);
+    parts(head, formula, Collections.newSetFromMap(new IdentityHashMap<>()));
     line(head, formula, List.of());
   }
 
-  private void parts(String head, Expression formula) {
+  private void parts(String head, Expression formula, Set<Expression> seen) {
+    if (!seen.add(formula) || lines.length() > MOST_TEXT) {
+      return;
+    }
     List<Expression> arguments = arguments(formula);
-    arguments.forEach(argument -> parts(head, argument));
+    arguments.forEach(argument -> parts(head, argument, seen));
     if (mayFail(formula)) {
       canFail = true;
       List<Expression> moving =
@@ -95,8 +101,7 @@ public final class ForceFormulas {
   }
 
   private String shown(Expression formula) {
-    String all = text.of(formula);
-    return all.length() <= LONGEST_TEXT ? all : all.substring(0, LONGEST_TEXT) + "...";
+    return text.beginning(formula, LONGEST_TEXT);
   }
 
   private static List<Expression> arguments(Expression formula) {

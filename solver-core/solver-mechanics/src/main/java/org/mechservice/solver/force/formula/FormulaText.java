@@ -30,36 +30,88 @@ public final class FormulaText {
 
   /** Returns a formula in the syntax of model files, in SI units. */
   public String of(Expression formula) {
-    if (formula instanceof Expression.Constant constant) {
-      return number(constant.value());
-    } else if (formula instanceof Expression.Sum sum) {
-      return sum(sum);
-    } else if (formula instanceof Expression.Product product) {
-      return inside(product.left(), PRODUCT) + "*" + inside(product.right(), PRODUCT);
-    } else if (formula instanceof Expression.Quotient quotient) {
-      return inside(quotient.dividend(), PRODUCT) + "/" + inside(quotient.divisor(), SIGN);
-    } else if (formula instanceof Expression.Power power) {
-      return inside(power.base(), ATOM) + "^" + inside(power.exponent(), ATOM);
-    } else if (formula instanceof Expression.Negation negation) {
-      return "-" + inside(negation.operand(), SIGN);
-    } else if (formula instanceof Expression.Call call) {
-      List<String> arguments = call.arguments().stream().map(this::of).toList();
-      return call.function().symbol() + "(" + String.join(", ", arguments) + ")";
-    } else if (formula instanceof Expression.TableValue value) {
-      List<String> arguments = value.arguments().stream().map(this::of).toList();
-      return value.table().name() + "(" + String.join(", ", arguments) + ")";
+    return beginning(formula, Integer.MAX_VALUE);
+  }
+
+  /**
+   * Returns a formula in the syntax of model files, in SI units, cut to a length of about {@code
+   * longest} and followed by "..." if it is longer. Nothing behind the cut is written: a formula of
+   * shared parts can be far longer as text than as expression.
+   */
+  String beginning(Expression formula, int longest) {
+    StringBuilder text = new StringBuilder();
+    new Writing(text, longest).write(formula);
+    return text.length() <= longest ? text.toString() : text.substring(0, longest) + "...";
+  }
+
+  /** Writes until the text is longer than asked for. */
+  private final class Writing {
+    private final StringBuilder text;
+    private final int longest;
+
+    Writing(StringBuilder text, int longest) {
+      this.text = text;
+      this.longest = longest;
     }
-    return leaf(formula);
-  }
 
-  private String sum(Expression.Sum sum) {
-    return sum.right() instanceof Expression.Negation minus
-        ? of(sum.left()) + " - " + inside(minus.operand(), PRODUCT)
-        : of(sum.left()) + " + " + of(sum.right());
-  }
+    void write(Expression formula) {
+      if (text.length() > longest) {
+        return;
+      }
+      if (formula instanceof Expression.Constant constant) {
+        text.append(number(constant.value()));
+      } else if (formula instanceof Expression.Sum sum) {
+        write(sum);
+      } else if (formula instanceof Expression.Product product) {
+        writeInside(product.left(), PRODUCT);
+        text.append('*');
+        writeInside(product.right(), PRODUCT);
+      } else if (formula instanceof Expression.Quotient quotient) {
+        writeInside(quotient.dividend(), PRODUCT);
+        text.append('/');
+        writeInside(quotient.divisor(), SIGN);
+      } else if (formula instanceof Expression.Power power) {
+        writeInside(power.base(), ATOM);
+        text.append('^');
+        writeInside(power.exponent(), ATOM);
+      } else if (formula instanceof Expression.Negation negation) {
+        text.append('-');
+        writeInside(negation.operand(), SIGN);
+      } else if (formula instanceof Expression.Call call) {
+        write(call.function().symbol(), call.arguments());
+      } else if (formula instanceof Expression.TableValue value) {
+        write(value.table().name(), value.arguments());
+      } else {
+        text.append(leaf(formula));
+      }
+    }
 
-  private String inside(Expression formula, int least) {
-    return binding(formula) < least ? "(" + of(formula) + ")" : of(formula);
+    private void write(String function, List<Expression> arguments) {
+      text.append(function).append('(');
+      for (int i = 0; i < arguments.size(); i++) {
+        text.append(i == 0 ? "" : ", ");
+        write(arguments.get(i));
+      }
+      text.append(')');
+    }
+
+    private void write(Expression.Sum sum) {
+      write(sum.left());
+      if (sum.right() instanceof Expression.Negation minus) {
+        text.append(" - ");
+        writeInside(minus.operand(), PRODUCT);
+      } else {
+        text.append(" + ");
+        write(sum.right());
+      }
+    }
+
+    private void writeInside(Expression formula, int least) {
+      boolean loose = binding(formula) < least;
+      text.append(loose ? "(" : "");
+      write(formula);
+      text.append(loose ? ")" : "");
+    }
   }
 
   private static int binding(Expression formula) {
