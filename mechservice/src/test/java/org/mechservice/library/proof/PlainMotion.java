@@ -20,7 +20,7 @@ final class PlainMotion {
    * Part of a fine step below which none is divided further: an error that is still there then is
    * one of rounding, by the stiffness of a contact.
    */
-  private static final double SHORTEST = 64;
+  private static final double SHORTEST = 4;
 
   private final PlainSystem system;
   private final int n;

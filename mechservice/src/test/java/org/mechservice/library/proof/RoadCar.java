@@ -69,7 +69,8 @@ record RoadCar(
       double bend = (dh(s + near) - dh(s - near)) / (2 * near);
       double change = (s - y[0] + above * slope) / (1 + slope * slope + above * bend);
       s -= change;
-      if (Math.abs(change) < 1e-15 * (1 + Math.abs(s))) {
+      // the next change would be far smaller, since each gains four digits at least
+      if (Math.abs(change) < 1e-12 * (1 + Math.abs(s))) {
         break;
       }
     }

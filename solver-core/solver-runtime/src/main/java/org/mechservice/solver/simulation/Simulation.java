@@ -189,8 +189,9 @@ public final class Simulation implements Solver {
       work =
           new WorkMeter(
               equations, integrator, model, rows.measuresWork(), momentum, settings.tStart());
-      stepWork = StepWork.of(equations, integrator, model, !rows.measuresWork());
-      energyNet = new EnergyNet(model, settings.relativeTolerance());
+      double tolerance = settings.relativeTolerance();
+      stepWork = StepWork.of(equations, integrator, model, !rows.measuresWork(), tolerance);
+      energyNet = new EnergyNet(model, tolerance);
       silenced = request.silenced();
       notes = new RunNoteCollector(model, rows, events, integrator, momentum, request.silenced());
       failures =

@@ -54,6 +54,9 @@ final class StepWork {
   /** Most steps with one value of the power. */
   private static final int MOST = 32;
 
+  /** Tolerance from which on a single step may hold most of what happens, and has its value. */
+  private static final double COARSE = 1e-4;
+
   /** Length of a step, relative to the longest in its row and the one before, that ends the row. */
   private static final double SHORTER = 0.45;
 
@@ -123,10 +126,15 @@ final class StepWork {
   /** Whether the last step has its work from the cubic. */
   private boolean even;
 
-  private StepWork(ModelEquations equations, Integrator integrator, PowerInput source) {
+  /** Most steps in a row in this run. */
+  private final int most;
+
+  private StepWork(
+      ModelEquations equations, Integrator integrator, PowerInput source, double tolerance) {
     this.equations = equations;
     this.integrator = integrator;
     this.source = source;
+    most = tolerance < COARSE ? MOST : 1;
     y = new double[equations.dimension()];
     yDot = new double[equations.dimension()];
     states = new double[source == NOTHING ? 0 : MOST][equations.dimension()];
@@ -137,10 +145,16 @@ final class StepWork {
    *
    * @param wanted whether it is measured; otherwise, or if the model does no such work, it stays
    *     zero
+   * @param tolerance relative tolerance of the run
    */
-  static StepWork of(ModelEquations equations, Integrator integrator, Model model, boolean wanted) {
+  static StepWork of(
+      ModelEquations equations,
+      Integrator integrator,
+      Model model,
+      boolean wanted,
+      double tolerance) {
     PowerInput source = wanted && model instanceof PowerInput able ? able : NOTHING;
-    return new StepWork(equations, integrator, source);
+    return new StepWork(equations, integrator, source, tolerance);
   }
 
   /**
@@ -174,7 +188,7 @@ final class StepWork {
       addWaiting();
     }
     if (happens) {
-      stride = Math.min(stride, 2);
+      stride = Math.min(stride, Math.min(2, most));
       longest = h;
       longestBefore = h;
     }
@@ -284,7 +298,7 @@ final class StepWork {
     double h = times[KEPT - 1] - reached;
     double scale = scale(h, inTime);
     if (difference <= SMOOTH * scale && 2 * steps > stride) {
-      stride = Math.min(2 * stride, MOST);
+      stride = Math.min(2 * stride, most);
     } else if (difference > ROUGH * scale) {
       stride = Math.max(1, stride / 2);
     }
