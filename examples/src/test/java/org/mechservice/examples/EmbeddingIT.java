@@ -57,7 +57,8 @@ class EmbeddingIT {
 
   /** Returns the class path of the solver, as the page gives it. */
   private static String solver() {
-    return Stream.of("solver-api", "solver-ode", "solver-mechanics", "solver-runtime")
+    return Stream.of(
+            "solver-api", "solver-ode", "solver-symbol", "solver-mechanics", "solver-runtime")
         .map(module -> WorkingTree.TOP.resolve("solver-core").resolve(module) + "/target/*")
         .collect(Collectors.joining(File.pathSeparator));
   }

@@ -40,10 +40,10 @@ class ArchitectureTest {
       Map.ofEntries(
           entry("solver-api", List.of("solver.api", "solver.catalogue", "solver.text")),
           entry("solver-ode", List.of("solver.linear", "solver.ode")),
+          entry("solver-symbol", List.of("solver.spatial", "solver.symbol")),
           entry(
               "solver-mechanics",
               List.of(
-                  "solver.spatial",
                   "solver.expression",
                   "solver.mechanism",
                   "solver.kinematics",
@@ -64,7 +64,6 @@ class ArchitectureTest {
               "mechsim-codegen",
               List.of(
                   "sim.scene",
-                  "sim.symbolic",
                   "sim.gradient",
                   "sim.equations",
                   "sim.emit",
@@ -99,25 +98,27 @@ class ArchitectureTest {
   @CsvSource({
     "solver-api, ''",
     "solver-ode, ''",
-    "solver-mechanics, solver-api solver-ode",
-    "solver-runtime, solver-api solver-ode solver-mechanics",
-    "mechml, solver-api solver-ode solver-mechanics",
+    "solver-symbol, ''",
+    "solver-mechanics, solver-api solver-ode solver-symbol",
+    "solver-runtime, solver-api solver-ode solver-symbol solver-mechanics",
+    "mechml, solver-api solver-ode solver-symbol solver-mechanics",
     "idl, solver-api",
-    "mechsim-codegen, mechml solver-runtime solver-api solver-ode solver-mechanics",
+    "mechsim-codegen, mechml solver-runtime solver-api solver-ode solver-symbol solver-mechanics",
     "mechsim-service,"
-        + " mechsim-codegen idl mechml solver-runtime solver-api solver-ode solver-mechanics",
+        + " mechsim-codegen idl mechml solver-runtime solver-api solver-ode solver-symbol"
+        + " solver-mechanics",
     "mechserver, mechsim-service idl solver-api",
     "mechclient, idl mechreport solver-api solver-runtime",
     "mechadmin, idl solver-api",
     "mechreport, solver-runtime solver-api solver-ode",
     "mechresult, solver-api",
     "mechservice, mechsim-codegen mechreport mechml solver-runtime solver-api solver-ode"
-        + " solver-mechanics",
+        + " solver-symbol solver-mechanics",
     "mechstudy, mechservice mechresult mechsim-codegen mechml solver-runtime solver-api"
-        + " solver-ode solver-mechanics",
+        + " solver-ode solver-symbol solver-mechanics",
     "mechstudy-spark, mechstudy mechml solver-api",
     "mechview, mechclient mechresult mechservice mechsim-codegen mechml solver-runtime idl"
-        + " solver-api solver-ode solver-mechanics",
+        + " solver-api solver-ode solver-symbol solver-mechanics",
   })
   @ParameterizedTest
   void moduleDependsOnlyOnTheModulesTheDesignAllows(String module, String allowed) {

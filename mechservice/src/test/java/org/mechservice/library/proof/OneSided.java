@@ -16,9 +16,9 @@ import org.mechservice.solver.api.program.Trajectory;
 /**
  * Scenes with several one-sided elements on a table that swings: stops, backlash, slack ropes,
  * buffers, couplings of one side, balls on plates, wheels that lift, friction that sticks. The
- * reference is the same model in ten thousand steps at 1e-12, a thousand times more than a run takes
- * over such an interval where nothing happens. In half of the scenes the table and what is on it
- * are on springs, so that something always moves; in the others all is calm between two hits. It
+ * reference is the same model in ten thousand steps at 1e-12, a thousand times more than a run
+ * takes over such an interval where nothing happens. In half of the scenes the table and what is on
+ * it are on springs, so that something always moves; in the others all is calm between two hits. It
  * runs a second time from a start that is moved by 1e-6, and a scene that is moved by much more is
  * dropped.
  *

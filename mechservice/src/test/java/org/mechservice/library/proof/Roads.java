@@ -197,7 +197,7 @@ final class Roads implements ProofSet {
     double[] start = {0, radius - sag, -strut, speed, 0, 0};
     if (!exact) {
       return ShortSteps.of(
-              scene.with(end, end, method.at(1e-8, 1e-10).within(fine)),
+              scene.with(end, end, method.at(1e-12, 1e-14).within(fine)),
               new String[] {"w.q", "z.q", "w.v", "z.v"},
               new double[] {radius - sag, free - strut, 0, 0},
               end,

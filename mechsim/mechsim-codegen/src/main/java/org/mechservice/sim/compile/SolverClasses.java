@@ -27,10 +27,11 @@ import org.mechservice.solver.api.Model;
 import org.mechservice.solver.linear.LinearSolver;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.simulation.Simulation;
+import org.mechservice.solver.symbol.Scalar;
 import org.mechservice.solver.text.Sha256;
 
 /**
- * The class files of the solver's four artifacts as this process has them, from a directory of
+ * The class files of the solver's five artifacts as this process has them, from a directory of
  * classes or a JAR, which may contain other modules too.
  */
 public final class SolverClasses {
@@ -38,7 +39,7 @@ public final class SolverClasses {
 
   /** One class of each artifact, which shows where the artifact is. */
   private static final List<Class<?>> ARTIFACTS =
-      List.of(Model.class, LinearSolver.class, Mechanism.class, Simulation.class);
+      List.of(Model.class, LinearSolver.class, Scalar.class, Mechanism.class, Simulation.class);
 
   private static final String SERVICES = "META-INF/services/org.mechservice.solver.";
 

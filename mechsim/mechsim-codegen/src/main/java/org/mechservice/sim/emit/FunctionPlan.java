@@ -3,7 +3,7 @@ package org.mechservice.sim.emit;
 import java.util.List;
 import org.mechservice.sim.emit.method.MethodSignature;
 import org.mechservice.sim.emit.plan.CodeForm;
-import org.mechservice.sim.symbolic.Program;
+import org.mechservice.solver.symbol.Program;
 
 /** Plans a class with one method that runs one program on a state and further numbers. */
 public final class FunctionPlan {

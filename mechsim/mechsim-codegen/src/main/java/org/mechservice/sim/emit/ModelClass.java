@@ -5,12 +5,12 @@ import java.util.List;
 import java.util.Optional;
 import org.mechservice.sim.emit.source.JavaText;
 import org.mechservice.sim.equations.derivatives.ResidualDerivatives;
-import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.joint.Joint;
+import org.mechservice.solver.symbol.Program;
 
 /**
  * The contents of the class of a model.

@@ -14,10 +14,6 @@ import org.mechservice.sim.emit.plan.CodeForm;
 import org.mechservice.sim.emit.plan.CodeLayout;
 import org.mechservice.sim.emit.plan.ProgramPlan;
 import org.mechservice.sim.equations.derivatives.ResidualDerivatives;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Program;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarOperation;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.StateVariable;
 import org.mechservice.solver.api.capability.BodyPoses;
@@ -34,6 +30,10 @@ import org.mechservice.solver.dynamics.TreeStepModel;
 import org.mechservice.solver.force.formula.WrittenFormulas;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.force.ForceElement;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarOperation;
 
 /**
  * The class of a model, planned: one plan, from which source and class file are printed. Both

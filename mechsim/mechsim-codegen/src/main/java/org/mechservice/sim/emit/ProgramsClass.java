@@ -13,7 +13,7 @@ import org.mechservice.sim.emit.plan.CodeForm;
 import org.mechservice.sim.emit.plan.CodeLayout;
 import org.mechservice.sim.emit.source.ProgramPrinter;
 import org.mechservice.sim.emit.source.SourceLines;
-import org.mechservice.sim.symbolic.Program;
+import org.mechservice.solver.symbol.Program;
 import org.objectweb.asm.ClassWriter;
 import org.objectweb.asm.MethodVisitor;
 import org.objectweb.asm.Opcodes;

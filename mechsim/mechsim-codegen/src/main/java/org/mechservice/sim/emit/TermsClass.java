@@ -2,7 +2,7 @@ package org.mechservice.sim.emit;
 
 import java.util.List;
 import java.util.Optional;
-import org.mechservice.sim.symbolic.Program;
+import org.mechservice.solver.symbol.Program;
 
 /**
  * Contents of the class of the terms of a model with loops ({@link

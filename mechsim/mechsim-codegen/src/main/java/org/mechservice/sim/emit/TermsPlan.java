@@ -5,8 +5,8 @@ import java.util.List;
 import org.mechservice.sim.emit.method.MethodSignature;
 import org.mechservice.sim.emit.plan.CodeForm;
 import org.mechservice.sim.emit.source.JavaText;
-import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.closure.equations.LoopTerms;
+import org.mechservice.solver.symbol.Program;
 
 /** Plans the class of the terms of a model with loops. */
 public final class TermsPlan {

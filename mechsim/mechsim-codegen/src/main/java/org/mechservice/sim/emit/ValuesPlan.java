@@ -4,8 +4,8 @@ import java.util.List;
 import org.mechservice.sim.emit.method.MethodSignature;
 import org.mechservice.sim.emit.plan.CodeForm;
 import org.mechservice.sim.emit.source.JavaText;
-import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.dynamics.event.WrittenValues;
+import org.mechservice.solver.symbol.Program;
 
 /** Plans the class of the triggers and assignments of a model's events, and of its outputs. */
 public final class ValuesPlan {

@@ -16,10 +16,10 @@ import org.mechservice.sim.equations.recursion.ForceSweep;
 import org.mechservice.sim.equations.recursion.InertiaSweep;
 import org.mechservice.sim.equations.recursion.JointForces;
 import org.mechservice.sim.equations.recursion.Loads;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Program;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /**
  * y' = f(t, y) of an open chain, totally recursive (DTR, NUMERICS §2), in three sweeps. The first

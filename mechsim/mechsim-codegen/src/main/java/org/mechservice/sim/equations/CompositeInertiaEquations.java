@@ -18,10 +18,10 @@ import org.mechservice.sim.equations.recursion.Loads;
 import org.mechservice.sim.equations.recursion.ParentTransform;
 import org.mechservice.sim.equations.recursion.Pivots;
 import org.mechservice.sim.equations.recursion.TreeFactors;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Program;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /**
  * y' = f(t, y) of an open chain, semi-recursive (DSR, NUMERICS §2): M a = τ − b, with M from

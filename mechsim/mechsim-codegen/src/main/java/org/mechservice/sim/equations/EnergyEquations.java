@@ -9,13 +9,13 @@ import org.mechservice.sim.equations.links.AxesChange;
 import org.mechservice.sim.equations.links.Link;
 import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.equations.recursion.VelocityRows;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Program;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarMatrix;
-import org.mechservice.sim.symbolic.ScalarVector;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.spatial.InertiaTensor;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarMatrix;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /**
  * Kinetic energy ½ Σ (m v·v + ω·I ω) over the centres of mass and potential energy −Σ m g·p of a

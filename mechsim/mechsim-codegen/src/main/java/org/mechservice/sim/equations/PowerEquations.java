@@ -7,10 +7,10 @@ import org.mechservice.sim.equations.force.AppliedForces;
 import org.mechservice.sim.equations.kinematics.Coordinates;
 import org.mechservice.sim.equations.links.Link;
 import org.mechservice.sim.equations.links.Links;
-import org.mechservice.sim.symbolic.MathFunction;
-import org.mechservice.sim.symbolic.Program;
-import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.symbol.MathFunction;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
 
 /** Power of the forces without potential energy, and the values of all forces. */
 public final class PowerEquations {

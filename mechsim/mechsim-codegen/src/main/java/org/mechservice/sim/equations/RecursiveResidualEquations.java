@@ -10,10 +10,10 @@ import org.mechservice.sim.equations.links.Wrench;
 import org.mechservice.sim.equations.recursion.ForceSweep;
 import org.mechservice.sim.equations.recursion.JointSweep;
 import org.mechservice.sim.equations.recursion.Loads;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Program;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /**
  * F(t, y, y') = [q' − N(q) v; M(q) v' + b(q, v) − τ] of an open chain, recursive residual (RR,

@@ -1,7 +1,7 @@
 /**
  * Equations of motion of one mechanism, written once over {@link
- * org.mechservice.sim.symbolic.Scalar} and recorded as a {@link
- * org.mechservice.sim.symbolic.Program}.
+ * org.mechservice.solver.symbol.Scalar} and recorded as a {@link
+ * org.mechservice.solver.symbol.Program}.
  *
  * <p>Each class here records one program of a generated model. {@link
  * org.mechservice.sim.equations.ArticulatedBodyEquations} is formulation DTR, {@link

@@ -7,14 +7,14 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.equations.loop.LoopCode;
-import org.mechservice.sim.symbolic.Program;
-import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.closure.equations.LoopTerms;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.linear.DenseLu;
 import org.mechservice.solver.linear.LinearSolver;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
 
 /**
  * The equations of a mechanism with loops: M a + b + Jᵀλ = 0 and J a + γ = 0, solved for a and λ.

@@ -7,11 +7,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
-import org.mechservice.sim.symbolic.Differentiation;
-import org.mechservice.sim.symbolic.Program;
-import org.mechservice.sim.symbolic.ReverseDifferentiation;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarOperation;
+import org.mechservice.solver.symbol.Differentiation;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.ReverseDifferentiation;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarOperation;
 
 /**
  * A function F(t, y, p) recorded as a program, with its tangents and its adjoint. Each is compiled

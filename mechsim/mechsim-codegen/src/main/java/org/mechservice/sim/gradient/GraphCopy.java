@@ -5,8 +5,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Scalar;
 
 /** Copies expressions of one graph into another. */
 final class GraphCopy {

@@ -13,14 +13,14 @@ import org.mechservice.sim.equations.EnergyEquations;
 import org.mechservice.sim.equations.PoseEquations;
 import org.mechservice.sim.equations.PowerEquations;
 import org.mechservice.sim.equations.links.Links;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Program;
-import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.capability.BodyPoses;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Output;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
 
 /**
  * Columns of results as functions of state, derivative of the state and time: coordinates,

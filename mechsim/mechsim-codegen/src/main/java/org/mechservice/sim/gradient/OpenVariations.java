@@ -3,8 +3,8 @@ package org.mechservice.sim.gradient;
 import java.util.List;
 import org.mechservice.sim.equations.ArticulatedBodyEquations;
 import org.mechservice.sim.equations.links.Links;
-import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.symbol.Program;
 
 /** The equations of an open chain, y' = f(t, y) by the articulated-body recursion. */
 final class OpenVariations extends VariationalEquations {

@@ -2,7 +2,7 @@ package org.mechservice.sim.gradient;
 
 import org.mechservice.sim.emit.FunctionPlan;
 import org.mechservice.sim.emit.GeneratedClass;
-import org.mechservice.sim.symbolic.Program;
+import org.mechservice.solver.symbol.Program;
 
 /** A program as code. Workspace of one thread. */
 public interface ProgramCode {

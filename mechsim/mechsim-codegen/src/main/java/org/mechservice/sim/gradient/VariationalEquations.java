@@ -1,6 +1,6 @@
 package org.mechservice.sim.gradient;
 
-import org.mechservice.sim.symbolic.Program;
+import org.mechservice.solver.symbol.Program;
 
 /**
  * y' = f(t, y, p) of a model with tangents and adjoint. The state is [q; v; s] as a run has it; p

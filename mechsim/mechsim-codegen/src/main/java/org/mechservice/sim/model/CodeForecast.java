@@ -7,7 +7,7 @@ import org.mechservice.sim.emit.TermsClass;
 import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.scene.GenerationLimits;
-import org.mechservice.sim.symbolic.Program;
+import org.mechservice.solver.symbol.Program;
 
 /**
  * Description of the class that would be generated from a model.

@@ -15,13 +15,13 @@ import org.mechservice.sim.equations.loop.LoopCode;
 import org.mechservice.sim.equations.loop.LoopRecursion;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.scene.GenerationLimits;
-import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.closure.equations.UnwrappedAngles;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.symbol.Program;
 
 /**
  * Generates the code of the terms of a model with loops. The solver closes the loops with these

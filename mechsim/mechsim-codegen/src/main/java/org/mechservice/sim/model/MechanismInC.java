@@ -29,7 +29,6 @@ import org.mechservice.sim.equations.loop.LoopCode;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.scene.GenerationLimits;
 import org.mechservice.sim.scene.ModelBuildException;
-import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.capability.ModelEvents;
 import org.mechservice.solver.api.result.ColumnGroup;
@@ -59,6 +58,7 @@ import org.mechservice.solver.mechanism.Output;
 import org.mechservice.solver.mechanism.Overlap;
 import org.mechservice.solver.mechanism.Parameter;
 import org.mechservice.solver.mechanism.force.UserForceElement;
+import org.mechservice.solver.symbol.Program;
 import org.mechservice.solver.text.ShortestDecimal;
 
 /**

@@ -18,13 +18,13 @@ import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.scene.GenerationLimits;
 import org.mechservice.sim.scene.ModelBuildException;
-import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.assembly.ClosedStart;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.joint.StartRole;
+import org.mechservice.solver.symbol.Program;
 
 /**
  * Assembles a model after its formulation is chosen: generated code, and data for the parts that

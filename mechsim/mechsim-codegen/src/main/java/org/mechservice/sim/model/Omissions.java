@@ -8,9 +8,6 @@ import java.util.stream.Collectors;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.equations.links.Link;
 import org.mechservice.sim.equations.links.Links;
-import org.mechservice.sim.symbolic.MathFunction;
-import org.mechservice.sim.symbolic.Program;
-import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.kinematics.LinkKind;
@@ -19,6 +16,9 @@ import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.joint.Joint;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.symbol.MathFunction;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
 
 /**
  * Lists the parts that a generated class does not contain, each with the reason: the scene does not

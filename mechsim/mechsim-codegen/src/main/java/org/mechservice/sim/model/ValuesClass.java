@@ -7,7 +7,6 @@ import org.mechservice.sim.emit.GeneratedClass;
 import org.mechservice.sim.emit.ValuesPlan;
 import org.mechservice.sim.equations.PowerEquations;
 import org.mechservice.sim.equations.links.Links;
-import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.closure.equations.UnwrappedAngles;
 import org.mechservice.solver.dynamics.event.StateEvents;
@@ -18,6 +17,7 @@ import org.mechservice.solver.expression.Tape;
 import org.mechservice.solver.mechanism.Event;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Output;
+import org.mechservice.solver.symbol.Program;
 
 /**
  * Derives code for the expressions of a model file that are not part of the equations of motion.

@@ -9,8 +9,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.sim.equations.links.Link;
 import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.model.Scenes;
-import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.symbol.Program;
 
 class ArticulatedBodyEquationsTest {
   /** NUMERICS §5 allows 1e-11 between implementations; the longest chain needs 1e-14. */

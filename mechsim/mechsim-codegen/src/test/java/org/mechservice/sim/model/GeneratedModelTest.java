@@ -20,7 +20,6 @@ import org.mechservice.sim.equations.ArticulatedBodyEquations;
 import org.mechservice.sim.equations.EnergyEquations;
 import org.mechservice.sim.equations.PoseEquations;
 import org.mechservice.sim.equations.links.Links;
-import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.BodyPoses;
 import org.mechservice.solver.api.capability.Energies;
@@ -32,6 +31,7 @@ import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Root;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.symbol.Program;
 
 /** What the class of a model computes, against the equations it was written from and others. */
 class GeneratedModelTest {

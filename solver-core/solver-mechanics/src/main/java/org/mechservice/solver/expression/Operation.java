@@ -1,5 +1,7 @@
 package org.mechservice.solver.expression;
 
+import org.mechservice.solver.symbol.Powers;
+
 /**
  * An operation of a tape on one or two earlier values, f(a) or f(a, b), with first and second
  * partial derivatives. StrictMath is used wherever Math may differ between machines.

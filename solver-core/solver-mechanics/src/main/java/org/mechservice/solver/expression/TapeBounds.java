@@ -1,5 +1,7 @@
 package org.mechservice.solver.expression;
 
+import org.mechservice.solver.symbol.Powers;
+
 /**
  * Bounds of all values of a tape, over a box of leaves or along a short way.
  *
@@ -103,7 +105,7 @@ final class TapeBounds {
       int a = first[i];
       int b = second[i];
       int slot = target[i];
-      boolean r = isRough[a] | isRough[b];
+      boolean r = isRough[a] || isRough[b];
       if (!r && kind[i] != Tape.SUM && kind[i] != Tape.NEGATION) {
         r = !changesEvenly(i, kind[i], a, b);
       }

@@ -1,8 +1,8 @@
 package org.mechservice.sim.emit.c;
 
 import java.util.List;
-import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.capability.ModelEvents;
+import org.mechservice.solver.symbol.Program;
 
 /**
  * The events of a model in C, and the times at which its equations jump.

@@ -2,8 +2,8 @@ package org.mechservice.sim.emit.c;
 
 import java.util.List;
 import java.util.Optional;
-import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.closure.PenaltySettings;
+import org.mechservice.solver.symbol.Program;
 
 /**
  * The terms of a mechanism with closed loops, M v' + b + Jᵀ λ = τ and Φ(q, t) = 0, and the layout

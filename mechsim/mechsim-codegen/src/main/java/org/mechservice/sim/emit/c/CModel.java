@@ -13,12 +13,12 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Pattern;
 import org.mechservice.sim.equations.links.Labels;
-import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.api.JointVariables;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Parameter;
+import org.mechservice.solver.symbol.Program;
 
 /**
  * The equations of motion of a mechanism as C99: the same operations in the same order as on the

@@ -1,6 +1,6 @@
 package org.mechservice.sim.emit.c;
 
-import org.mechservice.sim.symbolic.Program;
+import org.mechservice.solver.symbol.Program;
 
 /** The functions that give the derivative of the state of a model in C. */
 public sealed interface CMotion permits CMotion.Tree, CLoops {

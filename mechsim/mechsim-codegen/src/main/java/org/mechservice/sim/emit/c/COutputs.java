@@ -1,7 +1,7 @@
 package org.mechservice.sim.emit.c;
 
 import java.util.List;
-import org.mechservice.sim.symbolic.Program;
+import org.mechservice.solver.symbol.Program;
 
 /**
  * Outputs of a model in C that one program computes.

@@ -10,7 +10,7 @@ import org.mechservice.sim.emit.plan.CodeLayout;
 import org.mechservice.sim.emit.plan.ProgramPlan;
 import org.mechservice.sim.emit.source.ProgramPrinter;
 import org.mechservice.sim.emit.source.SourceLines;
-import org.mechservice.sim.symbolic.Program;
+import org.mechservice.solver.symbol.Program;
 
 /**
  * The programs of a model as static functions in C: the equations of motion and their derivatives

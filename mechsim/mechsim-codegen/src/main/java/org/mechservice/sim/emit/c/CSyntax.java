@@ -8,7 +8,7 @@ import java.util.regex.Pattern;
 import org.mechservice.sim.emit.method.ConstantTable;
 import org.mechservice.sim.emit.method.ParameterSlots;
 import org.mechservice.sim.emit.source.Syntax;
-import org.mechservice.sim.symbolic.MathFunction;
+import org.mechservice.solver.symbol.MathFunction;
 
 /** Programs as functions of C99, which take the instance of the model as their first parameter. */
 final class CSyntax implements Syntax {

@@ -1,8 +1,8 @@
 package org.mechservice.sim.emit.c;
 
 import java.util.List;
-import org.mechservice.sim.symbolic.Program;
 import org.mechservice.solver.expression.TapeListing;
+import org.mechservice.solver.symbol.Program;
 
 /**
  * What the steps of a model in C watch.

@@ -2,8 +2,8 @@ package org.mechservice.sim.emit.method;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarOperation;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarOperation;
 
 /**
  * Angles whose sines and cosines are computed together: a single one, or several in a loop, whose

@@ -2,8 +2,8 @@ package org.mechservice.sim.emit.method;
 
 import java.util.Map;
 import java.util.OptionalDouble;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarOperation;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarOperation;
 
 /**
  * The written form of an operation on two values. Signs of operands are absorbed if this adds no

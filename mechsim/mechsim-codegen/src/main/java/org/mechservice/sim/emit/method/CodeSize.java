@@ -2,11 +2,11 @@ package org.mechservice.sim.emit.method;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.mechservice.sim.symbolic.MathFunction;
-import org.mechservice.sim.symbolic.NumberRow;
-import org.mechservice.sim.symbolic.Program;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarOperation;
+import org.mechservice.solver.symbol.MathFunction;
+import org.mechservice.solver.symbol.NumberRow;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarOperation;
 
 /** Counts the bytes of code of planned methods. */
 public final class CodeSize implements StackCode.Machine {

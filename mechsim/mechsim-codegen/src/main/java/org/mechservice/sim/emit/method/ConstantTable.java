@@ -5,11 +5,11 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import org.mechservice.sim.symbolic.NumberRow;
-import org.mechservice.sim.symbolic.Program;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarOperation;
 import org.mechservice.solver.spatial.NumberTable;
+import org.mechservice.solver.symbol.NumberRow;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarOperation;
 
 /**
  * The numbers of a class that are no literals: the constants in which calls of one method differ,

@@ -5,10 +5,10 @@ import java.util.BitSet;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import org.mechservice.sim.symbolic.MathFunction;
-import org.mechservice.sim.symbolic.NumberRow;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarOperation;
+import org.mechservice.solver.symbol.MathFunction;
+import org.mechservice.solver.symbol.NumberRow;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarOperation;
 
 /**
  * Slots of the local variables of a planned method: each variable gets the lowest pair of slots

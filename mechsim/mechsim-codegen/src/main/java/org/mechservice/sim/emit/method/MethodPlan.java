@@ -2,7 +2,7 @@ package org.mechservice.sim.emit.method;
 
 import java.util.List;
 import java.util.Map;
-import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.solver.symbol.Scalar;
 
 /**
  * The plan of one method, for one part of a program or for several equal parts.

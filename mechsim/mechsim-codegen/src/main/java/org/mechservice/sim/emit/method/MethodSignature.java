@@ -1,7 +1,7 @@
 package org.mechservice.sim.emit.method;
 
 import java.util.List;
-import org.mechservice.sim.symbolic.Program;
+import org.mechservice.solver.symbol.Program;
 
 /**
  * The method of a model that runs a program.

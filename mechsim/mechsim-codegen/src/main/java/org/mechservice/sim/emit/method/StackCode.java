@@ -3,10 +3,10 @@ package org.mechservice.sim.emit.method;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
-import org.mechservice.sim.symbolic.MathFunction;
-import org.mechservice.sim.symbolic.NumberRow;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarOperation;
+import org.mechservice.solver.symbol.MathFunction;
+import org.mechservice.solver.symbol.NumberRow;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarOperation;
 
 /**
  * Translates a planned method to instructions of a stack machine: operands first, then the

@@ -1,6 +1,6 @@
 package org.mechservice.sim.emit.method;
 
-import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.solver.symbol.Scalar;
 
 /** One step of a planned method. */
 public sealed interface Statement {

@@ -1,6 +1,6 @@
 package org.mechservice.sim.emit.method;
 
-import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.solver.symbol.Scalar;
 
 /**
  * The location of a value inside a method; a value without a location is written out at its use.

@@ -5,7 +5,7 @@ import java.util.Locale;
 import org.mechservice.sim.emit.method.CodeSize;
 import org.mechservice.sim.emit.method.ConstantTable;
 import org.mechservice.sim.emit.method.MethodSignature;
-import org.mechservice.sim.symbolic.Program;
+import org.mechservice.solver.symbol.Program;
 
 /** Chooses between a straight line and shared kernels (CODEGEN §8), whose results are the same. */
 public final class CodeLayout {

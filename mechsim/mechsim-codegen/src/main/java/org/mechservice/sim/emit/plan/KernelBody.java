@@ -11,9 +11,9 @@ import org.mechservice.sim.emit.method.MethodSignature;
 import org.mechservice.sim.emit.method.ParameterSlots;
 import org.mechservice.sim.emit.method.Statement;
 import org.mechservice.sim.emit.method.ValueLocation;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarOperation;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarOperation;
 
 /**
  * The method of one section rewritten over numbered operands: the elements of arrays that it reads

@@ -14,8 +14,8 @@ import org.mechservice.sim.emit.method.ConstantTable;
 import org.mechservice.sim.emit.method.MethodPlan;
 import org.mechservice.sim.emit.method.MethodSignature;
 import org.mechservice.sim.emit.method.ValueUsage;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Program;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Program;
 
 /**
  * Plans a program as shared kernels (CODEGEN §8): sections that compute the same operations in the

@@ -14,9 +14,9 @@ import org.mechservice.sim.emit.method.MethodPlan;
 import org.mechservice.sim.emit.method.Statement;
 import org.mechservice.sim.emit.method.ValueLocation;
 import org.mechservice.sim.emit.method.ValueUsage;
-import org.mechservice.sim.symbolic.Program;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarOperation;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarOperation;
 
 /**
  * Writes the methods of a plan for a given assignment of sections to methods ("chunks").

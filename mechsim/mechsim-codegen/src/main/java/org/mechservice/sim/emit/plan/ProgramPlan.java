@@ -13,9 +13,9 @@ import org.mechservice.sim.emit.method.MethodSignature;
 import org.mechservice.sim.emit.method.ParameterSlots;
 import org.mechservice.sim.emit.method.ValueLocation;
 import org.mechservice.sim.emit.method.ValueUsage;
-import org.mechservice.sim.symbolic.Program;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarOperation;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarOperation;
 
 /**
  * The code of a program, planned.

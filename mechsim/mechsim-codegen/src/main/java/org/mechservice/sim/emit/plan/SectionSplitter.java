@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.sim.emit.method.CodeSize;
 import org.mechservice.sim.emit.method.ValueUsage;
-import org.mechservice.sim.symbolic.Program;
-import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
 
 /**
  * Divides sections that are too long for a method, without changing the order of operations.

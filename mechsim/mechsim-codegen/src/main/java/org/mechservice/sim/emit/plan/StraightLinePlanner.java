@@ -4,7 +4,7 @@ import java.util.function.IntFunction;
 import org.mechservice.sim.emit.method.CodeSize;
 import org.mechservice.sim.emit.method.ConstantTable;
 import org.mechservice.sim.emit.method.MethodPlan;
-import org.mechservice.sim.symbolic.Program;
+import org.mechservice.solver.symbol.Program;
 
 /**
  * Plans a program as straight-line methods: sections in order, as many per method as run fastest

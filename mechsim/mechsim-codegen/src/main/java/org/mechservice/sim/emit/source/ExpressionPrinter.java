@@ -8,8 +8,8 @@ import org.mechservice.sim.emit.method.MethodPlan;
 import org.mechservice.sim.emit.method.MethodSignature;
 import org.mechservice.sim.emit.method.NumberText;
 import org.mechservice.sim.emit.method.ValueLocation;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarOperation;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarOperation;
 
 /** Writes values as expressions, with as few parentheses as the order of operations permits. */
 final class ExpressionPrinter {

@@ -3,7 +3,7 @@ package org.mechservice.sim.emit.source;
 import java.util.List;
 import java.util.Set;
 import org.mechservice.sim.emit.method.ConstantTable;
-import org.mechservice.sim.symbolic.MathFunction;
+import org.mechservice.solver.symbol.MathFunction;
 
 /** Programs as methods of a Java class. */
 final class JavaSyntax implements Syntax {

@@ -7,9 +7,9 @@ import java.util.Set;
 import org.mechservice.sim.emit.method.MethodSignature;
 import org.mechservice.sim.emit.method.ValueUsage;
 import org.mechservice.sim.emit.plan.ProgramPlan;
-import org.mechservice.sim.symbolic.Program;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarOperation;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarOperation;
 
 /**
  * Names of local variables: the name of the value in mechanics, or else the subject of its section

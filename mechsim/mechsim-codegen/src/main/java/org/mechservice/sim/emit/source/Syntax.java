@@ -2,7 +2,7 @@ package org.mechservice.sim.emit.source;
 
 import java.util.List;
 import java.util.Set;
-import org.mechservice.sim.symbolic.MathFunction;
+import org.mechservice.solver.symbol.MathFunction;
 
 /** The differences between the languages that planned programs are printed in. */
 public interface Syntax {

@@ -4,8 +4,8 @@ import java.util.Optional;
 import org.mechservice.sim.equations.recursion.ForceSweep;
 import org.mechservice.sim.equations.recursion.Loads;
 import org.mechservice.sim.equations.recursion.VelocityRows;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /**
  * A coordinate of a cut joint, computed from the poses of its two bodies.

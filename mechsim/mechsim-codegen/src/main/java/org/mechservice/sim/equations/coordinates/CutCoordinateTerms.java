@@ -5,8 +5,6 @@ import java.util.Map;
 import org.mechservice.sim.equations.kinematics.BodyPoints;
 import org.mechservice.sim.equations.kinematics.LinkKinematics;
 import org.mechservice.sim.equations.links.Links;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.solver.closure.equations.UnwrappedAngles;
 import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.BodyPoint;
@@ -17,6 +15,8 @@ import org.mechservice.solver.kinematics.pair.CutJoint;
 import org.mechservice.solver.kinematics.pair.PointCoordinate;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.spatial.Rotation;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Scalar;
 
 /**
  * The coordinates of cut joints in one program. The angles at the last accepted step are inputs

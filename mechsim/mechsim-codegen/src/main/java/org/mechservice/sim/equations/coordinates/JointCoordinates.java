@@ -1,12 +1,12 @@
 package org.mechservice.sim.equations.coordinates;
 
 import org.mechservice.sim.equations.recursion.Loads;
-import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.solver.closure.equations.UnwrappedAngles;
 import org.mechservice.solver.expression.ClosureCoordinate;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.symbol.Scalar;
 
 /** Coordinates of joints of the tree and of cut joints. */
 public final class JointCoordinates {

@@ -5,11 +5,11 @@ import org.mechservice.sim.equations.kinematics.Coordinates;
 import org.mechservice.sim.equations.links.Link;
 import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.equations.recursion.Loads;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarVector;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.expression.JointCoordinate;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /** Coordinates of tree joints through their links. */
 public final class JointLinks {

@@ -1,7 +1,7 @@
 package org.mechservice.sim.equations.coordinates;
 
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /**
  * A function of the pose of body B relative to body A, with its derivatives: f' = byTurn · ω +

@@ -1,15 +1,15 @@
 package org.mechservice.sim.equations.coordinates;
 
 import java.util.List;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.MathFunction;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarMatrix;
-import org.mechservice.sim.symbolic.ScalarVector;
 import org.mechservice.solver.kinematics.pair.AxisPair;
 import org.mechservice.solver.kinematics.pair.PairForms;
 import org.mechservice.solver.kinematics.pair.RollingShape;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.MathFunction;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarMatrix;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /** Functions of the pose of two frames: the constraints of joints, and their coordinates. */
 public final class PairTerms implements PairForms<PairTerm> {

@@ -8,17 +8,17 @@ import java.util.Optional;
 import org.mechservice.sim.equations.kinematics.Formulas;
 import org.mechservice.sim.equations.recursion.ForceSweep;
 import org.mechservice.sim.equations.recursion.Loads;
-import org.mechservice.sim.symbolic.Differentiation;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Program;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarVector;
-import org.mechservice.sim.symbolic.Substitution;
 import org.mechservice.solver.expression.ClosureCoordinate;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Expression.CoordinatePosition;
 import org.mechservice.solver.expression.Expression.PointPosition;
 import org.mechservice.solver.expression.JointCoordinate;
+import org.mechservice.solver.symbol.Differentiation;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarVector;
+import org.mechservice.solver.symbol.Substitution;
 
 /**
  * A formula x of time, positions of joints and places of points, with its slopes by them. Positions

@@ -9,11 +9,11 @@ import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.equations.recursion.ForceSweep;
 import org.mechservice.sim.equations.recursion.Loads;
 import org.mechservice.sim.equations.recursion.VelocityRows;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarMatrix;
-import org.mechservice.sim.symbolic.ScalarVector;
 import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.Expression.RelativeMotion;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarMatrix;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /** Pose and motion of a frame of body 2 relative to a frame of body 1, in the axes of frame 1. */
 public final class RelativeFrameMotion {

@@ -6,12 +6,12 @@ import java.util.Map;
 import org.mechservice.sim.equations.kinematics.BodyPoints;
 import org.mechservice.sim.equations.kinematics.Formulas;
 import org.mechservice.sim.equations.kinematics.LinkKinematics;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarVector;
 import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /** Formulas of time, parameters and the state as scalars; parameters are inputs. */
 public final class StateFormulas extends Formulas {

@@ -1,7 +1,7 @@
 package org.mechservice.sim.equations.derivatives;
 
-import org.mechservice.sim.symbolic.Program;
-import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
 
 /** Outputs the elements of M, ∂F/∂v and ∂F/∂q, each with the terms of forces and rods. */
 final class ElementSums {

@@ -14,11 +14,11 @@ import org.mechservice.sim.equations.links.Twist;
 import org.mechservice.sim.equations.links.Wrench;
 import org.mechservice.sim.equations.recursion.Loads;
 import org.mechservice.sim.equations.recursion.ParentTransform;
-import org.mechservice.sim.symbolic.Differentiation;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Program;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.solver.symbol.Differentiation;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /**
  * Terms of applied forces in the derivatives of the residual: −Sᵀ ∂w − ∂τ for each velocity and

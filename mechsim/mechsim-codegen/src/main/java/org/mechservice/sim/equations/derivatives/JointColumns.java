@@ -8,9 +8,9 @@ import org.mechservice.sim.equations.links.Link;
 import org.mechservice.sim.equations.links.Motion;
 import org.mechservice.sim.equations.links.Twist;
 import org.mechservice.sim.equations.recursion.ForceSweep;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /**
  * The columns S of the velocities and their derivatives in the axes of their links, at the links'

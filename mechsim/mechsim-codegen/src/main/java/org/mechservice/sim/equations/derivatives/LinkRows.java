@@ -9,9 +9,9 @@ import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.equations.links.Wrench;
 import org.mechservice.sim.equations.recursion.ParentTransform;
 import org.mechservice.sim.equations.recursion.RigidComposite;
-import org.mechservice.sim.symbolic.Program;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /**
  * The elements between the velocities of a link and those of itself and its ancestors: quantities

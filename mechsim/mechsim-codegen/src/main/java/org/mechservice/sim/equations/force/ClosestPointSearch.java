@@ -1,12 +1,12 @@
 package org.mechservice.sim.equations.force;
 
 import java.util.Optional;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.MathFunction;
-import org.mechservice.sim.symbolic.NumberRow;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.Substitution;
 import org.mechservice.solver.force.law.ClosestPoint;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.MathFunction;
+import org.mechservice.solver.symbol.NumberRow;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.Substitution;
 
 /**
  * The point of a curve z = h(x) that is closest to a point (x, z), by the steps of {@link

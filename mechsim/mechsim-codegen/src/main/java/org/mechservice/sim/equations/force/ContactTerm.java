@@ -4,10 +4,10 @@ import java.util.List;
 import java.util.function.Function;
 import org.mechservice.sim.equations.coordinates.RelativeFrameMotion;
 import org.mechservice.sim.equations.recursion.Loads;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.MathFunction;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.MathFunction;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /**
  * Push and friction of a surface at the closest point of each of its curves, summed up. Legend: R

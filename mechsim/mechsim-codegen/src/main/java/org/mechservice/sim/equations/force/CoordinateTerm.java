@@ -3,8 +3,8 @@ package org.mechservice.sim.equations.force;
 import java.util.List;
 import org.mechservice.sim.equations.coordinates.JointCoordinates;
 import org.mechservice.sim.equations.recursion.Loads;
-import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.solver.expression.Coordinate;
+import org.mechservice.solver.symbol.Scalar;
 
 /**
  * A force on one coordinate of a joint.

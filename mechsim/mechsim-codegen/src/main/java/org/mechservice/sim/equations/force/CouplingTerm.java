@@ -3,7 +3,7 @@ package org.mechservice.sim.equations.force;
 import java.util.List;
 import org.mechservice.sim.equations.coordinates.Relation;
 import org.mechservice.sim.equations.recursion.Loads;
-import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.solver.symbol.Scalar;
 
 /** A spring and damper along a formula x of positions: the tension −T is conjugate to x. */
 final class CouplingTerm implements ForceTerm {

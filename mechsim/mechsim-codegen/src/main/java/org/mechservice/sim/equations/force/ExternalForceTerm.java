@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.sim.equations.kinematics.LinkKinematics;
 import org.mechservice.sim.equations.recursion.Loads;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /** A force at a point and a torque, given by expressions in world or body axes. */
 final class ExternalForceTerm implements ForceTerm {

@@ -3,7 +3,7 @@ package org.mechservice.sim.equations.force;
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.sim.equations.recursion.Loads;
-import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.solver.symbol.Scalar;
 
 /** An applied force as equations. */
 interface ForceTerm {

@@ -10,15 +10,15 @@ import org.mechservice.sim.equations.links.RigidGroups;
 import org.mechservice.sim.equations.links.Wrench;
 import org.mechservice.sim.equations.recursion.ForceSweep;
 import org.mechservice.sim.equations.recursion.VelocityRows;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarVector;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.closure.DistanceClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /**
  * Uniform slender rods between two points (NUMERICS §4). The squares in the energy (m/6) (v_A·v_A +

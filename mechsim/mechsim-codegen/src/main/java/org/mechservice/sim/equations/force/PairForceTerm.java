@@ -4,9 +4,9 @@ import java.util.List;
 import org.mechservice.sim.equations.coordinates.RelativeFrameMotion;
 import org.mechservice.sim.equations.kinematics.Formulas;
 import org.mechservice.sim.equations.recursion.Loads;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarVector;
 import org.mechservice.solver.mechanism.force.PairForce;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /** A force between two frames given by formulas of their relative motion. */
 final class PairForceTerm implements ForceTerm {

@@ -1,8 +1,8 @@
 package org.mechservice.sim.equations.force;
 
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.MathFunction;
-import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.MathFunction;
+import org.mechservice.solver.symbol.Scalar;
 
 /**
  * The force of two things that push each other while they overlap by x and exert no force while

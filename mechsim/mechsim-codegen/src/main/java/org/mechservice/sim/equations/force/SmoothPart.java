@@ -1,8 +1,8 @@
 package org.mechservice.sim.equations.force;
 
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.MathFunction;
-import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.MathFunction;
+import org.mechservice.solver.symbol.Scalar;
 
 /**
  * The smooth positive part pos(x) = (x + √(x² + ε²)) / 2 and related functions. For ε = 0 it is the

@@ -1,8 +1,8 @@
 package org.mechservice.sim.equations.force;
 
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.solver.mechanism.force.Side;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Scalar;
 
 /**
  * A spring and damper of one coordinate z with rate z′: the tension T, positive against growing z.

@@ -5,11 +5,11 @@ import java.util.Optional;
 import org.mechservice.sim.equations.coordinates.PairMotion;
 import org.mechservice.sim.equations.recursion.Loads;
 import org.mechservice.sim.scene.ModelBuildException;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.MathFunction;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarVector;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.MathFunction;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /**
  * A spring and damper along the line between two points: the force on point 2 is −T n. The line is

@@ -4,16 +4,16 @@ import org.mechservice.sim.equations.coordinates.JointLinks;
 import org.mechservice.sim.equations.kinematics.BodyPoints;
 import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.equations.recursion.Loads;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Program;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarMatrix;
-import org.mechservice.sim.symbolic.ScalarVector;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarMatrix;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /**
  * Loads of user forces: inputs after the parameters of the model, in the order of {@link

@@ -4,12 +4,12 @@ import org.mechservice.sim.equations.links.Axes;
 import org.mechservice.sim.equations.links.BodyPlacement;
 import org.mechservice.sim.equations.links.ComputingAxes;
 import org.mechservice.sim.equations.links.Links;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.ScalarMatrix;
-import org.mechservice.sim.symbolic.ScalarVector;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.ScalarMatrix;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /** Points and axes of bodies in the computing frames of the links that carry them. */
 public final class BodyPoints {

@@ -6,13 +6,13 @@ import java.util.Map;
 import org.mechservice.sim.equations.links.Labels;
 import org.mechservice.sim.equations.links.Link;
 import org.mechservice.sim.equations.links.Links;
-import org.mechservice.sim.symbolic.Differentiation;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Program;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarMatrix;
-import org.mechservice.sim.symbolic.ScalarVector;
 import org.mechservice.solver.mechanism.Parameter;
+import org.mechservice.solver.symbol.Differentiation;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarMatrix;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /** Coordinates of the links in one program, with their sines and cosines. */
 public final class Coordinates {

@@ -2,12 +2,12 @@ package org.mechservice.sim.equations.kinematics;
 
 import java.util.List;
 import org.mechservice.sim.equations.links.Axes;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarMatrix;
-import org.mechservice.sim.symbolic.ScalarVector;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarMatrix;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /**
  * A rotation as Euler parameters e0 = cos(φ/2), (e1, e2, e3) = u sin(φ/2).

@@ -1,16 +1,16 @@
 package org.mechservice.sim.equations.kinematics;
 
 import java.util.IdentityHashMap;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.MathFunction;
-import org.mechservice.sim.symbolic.NumberRow;
-import org.mechservice.sim.symbolic.Program;
-import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.MapSurface;
 import org.mechservice.solver.expression.Table;
 import org.mechservice.solver.expression.TableCurve;
 import org.mechservice.solver.expression.TableMap;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.MathFunction;
+import org.mechservice.solver.symbol.NumberRow;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
 
 /** Formulas of the model file as scalars. Subclasses supply the leaves. */
 public abstract class Formulas {

@@ -2,8 +2,8 @@ package org.mechservice.sim.equations.kinematics;
 
 import org.mechservice.sim.equations.links.Link;
 import org.mechservice.sim.equations.links.Links;
-import org.mechservice.sim.symbolic.Program;
-import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /**
  * Outputs accelerations or forces of the links' degrees of freedom at the indices of their

@@ -4,10 +4,10 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.mechservice.sim.equations.links.Link;
 import org.mechservice.sim.equations.links.Twist;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarMatrix;
-import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarMatrix;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /** The motions S of links for each of their velocities, in link axes at the links' origins. */
 public final class JointSubspace {

@@ -6,11 +6,11 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.mechservice.sim.equations.links.Link;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Program;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarMatrix;
-import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarMatrix;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /**
  * Places of links from an ancestor's origin, in the ancestor's axes: for ways through the tree that

@@ -2,8 +2,8 @@ package org.mechservice.sim.equations.kinematics;
 
 import org.mechservice.sim.equations.links.Link;
 import org.mechservice.sim.equations.links.Links;
-import org.mechservice.sim.symbolic.Program;
-import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
 
 /** The kinematic equations: q' = v, and e' = ½ (0, ω) ∘ e for Euler parameters (NUMERICS §1a). */
 public final class PositionRates {

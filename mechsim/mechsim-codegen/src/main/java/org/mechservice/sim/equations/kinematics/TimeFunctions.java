@@ -1,8 +1,8 @@
 package org.mechservice.sim.equations.kinematics;
 
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Scalar;
 
 /** Formulas of time and parameters as scalars; parameters are inputs. */
 public final class TimeFunctions extends Formulas {

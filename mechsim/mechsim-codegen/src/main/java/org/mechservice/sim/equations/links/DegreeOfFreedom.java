@@ -1,8 +1,8 @@
 package org.mechservice.sim.equations.links;
 
 import java.util.List;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /**
  * One degree of freedom of a link: a rotation about a coordinate axis of its computing frame, a

@@ -1,8 +1,8 @@
 package org.mechservice.sim.equations.links;
 
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarMatrix;
-import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarMatrix;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /**
  * Motion of a computing frame: angular velocity, angular acceleration, and the classical

@@ -1,7 +1,7 @@
 package org.mechservice.sim.equations.links;
 
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /**
  * A spatial motion at the origin of its frame: a velocity, its rate, or a velocity per coordinate.

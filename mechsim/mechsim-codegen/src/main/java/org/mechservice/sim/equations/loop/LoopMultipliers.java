@@ -12,10 +12,10 @@ import org.mechservice.sim.equations.links.Wrench;
 import org.mechservice.sim.equations.recursion.CarriedEquations;
 import org.mechservice.sim.equations.recursion.InertiaSweep;
 import org.mechservice.sim.equations.recursion.ParentTransform;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Program;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /**
  * Multipliers of loop equations J x + γ = 0 by elimination along the tree: each equation is carried

@@ -20,13 +20,13 @@ import org.mechservice.sim.equations.recursion.InertiaSweep;
 import org.mechservice.sim.equations.recursion.Loads;
 import org.mechservice.sim.equations.recursion.ParentTransform;
 import org.mechservice.sim.equations.recursion.VelocityRows;
-import org.mechservice.sim.symbolic.Program;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarVector;
 import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.closure.equations.LoopTerms;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.linear.SparseMatrix;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /**
  * Loop equations and accelerations of a large mechanism with few loops as programs, in the layout

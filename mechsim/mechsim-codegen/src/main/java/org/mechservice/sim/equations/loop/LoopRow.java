@@ -1,7 +1,7 @@
 package org.mechservice.sim.equations.loop;
 
 import java.util.Optional;
-import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.solver.symbol.Scalar;
 
 /**
  * An equation of a loop, Φ = 0, with the quantities that a closure needs.

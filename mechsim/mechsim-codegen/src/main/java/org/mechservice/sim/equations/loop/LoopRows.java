@@ -20,11 +20,6 @@ import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.equations.recursion.ForceSweep;
 import org.mechservice.sim.equations.recursion.Loads;
 import org.mechservice.sim.equations.recursion.VelocityRows;
-import org.mechservice.sim.symbolic.Differentiation;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Program;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarVector;
 import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.BodyPoint;
@@ -42,6 +37,11 @@ import org.mechservice.solver.mechanism.closure.PointOnLineClosure;
 import org.mechservice.solver.mechanism.closure.PointOnPlaneClosure;
 import org.mechservice.solver.mechanism.closure.RollingClosure;
 import org.mechservice.solver.spatial.Rotation;
+import org.mechservice.solver.symbol.Differentiation;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /**
  * The equations of the loops of a mechanism, Φ = 0, with J and γ, in the order of {@link

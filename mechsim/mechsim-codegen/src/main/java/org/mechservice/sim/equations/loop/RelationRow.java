@@ -9,11 +9,11 @@ import org.mechservice.sim.equations.links.Link;
 import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.equations.recursion.ForceSweep;
 import org.mechservice.sim.equations.recursion.VelocityRows;
-import org.mechservice.sim.symbolic.Differentiation;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.MathFunction;
-import org.mechservice.sim.symbolic.Program;
-import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.solver.symbol.Differentiation;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.MathFunction;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
 
 /** A coupling of positions as an equation of a loop. */
 final class RelationRow {

@@ -4,12 +4,12 @@ import org.mechservice.sim.equations.links.AxesChange;
 import org.mechservice.sim.equations.links.DegreeOfFreedom;
 import org.mechservice.sim.equations.links.Link;
 import org.mechservice.sim.equations.links.Wrench;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarMatrix;
-import org.mechservice.sim.symbolic.ScalarVector;
 import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarMatrix;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /**
  * Articulated inertia of a body and all bodies beyond it: an acceleration of the body's computing

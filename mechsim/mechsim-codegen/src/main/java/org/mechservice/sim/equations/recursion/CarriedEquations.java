@@ -3,8 +3,8 @@ package org.mechservice.sim.equations.recursion;
 import org.mechservice.sim.equations.links.DegreeOfFreedom;
 import org.mechservice.sim.equations.links.Link;
 import org.mechservice.sim.equations.links.Wrench;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /**
  * Equations with multipliers that the inward sweep of articulated bodies carries along and

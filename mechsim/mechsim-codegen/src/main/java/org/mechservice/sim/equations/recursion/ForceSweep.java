@@ -6,12 +6,12 @@ import org.mechservice.sim.equations.links.Link;
 import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.equations.links.Motion;
 import org.mechservice.sim.equations.links.Wrench;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Program;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarMatrix;
-import org.mechservice.sim.symbolic.ScalarVector;
 import org.mechservice.solver.spatial.InertiaTensor;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarMatrix;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /**
  * First sweep, outwards: the motion of each body and its inertia wrench, with zero or given joint

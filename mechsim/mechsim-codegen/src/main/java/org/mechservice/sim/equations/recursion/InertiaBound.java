@@ -4,9 +4,9 @@ import java.util.List;
 import java.util.function.Function;
 import org.mechservice.sim.equations.links.Link;
 import org.mechservice.sim.equations.links.Links;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Scalar;
 import org.mechservice.solver.kinematics.LinkKind;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Scalar;
 
 /**
  * A bound of the inertia beyond a joint with all joints beyond it locked. The articulated inertia

@@ -1,6 +1,6 @@
 package org.mechservice.sim.equations.recursion;
 
-import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /** Forces applied in joints. */
 public interface JointForces {

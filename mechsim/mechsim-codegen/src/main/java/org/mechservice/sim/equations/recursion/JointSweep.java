@@ -6,9 +6,9 @@ import org.mechservice.sim.equations.links.DegreeOfFreedom;
 import org.mechservice.sim.equations.links.Link;
 import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.equations.links.Wrench;
-import org.mechservice.sim.symbolic.Program;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /**
  * Inward sweep: the joint forces for the inertia wrenches of the bodies, minus the applied joint

@@ -3,9 +3,9 @@ package org.mechservice.sim.equations.recursion;
 import java.util.Arrays;
 import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.equations.links.Wrench;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /** The applied loads on links and joints: forces add to them, sweeps read them. */
 public final class Loads implements JointForces {

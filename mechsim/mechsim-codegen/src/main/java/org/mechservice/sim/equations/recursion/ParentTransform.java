@@ -3,10 +3,10 @@ package org.mechservice.sim.equations.recursion;
 import org.mechservice.sim.equations.kinematics.Coordinates;
 import org.mechservice.sim.equations.links.Link;
 import org.mechservice.sim.equations.links.Wrench;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarMatrix;
-import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarMatrix;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /** Transformation of quantities from a link's computing frame to its parent's. */
 public final class ParentTransform {

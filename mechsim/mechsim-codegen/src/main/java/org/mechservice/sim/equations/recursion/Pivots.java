@@ -4,9 +4,9 @@ import java.util.List;
 import org.mechservice.sim.equations.kinematics.Coordinates;
 import org.mechservice.sim.equations.links.DegreeOfFreedom;
 import org.mechservice.sim.equations.links.Link;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Program;
-import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
 
 /**
  * Adds checks of pivots to a program. A pivot is the inertia beyond a joint with all joints beyond

@@ -3,11 +3,11 @@ package org.mechservice.sim.equations.recursion;
 import org.mechservice.sim.equations.links.Link;
 import org.mechservice.sim.equations.links.Twist;
 import org.mechservice.sim.equations.links.Wrench;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarMatrix;
-import org.mechservice.sim.symbolic.ScalarVector;
 import org.mechservice.solver.spatial.InertiaTensor;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarMatrix;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /**
  * A link with all links beyond it as one rigid body, and the velocity derivative of its inertia

@@ -5,10 +5,10 @@ import org.mechservice.sim.equations.links.Link;
 import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.equations.links.Twist;
 import org.mechservice.sim.equations.links.Wrench;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Program;
-import org.mechservice.sim.symbolic.Scalar;
-import org.mechservice.sim.symbolic.ScalarVector;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarVector;
 
 /**
  * The mass matrix for the velocities of the state, from composite inertias (Featherstone 2008,

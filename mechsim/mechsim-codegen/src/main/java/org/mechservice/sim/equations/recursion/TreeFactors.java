@@ -2,8 +2,8 @@ package org.mechservice.sim.equations.recursion;
 
 import java.util.List;
 import java.util.function.IntFunction;
-import org.mechservice.sim.symbolic.Program;
-import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
 
 /**
  * Factors M = LᵀDL of a matrix with elements only between each row and its ancestors. Elimination

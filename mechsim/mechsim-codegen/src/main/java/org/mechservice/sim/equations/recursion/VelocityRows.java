@@ -8,8 +8,8 @@ import org.mechservice.sim.equations.links.Link;
 import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.equations.links.Twist;
 import org.mechservice.sim.equations.links.Wrench;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Scalar;
 
 /** Components of wrenches on links along the velocities of the state: rows Sᵀ w. */
 public final class VelocityRows {

@@ -18,11 +18,11 @@ import java.util.stream.Collectors;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.mechservice.solver.expression.Powers;
 import org.mechservice.solver.expression.Table;
 import org.mechservice.solver.spatial.CubicCurve;
 import org.mechservice.solver.spatial.Piecewise;
 import org.mechservice.solver.spatial.SinCos;
+import org.mechservice.solver.symbol.Powers;
 
 /** The functions of mech_math.c have the bits of those that models call in Java. */
 class StrictMathInCTest {

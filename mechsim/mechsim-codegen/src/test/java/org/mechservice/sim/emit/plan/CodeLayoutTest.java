@@ -10,9 +10,9 @@ import org.mechservice.sim.emit.method.CodeSize;
 import org.mechservice.sim.emit.method.ConstantTable;
 import org.mechservice.sim.emit.method.MethodSignature;
 import org.mechservice.sim.emit.method.Statement;
-import org.mechservice.sim.symbolic.Expressions;
-import org.mechservice.sim.symbolic.Program;
-import org.mechservice.sim.symbolic.Scalar;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
 
 /** The choice between a straight line and shared kernels, at its two boundaries. */
 class CodeLayoutTest {

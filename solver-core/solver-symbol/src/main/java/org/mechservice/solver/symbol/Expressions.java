@@ -1,10 +1,10 @@
-package org.mechservice.sim.symbolic;
+package org.mechservice.solver.symbol;
 
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import org.jspecify.annotations.Nullable;
+import java.util.Optional;
 
 /**
  * A graph of expressions in which equal expressions are one node.
@@ -21,7 +21,7 @@ public final class Expressions {
    * Hash table with open addressing. Key: operation and operands of a node, or the bits of a
    * constant. Never full.
    */
-  private @Nullable Scalar[] known = new Scalar[FIRST_CAPACITY];
+  private Scalar[] known = new Scalar[FIRST_CAPACITY];
 
   /** Nodes of functions by their arguments and the function. */
   private final Map<List<Object>, Scalar> calls = new HashMap<>();
@@ -98,7 +98,7 @@ public final class Expressions {
   private Scalar read(MathFunction function, NumberRow row, List<Scalar> x) {
     return x.stream().allMatch(Scalar::isConstant)
         ? constant(row.value(function, x.stream().mapToDouble(Scalar::value).toArray()))
-        : call(function, row, x);
+        : call(function, Optional.of(row), x);
   }
 
   /** Returns the call of a node of this or another graph with other arguments. */
@@ -121,8 +121,7 @@ public final class Expressions {
     return switch (node.operation()) {
       case CONSTANT -> constant(node.value());
       case INPUT -> input(node.index());
-      case FUNCTION ->
-          call(node.function(), node.function().readsRow() ? node.row() : null, operands);
+      case FUNCTION -> call(node.function(), node.readRow(), operands);
       case NEGATE, SQUARE_ROOT, SINE, COSINE -> unary(node.operation(), operands.get(0));
       default -> binary(node.operation(), operands.get(0), operands.get(1));
     };
@@ -156,15 +155,13 @@ public final class Expressions {
 
   /** Returns the node of a function that needs no simplification. */
   Scalar call(MathFunction function, List<Scalar> arguments) {
-    return call(function, null, arguments);
+    return call(function, Optional.empty(), arguments);
   }
 
-  private Scalar call(MathFunction function, @Nullable NumberRow row, List<Scalar> arguments) {
+  private Scalar call(MathFunction function, Optional<NumberRow> row, List<Scalar> arguments) {
     List<Object> key = new ArrayList<>(arguments);
     key.add(function);
-    if (row != null) {
-      key.add(row);
-    }
+    row.ifPresent(key::add);
     Scalar node = calls.get(key);
     if (node == null) {
       node = new Scalar(this, nodes.size(), function, row, arguments);

@@ -1,6 +1,5 @@
-package org.mechservice.sim.symbolic;
+package org.mechservice.solver.symbol;
 
-import org.mechservice.solver.expression.Powers;
 import org.mechservice.solver.spatial.CubicCurve;
 import org.mechservice.solver.spatial.NumberTable;
 import org.mechservice.solver.spatial.Piecewise;
@@ -30,7 +29,7 @@ public enum MathFunction {
   MAX("java/lang/Math", "max", 2),
   SIGNUM("java/lang/Math", "signum", 1),
   FLOOR("java/lang/Math", "floor", 1),
-  POWER("org/mechservice/solver/expression/Powers", "power", 2),
+  POWER("org/mechservice/solver/symbol/Powers", "power", 2),
   /** {@code choose(a, b, x, y)}: x where a ≤ b, else y. */
   CHOOSE("org/mechservice/solver/spatial/Piecewise", "choose", 4),
   /** {@code product(a, b)}: a b, but 0 if one factor is 0, even if the other is infinite or NaN. */

@@ -1,4 +1,4 @@
-package org.mechservice.sim.symbolic;
+package org.mechservice.solver.symbol;
 
 import org.mechservice.solver.spatial.SinCos;
 

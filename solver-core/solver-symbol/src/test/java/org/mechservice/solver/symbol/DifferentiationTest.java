@@ -1,4 +1,4 @@
-package org.mechservice.sim.symbolic;
+package org.mechservice.solver.symbol;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;

@@ -1,8 +1,7 @@
-package org.mechservice.sim.symbolic;
+package org.mechservice.solver.symbol;
 
 import java.util.List;
-import java.util.Objects;
-import org.jspecify.annotations.Nullable;
+import java.util.Optional;
 
 /**
  * A number known only when the program runs: one node of an {@link Expressions} graph.
@@ -24,8 +23,8 @@ public final class Scalar {
   final long secondIdentity;
   private final double value;
   private final int index;
-  private final @Nullable MathFunction function;
-  private final @Nullable NumberRow row;
+  private final Optional<MathFunction> function;
+  private final Optional<NumberRow> row;
   private boolean steep;
 
   /** Creates a node that is not a function. */
@@ -46,8 +45,8 @@ public final class Scalar {
     this.secondIdentity = secondIdentity;
     this.value = value;
     this.index = index;
-    this.function = null;
-    this.row = null;
+    this.function = Optional.empty();
+    this.row = Optional.empty();
     this.steep = anySteep(operands);
   }
 
@@ -56,7 +55,7 @@ public final class Scalar {
       Expressions expressions,
       int id,
       MathFunction function,
-      @Nullable NumberRow row,
+      Optional<NumberRow> row,
       List<Scalar> operands) {
     this.expressions = expressions;
     this.id = id;
@@ -66,7 +65,7 @@ public final class Scalar {
     this.secondIdentity = -1;
     this.value = 0;
     this.index = 0;
-    this.function = function;
+    this.function = Optional.of(function);
     this.row = row;
     this.steep = anySteep(operands);
   }
@@ -117,12 +116,17 @@ public final class Scalar {
 
   /** Returns the function of a {@link ScalarOperation#FUNCTION}. */
   public MathFunction function() {
-    return Objects.requireNonNull(function, "not a function");
+    return function.orElseThrow();
   }
 
   /** Returns the row that a function {@linkplain MathFunction#readsRow() reads}. */
   public NumberRow row() {
-    return Objects.requireNonNull(row, "reads no row");
+    return row.orElseThrow();
+  }
+
+  /** Returns the row that it reads, if it reads one. */
+  Optional<NumberRow> readRow() {
+    return row;
   }
 
   /** Returns the index of an {@link ScalarOperation#INPUT}. */

@@ -1,4 +1,4 @@
-package org.mechservice.sim.symbolic;
+package org.mechservice.solver.symbol;
 
 import java.util.ArrayList;
 import java.util.Collections;
@@ -6,7 +6,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.jspecify.annotations.Nullable;
 
 /**
  * A straight-line program from inputs to outputs: no branches, divided into sections, with the
@@ -73,7 +72,7 @@ public final class Program {
   private final Map<Scalar, String> names;
 
   /** Cached until the program changes. */
-  private int @Nullable [] uses;
+  private int[] uses = {};
 
   public Program() {
     this(new Expressions(), new ArrayList<>(), new HashMap<>());
@@ -157,7 +156,7 @@ public final class Program {
   }
 
   private Section current() {
-    uses = null;
+    uses = new int[0];
     return sections.get(sections.size() - 1);
   }
 
@@ -182,7 +181,7 @@ public final class Program {
    */
   public int[] uses() {
     int[] known = uses;
-    if (known == null || known.length < expressions.size()) {
+    if (known.length < expressions.size()) {
       known = countedUses();
       uses = known;
     }

@@ -1,4 +1,4 @@
-package org.mechservice.sim.symbolic;
+package org.mechservice.solver.symbol;
 
 /** The operation of a node of an expression graph. */
 public enum ScalarOperation {

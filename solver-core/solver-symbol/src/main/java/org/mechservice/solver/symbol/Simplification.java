@@ -1,13 +1,13 @@
-package org.mechservice.sim.symbolic;
+package org.mechservice.solver.symbol;
 
-import static org.mechservice.sim.symbolic.ScalarOperation.ADD;
-import static org.mechservice.sim.symbolic.ScalarOperation.COSINE;
-import static org.mechservice.sim.symbolic.ScalarOperation.DIVIDE;
-import static org.mechservice.sim.symbolic.ScalarOperation.MULTIPLY;
-import static org.mechservice.sim.symbolic.ScalarOperation.NEGATE;
-import static org.mechservice.sim.symbolic.ScalarOperation.SINE;
-import static org.mechservice.sim.symbolic.ScalarOperation.SQUARE_ROOT;
-import static org.mechservice.sim.symbolic.ScalarOperation.SUBTRACT;
+import static org.mechservice.solver.symbol.ScalarOperation.ADD;
+import static org.mechservice.solver.symbol.ScalarOperation.COSINE;
+import static org.mechservice.solver.symbol.ScalarOperation.DIVIDE;
+import static org.mechservice.solver.symbol.ScalarOperation.MULTIPLY;
+import static org.mechservice.solver.symbol.ScalarOperation.NEGATE;
+import static org.mechservice.solver.symbol.ScalarOperation.SINE;
+import static org.mechservice.solver.symbol.ScalarOperation.SQUARE_ROOT;
+import static org.mechservice.solver.symbol.ScalarOperation.SUBTRACT;
 
 import java.util.List;
 

@@ -1,4 +1,4 @@
-package org.mechservice.sim.symbolic;
+package org.mechservice.solver.symbol;
 
 /**
  * Partial derivatives of functions without case distinctions. The derivative at a jump or corner is
