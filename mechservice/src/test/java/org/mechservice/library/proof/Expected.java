@@ -6,9 +6,10 @@ package org.mechservice.library.proof;
  * <p>An error is allowed up to {@link #STEPS} times what one disturbance of the size of the
  * tolerances changes ({@code spread}): a hit, a pulse or a corner is some ten to hundred steps of
  * which each may leave an error of the tolerance, and in a stiff contact an error of the place
- * comes back as one of velocity. Whatever the tolerance, it is no more than {@link #PART} of what
- * the hidden thing does to the scene ({@code effect}): beyond that, a user takes the motion for
- * another one.
+ * comes back as one of velocity. In a run of more steps, such as one that rattles all the time, as
+ * many errors add up as it has steps. Whatever the tolerance, it is no more than {@link #PART} of
+ * what the hidden thing does to the scene ({@code effect}): beyond that, a user takes the motion
+ * for another one.
  *
  * @param column name of the column
  * @param value the right value
@@ -43,10 +44,10 @@ record Expected(String column, double value, double spread, double effect, doubl
     return new Expected(column, value + offset, spread, effect, known);
   }
 
-  /** Returns the largest error that is right. */
-  double bound() {
+  /** Returns the largest error that is right in a run of some steps. */
+  double bound(long steps) {
     double own = known * (Math.abs(value) + effect);
-    return Math.max(own, Math.min(STEPS * spread, PART * effect));
+    return Math.max(own, Math.min(Math.max(STEPS, (double) steps) * spread, PART * effect));
   }
 
   /**
@@ -58,8 +59,8 @@ record Expected(String column, double value, double spread, double effect, doubl
   }
 
   /** Returns the error of a value, where 1 is the largest that is right. */
-  double error(double actual) {
-    double error = Math.abs(actual - value) / bound();
+  double error(double actual, long steps) {
+    double error = Math.abs(actual - value) / bound(steps);
     return Double.isNaN(error) ? Double.POSITIVE_INFINITY : error;
   }
 }

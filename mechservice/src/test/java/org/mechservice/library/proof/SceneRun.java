@@ -50,25 +50,35 @@ record SceneRun(Scene scene, Verdict verdict, double error, String said, String 
     }
     Optional<Trajectory> found = rows;
     return judged(
-        scene, column -> found.map(r -> r.column(column)[r.rows() - 1]).orElse(Double.NaN), said);
+        scene,
+        column -> found.map(r -> r.column(column)[r.rows() - 1]).orElse(Double.NaN),
+        found.map(r -> r.report().steps()).orElse(0L),
+        said);
+  }
+
+  /** Judges the end of a run whose steps are not known. */
+  static SceneRun judged(Scene scene, ToDoubleFunction<String> ends, SortedSet<String> said) {
+    return judged(scene, ends, 0, said);
   }
 
   /**
    * Judges the end of a run.
    *
    * @param ends values of the last row by column; NaN if there is none
+   * @param steps steps of the run, 0 if they are not known
    * @param said codes of warnings and failures
    */
-  static SceneRun judged(Scene scene, ToDoubleFunction<String> ends, SortedSet<String> said) {
+  private static SceneRun judged(
+      Scene scene, ToDoubleFunction<String> ends, long steps, SortedSet<String> said) {
     double worst = 0;
     StringBuilder detail = new StringBuilder();
     for (Expected expected : scene.expected()) {
       double actual = ends.applyAsDouble(expected.column());
-      double error = expected.error(actual);
+      double error = expected.error(actual, steps);
       worst = Math.max(worst, error);
       detail.append(
           "%s = %.9g, right %.9g, bound %.1e; "
-              .formatted(expected.column(), actual, expected.value(), expected.bound()));
+              .formatted(expected.column(), actual, expected.value(), expected.bound(steps)));
     }
     Verdict verdict = worst <= 1 ? Verdict.RIGHT : said.isEmpty() ? Verdict.SILENT : Verdict.TOLD;
     return new SceneRun(scene, verdict, worst, String.join(" ", said), detail.toString());

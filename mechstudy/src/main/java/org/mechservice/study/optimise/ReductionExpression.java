@@ -3,7 +3,10 @@ package org.mechservice.study.optimise;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.function.DoubleUnaryOperator;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.mechservice.solver.expression.Function;
+import org.mechservice.solver.spatial.Powers;
 import org.mechservice.study.Reduction;
 
 /**
@@ -21,14 +24,10 @@ final class ReductionExpression {
     double value(double[] reduced, Map<String, Double> parameters);
   }
 
-  private static final Map<String, DoubleUnaryOperator> FUNCTIONS =
-      Map.of(
-          "sqrt", Math::sqrt,
-          "abs", Math::abs,
-          "exp", Math::exp,
-          "log", Math::log,
-          "sin", Math::sin,
-          "cos", Math::cos);
+  /** Functions of one argument, with the values that they have in model files. */
+  private static final Map<String, Function> FUNCTIONS =
+      Stream.of(Function.SQRT, Function.ABS, Function.EXP, Function.LOG, Function.SIN, Function.COS)
+          .collect(Collectors.toUnmodifiableMap(Function::symbol, function -> function));
 
   private final String text;
   private final Term term;
@@ -135,7 +134,7 @@ final class ReductionExpression {
       Term a = atom();
       if (take('^')) {
         Term b = sign();
-        return (r, p) -> Math.pow(a.value(r, p), b.value(r, p));
+        return (r, p) -> Powers.power(a.value(r, p), b.value(r, p));
       }
       return a;
     }
@@ -209,14 +208,14 @@ final class ReductionExpression {
         constant = false;
         return (r, p) -> p.getOrDefault(name, Double.NaN);
       }
-      DoubleUnaryOperator function = FUNCTIONS.get(name);
+      Function function = FUNCTIONS.get(name);
       if (function != null) {
         take('(');
         Term inside = sum();
         if (!take(')')) {
           throw wrong("a closing bracket is missing");
         }
-        return (r, p) -> function.applyAsDouble(inside.value(r, p));
+        return (r, p) -> function.at(new double[] {inside.value(r, p)});
       }
       return reduction(from);
     }

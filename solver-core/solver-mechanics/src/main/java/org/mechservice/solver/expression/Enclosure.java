@@ -1,7 +1,7 @@
 package org.mechservice.solver.expression;
 
 import java.util.function.DoubleUnaryOperator;
-import org.mechservice.solver.symbol.Powers;
+import org.mechservice.solver.spatial.Powers;
 
 /**
  * Bounds of the values that operations take while their operands run through intervals. Rounding is

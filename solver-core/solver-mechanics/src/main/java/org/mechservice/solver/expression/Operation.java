@@ -1,6 +1,6 @@
 package org.mechservice.solver.expression;
 
-import org.mechservice.solver.symbol.Powers;
+import org.mechservice.solver.spatial.Powers;
 
 /**
  * An operation of a tape on one or two earlier values, f(a) or f(a, b), with first and second

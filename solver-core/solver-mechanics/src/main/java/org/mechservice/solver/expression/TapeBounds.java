@@ -1,6 +1,6 @@
 package org.mechservice.solver.expression;
 
-import org.mechservice.solver.symbol.Powers;
+import org.mechservice.solver.spatial.Powers;
 
 /**
  * Bounds of all values of a tape, over a box of leaves or along a short way.

@@ -23,7 +23,7 @@ import org.mechservice.solver.expression.Expression.Product;
 import org.mechservice.solver.expression.Expression.Quotient;
 import org.mechservice.solver.expression.Expression.Sum;
 import org.mechservice.solver.expression.Expression.Time;
-import org.mechservice.solver.symbol.Powers;
+import org.mechservice.solver.spatial.Powers;
 
 class TapeTest {
   private static final Expression T = new Time();

@@ -3,6 +3,7 @@ package org.mechservice.solver.symbol;
 import org.mechservice.solver.spatial.CubicCurve;
 import org.mechservice.solver.spatial.NumberTable;
 import org.mechservice.solver.spatial.Piecewise;
+import org.mechservice.solver.spatial.Powers;
 
 /**
  * Static methods that generated code calls. They are those of StrictMath wherever Math may differ
@@ -29,7 +30,7 @@ public enum MathFunction {
   MAX("java/lang/Math", "max", 2),
   SIGNUM("java/lang/Math", "signum", 1),
   FLOOR("java/lang/Math", "floor", 1),
-  POWER("org/mechservice/solver/symbol/Powers", "power", 2),
+  POWER("org/mechservice/solver/spatial/Powers", "power", 2),
   /** {@code choose(a, b, x, y)}: x where a ≤ b, else y. */
   CHOOSE("org/mechservice/solver/spatial/Piecewise", "choose", 4),
   /** {@code product(a, b)}: a b, but 0 if one factor is 0, even if the other is infinite or NaN. */

@@ -21,8 +21,8 @@ import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.solver.expression.Table;
 import org.mechservice.solver.spatial.CubicCurve;
 import org.mechservice.solver.spatial.Piecewise;
+import org.mechservice.solver.spatial.Powers;
 import org.mechservice.solver.spatial.SinCos;
-import org.mechservice.solver.symbol.Powers;
 
 /** The functions of mech_math.c have the bits of those that models call in Java. */
 class StrictMathInCTest {

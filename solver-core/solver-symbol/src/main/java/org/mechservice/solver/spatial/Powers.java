@@ -1,4 +1,4 @@
-package org.mechservice.solver.symbol;
+package org.mechservice.solver.spatial;
 
 /**
  * Powers that allocate nothing and have the same bits on every machine ({@link StrictMath#pow}
