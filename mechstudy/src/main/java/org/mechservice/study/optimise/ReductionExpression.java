@@ -6,7 +6,6 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.mechservice.solver.expression.Function;
-import org.mechservice.solver.spatial.Powers;
 import org.mechservice.study.Reduction;
 
 /**
@@ -24,7 +23,7 @@ final class ReductionExpression {
     double value(double[] reduced, Map<String, Double> parameters);
   }
 
-  /** Functions of one argument, with the values that they have in model files. */
+  /** Functions of one argument, with the values that they have in constants of model files. */
   private static final Map<String, Function> FUNCTIONS =
       Stream.of(Function.SQRT, Function.ABS, Function.EXP, Function.LOG, Function.SIN, Function.COS)
           .collect(Collectors.toUnmodifiableMap(Function::symbol, function -> function));
@@ -134,7 +133,7 @@ final class ReductionExpression {
       Term a = atom();
       if (take('^')) {
         Term b = sign();
-        return (r, p) -> Powers.power(a.value(r, p), b.value(r, p));
+        return (r, p) -> Function.POW.at(new double[] {a.value(r, p), b.value(r, p)});
       }
       return a;
     }

@@ -31,11 +31,23 @@ final class Enclosure {
     } else {
       ((MapSurface) step).bounds(aLow, aHigh, bLow, bHigh, this);
     }
-    if (!(low <= high)) {
-      set(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
-    } else if (rounds(step)) {
-      round(step instanceof Operation ? ROUNDING : ROUNDING_OF_TABLE);
+    if (!rounds(step)) {
+      settle(0);
+    } else {
+      settle(step instanceof Operation ? ROUNDING : ROUNDING_OF_TABLE);
     }
+  }
+
+  /** Finds the bounds of a sum, as {@link #of} does. */
+  void ofSum(double aLow, double aHigh, double bLow, double bHigh) {
+    set(aLow + bLow, aHigh + bHigh);
+    settle(ROUNDING);
+  }
+
+  /** Finds the bounds of a product, as {@link #of} does. */
+  void ofProduct(double aLow, double aHigh, double bLow, double bHigh) {
+    product(aLow, aHigh, bLow, bHigh);
+    settle(ROUNDING);
   }
 
   /** Returns whether an operation rounds; the others give one of a few values, or an operand. */
@@ -67,20 +79,18 @@ final class Enclosure {
         };
   }
 
-  /** Widens the bounds by the rounding of both ways of evaluation; what is exactly 0 stays so. */
-  private void round(double rounding) {
-    double error = error(rounding, low, high);
-    low -= low == 0 ? 0 : error;
-    high += high == 0 ? 0 : error;
-  }
-
-  private static double error(double rounding, double low, double high) {
-    return rounding * Math.max(Math.abs(low), Math.abs(high)) + Double.MIN_NORMAL;
-  }
-
-  /** Returns what the bounds of a sum or a product are widened by. */
-  static double rounding(double low, double high) {
-    return error(ROUNDING, low, high);
+  /**
+   * Widens the bounds by the rounding of both ways of evaluation, relative to their size; what is
+   * exactly 0 stays so. Bounds that are none become infinite.
+   */
+  private void settle(double rounding) {
+    if (!(low <= high)) {
+      set(Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
+    } else if (rounding > 0) {
+      double error = rounding * Math.max(Math.abs(low), Math.abs(high)) + Double.MIN_NORMAL;
+      low -= low == 0 ? 0 : error;
+      high += high == 0 ? 0 : error;
+    }
   }
 
   void set(double lowest, double highest) {
@@ -139,13 +149,17 @@ final class Enclosure {
     set(f.applyAsDouble(aLow), f.applyAsDouble(aHigh));
   }
 
-  /** Finds the bounds of a product. */
+  /** Finds the bounds of a product without its rounding. */
   void product(double aLow, double aHigh, double bLow, double bHigh) {
-    set(Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY);
-    include(times(aLow, bLow));
-    include(times(aLow, bHigh));
-    include(times(aHigh, bLow));
-    include(times(aHigh, bHigh));
+    double one = times(aLow, bLow);
+    double two = times(aLow, bHigh);
+    double three = times(aHigh, bLow);
+    double four = times(aHigh, bHigh);
+    double least = one < two ? one : two;
+    double most = one < two ? two : one;
+    double less = three < four ? three : four;
+    double more = three < four ? four : three;
+    set(least < less ? least : less, most < more ? more : most);
   }
 
   /** A factor 0 is exactly 0 all over the interval, also where the other has no bound. */

@@ -100,20 +100,15 @@ final class TapeBounds {
     int[] first = tape.first;
     int[] second = tape.second;
     int[] target = tape.target;
-    boolean[] isRough = rough;
     for (int i = 0; i < kind.length; i++) {
       int a = first[i];
       int b = second[i];
-      int slot = target[i];
-      boolean r = isRough[a] || isRough[b];
-      if (!r && kind[i] != Tape.SUM && kind[i] != Tape.NEGATION) {
-        r = !changesEvenly(i, kind[i], a, b);
-      }
-      isRough[slot] = r;
-      if (r) {
-        enclose(i, kind[i], a, b, slot);
+      boolean uneven = rough[a] || rough[b] || !changesEvenly(i, kind[i], a, b);
+      rough[target[i]] = uneven;
+      if (uneven) {
+        enclose(i, kind[i], a, b, target[i]);
       } else {
-        follow(slot, start, middle, end);
+        follow(target[i], start, middle, end);
       }
     }
   }
@@ -130,50 +125,19 @@ final class TapeBounds {
   }
 
   private void enclose(int i, int kind, int a, int b, int target) {
-    switch (kind) {
-      case Tape.SUM -> set(target, low[a] + low[b], high[a] + high[b]);
-      case Tape.PRODUCT -> product(target, low[a], high[a], low[b], high[b]);
-      case Tape.NEGATION -> {
-        low[target] = -high[a];
-        high[target] = -low[a];
-      }
-      default -> {
-        enclosure.of(tape.operation[i], low[a], high[a], low[b], high[b]);
-        low[target] = enclosure.low;
-        high[target] = enclosure.high;
-      }
-    }
-  }
-
-  private void product(int target, double aLow, double aHigh, double bLow, double bHigh) {
-    double one = aLow * bLow;
-    double two = aLow * bHigh;
-    double three = aHigh * bLow;
-    double four = aHigh * bHigh;
-    if (Double.isNaN(one + two + three + four)) {
-      // infinite bounds: a factor of zero has its own rule
-      enclosure.of(Operation.MULTIPLY, aLow, aHigh, bLow, bHigh);
-      low[target] = enclosure.low;
-      high[target] = enclosure.high;
+    if (kind == Tape.NEGATION) {
+      low[target] = -high[a];
+      high[target] = -low[a];
       return;
-    }
-    double least = one < two ? one : two;
-    double most = one < two ? two : one;
-    double less = three < four ? three : four;
-    double more = three < four ? four : three;
-    set(target, least < less ? least : less, most < more ? more : most);
-  }
-
-  /** Sets bounds that are rounded. */
-  private void set(int slot, double lowest, double highest) {
-    if (lowest <= highest) {
-      double error = Enclosure.rounding(lowest, highest);
-      low[slot] = lowest == 0 ? lowest : lowest - error;
-      high[slot] = highest == 0 ? highest : highest + error;
+    } else if (kind == Tape.SUM) {
+      enclosure.ofSum(low[a], high[a], low[b], high[b]);
+    } else if (kind == Tape.PRODUCT) {
+      enclosure.ofProduct(low[a], high[a], low[b], high[b]);
     } else {
-      low[slot] = Double.NEGATIVE_INFINITY;
-      high[slot] = Double.POSITIVE_INFINITY;
+      enclosure.of(tape.operation[i], low[a], high[a], low[b], high[b]);
     }
+    low[target] = enclosure.low;
+    high[target] = enclosure.high;
   }
 
   /** Returns whether an operation changes evenly within the bounds of its operands. */

@@ -3,6 +3,7 @@ package org.mechservice.solver.expression;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.mechservice.solver.expression.Expression.Product;
 import org.mechservice.solver.expression.Expression.StateValue;
@@ -86,5 +87,69 @@ final class TapePiecesTest {
     Tape tape = new Tape(List.of(call(Function.STEP, new Time())));
     assertThat(new TapePieces(tape, 1).choiceCount()).isZero();
     assertThat(TapePieces.ofTime(tape).choiceCount()).isOne();
+  }
+
+  /** Returns what is found along a way of x and y. */
+  private static List<Double> found(TapePieces pieces, Tape tape, double[] x, double[] y) {
+    double[][] points = new double[3][];
+    for (int k = 0; k < 3; k++) {
+      double[] leaves = new double[tape.leaves().size()];
+      for (int leaf = 0; leaf < leaves.length; leaf++) {
+        leaves[leaf] = tape.leaves().get(leaf).equals(X) ? x[k] : y[k];
+      }
+      points[k] = pieces.newPoint();
+      pieces.at(leaves, points[k]);
+    }
+    boolean decided = pieces.decide(points[0], points[1], points[2]);
+    return List.of(
+        decided ? 1.0 : 0,
+        pieces.isEven() ? 1.0 : 0,
+        (double) pieces.undecidedCount(),
+        pieces.low(0),
+        pieces.high(0));
+  }
+
+  @Test
+  void aWayIsDecidedByItselfAndNotByTheOneBefore() {
+    Expression power = new Expression.Power(X, Expression.of(9));
+    for (Expression formula :
+        List.of(
+            new Product(power, call(Function.ABS, Y)),
+            new Sum(call(Function.EXP, X), new Product(X, Y)),
+            new Product(positive(X), new Expression.Quotient(Y, new Sum(X, Y))))) {
+      Tape tape = new Tape(List.of(formula));
+      TapePieces used = new TapePieces(tape, 1);
+      for (double size : new double[] {1e-6, 3, 1e-7, 0.5, 2, 1e-3}) {
+        double[] x = {0.1 * size, size, 1.9 * size};
+        double[] y = {-size, 0.4 * size, 1.7};
+        assertThat(found(used, tape, x, y))
+            .as("%s, %s", formula, size)
+            .isEqualTo(found(new TapePieces(tape, 1), tape, x, y));
+      }
+    }
+  }
+
+  @Test
+  void boundsHoldTheValuesOfTheFormula() {
+    Random random = new Random(5);
+    Expression formula =
+        new Sum(
+            new Product(new Sum(X, Expression.of(-0.3)), new Product(Y, Y)),
+            new Product(call(Function.COS, X), new Expression.Negation(Y)));
+    Tape tape = new Tape(List.of(formula));
+    TapePieces pieces = new TapePieces(tape, 1);
+    double[] point = pieces.newPoint();
+    for (int k = 0; k < 2000; k++) {
+      double[] low = {random.nextDouble() * 4 - 2, random.nextDouble() * 4 - 2};
+      double[] high = {low[0] + random.nextDouble(), low[1] + random.nextDouble()};
+      double[] leaves = new double[2];
+      for (int leaf = 0; leaf < 2; leaf++) {
+        pieces.setLeaf(leaf, low[leaf], high[leaf]);
+        leaves[leaf] = low[leaf] + random.nextInt(3) / 2.0 * (high[leaf] - low[leaf]);
+      }
+      pieces.decide();
+      pieces.at(leaves, point);
+      assertThat(pieces.value(0, point)).isBetween(pieces.low(0), pieces.high(0));
+    }
   }
 }
