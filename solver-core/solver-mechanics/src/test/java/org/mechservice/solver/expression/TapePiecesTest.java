@@ -1,7 +1,9 @@
 package org.mechservice.solver.expression;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
+import java.math.BigDecimal;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -151,5 +153,34 @@ final class TapePiecesTest {
       pieces.at(leaves, point);
       assertThat(pieces.value(0, point)).isBetween(pieces.low(0), pieces.high(0));
     }
+  }
+
+  @Test
+  void boundsOfAPointHoldTheExactValue() {
+    Random random = new Random(6);
+    Tape tape = new Tape(List.of(new Product(new Sum(X, Y), X)));
+    TapePieces pieces = new TapePieces(tape, 1);
+    for (int k = 0; k < 200; k++) {
+      double[] at = {random.nextDouble(), 1e3 * random.nextDouble()};
+      for (int leaf = 0; leaf < 2; leaf++) {
+        double value = tape.leaves().get(leaf).equals(X) ? at[0] : at[1];
+        pieces.setLeaf(leaf, value, value);
+      }
+      pieces.decide();
+      BigDecimal x = new BigDecimal(at[0]);
+      BigDecimal exact = x.add(new BigDecimal(at[1])).multiply(x);
+      assertThat(exact).isBetween(new BigDecimal(pieces.low(0)), new BigDecimal(pieces.high(0)));
+    }
+  }
+
+  /** x and y pass through zero on curves; three values of their product do not show its size. */
+  @Test
+  void aProductOfFactorsThatBothPassThroughZeroIsBoundedByThem() {
+    Tape tape = new Tape(List.of(new Product(X, Y)));
+    List<Double> found =
+        found(new TapePieces(tape, 1), tape, new double[] {-1, -1, 1}, new double[] {1, -1, -1});
+    // both lie in [−2, 2], one bow of 1 beside their values
+    assertThat(found.get(3)).isCloseTo(-4, within(1e-12));
+    assertThat(found.get(4)).isCloseTo(4, within(1e-12));
   }
 }

@@ -83,6 +83,18 @@ final class StepSearchTest {
     assertThat(seen(gap, 2, t -> -1 + 0.4 * t, t -> 0)).isNaN();
   }
 
+  /** One search sees many steps: what it knows of one must not stand for another. */
+  @Test
+  void stepAfterCalmOnesIsSearchedByItself() {
+    StateEvents events = events(call(Function.MAX, Expression.ZERO, new Negation(X)));
+    DoubleUnaryOperator x = t -> 1 - 2 * Math.max(0, 1 - 100 * (t - 4.5) * (t - 4.5));
+    Way way = new Way(x, t -> 0);
+    for (int step = 0; step < 4; step++) {
+      assertThat(events.seenUntil(step, step + 1, way)).isNaN();
+    }
+    assertThat(events.seenUntil(4, 5, way)).isCloseTo(4.5 - Math.sqrt(0.005), within(1e-12));
+  }
+
   /** x passes through a window of any width and any place, at any speed. */
   @Test
   void noWindowIsTooNarrow() {
