@@ -1,7 +1,9 @@
 package org.mechservice.mechml.resolve.force;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.SortedSet;
 import java.util.TreeSet;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Expression.Argument;
@@ -19,10 +21,13 @@ import org.mechservice.solver.expression.TapeEvaluation;
 
 /**
  * A height h(s) that is smooth between finitely many places and straight before the first and
- * behind the last of them: a sum of multiples of tables, smoothSteps, absolute values and maxima of
- * what is linear in s.
+ * behind the last of them: a sum of multiples of tables and smoothSteps of what is linear in s, and
+ * of absolute values, minima and maxima of what is made of straight lines.
  */
 final class HeightPieces {
+  /** Distance of two places that are the same, by their size. */
+  private static final double ROUNDING = 1e-13;
+
   private final TapeEvaluation height;
   private final double[] breaks;
   private final boolean bounded;
@@ -132,14 +137,55 @@ final class HeightPieces {
     }
 
     private boolean isPiecewise(Call call) {
-      Expression first = call.arguments().get(0);
-      if (call.function() == Function.SMOOTH_STEP) {
-        return areWhere(first, List.of(0.0, 1.0));
-      } else if (call.function() == Function.ABS) {
-        return areWhere(first, List.of(0.0));
+      List<Expression> arguments = call.arguments();
+      Expression first = arguments.get(0);
+      return switch (call.function()) {
+        case SMOOTH_STEP -> areWhere(first, List.of(0.0, 1.0));
+        case ABS -> changeSides(first);
+        case MAX, MIN -> changeSides(new Sum(first, new Negation(arguments.get(1))));
+        default -> false;
+      };
+    }
+
+    /** Adds the places where what is made of straight lines has a corner or changes its sign. */
+    private boolean changeSides(Expression difference) {
+      Collector inside = new Collector();
+      if (Line.of(difference).isPresent()) {
+        return areWhere(difference, List.of(0.0));
+      } else if (!isStraight(difference) || !inside.isSum(difference)) {
+        return false;
       }
-      return (call.function() == Function.MAX || call.function() == Function.MIN)
-          && areWhere(new Sum(first, new Negation(call.arguments().get(1))), List.of(0.0));
+      inside.places.forEach(this::add);
+      zeros(difference, inside.places).forEach(this::add);
+      return true;
+    }
+
+    /** Returns the zeros of what is straight between places. */
+    private static List<Double> zeros(Expression lines, SortedSet<Double> places) {
+      HeightPieces values = new HeightPieces(lines, new double[0], false);
+      List<Double> ends = new ArrayList<>(places);
+      ends.add(0, ends.get(0) - 1);
+      ends.add(ends.get(ends.size() - 1) + 1);
+      List<Double> zeros = new ArrayList<>();
+      for (int i = 0; i + 1 < ends.size(); i++) {
+        double from = ends.get(i);
+        double to = ends.get(i + 1);
+        double middle = 0.5 * (from + to);
+        double zero = middle - values.value(middle) / values.slope(middle);
+        boolean afterFirst = i == 0 || zero >= from;
+        boolean beforeLast = i + 2 == ends.size() || zero <= to;
+        if (Double.isFinite(zero) && afterFirst && beforeLast) {
+          zeros.add(zero);
+        }
+      }
+      return zeros;
+    }
+
+    private static boolean isStraight(Expression e) {
+      boolean here =
+          !(e instanceof TableValue)
+              && !(e instanceof Call call && call.function() == Function.SMOOTH_STEP);
+      return here && Expression.operands(e).stream().allMatch(Collector::isStraight);
     }
 
     private static boolean isConstant(Expression e) {
@@ -150,8 +196,16 @@ final class HeightPieces {
     private boolean areWhere(Expression argument, List<Double> values) {
       Optional<Line> line = Line.of(argument);
       line.filter(l -> l.slope() != 0)
-          .ifPresent(l -> values.forEach(v -> places.add((v - l.offset()) / l.slope())));
+          .ifPresent(l -> values.forEach(v -> add((v - l.offset()) / l.slope())));
       return line.isPresent();
+    }
+
+    /** Adds a place, if it is not one that is known but for rounding. */
+    private void add(double place) {
+      double rounding = ROUNDING * Math.abs(place);
+      if (places.subSet(place - rounding, true, place + rounding, true).isEmpty()) {
+        places.add(place);
+      }
     }
   }
 }

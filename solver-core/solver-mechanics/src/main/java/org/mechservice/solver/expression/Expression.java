@@ -137,6 +137,27 @@ public sealed interface Expression {
   }
 
   /**
+   * Abscissa of the point of a curve z = h(x) that is closest to the origin of a frame, m; where it
+   * changes with the frame it has no derivatives.
+   *
+   * @param surface x along the curve, z up
+   * @param point the frame
+   * @param curve h of {@link Argument} and parameters, m
+   */
+  record ClosestStation(BodyFrame surface, BodyFrame point, Expression curve)
+      implements Expression {
+    /** Returns x of the frame. */
+    public RelativeMotion along() {
+      return new RelativeMotion(surface, point, 0);
+    }
+
+    /** Returns z of the frame. */
+    public RelativeMotion above() {
+      return new RelativeMotion(surface, point, 2);
+    }
+  }
+
+  /**
    * left + right.
    *
    * @param left first term

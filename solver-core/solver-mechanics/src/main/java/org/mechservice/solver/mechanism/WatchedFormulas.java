@@ -10,6 +10,7 @@ import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Expression.Argument;
 import org.mechservice.solver.expression.Expression.Call;
+import org.mechservice.solver.expression.Expression.ClosestStation;
 import org.mechservice.solver.expression.Expression.Constant;
 import org.mechservice.solver.expression.Expression.CoordinatePosition;
 import org.mechservice.solver.expression.Expression.Negation;
@@ -227,7 +228,9 @@ final class WatchedFormulas implements ForceVisitor<List<Expression>> {
 
   /**
    * Returns by how much the centre is below the heights at which the sphere touches. Without tracks
-   * these are h + R √(1 + h′²), which is exact on a straight slope, with h′ from a difference.
+   * these are h + R √(1 + h′²), which is exact on a straight slope, with h′ from a difference; and
+   * the closest point jumps from one side of a hollow corner to the other before the centre reaches
+   * the corner.
    */
   @Override
   public List<Expression> contact(Contact force) {
@@ -240,25 +243,32 @@ final class WatchedFormulas implements ForceVisitor<List<Expression>> {
       touches.add(pressed(new Sum(at(x, track), below)));
     }
     if (touches.isEmpty()) {
-      touches.add(pressed(new Sum(touching(force, x), below)));
+      Expression height = force.height();
+      Expression radius = force.radius();
+      if (height instanceof Constant || radius.equals(Expression.ZERO)) {
+        touches.add(pressed(new Sum(new Sum(at(x, height), radius), below)));
+        return touches;
+      }
+      Expression touching = new Sum(at(x, height), new Product(radius, length(height, x)));
+      Expression depth = pressed(new Sum(touching, below));
+      touches.add(depth);
+      Expression closest = new ClosestStation(force.surface(), ball, height);
+      for (Expression side : HollowCorners.of(height)) {
+        touches.add(
+            new Product(depth, Expression.call(Function.SIGNUM, List.of(at(closest, side)))));
+      }
     }
     return touches;
   }
 
-  private static Expression touching(Contact force, Expression x) {
-    Expression height = at(x, force.height());
-    Expression radius = force.radius();
-    if (force.height() instanceof Constant || radius.equals(Expression.ZERO)) {
-      return new Sum(height, radius);
-    }
-    Expression ahead = at(new Sum(x, Expression.of(SHORT)), force.height());
-    Expression behind = at(new Sum(x, Expression.of(-SHORT)), force.height());
+  /** Returns √(1 + h′²). */
+  private static Expression length(Expression curve, Expression x) {
+    Expression ahead = at(new Sum(x, Expression.of(SHORT)), curve);
+    Expression behind = at(new Sum(x, Expression.of(-SHORT)), curve);
     Expression slope =
         new Product(Expression.of(0.5 / SHORT), new Sum(ahead, new Negation(behind)));
-    Expression length =
-        Expression.call(
-            Function.SQRT, List.of(new Sum(Expression.of(1), new Product(slope, slope))));
-    return new Sum(height, new Product(radius, length));
+    return Expression.call(
+        Function.SQRT, List.of(new Sum(Expression.of(1), new Product(slope, slope))));
   }
 
   private static Expression at(Expression x, Expression curve) {

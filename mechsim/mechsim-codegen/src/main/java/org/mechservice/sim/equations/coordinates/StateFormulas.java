@@ -55,6 +55,11 @@ public final class StateFormulas extends Formulas {
       return motions
           .computeIfAbsent(List.of(relative.frame1(), relative.frame2()), this::motion)
           .component(relative.component());
+    } else if (leaf instanceof Expression.ClosestStation closest) {
+      return ClosestPointSearch.station(
+          ClosestPointSearch.Curve.of(expressions, closest.curve()),
+          leaf(closest.along()),
+          leaf(closest.above()));
     }
     throw new IllegalArgumentException(leaf + " has no value in a force");
   }

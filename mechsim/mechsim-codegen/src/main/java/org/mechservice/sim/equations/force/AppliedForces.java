@@ -2,7 +2,7 @@ package org.mechservice.sim.equations.force;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
+import org.mechservice.sim.equations.coordinates.ClosestPointSearch;
 import org.mechservice.sim.equations.coordinates.CutCoordinateTerms;
 import org.mechservice.sim.equations.coordinates.JointCoordinates;
 import org.mechservice.sim.equations.coordinates.JointLinks;
@@ -12,7 +12,6 @@ import org.mechservice.sim.equations.coordinates.RelativeFrameMotion;
 import org.mechservice.sim.equations.coordinates.StateFormulas;
 import org.mechservice.sim.equations.kinematics.BodyPoints;
 import org.mechservice.sim.equations.kinematics.Coordinates;
-import org.mechservice.sim.equations.kinematics.Formulas;
 import org.mechservice.sim.equations.kinematics.LinkKinematics;
 import org.mechservice.sim.equations.links.Labels;
 import org.mechservice.sim.equations.links.Links;
@@ -23,7 +22,6 @@ import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.force.law.ClosestPoint;
 import org.mechservice.solver.mechanism.FurtherState;
 import org.mechservice.solver.mechanism.force.Bushing;
 import org.mechservice.solver.mechanism.force.Contact;
@@ -38,9 +36,7 @@ import org.mechservice.solver.mechanism.force.PairForce;
 import org.mechservice.solver.mechanism.force.SpringDamper;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.spatial.Rotation;
-import org.mechservice.solver.symbol.Differentiation;
 import org.mechservice.solver.symbol.Expressions;
-import org.mechservice.solver.symbol.NumberRow;
 import org.mechservice.solver.symbol.Program;
 import org.mechservice.solver.symbol.Scalar;
 import org.mechservice.solver.symbol.ScalarVector;
@@ -331,10 +327,10 @@ public final class AppliedForces {
     public ForceTerm contact(Contact f) {
       BodyFrame sphere = new BodyFrame(f.center().body(), f.center().position(), Rotation.IDENTITY);
       RelativeFrameMotion frames = new RelativeFrameMotion(kinematics, points, f.surface(), sphere);
-      Profile profile = new Profile(expressions);
       boolean ofCentre = !f.tracks().isEmpty();
       List<ClosestPointSearch.Curve> curves =
-          (ofCentre ? f.tracks() : List.of(f.height())).stream().map(profile::curve).toList();
+          (ofCentre ? f.tracks() : List.of(f.height()))
+              .stream().map(curve -> ClosestPointSearch.Curve.of(expressions, curve)).toList();
       PushLaw push =
           new PushLaw(
               formulas.scalar(f.stiffness()),
@@ -362,40 +358,6 @@ public final class AppliedForces {
           f.damping().stream().mapToDouble(this::number).toArray(),
           f.preload().stream().mapToDouble(this::number).toArray(),
           f.law() == Bushing.Law.ENERGY);
-    }
-  }
-
-  /** The height of a profile as a formula of the arc length along it. */
-  private static final class Profile extends Formulas {
-    private final Expressions expressions;
-
-    Profile(Expressions expressions) {
-      super(expressions);
-      this.expressions = expressions;
-    }
-
-    /** Returns the placeholder of the arc length. */
-    Scalar way() {
-      return expressions.input(Program.PLACEHOLDER);
-    }
-
-    @Override
-    protected Scalar leaf(Expression leaf) {
-      if (leaf instanceof Expression.Argument) {
-        return way();
-      }
-      throw new IllegalArgumentException("a profile depends on " + leaf);
-    }
-
-    ClosestPointSearch.Curve curve(Expression height) {
-      Scalar h = scalar(height);
-      Scalar slope = byWay(h);
-      return new ClosestPointSearch.Curve(
-          way(), h, slope, byWay(slope), ClosestPoint.row(height).map(NumberRow::new));
-    }
-
-    private Scalar byWay(Scalar value) {
-      return new Differentiation(expressions, Map.of(way(), expressions.one())).of(value);
     }
   }
 }

@@ -2,6 +2,7 @@ package org.mechservice.sim.equations.force;
 
 import java.util.List;
 import java.util.function.Function;
+import org.mechservice.sim.equations.coordinates.ClosestPointSearch;
 import org.mechservice.sim.equations.coordinates.RelativeFrameMotion;
 import org.mechservice.sim.equations.recursion.Loads;
 import org.mechservice.solver.symbol.Expressions;

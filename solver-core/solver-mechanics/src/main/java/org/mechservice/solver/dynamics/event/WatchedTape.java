@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Set;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.Expression.ClosestStation;
 import org.mechservice.solver.expression.Expression.CoordinateVelocity;
 import org.mechservice.solver.expression.Expression.PointPosition;
 import org.mechservice.solver.expression.Expression.PointVelocity;
@@ -97,6 +98,8 @@ public final class WatchedTape {
       return turns(path(point.point().body(), mechanism), mechanism);
     } else if (leaf instanceof PointVelocity point) {
       return turns(path(point.point().body(), mechanism), mechanism);
+    } else if (leaf instanceof ClosestStation closest) {
+      return turnsOf(closest.along(), mechanism);
     } else if (leaf instanceof RelativeMotion relative) {
       Set<Integer> one = path(relative.frame1().body(), mechanism);
       Set<Integer> other = path(relative.frame2().body(), mechanism);

@@ -4,6 +4,7 @@ import java.util.function.IntConsumer;
 import org.mechservice.solver.expression.ClosureCoordinate;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.Expression.ClosestStation;
 import org.mechservice.solver.expression.Expression.CoordinatePosition;
 import org.mechservice.solver.expression.Expression.CoordinateVelocity;
 import org.mechservice.solver.expression.Expression.ParameterValue;
@@ -60,6 +61,8 @@ public abstract class LeafInput {
       return new PointInput(motion, point.point(), point.axis(), true);
     } else if (leaf instanceof RelativeMotion relative) {
       return new RelativeInput(motion, relative);
+    } else if (leaf instanceof ClosestStation closest) {
+      return new StationInput(motion, closest, parameters);
     }
     throw new IllegalArgumentException(leaf + " has no value in a force");
   }

@@ -54,6 +54,7 @@ public final class ClosestPoint {
   /** Leaf that is the abscissa; −1 of a horizontal line. */
   private final int argument;
 
+  private double station;
   private double value;
   private double slope;
   private double bend;
@@ -65,7 +66,7 @@ public final class ClosestPoint {
   /** Whether the curve is that of the centre of the sphere, else the surface. */
   private final boolean ofCentre;
 
-  ClosestPoint(Expression curve, boolean ofCentre) {
+  public ClosestPoint(Expression curve, boolean ofCentre) {
     this.ofCentre = ofCentre;
     height = new TapeEvaluation(new Tape(List.of(curve)));
     argument = leaves().indexOf(new Argument());
@@ -86,7 +87,7 @@ public final class ClosestPoint {
     return height.tape().leaves();
   }
 
-  void parameters(double[] values) {
+  public void parameters(double[] values) {
     List<Expression> leaves = leaves();
     for (int i = 0; i < leaves.size(); i++) {
       if (leaves.get(i) instanceof ParameterValue parameter) {
@@ -100,7 +101,7 @@ public final class ClosestPoint {
    *
    * @return whether height, slope and bend are finite
    */
-  boolean find(double x, double z) {
+  public boolean find(double x, double z) {
     evaluate(x);
     double below = value;
     double s = x;
@@ -110,6 +111,7 @@ public final class ClosestPoint {
     } else if (argument >= 0) {
       s = search(x, z);
     }
+    station = s;
     double root = Math.sqrt(1 + slope * slope);
     cosine = 1 / root;
     sine = slope / root;
@@ -195,6 +197,11 @@ public final class ClosestPoint {
     value = height.value(0);
     slope = height.rate(0);
     bend = height.secondRate(0);
+  }
+
+  /** Returns s, m. */
+  public double station() {
+    return station;
   }
 
   /** Returns σ, m. */

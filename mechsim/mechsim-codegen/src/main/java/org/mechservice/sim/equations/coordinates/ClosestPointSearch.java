@@ -1,10 +1,15 @@
-package org.mechservice.sim.equations.force;
+package org.mechservice.sim.equations.coordinates;
 
+import java.util.Map;
 import java.util.Optional;
+import org.mechservice.sim.equations.kinematics.Formulas;
+import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.force.law.ClosestPoint;
+import org.mechservice.solver.symbol.Differentiation;
 import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.MathFunction;
 import org.mechservice.solver.symbol.NumberRow;
+import org.mechservice.solver.symbol.Program;
 import org.mechservice.solver.symbol.Scalar;
 import org.mechservice.solver.symbol.Substitution;
 
@@ -12,7 +17,7 @@ import org.mechservice.solver.symbol.Substitution;
  * The point of a curve z = h(x) that is closest to a point (x, z), by the steps of {@link
  * ClosestPoint}: distance along the normal (−sin θ, cos θ), and θ.
  */
-final class ClosestPointSearch {
+public final class ClosestPointSearch {
   /**
    * A curve.
    *
@@ -22,10 +27,39 @@ final class ClosestPointSearch {
    * @param bend h″
    * @param row the curve of a table
    */
-  record Curve(Scalar way, Scalar height, Scalar slope, Scalar bend, Optional<NumberRow> row) {
+  public record Curve(
+      Scalar way, Scalar height, Scalar slope, Scalar bend, Optional<NumberRow> row) {
+    /** Returns the curve of a height of {@link Expression.Argument} and parameters. */
+    public static Curve of(Expressions expressions, Expression height) {
+      Scalar way = expressions.input(Program.PLACEHOLDER);
+      Differentiation byWay = new Differentiation(expressions, Map.of(way, expressions.one()));
+      Scalar h = new OfArgument(expressions, way).scalar(height);
+      Scalar slope = byWay.of(h);
+      return new Curve(
+          way, h, slope, byWay.of(slope), ClosestPoint.row(height).map(NumberRow::new));
+    }
+
     private Curve at(Scalar s) {
       Substitution place = new Substitution(way, s);
       return new Curve(s, place.of(height), place.of(slope), place.of(bend), row);
+    }
+  }
+
+  /** Formulas of the argument, whose place {@code way} holds. */
+  private static final class OfArgument extends Formulas {
+    private final Scalar way;
+
+    OfArgument(Expressions expressions, Scalar way) {
+      super(expressions);
+      this.way = way;
+    }
+
+    @Override
+    protected Scalar leaf(Expression leaf) {
+      if (leaf instanceof Expression.Argument) {
+        return way;
+      }
+      throw new IllegalArgumentException("a profile depends on " + leaf);
     }
   }
 
@@ -35,10 +69,10 @@ final class ClosestPointSearch {
   private final Expressions e;
 
   /** σ, m. */
-  final Scalar distance;
+  public final Scalar distance;
 
-  final Scalar sine;
-  final Scalar cosine;
+  public final Scalar sine;
+  public final Scalar cosine;
 
   /** Whether the curve has corners: it is the surface, not that of the centre. */
   private final boolean corners;
@@ -46,7 +80,7 @@ final class ClosestPointSearch {
   /**
    * @param ofCentre whether the curve is that of the sphere's centre, else the surface
    */
-  ClosestPointSearch(Curve curve, Scalar x, Scalar z, boolean ofCentre) {
+  public ClosestPointSearch(Curve curve, Scalar x, Scalar z, boolean ofCentre) {
     e = x.expressions();
     corners = !ofCentre;
     if (curve.bend().isZero() && curve.slope() == curve.at(x).slope()) {
@@ -57,7 +91,7 @@ final class ClosestPointSearch {
       cosine = e.one().over(root);
       return;
     }
-    Scalar s = curve.row().map(row -> e.closest(row, x, z)).orElseGet(() -> searched(curve, x, z));
+    Scalar s = station(curve, x, z);
     Curve near = curve.at(s);
     Scalar g = g(near, x, z);
     Scalar full = rise(near, z);
@@ -90,6 +124,12 @@ final class ClosestPointSearch {
     cosine = e.function(MathFunction.CHOOSE, size, limit, level, up);
   }
 
+  /** Returns the abscissa of the closest point, without derivatives. */
+  static Scalar station(Curve curve, Scalar x, Scalar z) {
+    Expressions e = x.expressions();
+    return curve.row().map(row -> e.closest(row, x, z)).orElseGet(() -> searched(curve, x, z));
+  }
+
   /** Returns the largest |g| of a foot of a perpendicular. */
   private Scalar limit(Curve at, Scalar x, Scalar z) {
     Scalar size = e.function(MathFunction.ABS, x).plus(e.function(MathFunction.ABS, z));
@@ -114,8 +154,11 @@ final class ClosestPointSearch {
   }
 
   /** Returns g′. */
-  private Scalar rise(Curve at, Scalar z) {
-    return e.one().plus(at.slope().squared()).plus(at.height().minus(z).times(at.bend()));
+  private static Scalar rise(Curve at, Scalar z) {
+    return z.expressions()
+        .one()
+        .plus(at.slope().squared())
+        .plus(at.height().minus(z).times(at.bend()));
   }
 
   /** Returns s on a straight line, by one step of Newton's method from any place. */
@@ -127,7 +170,8 @@ final class ClosestPointSearch {
     return e.function(MathFunction.HELD, value);
   }
 
-  private Scalar searched(Curve curve, Scalar x, Scalar z) {
+  private static Scalar searched(Curve curve, Scalar x, Scalar z) {
+    Expressions e = x.expressions();
     Scalar above = e.function(MathFunction.ABS, curve.at(x).height().minus(z));
     Scalar part = above.over(e.constant(ClosestPoint.SEEDS));
     Scalar s = x;
@@ -170,11 +214,11 @@ final class ClosestPointSearch {
   }
 
   /** Returns a number if it is between two others, else another. */
-  private Scalar between(Scalar low, Scalar value, Scalar high, Scalar other) {
+  private static Scalar between(Scalar low, Scalar value, Scalar high, Scalar other) {
     return pick(low, value, pick(value, high, value, other), other);
   }
 
-  private Scalar pick(Scalar a, Scalar b, Scalar first, Scalar second) {
-    return e.function(MathFunction.PICK, a, b, first, second);
+  private static Scalar pick(Scalar a, Scalar b, Scalar first, Scalar second) {
+    return a.expressions().function(MathFunction.PICK, a, b, first, second);
   }
 }
