@@ -47,8 +47,8 @@ import picocli.CommandLine.Spec;
     description = {
       "Finds the values of parameters for which an objective is least and constraints hold.",
       "Formulas say what is taken of outputs: last(x), at(x,2.5), min(x), max(x), mean(x), rms(x),"
-          + " integral(x), crossing(x,0); with + - * / ^, brackets, sqrt abs exp log sin cos,"
-          + " numbers and parameters of the model.",
+          + " integral(x), crossing(x,0); around these, formulas as in model files, with its"
+          + " parameters.",
       "Two objectives make a Pareto front: points at which neither can become better unless the"
           + " other gets worse."
     },

@@ -1,41 +1,44 @@
 package org.mechservice.study.optimise;
 
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.mechservice.mechml.expression.ConstantEvaluation;
+import org.mechservice.mechml.expression.ExpressionException;
+import org.mechservice.mechml.expression.ExpressionParser;
+import org.mechservice.mechml.expression.ParsedExpression;
+import org.mechservice.mechml.expression.References;
+import org.mechservice.mechml.expression.Scope;
 import org.mechservice.solver.expression.Function;
 import org.mechservice.study.Reduction;
 
 /**
  * A formula of reductions of outputs and of parameters, such as {@code rms(seat.a) + 0.1*max(x)} or
- * {@code max(x)/c}: {@code + - * / ^}, brackets, {@code sqrt abs exp log sin cos}.
+ * {@code max(x)/c}: a formula of model files, whose names are parameters, and in which a call that
+ * is none of its functions is a reduction. {@code min} and {@code max} of one output are
+ * reductions, of two numbers the functions.
  */
 final class ReductionExpression {
-  /** The value of a part of the formula. */
-  @FunctionalInterface
-  private interface Term {
-    /**
-     * @param reduced values of the reductions
-     * @param parameters values of parameters by name
-     */
-    double value(double[] reduced, Map<String, Double> parameters);
-  }
-
-  /** Functions of one argument, with the values that they have in constants of model files. */
-  private static final Map<String, Function> FUNCTIONS =
-      Stream.of(Function.SQRT, Function.ABS, Function.EXP, Function.LOG, Function.SIN, Function.COS)
-          .collect(Collectors.toUnmodifiableMap(Function::symbol, function -> function));
+  /** A name with the bracket behind it. */
+  private static final Pattern CALL =
+      Pattern.compile("(?<![A-Za-z0-9_.\\]])([A-Za-z_][A-Za-z0-9_]*)\\s*\\(");
 
   private final String text;
-  private final Term term;
+  private final ParsedExpression formula;
+
+  /** Index of the reduction that each name stands for. */
+  private final Map<String, Integer> taken;
+
   private final boolean constant;
 
-  private ReductionExpression(String text, Term term, boolean constant) {
+  private ReductionExpression(String text, ParsedExpression formula, Map<String, Integer> taken) {
     this.text = text;
-    this.term = term;
-    this.constant = constant;
+    this.formula = formula;
+    this.taken = taken;
+    constant = References.in(formula).stream().allMatch(ReductionExpression::isConstant);
   }
 
   /**
@@ -48,9 +51,110 @@ final class ReductionExpression {
    */
   static ReductionExpression parse(
       String text, List<Reduction> reductions, Set<String> parameters) {
-    Parser parser = new Parser(text, reductions, parameters);
-    Term term = parser.whole();
-    return new ReductionExpression(text, term, parser.constant);
+    Map<String, Integer> taken = new HashMap<>();
+    String plain = named(text, reductions, taken);
+    ParsedExpression formula;
+    try {
+      formula = ExpressionParser.parse(plain);
+    } catch (ExpressionException e) {
+      String reason = e.reason();
+      for (Map.Entry<String, Integer> name : taken.entrySet()) {
+        reason = reason.replace(name.getKey(), reductions.get(name.getValue()).toString());
+      }
+      throw wrong(text, reason + ", at character " + (e.offset() + 1));
+    }
+    for (ParsedExpression.Reference name : References.in(formula)) {
+      String known = name.text();
+      if (!taken.containsKey(known) && !parameters.contains(known) && !isConstant(name)) {
+        throw wrong(
+            text,
+            "\"%s\" is no parameter; of an output write what is taken, such as last(%s), max(%s) or"
+                    .formatted(known, known, known)
+                + " rms(%s)".formatted(known));
+      }
+    }
+    return new ReductionExpression(text, formula, taken);
+  }
+
+  /** Returns whether a name means a number in every formula. */
+  private static boolean isConstant(ParsedExpression.Reference name) {
+    try {
+      Scope.CONSTANTS.value(name);
+      return true;
+    } catch (ExpressionException e) {
+      return false;
+    }
+  }
+
+  /** Returns a formula with a name, of the same length, for each reduction in it. */
+  private static String named(String text, List<Reduction> reductions, Map<String, Integer> taken) {
+    StringBuilder plain = new StringBuilder(text);
+    Matcher call = CALL.matcher(text);
+    for (int at = 0; call.find(at); ) {
+      int from = call.start(1);
+      int bracket = call.end() - 1;
+      if (isFunction(call.group(1), text, bracket)) {
+        at = bracket;
+        continue;
+      }
+      int to = end(text, bracket);
+      Reduction reduction = reduction(text, text.substring(from, to));
+      if (!reductions.contains(reduction)) {
+        reductions.add(reduction);
+      }
+      String name = "_" + taken.size();
+      name = name + "_".repeat(Math.max(0, to - from - name.length()));
+      taken.put(name, reductions.indexOf(reduction));
+      plain.replace(from, to, name);
+      at = to;
+    }
+    return plain.toString();
+  }
+
+  private static boolean isFunction(String name, String text, int bracket) {
+    boolean both = name.equals(Function.MIN.symbol()) || name.equals(Function.MAX.symbol());
+    return both ? hasComma(text, bracket) : Function.named(name).isPresent();
+  }
+
+  private static boolean hasComma(String text, int bracket) {
+    int depth = 0;
+    for (int i = bracket; i < text.length(); i++) {
+      char c = text.charAt(i);
+      depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+      if (depth == 0 || (depth == 1 && c == ',')) {
+        return depth == 1;
+      }
+    }
+    return false;
+  }
+
+  private static int end(String text, int bracket) {
+    int depth = 0;
+    for (int i = bracket; i < text.length(); i++) {
+      char c = text.charAt(i);
+      depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+      if (depth == 0) {
+        return i + 1;
+      }
+    }
+    throw wrong(text, "a closing bracket is missing");
+  }
+
+  private static Reduction reduction(String text, String call) {
+    Reduction reduction;
+    try {
+      reduction = Reduction.parse(call);
+    } catch (IllegalArgumentException e) {
+      throw wrong(text, String.valueOf(e.getMessage()));
+    }
+    if (reduction.kind() == Reduction.Kind.SERIES) {
+      throw wrong(text, "a series is not one number; write at(" + reduction.column() + ", TIME)");
+    }
+    return reduction;
+  }
+
+  private static IllegalArgumentException wrong(String text, String why) {
+    return new IllegalArgumentException("\"" + text.strip() + "\": " + why);
   }
 
   /** Returns whether neither an output nor a parameter is in it. */
@@ -58,212 +162,34 @@ final class ReductionExpression {
     return constant;
   }
 
+  /**
+   * Returns the value.
+   *
+   * @param reduced values of the reductions
+   * @param parameters values of parameters by name
+   * @return NaN where a part of the formula has no finite value
+   */
   double value(double[] reduced, Map<String, Double> parameters) {
-    return term.value(reduced, parameters);
+    try {
+      return ConstantEvaluation.of(formula, name -> valueOf(name, reduced, parameters));
+    } catch (ExpressionException e) {
+      return Double.NaN;
+    }
+  }
+
+  private double valueOf(
+      ParsedExpression.Reference name, double[] reduced, Map<String, Double> parameters)
+      throws ExpressionException {
+    Integer index = taken.get(name.text());
+    if (index != null) {
+      return reduced[index];
+    }
+    Double parameter = parameters.get(name.text());
+    return parameter == null ? Scope.CONSTANTS.value(name) : parameter;
   }
 
   @Override
   public String toString() {
     return text.strip();
-  }
-
-  /** Recursive descent: sum, product, power, sign, atom. */
-  private static final class Parser {
-    private final String text;
-    private final List<Reduction> reductions;
-    private final Set<String> parameters;
-    private int at;
-    private boolean constant = true;
-
-    Parser(String text, List<Reduction> reductions, Set<String> parameters) {
-      this.text = text;
-      this.reductions = reductions;
-      this.parameters = parameters;
-    }
-
-    Term whole() {
-      Term sum = sum();
-      if (!rest().isEmpty()) {
-        throw wrong("\"" + rest() + "\" cannot follow here");
-      }
-      return sum;
-    }
-
-    private Term sum() {
-      Term left = product();
-      while (true) {
-        Term a = left;
-        if (take('+')) {
-          Term b = product();
-          left = (r, p) -> a.value(r, p) + b.value(r, p);
-        } else if (take('-')) {
-          Term b = product();
-          left = (r, p) -> a.value(r, p) - b.value(r, p);
-        } else {
-          return left;
-        }
-      }
-    }
-
-    private Term product() {
-      Term left = sign();
-      while (true) {
-        Term a = left;
-        if (take('*')) {
-          Term b = sign();
-          left = (r, p) -> a.value(r, p) * b.value(r, p);
-        } else if (take('/')) {
-          Term b = sign();
-          left = (r, p) -> a.value(r, p) / b.value(r, p);
-        } else {
-          return left;
-        }
-      }
-    }
-
-    private Term sign() {
-      if (take('-')) {
-        Term a = sign();
-        return (r, p) -> -a.value(r, p);
-      }
-      return take('+') ? sign() : power();
-    }
-
-    private Term power() {
-      Term a = atom();
-      if (take('^')) {
-        Term b = sign();
-        return (r, p) -> Function.POW.at(new double[] {a.value(r, p), b.value(r, p)});
-      }
-      return a;
-    }
-
-    private Term atom() {
-      if (take('(')) {
-        Term inside = sum();
-        if (!take(')')) {
-          throw wrong("a closing bracket is missing");
-        }
-        return inside;
-      }
-      String rest = rest();
-      if (rest.isEmpty()) {
-        throw wrong("it ends where a value is expected");
-      }
-      char first = rest.charAt(0);
-      if (Character.isDigit(first) || first == '.') {
-        return number();
-      } else if (Character.isLetter(first) || first == '_') {
-        return named();
-      }
-      throw wrong("\"" + first + "\" is no value");
-    }
-
-    private Term number() {
-      int from = at;
-      while (at < text.length() && (Character.isDigit(text.charAt(at)) || text.charAt(at) == '.')) {
-        at++;
-      }
-      int mantissa = at;
-      if (at < text.length() && Character.toLowerCase(text.charAt(at)) == 'e') {
-        at++;
-        if (at < text.length() && (text.charAt(at) == '-' || text.charAt(at) == '+')) {
-          at++;
-        }
-        int digits = at;
-        while (at < text.length() && Character.isDigit(text.charAt(at))) {
-          at++;
-        }
-        at = at == digits ? mantissa : at;
-      }
-      try {
-        double value = Double.parseDouble(text.substring(from, at));
-        return (r, p) -> value;
-      } catch (NumberFormatException e) {
-        throw wrong("\"" + text.substring(from, at) + "\" is no number");
-      }
-    }
-
-    private Term named() {
-      int from = at;
-      while (at < text.length()
-          && (Character.isLetterOrDigit(text.charAt(at)) || "_.[]".indexOf(text.charAt(at)) >= 0)) {
-        at++;
-      }
-      String name = text.substring(from, at);
-      if (!rest().startsWith("(")) {
-        if (!parameters.contains(name)) {
-          throw wrong(
-              "\""
-                  + name
-                  + "\" is no parameter; of an output write what is taken, such as last("
-                  + name
-                  + "), max("
-                  + name
-                  + ") or rms("
-                  + name
-                  + ")");
-        }
-        constant = false;
-        return (r, p) -> p.getOrDefault(name, Double.NaN);
-      }
-      Function function = FUNCTIONS.get(name);
-      if (function != null) {
-        take('(');
-        Term inside = sum();
-        if (!take(')')) {
-          throw wrong("a closing bracket is missing");
-        }
-        return (r, p) -> function.at(new double[] {inside.value(r, p)});
-      }
-      return reduction(from);
-    }
-
-    private Term reduction(int from) {
-      int depth = 0;
-      do {
-        if (at >= text.length()) {
-          throw wrong("a closing bracket is missing");
-        }
-        char c = text.charAt(at++);
-        depth += c == '(' ? 1 : c == ')' ? -1 : 0;
-      } while (depth > 0 || text.charAt(at - 1) != ')');
-      Reduction reduction;
-      try {
-        reduction = Reduction.parse(text.substring(from, at));
-      } catch (IllegalArgumentException e) {
-        throw wrong(String.valueOf(e.getMessage()));
-      }
-      if (reduction.kind() == Reduction.Kind.SERIES) {
-        throw wrong("a series is not one number; write at(" + reduction.column() + ", TIME)");
-      }
-      constant = false;
-      if (!reductions.contains(reduction)) {
-        reductions.add(reduction);
-      }
-      int index = reductions.indexOf(reduction);
-      return (r, p) -> r[index];
-    }
-
-    private boolean take(char wanted) {
-      String rest = rest();
-      if (!rest.isEmpty() && rest.charAt(0) == wanted) {
-        at++;
-        return true;
-      }
-      return false;
-    }
-
-    /** Returns the text that is left, from its first character that is no space. */
-    private String rest() {
-      while (at < text.length() && Character.isWhitespace(text.charAt(at))) {
-        at++;
-      }
-      return text.substring(at);
-    }
-
-    private IllegalArgumentException wrong(String why) {
-      return new IllegalArgumentException("\"" + text.strip() + "\": " + why);
-    }
   }
 }
