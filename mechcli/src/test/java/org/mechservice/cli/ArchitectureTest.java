@@ -40,11 +40,10 @@ class ArchitectureTest {
       Map.ofEntries(
           entry("solver-api", List.of("solver.api", "solver.catalogue", "solver.text")),
           entry("solver-ode", List.of("solver.linear", "solver.ode")),
-          entry("solver-symbol", List.of("solver.spatial", "solver.symbol")),
+          entry("solver-symbol", List.of("solver.spatial", "solver.symbol", "solver.expression")),
           entry(
               "solver-mechanics",
               List.of(
-                  "solver.expression",
                   "solver.mechanism",
                   "solver.kinematics",
                   "solver.force",

@@ -7,9 +7,8 @@ import org.mechservice.solver.spatial.Powers;
 
 /**
  * Static methods that generated code calls. They are those of StrictMath wherever Math may differ
- * between machines, so the results have the same bits everywhere. {@link
- * org.mechservice.solver.expression.Function} is the table of the functions that a user can write;
- * {@code equations.kinematics.Formulas} translates it to this list.
+ * between machines, so the results have the same bits everywhere. The functions that a user can
+ * write are another table, that of expressions, which become functions of this one.
  */
 public enum MathFunction {
   ABS("java/lang/Math", "abs", 1),

@@ -2,8 +2,8 @@ package org.mechservice.sim.equations.coordinates;
 
 import java.util.Map;
 import java.util.Optional;
-import org.mechservice.sim.equations.kinematics.Formulas;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.Formulas;
 import org.mechservice.solver.force.law.ClosestPoint;
 import org.mechservice.solver.symbol.Differentiation;
 import org.mechservice.solver.symbol.Expressions;

@@ -2,8 +2,8 @@ package org.mechservice.sim.equations.force;
 
 import java.util.List;
 import org.mechservice.sim.equations.coordinates.RelativeFrameMotion;
-import org.mechservice.sim.equations.kinematics.Formulas;
 import org.mechservice.sim.equations.recursion.Loads;
+import org.mechservice.solver.expression.Formulas;
 import org.mechservice.solver.mechanism.force.PairForce;
 import org.mechservice.solver.symbol.Scalar;
 import org.mechservice.solver.symbol.ScalarVector;

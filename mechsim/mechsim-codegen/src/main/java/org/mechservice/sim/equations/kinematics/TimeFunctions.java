@@ -1,6 +1,7 @@
 package org.mechservice.sim.equations.kinematics;
 
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.Formulas;
 import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.Scalar;
 

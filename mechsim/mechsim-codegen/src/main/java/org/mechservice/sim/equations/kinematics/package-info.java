@@ -12,8 +12,8 @@
  *
  * <p>{@link org.mechservice.sim.equations.kinematics.PositionRates} writes q' = N(q) v; {@link
  * org.mechservice.sim.equations.kinematics.JointOutputs} writes values of the degrees of freedom in
- * the order of the state. {@link org.mechservice.sim.equations.kinematics.Formulas} turns formulas
- * of the model file into scalars.
+ * the order of the state. {@link org.mechservice.solver.expression.Formulas} turns formulas of the
+ * model file into scalars.
  *
  * <p>Depends on {@code links}. Euler parameters are those of NUMERICS §1a.
  */

@@ -1,11 +1,6 @@
-package org.mechservice.sim.equations.kinematics;
+package org.mechservice.solver.expression;
 
 import java.util.IdentityHashMap;
-import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.expression.MapSurface;
-import org.mechservice.solver.expression.Table;
-import org.mechservice.solver.expression.TableCurve;
-import org.mechservice.solver.expression.TableMap;
 import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.MathFunction;
 import org.mechservice.solver.symbol.NumberRow;
@@ -20,7 +15,7 @@ public abstract class Formulas {
   private final Expressions e;
   private final IdentityHashMap<Expression, Scalar> done = new IdentityHashMap<>();
 
-  public Formulas(Expressions expressions) {
+  protected Formulas(Expressions expressions) {
     this.e = expressions;
   }
 
