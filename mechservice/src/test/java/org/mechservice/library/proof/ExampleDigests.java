@@ -166,6 +166,9 @@ final class ExampleDigests {
     if (one.isEmpty() || other.isEmpty() || one.get().length != other.get().length) {
       return start(before) + " -> " + start(after);
     }
+    if (one.get()[0] != other.get()[0]) {
+      return "ends at another time";
+    }
     double size = 0;
     double largest = 0;
     for (int i = 0; i < one.get().length; i++) {
