@@ -34,11 +34,12 @@ final class ReductionExpression {
 
   private final boolean constant;
 
-  private ReductionExpression(String text, ParsedExpression formula, Map<String, Integer> taken) {
+  private ReductionExpression(
+      String text, ParsedExpression formula, Map<String, Integer> taken, boolean constant) {
     this.text = text;
     this.formula = formula;
     this.taken = taken;
-    constant = References.in(formula).stream().allMatch(ReductionExpression::isConstant);
+    this.constant = constant;
   }
 
   /**
@@ -63,9 +64,12 @@ final class ReductionExpression {
       }
       throw wrong(text, reason + ", at character " + (e.offset() + 1));
     }
+    boolean constant = true;
     for (ParsedExpression.Reference name : References.in(formula)) {
       String known = name.text();
-      if (!taken.containsKey(known) && !parameters.contains(known) && !isConstant(name)) {
+      boolean varies = taken.containsKey(known) || parameters.contains(known);
+      constant &= !varies;
+      if (!varies && !isConstant(name)) {
         throw wrong(
             text,
             "\"%s\" is no parameter; of an output write what is taken, such as last(%s), max(%s) or"
@@ -73,7 +77,7 @@ final class ReductionExpression {
                 + " rms(%s)".formatted(known));
       }
     }
-    return new ReductionExpression(text, formula, taken);
+    return new ReductionExpression(text, formula, taken, constant);
   }
 
   /** Returns whether a name means a number in every formula. */

@@ -87,8 +87,8 @@ class ReductionExpressionTest {
 
   @Test
   void namesOfParametersGoBeforeTheNumbersOfFormulas() {
-    ReductionExpression formula =
-        ReductionExpression.parse("PI + 0*last(x)", reductions, Set.of("PI"));
-    assertThat(formula.value(new double[] {1}, Map.of("PI", 3.0))).isEqualTo(3);
+    ReductionExpression formula = ReductionExpression.parse("PI/2", reductions, Set.of("PI"));
+    assertThat(formula.value(new double[0], Map.of("PI", 3.0))).isEqualTo(1.5);
+    assertThat(formula.isConstant()).isFalse();
   }
 }

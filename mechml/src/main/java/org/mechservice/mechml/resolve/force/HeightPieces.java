@@ -160,12 +160,12 @@ final class HeightPieces {
       return true;
     }
 
-    /** Returns the zeros of what is straight between places. */
+    /** Returns the zeros of what is straight between places, and before and behind them. */
     private static List<Double> zeros(Expression lines, SortedSet<Double> places) {
       HeightPieces values = new HeightPieces(lines, new double[0], false);
       List<Double> ends = new ArrayList<>(places);
-      ends.add(0, ends.get(0) - 1);
-      ends.add(ends.get(ends.size() - 1) + 1);
+      ends.add(0, places.isEmpty() ? -1 : places.first() - 1);
+      ends.add(places.isEmpty() ? 1 : places.last() + 1);
       List<Double> zeros = new ArrayList<>();
       for (int i = 0; i + 1 < ends.size(); i++) {
         double from = ends.get(i);

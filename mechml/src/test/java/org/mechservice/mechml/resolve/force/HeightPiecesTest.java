@@ -58,4 +58,12 @@ class HeightPiecesTest {
     Expression smooth = call(Function.SMOOTH_STEP, behind(1));
     assertThat(HeightPieces.of(call(Function.MAX, Expression.of(0.5), smooth))).isEmpty();
   }
+
+  /** max(s, max(1, 2)): what is inside has no corner of its own. */
+  @Test
+  void constantWithinAMaximumHasNoCorner() {
+    Expression two = call(Function.MAX, Expression.of(1), Expression.of(2));
+    assertThat(HeightPieces.of(call(Function.MAX, new Argument(), two)).orElseThrow().breaks())
+        .containsExactly(2);
+  }
 }

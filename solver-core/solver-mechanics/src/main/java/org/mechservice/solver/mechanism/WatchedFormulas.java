@@ -226,39 +226,39 @@ final class WatchedFormulas implements ForceVisitor<List<Expression>> {
     return all;
   }
 
-  /**
-   * Returns by how much the centre is below the heights at which the sphere touches. Without tracks
-   * these are h + R √(1 + h′²), which is exact on a straight slope, with h′ from a difference; and
-   * the closest point jumps from one side of a hollow corner to the other before the centre reaches
-   * the corner.
-   */
+  /** Returns by how much the centre is below the heights at which the sphere touches. */
   @Override
   public List<Expression> contact(Contact force) {
     BodyPoint center = force.center();
     BodyFrame ball = new BodyFrame(center.body(), center.position(), Rotation.IDENTITY);
     Expression x = new RelativeMotion(force.surface(), ball, 0);
     Expression below = new Negation(new RelativeMotion(force.surface(), ball, 2));
-    List<Expression> touches = new ArrayList<>();
-    for (Expression track : force.tracks()) {
-      touches.add(pressed(new Sum(at(x, track), below)));
+    if (force.tracks().isEmpty()) {
+      return ofClosestPoint(force, ball, x, below);
     }
-    if (touches.isEmpty()) {
-      Expression height = force.height();
-      Expression radius = force.radius();
-      if (height instanceof Constant || radius.equals(Expression.ZERO)) {
-        touches.add(pressed(new Sum(new Sum(at(x, height), radius), below)));
-        return touches;
-      }
-      Expression touching = new Sum(at(x, height), new Product(radius, length(height, x)));
-      Expression depth = pressed(new Sum(touching, below));
-      touches.add(depth);
-      Expression closest = new ClosestStation(force.surface(), ball, height);
-      for (Expression side : HollowCorners.of(height)) {
-        touches.add(
-            new Product(depth, Expression.call(Function.SIGNUM, List.of(at(closest, side)))));
-      }
+    return force.tracks().stream().map(track -> pressed(new Sum(at(x, track), below))).toList();
+  }
+
+  /**
+   * Returns the depth below h + R √(1 + h′²), which is exact on a straight slope, with h′ from a
+   * difference. The closest point jumps from one side of a hollow corner to the other before the
+   * centre reaches the corner; the side matters while the sphere presses.
+   */
+  private static List<Expression> ofClosestPoint(
+      Contact force, BodyFrame ball, Expression x, Expression below) {
+    Expression height = force.height();
+    Expression radius = force.radius();
+    Expression above = new Sum(at(x, height), below);
+    if (height instanceof Constant || radius.equals(Expression.ZERO)) {
+      return List.of(pressed(new Sum(above, radius)));
     }
-    return touches;
+    Expression depth = pressed(new Sum(above, new Product(radius, length(height, x))));
+    Expression closest = new ClosestStation(force.surface(), ball, height);
+    List<Expression> watched = new ArrayList<>(List.of(depth));
+    for (Expression side : HollowCorners.of(height)) {
+      watched.add(new Product(depth, Expression.call(Function.SIGNUM, List.of(at(closest, side)))));
+    }
+    return watched;
   }
 
   /** Returns √(1 + h′²). */

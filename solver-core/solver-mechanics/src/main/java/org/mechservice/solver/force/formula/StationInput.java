@@ -6,7 +6,10 @@ import org.mechservice.solver.force.applied.GradientSink;
 import org.mechservice.solver.force.law.ClosestPoint;
 import org.mechservice.solver.kinematics.TreeMotion;
 
-/** The abscissa of the point of a curve that is closest to a frame. */
+/**
+ * The abscissa of the point of a curve that is closest to a frame, m; it is found by a search and
+ * has no derivatives.
+ */
 final class StationInput extends LeafInput {
   private final LeafInput along;
   private final LeafInput above;
