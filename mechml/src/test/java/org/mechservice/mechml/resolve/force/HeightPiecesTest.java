@@ -59,6 +59,14 @@ class HeightPiecesTest {
     assertThat(HeightPieces.of(call(Function.MAX, Expression.of(0.5), smooth))).isEmpty();
   }
 
+  /** Each side of |s − 3| + 1 would be zero on the other one. */
+  @Test
+  void linesThatEndBeforeTheirZeroHaveNone() {
+    Expression valley = new Sum(call(Function.ABS, behind(3)), Expression.of(1));
+    assertThat(HeightPieces.of(call(Function.MAX, Expression.ZERO, valley)).orElseThrow().breaks())
+        .containsExactly(3);
+  }
+
   /** max(s, max(1, 2)): what is inside has no corner of its own. */
   @Test
   void constantWithinAMaximumHasNoCorner() {
