@@ -6,6 +6,7 @@ import java.io.BufferedReader;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.function.LongSupplier;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.idl.IMechSimRemote;
@@ -47,10 +48,10 @@ class FirstCancelTest {
       IMechSimRemote run = session.createSimulation(LONG_RUN, null);
       run.start();
       Eventually.holds(() -> run.getProgress().stepsDone > 0);
-      int before = linesWhenQuiet(loaded);
+      int before = linesWhenQuiet(loaded, () -> run.getProgress().stepsDone);
       run.cancel();
       assertThat(run.getProgress().state).isEqualTo(SimState.SIM_CANCELLED);
-      linesWhenQuiet(loaded);
+      linesWhenQuiet(loaded, System::nanoTime);
       assertThat(Files.readAllLines(loaded).stream().skip(before).filter(FirstCancelTest::isOurs))
           .isEmpty();
     } finally {
@@ -74,14 +75,26 @@ class FirstCancelTest {
         .start();
   }
 
-  /** Returns how many classes have been loaded when no more are. */
-  private static int linesWhenQuiet(Path loaded) throws Exception {
+  /**
+   * Returns how many classes have been loaded when no more are.
+   *
+   * @param clock grows while the host does what it is watched for: a host that gets no processor
+   *     time loads nothing, either
+   */
+  private static int linesWhenQuiet(Path loaded, LongSupplier clock) throws Exception {
     long size = -1;
+    long time = clock.getAsLong();
     int quiet = 0;
     while (quiet < QUIET_LOOKS) {
       long now = Files.size(loaded);
-      quiet = now == size ? quiet + 1 : 0;
+      long later = clock.getAsLong();
+      if (now != size) {
+        quiet = 0;
+      } else if (later > time) {
+        quiet++;
+      }
       size = now;
+      time = later;
       Thread.sleep(LOOK_MILLIS);
     }
     return Files.readAllLines(loaded).size();

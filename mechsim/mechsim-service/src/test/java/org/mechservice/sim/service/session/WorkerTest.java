@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -14,6 +15,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.mechservice.idl.Diagnostic;
 import org.mechservice.idl.IMechSimRemote;
 import org.mechservice.idl.InvalidModel;
+import org.mechservice.idl.InvalidState;
 import org.mechservice.idl.MechSim;
 import org.mechservice.idl.ModelFile;
 import org.mechservice.idl.NameValue;
@@ -210,9 +212,29 @@ class WorkerTest {
       IMechSimRemote run = simulation(there, SLOW + spring);
       run.start();
       Eventually.holds(() -> run.getProgress().stepsDone > 2);
-      assertThat(run.checkpoint()).isNotEmpty();
+      assertThat(savedAfterAStep(run)).isNotEmpty();
+      long saved = run.getProgress().stepsDone;
+      Eventually.holds(() -> run.getProgress().stepsDone > saved);
       run.cancel();
     }
+  }
+
+  /**
+   * Returns a checkpoint of a run that goes on. A call waits for the next step for a second, then
+   * it is refused; on a busy machine a step of this force takes longer, so the call is repeated.
+   */
+  private static byte[] savedAfterAStep(IMechSimRemote run) throws Exception {
+    List<byte[]> made = new ArrayList<>();
+    Eventually.holds(
+        () -> {
+          try {
+            return made.add(run.checkpoint());
+          } catch (InvalidState takesNoStepNow) {
+            assertThat(takesNoStepNow.current).isEqualTo(SimState.SIM_RUNNING);
+            return false;
+          }
+        });
+    return made.get(0);
   }
 
   @Test
