@@ -180,6 +180,7 @@ public abstract class BreakpointContract {
         assertThat(pushed.pushed(t)).isEqualTo(reached >= 1 && reached < 2);
       }
     }
+    assertThat(result).isEqualTo(StepResult.REACHED_END);
   }
 
   @Test
@@ -218,8 +219,9 @@ public abstract class BreakpointContract {
   void lastPlaceIsNotSteppedOverEvenBeyondTheEnd() {
     // DE steps past the end, but not into a piece that begins there.
     Pushed pushed = new Pushed(1.0);
-    Run.of(create(1e-3), pushed, 0, new double[2], 1);
-    assertThat(pushed.evaluated).allMatch(t -> t < 1);
+    Run run = Run.of(create(1e-3), pushed, 0, new double[2], 1);
+    assertThat(run.result()).isEqualTo(StepResult.REACHED_END);
+    assertThat(pushed.evaluated).isNotEmpty().allMatch(t -> t < 1);
   }
 
   @Test

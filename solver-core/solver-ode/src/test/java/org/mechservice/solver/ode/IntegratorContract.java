@@ -238,6 +238,7 @@ public abstract class IntegratorContract extends FailureContract {
       assertThat(begin).isCloseTo(last, within(4 * tolerance));
       last = Run.state(integrator, integrator.time(), 1)[0];
     }
+    assertThat(integrator.time()).isEqualTo(20);
   }
 
   @Test

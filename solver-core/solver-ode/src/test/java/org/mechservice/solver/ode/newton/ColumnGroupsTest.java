@@ -65,7 +65,9 @@ class ColumnGroupsTest {
       coupled[random.nextInt(n)][random.nextInt(n)] = true;
     }
     SparseSystem pattern = (i, j) -> coupled[i][j];
-    for (List<Integer> group : groups(n, pattern)) {
+    List<List<Integer>> groups = groups(n, pattern);
+    assertThat(groups.stream().mapToInt(List::size).sum()).isEqualTo(n);
+    for (List<Integer> group : groups) {
       for (int j : group) {
         assertThat(group).noneMatch(l -> l != j && shareARow(pattern, n, l, j));
       }

@@ -164,6 +164,7 @@ class OdeCheckpointTest {
             new double[2],
             5,
             standard.checkpointEvery(10, checkpoints::add));
+    assertThat(checkpoints).isNotEmpty();
     for (OdeCheckpoint checkpoint : checkpoints) {
       OdeSolution later = Dae.resume(square, checkpoint, standard);
       assertThat(later.endState()).isEqualTo(whole.endState());
@@ -220,6 +221,7 @@ class OdeCheckpointTest {
     OdeOptions standard = OdeOptions.standard();
     OdeSolution whole =
         Ode.solve(problem, 0, START, 1, standard.checkpointEvery(10, checkpoints::add));
+    assertThat(checkpoints).isNotEmpty();
     for (OdeCheckpoint checkpoint : checkpoints) {
       assertThat(Ode.resume(problem, checkpoint, standard).endState()).isEqualTo(whole.endState());
     }

@@ -186,6 +186,7 @@ class Ode15sRTest extends IntegratorContract {
       ResidualRun run = ResidualRun.of(problem, 1e-8);
       double[] y = run.atEnd();
       double error = StrictMath.pow(10, -run.digits());
+      assertThat(problem.invariants()).as(problem.name()).isNotEmpty();
       for (var invariant : problem.invariants()) {
         // Gradients up to 2 |y|, with |y| up to 4.
         assertThat(invariant.applyAsDouble(y)).isCloseTo(0, within(10 * error));
