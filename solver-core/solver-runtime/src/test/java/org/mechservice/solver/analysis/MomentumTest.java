@@ -292,6 +292,7 @@ class MomentumTest {
             ASKED,
             UNWATCHED,
             checkpoints(kept, Optional.empty()));
+    assertThat(kept).hasSizeGreaterThan(10);
     for (byte[] saved : List.copyOf(kept)) {
       Run rest =
           new Run(

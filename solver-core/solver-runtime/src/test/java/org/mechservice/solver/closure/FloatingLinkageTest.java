@@ -144,7 +144,9 @@ class FloatingLinkageTest {
     Mechanism mechanism = floating(cut);
     LoopModel model =
         LoopModels.of(mechanism, formulation, SceneRun.settings(END, 0.25, "ode113", 1e-6));
-    for (double[] row : SceneRun.of(model).rows) {
+    SceneRun run = SceneRun.of(model);
+    assertThat(run.report.outcome()).isEqualTo(new Outcome.Completed());
+    for (double[] row : run.rows) {
       double[] y = Arrays.copyOfRange(row, 1, 1 + model.description().stateCount());
       double[] yDot = new double[y.length];
       assertThat(model.derivative(row[0], y, yDot)).isEqualTo(ExplicitModel.REGULAR);

@@ -155,7 +155,10 @@ class LoopCheckpointTest {
     Rows all = new Rows();
     Kept everyStep = new Kept(new ArrayList<>(), 0, Optional.empty());
     RunReport whole = run(mechanism, formulation, settings, all, everyStep);
+    // A checkpoint follows every step.
+    assertThat(everyStep.all).hasSizeGreaterThanOrEqualTo((int) whole.steps() - 1);
     int count = Math.min(places, everyStep.all.size());
+    assertThat(count).isPositive();
     for (int place = 0; place < count; place++) {
       int i = (int) ((2L * place + 1) * everyStep.all.size() / (2L * count));
       Rows rest = new Rows();

@@ -129,6 +129,7 @@ class ReactionsTest {
     Reactions reactions = reactAtStart(model);
     LoopEquations loops = reactions.equations();
     // what adds nothing to Jᵀ λ: displacement along the axis, and both tilts out of the plane
+    int without = 0;
     for (int row = 0; row < loops.count(); row++) {
       boolean moves = false;
       for (int j = 0; j < loops.jacobian.columns(); j++) {
@@ -136,8 +137,10 @@ class ReactionsTest {
       }
       if (!moves) {
         assertThat(reactions.multipliers[row]).as(loops.name(row)).isCloseTo(0, within(1e-12));
+        without++;
       }
     }
+    assertThat(without).isEqualTo(3);
   }
 
   /** Newton and Euler for each body alone, written a second time by the oracle. */

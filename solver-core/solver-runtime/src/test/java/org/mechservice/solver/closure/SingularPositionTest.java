@@ -72,6 +72,7 @@ class SingularPositionTest {
         horizontal++;
       }
     }
+    assertThat(horizontal).isPositive();
     assertThat(passages(run)).hasSize((int) horizontal).allMatch(Note::warning);
     double[] last = run.rows.get(run.rows.size() - 1);
     double start = energy(count, 0, 1);

@@ -29,8 +29,11 @@ import org.mechservice.solver.text.Origin;
 
 /** How loops are closed again after an event has set some components of the state. */
 class StateJumpTest {
+  /** Mechanisms that close and move. */
   static LongStream seeds() {
-    return LongStream.rangeClosed(1, 40);
+    return LongStream.iterate(1, seed -> seed + 1)
+        .filter(seed -> LoopComparison.leftOut(LoopComparison.mechanism(seed)).isEmpty())
+        .limit(40);
   }
 
   private static LoopModel model(Mechanism mechanism, String formulation) {
@@ -97,9 +100,6 @@ class StateJumpTest {
   @ParameterizedTest
   void impulsesLieAlongTheConstraints(long seed) {
     Mechanism mechanism = LoopComparison.mechanism(seed);
-    if (LoopComparison.leftOut(mechanism).isPresent()) {
-      return;
-    }
     LoopModel model = model(mechanism, seed % 2 == 0 ? "DSR" : "DSR penalty");
     Random random = new Random(seed);
     double[] y = model.closed.start().state();

@@ -497,6 +497,7 @@ class EventRunTest {
     RunReport whole = run(model(mechanism, formulation), integrator, 8, kept);
     List<double[]> all = List.copyOf(rows.rows);
 
+    assertThat(kept.checkpoints).hasSizeGreaterThan(3 + 11);
     for (int i = 3; i < kept.checkpoints.size(); i += 11) {
       rows.rows.clear();
       Kept from = new Kept(Double.POSITIVE_INFINITY, Optional.of(kept.checkpoints.get(i)));

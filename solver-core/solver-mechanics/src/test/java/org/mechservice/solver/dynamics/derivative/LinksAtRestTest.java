@@ -13,6 +13,7 @@ import org.apache.commons.math3.linear.MatrixUtils;
 import org.apache.commons.math3.linear.QRDecomposition;
 import org.apache.commons.math3.linear.RealMatrix;
 import org.apache.commons.math3.linear.SingularValueDecomposition;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.mechservice.solver.dynamics.Evaluation;
@@ -20,6 +21,7 @@ import org.mechservice.solver.dynamics.WholeStep;
 import org.mechservice.solver.dynamics.tree.TreePattern;
 import org.mechservice.solver.force.applied.ForceJacobian;
 import org.mechservice.solver.kinematics.TreeGeometry;
+import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.RandomTrees;
 
 /** The sparse system of links against matrices formed element by element. */
@@ -29,6 +31,26 @@ class LinksAtRestTest {
 
   static LongStream seeds() {
     return LongStream.rangeClosed(1, 60);
+  }
+
+  private static Mechanism tree(long seed) {
+    return RandomTrees.ofAllJoints(seed, 1 + (int) (seed % 12));
+  }
+
+  private static LongStream ofFreedom(int least) {
+    return LongStream.iterate(1, seed -> seed + 1)
+        .filter(seed -> tree(seed).velocityCount() >= least)
+        .limit(60);
+  }
+
+  /** Seeds of trees that are not welded as a whole: those have no matrices. */
+  static LongStream moving() {
+    return ofFreedom(1);
+  }
+
+  /** Seeds of trees on which the rows of a loop leave something free. */
+  static LongStream movingMore() {
+    return ofFreedom(3);
   }
 
   /** A random tree of all joints at rest, with forces between random links. */
@@ -48,7 +70,7 @@ class LinksAtRestTest {
      */
     Rest(long seed, boolean forces, boolean loops) {
       random = new Random(seed);
-      Evaluation tree = new Evaluation(RandomTrees.ofAllJoints(seed, 1 + (int) (seed % 12)));
+      Evaluation tree = new Evaluation(tree(seed));
       at = forces ? tree.loaded(seed) : tree;
       nv = at.nv;
       Arrays.fill(at.y, at.nq, at.nq + nv, 0);
@@ -160,7 +182,7 @@ class LinksAtRestTest {
     }
   }
 
-  @MethodSource("seeds")
+  @MethodSource("moving")
   @ParameterizedTest
   void productsAreThoseOfTheSymmetricParts(long seed) {
     Rest rest = new Rest(seed, true, false);
@@ -174,23 +196,48 @@ class LinksAtRestTest {
     double[] x = rest.random.doubles(rest.nv, -1, 1).toArray();
     double[] found = new double[rest.nv];
     rest.links.multiply(mass, damping, stiffness, x, found);
-    if (rest.nv > 0) {
-      double error =
-          expected.operate(new ArrayRealVector(x)).subtract(new ArrayRealVector(found)).getNorm();
-      double size = rest.mass.getFrobeniusNorm() + rest.stiffness.getFrobeniusNorm();
-      assertThat(error).isLessThanOrEqualTo(ROUNDING * (1 + size + Evaluation.norm(found)));
-    }
+    double error =
+        expected.operate(new ArrayRealVector(x)).subtract(new ArrayRealVector(found)).getNorm();
+    double size = rest.mass.getFrobeniusNorm() + rest.stiffness.getFrobeniusNorm();
+    assertThat(error).isLessThanOrEqualTo(ROUNDING * (1 + size + Evaluation.norm(found)));
   }
 
   /** Negative eigenvalues and solutions of m M + c C + k K in directions that loops leave free. */
-  @MethodSource("seeds")
+  @MethodSource("movingMore")
   @ParameterizedTest
   void countsNegativeEigenvaluesAlongTheLoopsAndSolves(long seed) {
+    requireEigenvaluesAndSolutions(seed);
+  }
+
+  /** Rows that depend on each other count for nothing, and few forms are too flat to be solved. */
+  @Test
+  void enoughTreesAreCountedAndSolved() {
+    Checked all = new Checked(0, 0, 0);
+    for (long seed : movingMore().toArray()) {
+      all = all.plus(requireEigenvaluesAndSolutions(seed));
+    }
+    assertThat(all.alone).isEqualTo(60);
+    assertThat(all.withLoops).isGreaterThan(30);
+    assertThat(all.solved).isGreaterThan((all.alone + all.withLoops) / 2);
+  }
+
+  /**
+   * What was checked.
+   *
+   * @param alone trees without loops whose negative eigenvalues were counted
+   * @param withLoops the same with loops
+   * @param solved how many of both were solved
+   */
+  private record Checked(int alone, int withLoops, int solved) {
+    Checked plus(Checked other) {
+      return new Checked(alone + other.alone, withLoops + other.withLoops, solved + other.solved);
+    }
+  }
+
+  private static Checked requireEigenvaluesAndSolutions(long seed) {
+    Checked checked = new Checked(0, 0, 0);
     for (boolean loops : new boolean[] {false, true}) {
       Rest rest = new Rest(seed, true, loops);
-      if (rest.nv < 3) {
-        continue;
-      }
       SingularValueDecomposition svd = new SingularValueDecomposition(rest.jacobian);
       int rank = rest.rows.count() == 0 ? 0 : rest.rows.count() - 1;
       double[] singular = svd.getSingularValues();
@@ -215,8 +262,10 @@ class LinksAtRestTest {
       assertThat(found).isEqualTo(negative);
       assertThat(rest.links.factor(shift, 0.3, 1, 0)).isEqualTo(negative == 0);
       rest.links.negative(shift, 0.3, 1);
-      requireSolution(rest, a, z);
+      int solved = solves(rest, a, z) ? 1 : 0;
+      checked = checked.plus(new Checked(loops ? 0 : 1, loops ? 1 : 0, solved));
     }
+    return checked;
   }
 
   /** Returns an orthonormal basis of the kernel of J. */
@@ -228,7 +277,8 @@ class LinksAtRestTest {
     return q.getSubMatrix(0, rest.nv - 1, rank, rest.nv - 1);
   }
 
-  private static void requireSolution(Rest rest, RealMatrix a, RealMatrix z) {
+  /** Asserts the solution; returns false if the condition is too bad to tell. */
+  private static boolean solves(Rest rest, RealMatrix a, RealMatrix z) {
     double[] b = rest.random.doubles(rest.nv, -1, 1).toArray();
     double[] x = b.clone();
     rest.links.solve(x);
@@ -244,6 +294,7 @@ class LinksAtRestTest {
       double error = expected.subtract(new ArrayRealVector(x)).getNorm();
       assertThat(error).isLessThanOrEqualTo(ROUNDING * condition * expected.getNorm());
     }
+    return condition < 1e6;
   }
 
   /** Weight has a potential, and so have springs; forces that turn with a link have none. */
