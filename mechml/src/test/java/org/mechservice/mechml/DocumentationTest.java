@@ -69,6 +69,7 @@ class DocumentationTest {
     Matcher element = ELEMENT.matcher(Files.readString(Path.of("..", "mechml.dtd")));
     String all = examples().collect(Collectors.joining());
     assertThat(element.results().map(e -> e.group(1)))
+        .contains("MechML", "Joints")
         .allSatisfy(name -> assertThat(all).contains("<" + name));
   }
 

@@ -205,6 +205,11 @@ class JointDefinitionTest {
     return cases.stream();
   }
 
+  /** Joints that can close a loop: one of type F forbids nothing. */
+  static Stream<Arguments> closingJoints() {
+    return joints().filter(one -> !one.get()[0].equals("F"));
+  }
+
   @ParameterizedTest(name = "{0} {1}")
   @MethodSource("joints")
   void jointOfTheTreeMovesAsDefined(String type, int seed) throws MechmlException {
@@ -224,12 +229,9 @@ class JointDefinitionTest {
   }
 
   @ParameterizedTest(name = "{0} {1}")
-  @MethodSource("joints")
+  @MethodSource("closingJoints")
   void jointThatClosesALoopHoldsWhereItsDefinitionPutsTheBody(String type, int seed)
       throws MechmlException {
-    if (type.equals("F")) {
-      return;
-    }
     Random random = new Random(seed);
     Case one = Case.draw(type, random);
     Pose pose = one.pose(one.q());

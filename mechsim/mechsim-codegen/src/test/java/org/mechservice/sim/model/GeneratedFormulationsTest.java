@@ -89,9 +89,7 @@ class GeneratedFormulationsTest {
     RunSettings settings = Scenes.SETTINGS;
     SemiRecursiveModel reference =
         new SemiRecursiveModel(mechanism, settings, UserForceSource.NONE);
-    if (reference.derivative(TIME, y, expected) != ExplicitModel.REGULAR) {
-      return;
-    }
+    assertThat(reference.derivative(TIME, y, expected)).isEqualTo(ExplicitModel.REGULAR);
     double[] actual = new double[y.length];
     assertThat(
             ((ExplicitModel) ModelParts.of(model("DSR", mechanism)).equations())
@@ -114,9 +112,7 @@ class GeneratedFormulationsTest {
     ResidualModel model = (ResidualModel) ModelParts.of(model("RR", mechanism)).equations();
     double[] y = RandomMechmlTrees.state(5, mechanism);
     double[] yDot = new double[y.length];
-    if (model.derivative(TIME, y, yDot) != ExplicitModel.REGULAR) {
-      return;
-    }
+    assertThat(model.derivative(TIME, y, yDot)).isEqualTo(ExplicitModel.REGULAR);
     double[] residual = new double[y.length];
     double[] without = new double[y.length];
     model.residual(TIME, y, yDot, residual);

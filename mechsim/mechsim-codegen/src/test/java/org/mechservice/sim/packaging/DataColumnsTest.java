@@ -162,6 +162,7 @@ class DataColumnsTest {
   @Test
   void theClassesOfColumnsAreClassesOfTheSolver() {
     assertThat(ColumnClasses.paths())
+        .isNotEmpty()
         .allSatisfy(p -> assertThat(SolverClasses.file(p)).isNotNull());
   }
 

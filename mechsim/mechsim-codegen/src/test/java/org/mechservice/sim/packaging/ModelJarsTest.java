@@ -231,11 +231,12 @@ class ModelJarsTest {
     try (URLClassLoader loader =
         new URLClassLoader(
             new URL[] {file.toUri().toURL()}, ClassLoader.getPlatformClassLoader())) {
-      for (String path : entries(image).keySet()) {
-        if (isClassFile(path)) {
-          String name = path.substring(0, path.length() - ".class".length()).replace('/', '.');
-          assertThat(Class.forName(name, true, loader).getName()).isEqualTo(name);
-        }
+      List<String> paths =
+          entries(image).keySet().stream().filter(ModelJarsTest::isClassFile).toList();
+      assertThat(paths).contains(MODEL);
+      for (String path : paths) {
+        String name = path.substring(0, path.length() - ".class".length()).replace('/', '.');
+        assertThat(Class.forName(name, true, loader).getName()).isEqualTo(name);
       }
     }
   }
