@@ -297,6 +297,7 @@ class SceneIT {
             "--t-end",
             "0.01",
             "--quiet");
+    assertThat(results.rows()).hasSizeGreaterThan(1);
     for (List<Double> row : results.rows()) {
       double norm = row.subList(1, 5).stream().mapToDouble(x -> x * x).sum();
       assertThat(Math.sqrt(norm)).isCloseTo(1, within(1e-12));

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.Arrays;
 import java.util.Deque;
+import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
@@ -51,7 +52,9 @@ class ContributingTest {
 
   @Test
   void everyPackageStandsBesideItsModule() throws IOException {
-    for (MatchResult row : PACKAGE.matcher(layout()).results().toList()) {
+    List<MatchResult> rows = PACKAGE.matcher(layout()).results().toList();
+    assertThat(rows).isNotEmpty();
+    for (MatchResult row : rows) {
       assertThat(ArchitectureTest.moduleOf(row.group(1))).as(row.group(1)).isEqualTo(row.group(2));
     }
   }

@@ -108,6 +108,7 @@ final class DrivenLinkagesTest {
     DrivenLinkage linkage = fourBar(10, 0.464, 0.557, 0.926, 1.004);
     String text = linkage.mechml(12, step);
     Trajectory rows = MechModel.of("linkage.xml", text).kinematics();
+    assertThat(rows.rows()).isGreaterThan(1);
     double[] time = rows.column("t");
     double angle = linkage.angle(time[0]);
     List<Coordinate> before = linkage.positions(angle);
@@ -170,6 +171,7 @@ final class DrivenLinkagesTest {
     String motion = "0.1*smoothStep((t-7)/" + duration + ")";
     for (List<String> method : METHODS) {
       Trajectory rows = of(passenger(drive, motion), method, 1e-6).simulate();
+      assertThat(rows.rows()).isGreaterThan(1);
       double[] time = rows.column("t");
       for (int i = 0; i < time.length; i++) {
         assertThat(rows.column("y.q")[i])

@@ -92,6 +92,7 @@ class DrivenTurnsTest {
   @ValueSource(strings = {ANGLES, QUATERNION})
   void torqueOfARegularPrecessionIsEulers(String driven) throws Exception {
     Trajectory rows = of(top(INVERSE, "S", driven, "", "")).inverseDynamics();
+    assertThat(rows.rows()).isGreaterThan(1);
     double[] time = rows.column("t");
     for (int i = 0; i < time.length; i++) {
       double t = time[i];
@@ -220,6 +221,7 @@ class DrivenTurnsTest {
         top(INVERSE, "S", "driven='c(t);0;s(t);0'", "", "")
             .replace("<Bodies>", tables.formatted(times, c, s));
     Trajectory rows = of(text).inverseDynamics();
+    assertThat(rows.rows()).isGreaterThan(1);
     double[] time = rows.column("t");
     for (int i = 0; i < time.length; i++) {
       // the angle about y is t^2; h^2/12 of the fourth derivative of the path, below 4

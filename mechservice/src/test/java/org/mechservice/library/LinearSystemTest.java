@@ -250,6 +250,7 @@ class LinearSystemTest {
     int nq = equations.description().positionCount();
     int nv = equations.description().velocityCount();
     int further = equations.description().furtherStates().size();
+    assertThat(system.inputs()).hasSize(loop ? 1 : 2);
     for (int j = 0; j < system.inputs().size(); j++) {
       double[] slope = new double[y.length];
       for (int pass = 0; pass < 2; pass++) {
@@ -315,6 +316,8 @@ class LinearSystemTest {
     String parts = loop ? LOOP : TREE;
     LinearSystem system = model("gives='system'", parts).linearSystem();
     int m = system.inputs().size();
+    assertThat(m).isEqualTo(loop ? 1 : 2);
+    assertThat(system.outputs()).hasSize(m);
     MechModel run =
         MechModel.of(
             "m.xml",

@@ -153,6 +153,7 @@ class RollingTest {
             + "<jointVal name='ice' posVals='0;0;0' velVals='0;0;1.5'/></relCoorVals></topology>"
             + "</MBSmodel></MechML>";
     Trajectory rows = of(text).columns(ColumnGroup.JOINTS, ColumnGroup.CONSTRAINTS).simulate();
+    assertThat(rows.rows()).isGreaterThan(1);
     double factor = 2 / (2 * 1.5 * 1.5);
     for (int i = 0; i < rows.rows(); i++) {
       double angle = 1.5 * rows.time()[i];
@@ -306,6 +307,7 @@ class RollingTest {
     String topology = "<relCoorVals><jointVal name='way' driven='t^2'/></relCoorVals>";
     Trajectory rows =
         of(wheel(run(formulation, closure, integrator, 1), DRIVEN, topology)).simulate();
+    assertThat(rows.rows()).isGreaterThan(1);
     for (int i = 0; i < rows.rows(); i++) {
       double t = rows.time()[i];
       assertThat(rows.column("hub.q")[i]).isCloseTo(t * t / 0.4, within(1e-8));

@@ -158,6 +158,7 @@ class SampledStatesTest {
             .formulation(formulation)
             .integrator(integrator)
             .simulate();
+    assertThat(sampled.rows()).isGreaterThan(1);
     for (String column : List.of("j1.q", "j1.v", "j3.v")) {
       for (int i = 0; i < sampled.rows(); i++) {
         assertThat(sampled.column(column)[i]).isCloseTo(jumping.column(column)[i], within(2e-7));
@@ -310,6 +311,7 @@ class SampledStatesTest {
       run.step();
       assertThat(run.value("j3.v")).isCloseTo(sampled.column("j3.v")[i + 1], within(tolerance));
     }
+    assertThat(run.time()).isCloseTo(sampled.time()[sampled.rows() - 1], within(1e-12));
   }
 
   @Test

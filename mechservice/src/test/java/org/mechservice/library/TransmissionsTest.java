@@ -123,6 +123,7 @@ class TransmissionsTest {
             + " gz='-9.81'/></Forces><topology><root"
             + " name='Ground'/></topology></MBSmodel></MechML>";
     Trajectory rows = of(text).simulate();
+    assertThat(rows.rows()).isGreaterThan(1);
     double acceleration = 2 * 9.81 * (2 * 4 - 5) / (4 * 4 + 5);
     for (int i = 0; i < rows.rows(); i++) {
       double way = acceleration * rows.time()[i] * rows.time()[i] / 2;
@@ -144,6 +145,8 @@ class TransmissionsTest {
     Trajectory rows = MechModel.read(folder.resolve(scene + ".xml")).simulate();
     List<String> reference = Files.readAllLines(folder.resolve("reference.csv"));
     String[] names = reference.get(0).split(",", -1);
+    assertThat(names).hasSizeGreaterThan(1);
+    assertThat(reference).hasSizeGreaterThan(2);
     for (int c = 1; c < names.length; c++) {
       double[] column = rows.column(names[c]);
       int every = (rows.rows() - 1) / (reference.size() - 2);
@@ -185,6 +188,7 @@ class TransmissionsTest {
             + " name='Ground'/><relCoorVals><jointVal name='turn' driven='3*t'/><jointVal"
             + " name='lift' posVals='28'/></relCoorVals></topology></MBSmodel></MechML>";
     Trajectory rows = of(text).simulate();
+    assertThat(rows.rows()).isGreaterThan(1);
     for (int i = 0; i < rows.rows(); i++) {
       double expected = 0.020 + 0.008 * Math.cos(3 * rows.time()[i]);
       assertThat(rows.column("lift.q")[i]).isCloseTo(expected, within(1e-9));

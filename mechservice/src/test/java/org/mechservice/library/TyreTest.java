@@ -111,6 +111,7 @@ class TyreTest {
     Trajectory rows = MechModel.read(file).simulate();
     List<String> reference = Files.readAllLines(folder.resolve("reference.csv"));
     String[] names = reference.get(0).split(",", -1);
+    assertThat(names).hasSizeGreaterThan(1);
     for (int c = 1; c < names.length; c++) {
       double[] column = rows.column(names[c]);
       for (int i = 0; i <= 20; i++) {

@@ -39,13 +39,17 @@ class IntegratorStudiesTest {
   @Test
   void implicitMethodsOfOrdersOneAndTwoNeverLetAnUndampedOscillatorGrow() throws IOException {
     boolean implicit = false;
+    int looked = 0;
     for (String[] row : figures(new GrowthStudy(CONTEXT))) {
       implicit |= row[0].contains("ode15s");
       if (implicit && row.length == 4 && List.of("1", "2").contains(row[0])) {
         assertThat(Double.parseDouble(row[3])).isLessThan(1e-9);
+        looked++;
       }
     }
     assertThat(implicit).isTrue();
+    // Each of both orders at more than one size.
+    assertThat(looked).isGreaterThan(2);
   }
 
   @Test

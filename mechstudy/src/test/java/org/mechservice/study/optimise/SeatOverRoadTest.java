@@ -43,6 +43,7 @@ class SeatOverRoadTest {
     PolynomialSplineFunction height = road();
     Trajectory rows = MechModel.read(FOLDER.resolve("seat.xml")).simulate();
     double[] seat = rows.column("seat.q");
+    assertThat(seat).hasSizeGreaterThan(1);
     double h = 0.01 / STEPS;
     double[] y = {0, 0}; // at rest on the flat begin of the road
     for (int i = 1; i < seat.length; i++) {
