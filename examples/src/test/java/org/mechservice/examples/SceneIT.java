@@ -356,7 +356,7 @@ class SceneIT {
     assertThat(Mechanic.check(EXAMPLES.resolve(model)).orFail().out()).contains("N-002");
   }
 
-  /** The pattern of the paper's Table II: damping makes the driver stiff. */
+  /** The pattern of Table II of Rodríguez et al. 2003: damping makes the driver stiff. */
   @Test
   void dampingHelpsImplicitIntegratorsAndHindersExplicitOnes() {
     assertThat(evaluations("driver-free-ck100.xml", "ode15sR"))

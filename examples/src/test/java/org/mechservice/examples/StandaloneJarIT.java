@@ -36,7 +36,7 @@ class StandaloneJarIT {
     return new Terminal(directory).run(command);
   }
 
-  /** Issue 19 withdraws the bound on bytes; a pendulum still leaves most of the solver out. */
+  /** A pendulum leaves most of the solver out. */
   @Test
   void isAFractionOfTheWholeSolver() throws IOException {
     assertThat(Files.size(jar)).isLessThan(runtimeJarBytes() / 3);

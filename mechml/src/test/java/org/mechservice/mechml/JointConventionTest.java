@@ -20,7 +20,7 @@ import org.mechservice.solver.mechanism.joint.Revolute;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
-/** Points, axes and the rotation at zero, as MECHML §4 defines them. */
+/** Points, axes and the rotation at zero, as docs/mechml.md#joints defines them. */
 class JointConventionTest {
   /** A dozen operations on numbers near 1. */
   private static final Offset<Double> ROUNDING = within(1e-14);

@@ -13,7 +13,7 @@ import org.mechservice.solver.mechanism.Root;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
-/** Where inipos puts the root (MECHML §3). */
+/** Where inipos puts the root (docs/mechml.md#topology-and-start). */
 class RootPoseTest {
   /** A dozen operations on numbers near 10. */
   private static final Offset<Double> ROUNDING = within(1e-13);

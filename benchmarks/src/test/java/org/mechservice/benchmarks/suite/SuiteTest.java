@@ -76,7 +76,7 @@ class SuiteTest {
   void integratorsReachTheVerifiedEnd(String id, String integrator) {
     SuiteRun run = SuiteRunner.runs(named(id), integrator, new double[] {1e-8}, 60).get(0);
     assertThat(run.cause()).isEmpty();
-    // Global over local error: two digits at most on these problems (INTEGRATORS §3).
+    // Global over local error: two digits at most on these problems.
     assertThat(run.error()).isLessThan(1e-6);
   }
 
@@ -87,7 +87,7 @@ class SuiteTest {
     String method = problem.algebraic.isEmpty() ? "ode15s" : "ode15sR";
     SuiteRun run = SuiteRunner.runs(problem, method, new double[] {1e-6}, 60).get(0);
     assertThat(run.cause()).isEmpty();
-    // Two digits less than asked for (INTEGRATORS §9, target 1). The rod's force is its length's
+    // Two digits less than asked for. The rod's force is its length's
     // error times its stiffness, 1e4 weights per unit of length.
     assertThat(run.error()).isLessThan(id.equals("rod_pendulum") ? 1e-2 : 1e-4);
   }

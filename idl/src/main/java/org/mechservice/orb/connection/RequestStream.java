@@ -26,7 +26,7 @@ import org.slf4j.LoggerFactory;
 final class RequestStream extends InputStream {
   private static final Logger LOG = LoggerFactory.getLogger(RequestStream.class);
 
-  /** Place of the response flags in the body of a request (section 15.4.2.1). */
+  /** Place of the response flags in the body of a request (OMG, CORBA 3.0, section 15.4.2.1). */
   private static final int RESPONSE_FLAGS = MessageHead.ID_BYTES;
 
   private static final Set<Byte> KNOWN_RESPONSES = Set.of((byte) 0, (byte) 1, (byte) 3);

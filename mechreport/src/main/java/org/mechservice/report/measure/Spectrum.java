@@ -23,7 +23,7 @@ public record Spectrum(List<Sample> samples, double interval) {
   /** Relative size of a difference: balances rounding against curvature. */
   private static final double STEP = 1e-6;
 
-  /** Operations of eigenvalues with vectors, by n³ (Golub and Van Loan, sect. 7.5.6). */
+  /** Operations of eigenvalues with vectors, by n³ (Golub and Van Loan 2013, §7.5.6). */
   private static final double EIGEN_OPERATIONS = 25;
 
   /** A low estimate for loops over arrays of arrays. */

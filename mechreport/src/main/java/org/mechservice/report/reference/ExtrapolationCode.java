@@ -4,8 +4,8 @@ import java.util.Optional;
 
 /**
  * Gragg, Bulirsch and Stoer's extrapolation of the explicit midpoint rule with a fixed number of
- * columns k, order 2k (Hairer, Nørsett &amp; Wanner I, §II.9), for nonstiff problems: sequence 2,
- * 4, 6, …, without smoothing, error from the last two of the diagonal.
+ * columns k, order 2k (Hairer, Nørsett &amp; Wanner I, 1993, §II.9), for nonstiff problems:
+ * sequence 2, 4, 6, …, without smoothing, error from the last two of the diagonal.
  */
 public final class ExtrapolationCode implements ReferenceCode {
   private final int columns;

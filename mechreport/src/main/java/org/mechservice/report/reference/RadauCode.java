@@ -11,8 +11,8 @@ import org.mechservice.solver.linear.LinearSolver;
  * Newton's iteration on all stages at once, down to rounding, with a Jacobian by differences.
  *
  * <p>Error estimate: the defect of the collocation polynomial at the start of the step, filtered
- * through (1 − h γ J)⁻¹, of order s (Hairer &amp; Wanner II, §IV.8). The solution is of order 2s −
- * 1, so what a tolerance gives must be seen from two of them.
+ * through (1 − h γ J)⁻¹, of order s (Hairer &amp; Wanner II, 1996, §IV.8). The solution is of order
+ * 2s − 1, so what a tolerance gives must be seen from two of them.
  */
 public final class RadauCode implements ReferenceCode {
   private static final int MOST_ITERATIONS = 40;

@@ -1,8 +1,8 @@
 package org.mechservice.report.reference;
 
 /**
- * The collocation method of Radau IIA with s stages, order 2s − 1 (Hairer &amp; Wanner II, §IV.5):
- * nodes are the zeros of P_s(2c − 1) − P_{s−1}(2c − 1), the last is 1.
+ * The collocation method of Radau IIA with s stages, order 2s − 1 (Hairer &amp; Wanner II, 1996,
+ * §IV.5): nodes are the zeros of P_s(2c − 1) − P_{s−1}(2c − 1), the last is 1.
  */
 final class RadauTableau {
   final int stages;

@@ -11,7 +11,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class ReferenceCodeTest {
   private static final long NO_DEADLINE = Long.MAX_VALUE;
 
-  /** Kepler's problem, eccentricity e; exact by u − e sin u = t (INTEGRATORS, twobody9). */
+  /** Kepler's problem, eccentricity e; exact by u − e sin u = t. */
   private static Problem kepler() {
     return problem(
         4,

@@ -4,11 +4,11 @@ import java.util.Arrays;
 
 /**
  * Motions of {@link PlainSystem}s by extrapolation of the modified midpoint rule (Gragg, Bulirsch
- * and Stoer; Hairer, Nørsett and Wanner, Solving Ordinary Differential Equations I, section II.9)
- * at 1e-13, which shares nothing with the integrators, the events and the laws of the product. A
- * step is on one branch. Far from every margin it may be as long as nothing can happen in it; near
- * one, steps are short, and one in which a margin has changed its sign is taken again and ends
- * there.
+ * and Stoer; Hairer, Nørsett and Wanner, Solving Ordinary Differential Equations I, 1993, section
+ * II.9) at 1e-13, which shares nothing with the integrators, the events and the laws of the
+ * product. A step is on one branch. Far from every margin it may be as long as nothing can happen
+ * in it; near one, steps are short, and one in which a margin has changed its sign is taken again
+ * and ends there.
  */
 final class PlainMotion {
   private static final double TOLERANCE = 1e-13;

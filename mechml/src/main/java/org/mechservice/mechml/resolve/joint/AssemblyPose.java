@@ -26,7 +26,7 @@ record AssemblyPose(Vector3 origin, Rotation axes) {
 
   /**
    * Returns the pose of a joint's body2 as seen from its body1, at the start values of the joint:
-   * the definitions of docs/mechml.md, section Joints.
+   * the definitions of docs/mechml.md#joints.
    *
    * @param joint with body1 as parent
    */

@@ -12,8 +12,8 @@ import org.mechservice.solver.spatial.Vector3;
 
 /**
  * Reads the points and vectors of joints and computes the relative orientation of the bodies at
- * zero (docs/mechml.md, section Joints). In the formulas a1, a2 are the vectors and b1, b2 the
- * second vectors.
+ * zero (docs/mechml.md#joints). In the formulas a1, a2 are the vectors and b1, b2 the second
+ * vectors.
  */
 final class AxisReader {
   private final Diagnostics diagnostics;

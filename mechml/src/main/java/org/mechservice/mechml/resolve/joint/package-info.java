@@ -18,7 +18,7 @@
  * org.mechservice.mechml.resolve.joint.ConstraintsReader} reads further loop closures: distances,
  * points on planes and lines, joints as constraints, and couplings of coordinates.
  *
- * <p>docs/mechml.md, sections on joints and constraints, defines the conventions.
+ * <p>docs/mechml.md#joints and docs/mechml.md#constraints define the conventions.
  */
 @NullMarked
 package org.mechservice.mechml.resolve.joint;

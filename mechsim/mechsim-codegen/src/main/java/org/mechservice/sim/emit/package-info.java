@@ -15,8 +15,8 @@
  * the same operations in the same order, so their results have the same bits.
  *
  * <p>Depends on symbolic programs and ASM. This package receives the mechanics as programs; only
- * the layout of the Jacobian comes from {@code equations.derivatives}. CODEGEN has the measurements
- * behind the design.
+ * the layout of the Jacobian comes from {@code equations.derivatives}. See
+ * docs/theory/formulations.md#generated-code.
  */
 @NullMarked
 package org.mechservice.sim.emit;

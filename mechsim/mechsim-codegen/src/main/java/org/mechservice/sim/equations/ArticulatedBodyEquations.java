@@ -22,10 +22,11 @@ import org.mechservice.solver.symbol.Scalar;
 import org.mechservice.solver.symbol.ScalarVector;
 
 /**
- * y' = f(t, y) of an open chain, totally recursive (DTR, NUMERICS §2), in three sweeps. The first
- * goes outwards and computes the forces of the motion with zero joint accelerations. The second
- * goes inwards and computes articulated inertias and bias forces. The third goes outwards and
- * computes the joint accelerations.
+ * y' = f(t, y) of an open chain, totally recursive (DTR,
+ * docs/theory/formulations.md#dtr-articulated-bodies), in three sweeps. The first goes outwards and
+ * computes the forces of the motion with zero joint accelerations. The second goes inwards and
+ * computes articulated inertias and bias forces. The third goes outwards and computes the joint
+ * accelerations.
  */
 public final class ArticulatedBodyEquations {
   private final Program program;

@@ -24,10 +24,10 @@ import org.mechservice.solver.symbol.Scalar;
 import org.mechservice.solver.symbol.ScalarVector;
 
 /**
- * y' = f(t, y) of an open chain, semi-recursive (DSR, NUMERICS §2): M a = τ − b, with M from
- * composite inertias, nonzero only between each joint and its ancestors, factored as LᵀDL along the
- * tree without fill-in (Featherstone 2008, §6.2 and §6.5), and b from one outward and one inward
- * sweep.
+ * y' = f(t, y) of an open chain, semi-recursive (DSR,
+ * docs/theory/formulations.md#dsr-composite-inertias): M a = τ − b, with M from composite inertias,
+ * nonzero only between each joint and its ancestors, factored as LᵀDL along the tree without
+ * fill-in (Featherstone 2008, §6.2 and §6.5), and b from one outward and one inward sweep.
  */
 public final class CompositeInertiaEquations {
   private final Program program = new Program();

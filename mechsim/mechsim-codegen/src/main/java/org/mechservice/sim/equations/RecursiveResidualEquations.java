@@ -17,8 +17,8 @@ import org.mechservice.solver.symbol.ScalarVector;
 
 /**
  * F(t, y, y') = [q' − N(q) v; M(q) v' + b(q, v) − τ] of an open chain, recursive residual (RR,
- * NUMERICS §2). An outward sweep computes the motion and its inertia forces; an inward sweep
- * computes the joint forces.
+ * docs/theory/formulations.md#rr-the-residual). An outward sweep computes the motion and its
+ * inertia forces; an inward sweep computes the joint forces.
  */
 public final class RecursiveResidualEquations {
   private final Program program = new Program();

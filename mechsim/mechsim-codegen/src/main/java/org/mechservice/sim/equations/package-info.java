@@ -19,8 +19,9 @@
  * derivatives}. {@link org.mechservice.sim.emit} translates programs to code; this package does not
  * depend on it.
  *
- * <p>The mathematics is in NUMERICS §1-§4; its sources are Featherstone 2008 (ch. 5-7) and Singh,
- * Russell and Wensing 2022.
+ * <p>The mathematics is in docs/theory/motion.md, docs/theory/formulations.md and
+ * docs/theory/loops.md; its sources are Featherstone 2008 (ch. 5-7) and Singh, Russell and Wensing
+ * 2022.
  */
 @NullMarked
 package org.mechservice.sim.equations;

@@ -13,7 +13,7 @@
  * finds the dominant eigenvalues of the linearised equations for two of them, with Commons Math.
  *
  * <p>Depends on the mechanism and the data-driven formulations of solver-mechanics. Independent of
- * equations and code. NUMERICS §1 and §3 have the mathematics.
+ * equations and code. The mathematics is in docs/theory/motion.md and docs/theory/loops.md.
  */
 @NullMarked
 package org.mechservice.sim.scene;

@@ -22,7 +22,7 @@ class ModelCompilerTest {
     return ModelFactory.compile(model, options, ModelFactory.generate(model, options)).classFiles();
   }
 
-  /** CODEGEN §9: above 8 000 bytes a method is never compiled; about 6 000 runs fastest. */
+  /** A method above 8 000 bytes is never compiled (docs/theory/formulations.md#methods). */
   @ParameterizedTest
   @ValueSource(strings = {"pend5s", "driver41", "chain200"})
   void noMethodIsTooLongForTheVirtualMachinesCompiler(String name) {

@@ -13,7 +13,7 @@ import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.symbol.Program;
 
 class ArticulatedBodyEquationsTest {
-  /** NUMERICS §5 allows 1e-11 between implementations; the longest chain needs 1e-14. */
+  /** The bound of docs/theory/formulations.md#agreement; the longest chain needs 1e-14. */
   private static final double AGREES = 1e-11;
 
   private static Program withJointForces(Mechanism mechanism) {
@@ -37,7 +37,7 @@ class ArticulatedBodyEquationsTest {
     assertThat(worst).isLessThan(AGREES * largest);
   }
 
-  /** The counts of CODEGEN §2 are the bar; a rise means that something structural was lost. */
+  /** Counts of the first prototype; a rise above them means that something structural was lost. */
   @ParameterizedTest
   @CsvSource({"pend5, 259", "pend5s, 840", "driver41, 6790", "chain200, 56341"})
   void noMoreOperationsThanThePrototype(String name, int prototype) {

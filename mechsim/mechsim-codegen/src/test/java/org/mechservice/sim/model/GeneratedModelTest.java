@@ -208,7 +208,7 @@ class GeneratedModelTest {
       model.derivative(0, y, yDot);
       double[] a = new double[5];
       System.arraycopy(yDot, 5, a, 0, 5);
-      // SCENES §8: accelerations to 1e-11; the references have 15 digits.
+      // Accelerations to 1e-11; the references have 15 digits.
       assertClose(a, Scenes.numbers(reference.getAsJsonArray("a")), 1e-11);
       double[] energy = {
         reference.get("kinetic").getAsDouble(), reference.get("potential").getAsDouble()

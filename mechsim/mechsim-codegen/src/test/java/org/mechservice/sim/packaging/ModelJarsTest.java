@@ -95,7 +95,7 @@ class ModelJarsTest {
     assertThat(jar.sha256()).isEqualTo(Sha256.of(jar.bytes()));
   }
 
-  /** Issue 2: the pendulum's classes take at most 4 KB. */
+  /** The pendulum's classes take at most 4 KB. */
   @Test
   void thePendulumsClassIsSmall() {
     assertThat(ModelJars.model(pendulum("DE"), SHA).modelBytes()).isLessThan(4096);
@@ -176,8 +176,8 @@ class ModelJarsTest {
   }
 
   /**
-   * Issue 19 withdraws the former bounds of 85 and 125 KB: a JAR holds ordinary class files with
-   * line numbers and names. What remains is that a pendulum does not carry the whole solver.
+   * A JAR holds ordinary class files with line numbers and names; that of a pendulum does not carry
+   * the whole solver.
    */
   @Test
   void theStandaloneJarOfThePendulumIsAFractionOfTheWholeSolver() {

@@ -5,7 +5,7 @@
 
 #include "mech_backward.h"
 
-/* Hairer and Wanner, Solving Ordinary Differential Equations II, section IV.1. */
+/* Hairer and Wanner, Solving Ordinary Differential Equations II, 1996, section IV.1. */
 static const double RIGHT[] = {0.7158270687194135, 9.185534764557763e-6, 0.2841637457458219};
 
 int robertson_derivatives(robertson_t *m, double t, const double *x, double *dx) {

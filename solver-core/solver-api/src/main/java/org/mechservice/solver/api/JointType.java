@@ -1,6 +1,8 @@
 package org.mechservice.solver.api;
 
-/** The joints of MechML with the units of their coordinates, in state order (MECHML §4). */
+/**
+ * The joints of MechML with the units of their coordinates, in state order (docs/mechml.md#joints).
+ */
 public enum JointType {
   /** Rotation about a vector. */
   R("rad", "rad/s"),

@@ -8,8 +8,9 @@ import org.mechservice.solver.linear.SparseMatrix;
 
 /**
  * Projects positions and velocities onto the constraint manifold by the least change in the metric
- * of the mass matrix (NUMERICS §3); velocities change as by an impulse along the constraints.
- * Selected coordinates may be held fixed, each by an additional equation. Workspace of one thread.
+ * of the mass matrix (docs/theory/loops.md#penalty); velocities change as by an impulse along the
+ * constraints. Selected coordinates may be held fixed, each by an additional equation. Workspace of
+ * one thread.
  */
 public final class LoopProjection {
   /** Relative residual, or rate over the speed, below which a state is not changed. */

@@ -4,9 +4,9 @@ import java.util.Locale;
 import org.mechservice.solver.catalogue.ClosureMethod;
 
 /**
- * Parameters of the penalty closure (NUMERICS §3; García de Jalón and Bayo 1994, ch. 5). Their text
- * form follows the closure's name: {@code penalty:alpha=1e7,omega=10,mu=1}; an omitted parameter
- * has its default.
+ * Parameters of the penalty closure (docs/theory/loops.md#penalty; García de Jalón and Bayo 1994,
+ * ch. 5). Their text form follows the closure's name: {@code penalty:alpha=1e7,omega=10,mu=1}; an
+ * omitted parameter has its default.
  *
  * @param stiffness α, penalty per equation divided by the largest diagonal element of M; smaller
  *     for rows longer than one. The default is large enough for two or three iterations to satisfy

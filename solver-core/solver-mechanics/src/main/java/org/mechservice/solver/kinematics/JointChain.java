@@ -21,7 +21,8 @@ import org.mechservice.solver.spatial.Vector3;
 
 /**
  * Decomposes joints into elementary links, from the parent to the child. A joint whose parent is
- * the file's body 2 is the reversed chain with every motion inverted. MECHML §4 defines the joints.
+ * the file's body 2 is the reversed chain with every motion inverted. The joints are defined in
+ * docs/mechml.md#joints.
  */
 final class JointChain {
   private static final Vector3 X = new Vector3(1, 0, 0);

@@ -9,8 +9,8 @@ import org.mechservice.solver.spatial.EulerParameters;
 
 /**
  * The kinematic equation of the state, q' = N(q) v, with N the identity except for Euler
- * parameters, and finite moves along the tangent, one number per velocity (NUMERICS §1a).
- * Immutable.
+ * parameters, and finite moves along the tangent, one number per velocity
+ * (docs/theory/motion.md#positions). Immutable.
  */
 public final class StateCoordinates {
   /** For each position: its velocity, or -1 for an Euler parameter. */

@@ -20,7 +20,7 @@ import org.mechservice.solver.spatial.Vector3;
  * before it are massless.
  *
  * <p>Reference points lie on the bodies, not at the world origin, so that sums and differences keep
- * their digits at any distance from it (NUMERICS §1).
+ * their digits at any distance from it (docs/theory/motion.md#spatial-vectors).
  *
  * <p><i>Extended</i> coordinates are those of the state, in state order, followed by those of
  * driven joints in file order.

@@ -6,7 +6,7 @@ import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.text.Origin;
 
 /**
- * An action at the zero crossings of an expression (MECHML §5).
+ * An action at the zero crossings of an expression (docs/mechml.md#simulations).
  *
  * @param name name in the model file
  * @param trigger of time, parameters and the state

@@ -4,7 +4,7 @@ import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.text.Origin;
 
 /**
- * A column of results that the model's author defined (MECHML §5).
+ * A column of results that the model's author defined (docs/mechml.md#outputs).
  *
  * @param name name of the column
  * @param value of time, parameters and the state; written without conversion

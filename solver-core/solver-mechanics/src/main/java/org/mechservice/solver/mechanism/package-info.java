@@ -15,6 +15,7 @@
  * solver.dynamics} and {@code solver.closure} and the code generator read it. All threads may share
  * a mechanism; each computation has its own workspace.
  *
- * <p>Source: the definitions of joints and constraints are those of MECHML §4 and §5.
+ * <p>The definitions of joints and constraints are those of docs/mechml.md#joints and
+ * docs/mechml.md#constraints.
  */
 package org.mechservice.solver.mechanism;

@@ -25,7 +25,7 @@ class ArticulatedBodyDigitsTest {
   private static final List<Vector3> AXES =
       List.of(new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1));
 
-  /** The bound is the issue's: 1e-12 of the largest acceleration on chains of up to 100 bodies. */
+  /** Within 1e-12 of the largest acceleration on chains of up to 100 bodies. */
   @ValueSource(ints = {1, 2, 5, 10, 20, 50, 100})
   @ParameterizedTest
   void accelerationsHaveTwelveDigits(int n) {

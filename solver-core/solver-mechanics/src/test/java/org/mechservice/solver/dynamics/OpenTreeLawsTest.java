@@ -138,7 +138,7 @@ class OpenTreeLawsTest {
     return moved.kineticEnergy() + moved.potentialEnergy();
   }
 
-  /** NUMERICS §5: backward error 1e-12, forward difference 100 ε κ(D M D) or 1e-11. */
+  /** The bounds of docs/theory/formulations.md#agreement. */
   @MethodSource("seeds")
   @ParameterizedTest
   void formulationsAgreeWithEachOtherAndWithMaximalCoordinates(long seed) {

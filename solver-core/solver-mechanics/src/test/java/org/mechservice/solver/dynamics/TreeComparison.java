@@ -20,7 +20,8 @@ import org.mechservice.solver.oracle.TaylorPose;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * Accelerations of one loaded tree by every formulation, judged as NUMERICS §5 says.
+ * Accelerations of one loaded tree by every formulation, judged as in
+ * docs/theory/formulations.md#agreement.
  *
  * @param velocities number of velocities
  * @param condition κ of D M D with D = diag(M)^(−1/2)

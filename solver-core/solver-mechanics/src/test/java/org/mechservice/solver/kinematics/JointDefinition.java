@@ -11,8 +11,8 @@ import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * The pose of the file's body 2 relative to its body 1, written out from MECHML §4 for joints in
- * the file's sense.
+ * The pose of the file's body 2 relative to its body 1, written out from docs/mechml.md#joints for
+ * joints in the file's sense.
  *
  * @param rotation A, body 2 axes to body 1 axes
  * @param translation r, body 2's point from body 1's, in body 1 axes

@@ -11,7 +11,7 @@ import org.mechservice.solver.mechanism.closure.PointOnLineClosure;
 import org.mechservice.solver.mechanism.closure.PointOnPlaneClosure;
 import org.mechservice.solver.spatial.Vector3;
 
-/** What closures set to zero, written from MECHML §4 and §5. */
+/** What closures set to zero, written from docs/mechml.md#joints and docs/mechml.md#constraints. */
 final class ClosureEquations {
   private ClosureEquations() {}
 

@@ -12,8 +12,8 @@ import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
 /**
- * The definitions of MECHML §4: what motion coordinates give, and what is zero whatever they are.
- * Poses are those of the file's body 2 from body 1, in body 1's axes.
+ * The definitions of docs/mechml.md#joints: what motion coordinates give, and what is zero whatever
+ * they are. Poses are those of the file's body 2 from body 1, in body 1's axes.
  */
 final class JointEquations {
   private JointEquations() {}
@@ -99,7 +99,7 @@ final class JointEquations {
   /**
    * Returns a coordinate that a pose has: of R, P or C, angles within half a turn.
    *
-   * @param component which, in the order of MECHML §4
+   * @param component which, in the order of docs/mechml.md#joints
    */
   static Taylor coordinate(Joint joint, int component, TaylorPose pose) {
     if (joint instanceof Prismatic p) {

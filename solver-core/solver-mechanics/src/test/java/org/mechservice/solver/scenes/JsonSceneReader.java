@@ -30,7 +30,7 @@ import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 import org.mechservice.solver.text.Origin;
 
-/** Makes a mechanism of a scene's JSON form (SCENES §2). */
+/** Makes a mechanism of a scene's JSON form (README.md beside the scenes). */
 final class JsonSceneReader {
   private final JsonObject scene;
   private final List<String> bodyNames = new ArrayList<>();

@@ -7,7 +7,9 @@ import org.mechservice.solver.oracle.TaylorPose;
 import org.mechservice.solver.oracle.TaylorVector;
 import org.mechservice.solver.spatial.Vector3;
 
-/** The forces of the scenes once more, written from SCENES §2 and §4 for the oracle. */
+/**
+ * The forces of the scenes once more, written for the oracle from the README.md beside the scenes.
+ */
 final class OracleForces {
   private final JsonSceneReader scene;
 

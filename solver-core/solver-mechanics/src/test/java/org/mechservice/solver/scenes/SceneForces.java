@@ -202,7 +202,10 @@ final class SceneForces {
     return motion.force(name(force), List.of(Expression.ZERO, Expression.ZERO, push));
   }
 
-  /** Road and tyre at the wheel's centre, and the car that pulls the frame (SCENES §4). */
+  /**
+   * Road and tyre at the wheel's centre, and the car that pulls the frame (README.md beside the
+   * scenes).
+   */
   private List<ForceElement> road(JsonObject force) {
     String wheel = force.get("wheel").getAsString();
     BodyPoint center =

@@ -37,8 +37,8 @@
  * <p>A solver says where in a flat array it wants each element, by its {@link
  * org.mechservice.solver.linear.MatrixLayout}; whoever fills the matrix need not know more of it.
  * All work by Gaussian elimination with row interchanges (Golub and Van Loan, <i>Matrix
- * Computations</i>, ch. 3 and 4): a pivot that is exactly zero is reported with its column, and how
- * many digits the equations may cost is told by {@link
+ * Computations</i>, 2013, ch. 3 and 4): a pivot that is exactly zero is reported with its column,
+ * and how many digits the equations may cost is told by {@link
  * org.mechservice.solver.linear.LinearSolver#reciprocalCondition}.
  */
 package org.mechservice.solver.linear;

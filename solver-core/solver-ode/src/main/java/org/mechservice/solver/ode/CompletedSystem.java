@@ -2,7 +2,8 @@ package org.mechservice.solver.ode;
 
 /**
  * A system some of whose components follow from the others, as the coordinates of a closed loop do
- * (NUMERICS §3). Implemented beside {@link OdeSystem} or {@link ResidualSystem}.
+ * (docs/theory/loops.md#projection). Implemented beside {@link OdeSystem} or {@link
+ * ResidualSystem}.
  *
  * <p>The integrator keeps a history of all components. The iteration sees the independent ones
  * alone, and so do the error test and its norm unless {@link #tested} names others; the passive

@@ -3,7 +3,8 @@ package org.mechservice.solver.ode;
 /**
  * A system in which some components share one error weight: the four Euler parameters of a rotation
  * are weighed by the norm of the four, so that one of them crossing zero does not tighten the test
- * (NUMERICS §1a). Implemented beside {@link OdeSystem} or {@link ResidualSystem}.
+ * (docs/theory/integrators.md#error-control). Implemented beside {@link OdeSystem} or {@link
+ * ResidualSystem}.
  */
 public interface ErrorWeightGroups {
   /** Returns the number of groups. */

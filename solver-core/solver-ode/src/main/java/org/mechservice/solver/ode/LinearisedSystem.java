@@ -3,7 +3,8 @@ package org.mechservice.solver.ode;
 /**
  * A residual system that knows its own linear algebra: it keeps ∂F/∂y and ∂F/∂y' in whatever form
  * suits it and solves with (hγ ∂F/∂y + ∂F/∂y'). A mechanism reduces the 2n equations of [q; v] to n
- * this way and eliminates along its tree (NUMERICS §2).
+ * this way and eliminates along its tree
+ * (docs/theory/formulations.md#rr-jf-the-jacobian-by-recursion).
  *
  * <p>The derivatives stay those of the last {@link #linearise} while hγ changes; each change of hγ
  * costs a {@link #factor}.

@@ -3,8 +3,9 @@ package org.mechservice.solver.ode;
 /**
  * A system whose solution obeys equations that the integration itself does not hold exactly, such
  * as constraints differentiated twice, or the unit norm of Euler parameters. Implemented beside
- * {@link OdeSystem} or {@link ResidualSystem}. The integrator projects inside every step before the
- * error is judged (INTEGRATORS §6.6).
+ * {@link OdeSystem} or {@link ResidualSystem}. The integrator projects inside every step: Adams
+ * methods before the second evaluation, implicit ones before the error is judged
+ * (docs/theory/integrators.md#closed-loops-within-a-step).
  */
 public interface ProjectedSystem {
   /**

@@ -41,7 +41,7 @@ public interface ResidualSystem extends SystemParts {
     DIFFERENTIAL,
     /**
      * Its derivative does not appear; it is in neither test, only required to be finite
-     * (INTEGRATORS §6.4).
+     * (docs/theory/integrators.md#backward-differentiation).
      */
     ALGEBRAIC
   }

@@ -23,7 +23,7 @@ abstract class LuFactorsContract extends LinearSolverContract {
 
   @Test
   void conditionOfTheHilbertMatrixIsTheOnePublished() {
-    // Symmetric: row and column norm agree; Higham, Accuracy and Stability, ch. 28.
+    // Symmetric: row and column norm agree; Higham 2002, ch. 28.
     double reciprocal = factored(6, LuFactorsContract::hilbert).reciprocalCondition();
     assertThat(reciprocal).isCloseTo(1 / 2.9070279e7, within(1e-6 / 2.9070279e7));
   }

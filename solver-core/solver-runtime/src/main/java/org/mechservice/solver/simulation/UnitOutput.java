@@ -10,7 +10,7 @@ import org.mechservice.solver.spatial.EulerParameters;
 
 /**
  * Normalises Euler parameters in the output, and records the drift of their norm in the
- * integration, on which nothing depends (NUMERICS §1a).
+ * integration, on which nothing depends (docs/theory/motion.md#positions).
  */
 final class UnitOutput {
   /** A norm of four numbers is one to some units of round-off. */

@@ -166,7 +166,7 @@ class LinearisationTest {
     point.requireDifferences(1e-8);
   }
 
-  /** SCENES §4: eigenvalues of the suspension at its start. */
+  /** Eigenvalues of the suspension at its start, from the README.md beside the scenes. */
   @Test
   void eigenvaluesOfSuspensionAreThePublishedOnes() throws Exception {
     Modes modes = new Point(SharedScene.named("fps").mechanism()).modes();
@@ -180,7 +180,7 @@ class LinearisationTest {
     assertThat(found.get(2)).containsExactly(new double[] {-21.9, 28.9}, within(0.05));
   }
 
-  /** SCENES §6: the driver's fastest decay and oscillation. */
+  /** The driver's fastest decay and oscillation, from the README.md beside the scenes. */
   @ParameterizedTest
   @CsvSource({"driver_C0, -123, 1493, 1", "driver_CK100, -22400, 96, 50"})
   void eigenvaluesOfDriverAreThePublishedOnes(

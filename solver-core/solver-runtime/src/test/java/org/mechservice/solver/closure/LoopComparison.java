@@ -22,7 +22,7 @@ import org.mechservice.solver.oracle.GlobalFormulation;
  *
  * @param freedom degrees of freedom
  * @param redundant equations of the loops that follow from others
- * @param condition κ of D M D times the root of κ of the scaled J Jᵀ (NUMERICS §5)
+ * @param condition κ of D M D times that of J D (docs/theory/formulations.md#agreement)
  * @param forward for each formulation the largest difference of an acceleration from that of the
  *     oracle, over 1 + the largest acceleration
  * @param missing largest force or moment that the reactions of DSR and of DSR with penalty leave

@@ -59,7 +59,7 @@ class LoopSceneTest {
     return y;
   }
 
-  /** Bounds of SCENES §8: 1000 rtol by default. */
+  /** Bounds: 1000 rtol by default. */
   @ParameterizedTest
   @CsvSource({
     "slider_crank_planar, DSR, ode113, 1e-8",

@@ -85,8 +85,8 @@ final class SceneRun implements ResultSink {
   }
 
   /**
-   * Returns the largest |q − reference| / (1 + |reference|) at the output times (SCENES §8); Euler
-   * parameters may have either sign.
+   * Returns the largest |q − reference| / (1 + |reference|) at the output times; Euler parameters
+   * may have either sign.
    */
   double error(SharedScene scene) {
     double error = 0;

@@ -83,10 +83,7 @@ final class OpenSceneRun implements ResultSink {
     rows.add(values.clone());
   }
 
-  /**
-   * Returns the largest |q − reference| / (1 + |reference|) at the output times reached (SCENES
-   * §8).
-   */
+  /** Returns the largest |q − reference| / (1 + |reference|) at the output times reached. */
   double error() {
     double error = 0;
     double end = rows.get(rows.size() - 1)[0];

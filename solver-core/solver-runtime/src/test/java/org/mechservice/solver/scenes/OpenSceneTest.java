@@ -6,7 +6,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.mechservice.solver.api.run.Outcome;
 
-/** The open scenes in every formulation against their references (SCENES §8). */
+/** The open scenes in every formulation against their references. */
 class OpenSceneTest {
   /**
    * Bound 100 rtol, and not below ten times the reference's own doubt; measured errors are below 15
@@ -87,9 +87,9 @@ class OpenSceneTest {
   }
 
   /**
-   * The paper's Table II: dampers of a hundredth of the stiffness slow an explicit integrator down
-   * and speed an implicit one up. Counted in evaluations, and at an accuracy where the undamped
-   * driver must resolve its oscillations.
+   * Table II of Rodríguez et al. 2003: dampers of a hundredth of the stiffness slow an explicit
+   * integrator down and speed an implicit one up. Counted in evaluations, and at an accuracy where
+   * the undamped driver must resolve its oscillations.
    */
   @CsvSource({"driver", "driver_free"})
   @ParameterizedTest

@@ -61,7 +61,7 @@ class OpenTreeScenesTest {
         .flatMap(name -> Stream.of("DTR", "DSR", "RR").map(form -> Arguments.of(name, form)));
   }
 
-  /** SCENES §8: relative 1e-11 at the start, where the reference has its accelerations. */
+  /** Relative 1e-11 at the start, where the reference has its accelerations. */
   @MethodSource("scenesWithAccelerations")
   @ParameterizedTest
   void acceleratesAsTheReferenceDoes(String name, String formulation) {
@@ -83,9 +83,9 @@ class OpenTreeScenesTest {
   }
 
   /**
-   * Bounds of SCENES §8 at rtol 1e-10: 1e-7 for the tumbling body, 1e-6 after 159 turns; 1000 rtol
-   * for the rest, 1e4 rtol for the light chain on a heavy root, which is a whip, and for implicit
-   * formulas at rtol 1e-8.
+   * Bounds at rtol 1e-10: 1e-7 for the tumbling body, 1e-6 after 159 turns; 1000 rtol for the rest,
+   * 1e4 rtol for the light chain on a heavy root, which is a whip, and for implicit formulas at
+   * rtol 1e-8.
    */
   @CsvSource({
     "dzhanibekov, 5, DTR, ode113, 1e-10, 1e-12, 1e-7",
@@ -140,8 +140,8 @@ class OpenTreeScenesTest {
   }
 
   /**
-   * SCENES §8: energy and angular momentum of the tumbling body within 1e-9 at tolerance 1e-10;
-   * implicit formulas, which damp, within 1000 rtol.
+   * Energy and angular momentum of the tumbling body within 1e-9 at tolerance 1e-10; implicit
+   * formulas, which damp, within 1000 rtol.
    */
   @CsvSource({"DTR, ode113, 1e-9", "DSR, DE, 1e-9", "RR-JF, ode15sR, 1e-7"})
   @ParameterizedTest

@@ -209,7 +209,7 @@ public sealed interface Expression {
   }
 
   /**
-   * A function of MECHML §2 other than {@link Function#POW}, which is {@link Power}.
+   * A function of docs/mechml.md#values other than {@link Function#POW}, which is {@link Power}.
    *
    * @param function the function
    * @param arguments as many as its arity

@@ -5,9 +5,9 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The functions of MECHML §2; angles in rad. This is the only table of them: the reader takes
- * names, arities and values of constant calls from it. Every switch over them is complete, so the
- * compiler reports each place that a new function needs.
+ * The functions of docs/mechml.md#values; angles in rad. This is the only table of them: the reader
+ * takes names, arities and values of constant calls from it. Every switch over them is complete, so
+ * the compiler reports each place that a new function needs.
  *
  * <p>{@link #at} evaluates constants by StrictMath. A run evaluates by {@link Operation} and by
  * generated code, whose sine, cosine and power come from faster kernels and may differ in the last

@@ -2,7 +2,7 @@ package org.mechservice.solver.spatial;
 
 /**
  * Euler parameters e = [cos(φ/2); u sin(φ/2)] of a rotation by φ about the unit vector u, and their
- * calculus (NUMERICS §1a). ∘ is the product of quaternions.
+ * calculus (docs/theory/motion.md#positions). ∘ is the product of quaternions.
  */
 public final class EulerParameters {
   private EulerParameters() {}

@@ -6,7 +6,10 @@ import org.objectweb.asm.ClassReader;
 
 /** Lengths of the methods of a class file, read from their Code attributes (JVMS §4.7.3). */
 public final class MethodSizes {
-  /** Largest size of a method that the virtual machine compiles (CODEGEN §9). */
+  /**
+   * Largest size of a method that the virtual machine compiles
+   * (docs/theory/formulations.md#methods).
+   */
   private static final int LONGEST = 8000;
 
   private final ClassReader reader;

@@ -7,7 +7,10 @@ import org.mechservice.sim.emit.method.ConstantTable;
 import org.mechservice.sim.emit.method.MethodSignature;
 import org.mechservice.solver.symbol.Program;
 
-/** Chooses between a straight line and shared kernels (CODEGEN §8), whose results are the same. */
+/**
+ * Chooses between a straight line and shared kernels (docs/theory/formulations.md#methods), whose
+ * results are the same.
+ */
 public final class CodeLayout {
   /**
    * Smallest ratio of lengths at which shared kernels are chosen. Class files of chains whose links

@@ -18,9 +18,10 @@ import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.Program;
 
 /**
- * Plans a program as shared kernels (CODEGEN §8): sections that compute the same operations in the
- * same order, such as those of bodies on joints of one type, become one method, called with their
- * differences as arguments. All other sections become methods as in a straight line.
+ * Plans a program as shared kernels (docs/theory/formulations.md#methods): sections that compute
+ * the same operations in the same order, such as those of bodies on joints of one type, become one
+ * method, called with their differences as arguments. All other sections become methods as in a
+ * straight line.
  */
 final class KernelPlanner {
   /** Bytes of code below which a call is not shorter. */

@@ -8,8 +8,7 @@ import org.mechservice.solver.symbol.Program;
 
 /**
  * Plans a program as straight-line methods: sections in order, as many per method as run fastest
- * (CODEGEN §9: the virtual machine never compiles a method above 8 000 bytes; about 6 000 run
- * fastest).
+ * (docs/theory/formulations.md#methods).
  */
 final class StraightLinePlanner {
   /** Intended bytes of code of a method. */

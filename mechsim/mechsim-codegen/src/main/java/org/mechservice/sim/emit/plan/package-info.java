@@ -14,7 +14,8 @@
  * WorkspaceSlots} gives values that cross methods an element of the workspace.
  *
  * <p>No plan changes the order of operations, so all layouts compute the same bits. Depends on
- * {@code emit.method}. CODEGEN §8 and §9 have the design and the measurements.
+ * {@code emit.method}. docs/theory/formulations.md#methods has the reasons,
+ * docs/reports/generated-code.md the measurements.
  */
 @NullMarked
 package org.mechservice.sim.emit.plan;

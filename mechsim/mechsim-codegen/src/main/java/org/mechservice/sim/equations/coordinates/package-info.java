@@ -16,7 +16,7 @@
  * and second derivatives; loop equations use them too.
  *
  * <p>Depends on {@code links}, {@code kinematics} and {@code recursion}. The functions are those of
- * {@link org.mechservice.solver.closure}; NUMERICS §3.
+ * {@link org.mechservice.solver.closure}; docs/theory/loops.md#cutting.
  */
 @NullMarked
 package org.mechservice.sim.equations.coordinates;

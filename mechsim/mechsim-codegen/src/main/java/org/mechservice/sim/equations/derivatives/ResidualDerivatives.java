@@ -27,10 +27,10 @@ import org.mechservice.solver.symbol.Scalar;
 import org.mechservice.solver.symbol.ScalarVector;
 
 /**
- * The derivatives of the residual M v' + b − τ of an open chain by v', v and q (RR-JF, NUMERICS
- * §2), each between a joint and its ancestors, O(n · depth): with Iᶜ, 2Bᶜ and fᶜ of a link with all
- * links beyond it, for j on the way from k to the root (Singh, Russell and Wensing 2022; Carpentier
- * and Mansard 2018),
+ * The derivatives of the residual M v' + b − τ of an open chain by v', v and q (RR-JF), each
+ * between a joint and its ancestors, O(n · depth): with Iᶜ, 2Bᶜ and fᶜ of a link with all links
+ * beyond it, for j on the way from k to the root (Singh, Russell and Wensing 2022; Carpentier and
+ * Mansard 2018),
  *
  * <pre>
  * M_jk = S_jᵀ Iᶜ S_k

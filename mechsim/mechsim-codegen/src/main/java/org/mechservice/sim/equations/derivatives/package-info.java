@@ -13,7 +13,8 @@
  *
  * <p>Depends on {@code links}, {@code kinematics}, {@code recursion}, {@code force} and {@code
  * loop}. Source: Singh, Russell and Wensing, "Efficient analytical derivatives of rigid-body
- * dynamics using spatial vector algebra", 2022; NUMERICS §2.
+ * dynamics using spatial vector algebra", 2022;
+ * docs/theory/formulations.md#rr-jf-the-jacobian-by-recursion.
  */
 @NullMarked
 package org.mechservice.sim.equations.derivatives;

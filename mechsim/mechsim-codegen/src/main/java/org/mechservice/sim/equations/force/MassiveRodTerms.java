@@ -21,9 +21,9 @@ import org.mechservice.solver.symbol.Scalar;
 import org.mechservice.solver.symbol.ScalarVector;
 
 /**
- * Uniform slender rods between two points (NUMERICS §4). The squares in the energy (m/6) (v_A·v_A +
- * v_A·v_B + v_B·v_B) are those of a mass m/3 at each end, which is added to the links. This class
- * has the remaining terms: the product, and the weight of m/6 at each end.
+ * Uniform slender rods between two points (docs/theory/motion.md#bodies). The squares in the energy
+ * (m/6) (v_A·v_A + v_A·v_B + v_B·v_B) are those of a mass m/3 at each end, which is added to the
+ * links. This class has the remaining terms: the product, and the weight of m/6 at each end.
  */
 public final class MassiveRodTerms {
   private final Expressions expressions;

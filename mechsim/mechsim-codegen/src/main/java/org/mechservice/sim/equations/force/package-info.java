@@ -16,8 +16,8 @@
  * inertia forces of rods between two bodies.
  *
  * <p>Depends on {@code links}, {@code kinematics}, {@code recursion} and {@code coordinates}. The
- * laws are those of NUMERICS §4; the data-driven implementation of the same laws is {@link
- * org.mechservice.solver.force}.
+ * laws are those of docs/mechml.md#forces; the data-driven implementation of the same laws is
+ * {@link org.mechservice.solver.force}.
  */
 @NullMarked
 package org.mechservice.sim.equations.force;

@@ -5,7 +5,10 @@ import org.mechservice.sim.equations.links.Links;
 import org.mechservice.solver.symbol.Program;
 import org.mechservice.solver.symbol.Scalar;
 
-/** The kinematic equations: q' = v, and e' = ½ (0, ω) ∘ e for Euler parameters (NUMERICS §1a). */
+/**
+ * The kinematic equations: q' = v, and e' = ½ (0, ω) ∘ e for Euler parameters
+ * (docs/theory/motion.md#positions).
+ */
 public final class PositionRates {
   private final Program program;
   private final Links mechanism;

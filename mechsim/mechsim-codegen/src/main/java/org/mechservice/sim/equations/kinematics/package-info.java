@@ -15,7 +15,7 @@
  * the order of the state. {@link org.mechservice.solver.expression.Formulas} turns formulas of the
  * model file into scalars.
  *
- * <p>Depends on {@code links}. Euler parameters are those of NUMERICS §1a.
+ * <p>Depends on {@code links}. Euler parameters are those of docs/theory/motion.md#positions.
  */
 @NullMarked
 package org.mechservice.sim.equations.kinematics;

@@ -45,7 +45,7 @@ import org.mechservice.solver.symbol.ScalarVector;
 
 /**
  * The equations of the loops of a mechanism, Φ = 0, with J and γ, in the order of {@link
- * LoopEquations} (NUMERICS §3).
+ * LoopEquations} (docs/theory/loops.md#cutting).
  */
 public final class LoopRows {
   private final Program program;

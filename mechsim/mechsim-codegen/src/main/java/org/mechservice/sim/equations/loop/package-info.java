@@ -14,7 +14,7 @@
  * coupling of joint positions.
  *
  * <p>Depends on {@code links}, {@code kinematics}, {@code recursion}, {@code coordinates} and
- * {@code force}. The mathematics is in NUMERICS §3.
+ * {@code force}. The mathematics is in docs/theory/loops.md.
  */
 @NullMarked
 package org.mechservice.sim.equations.loop;

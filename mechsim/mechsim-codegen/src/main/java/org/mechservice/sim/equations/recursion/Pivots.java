@@ -13,7 +13,10 @@ import org.mechservice.solver.symbol.Scalar;
  * it free; it is zero if the joint moves no inertia.
  */
 public final class Pivots {
-  /** Fraction of the locked inertia below which a pivot is rounding (NUMERICS §2, DTR). */
+  /**
+   * Fraction of the locked inertia below which a pivot is rounding
+   * (docs/theory/formulations.md#pivots).
+   */
   private static final double SINGULAR = 64 * 0x1p-52;
 
   /**

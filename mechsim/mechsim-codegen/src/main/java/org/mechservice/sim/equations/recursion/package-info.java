@@ -17,7 +17,7 @@
  * sweep reads.
  *
  * <p>Depends on {@code links} and {@code kinematics}. Sources: Featherstone 2008, §5.3, §6.2, §6.5
- * and §7.2; NUMERICS §2.
+ * and §7.2; docs/theory/formulations.md.
  */
 @NullMarked
 package org.mechservice.sim.equations.recursion;

@@ -2,8 +2,8 @@ package org.mechservice.solver.api.capability;
 
 /**
  * A model of closed loops integrated in independent coordinates, which determine the others
- * (NUMERICS §3). The integrator carries all coordinates and applies the error test to the
- * independent ones, and to those that {@link #tested} names.
+ * (docs/theory/loops.md#projection). The integrator carries all coordinates and applies the error
+ * test to the independent ones, and to those that {@link #tested} names.
  */
 public interface DependentStates {
   /** Returns whether a component of the state is independent at present. */

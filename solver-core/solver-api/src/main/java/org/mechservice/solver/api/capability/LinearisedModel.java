@@ -2,7 +2,8 @@ package org.mechservice.solver.api.capability;
 
 /**
  * A residual model with its Jacobian and its own linear solver, which eliminates along the tree and
- * reduces the 2n equations of [q; v] to n (NUMERICS §2).
+ * reduces the 2n equations of [q; v] to n
+ * (docs/theory/formulations.md#rr-jf-the-jacobian-by-recursion).
  */
 public interface LinearisedModel extends ResidualModel {
   /**

@@ -16,9 +16,9 @@ import org.mechservice.solver.mechanism.joint.StartRole;
 
 /**
  * Closes the loops at the start: positions by the nearest ones that satisfy them, and velocities by
- * the least change (NUMERICS §3). Joints without given start values move first; given ones move, as
- * little as possible, only if these do not suffice. A state that satisfies the loops is not changed
- * in any bit. Runs once at set-up and allocates memory.
+ * the least change (docs/theory/loops.md#assembly). Joints without given start values move first;
+ * given ones move, as little as possible, only if these do not suffice. A state that satisfies the
+ * loops is not changed in any bit. Runs once at set-up and allocates memory.
  *
  * <p>A residual counts as closed below the rounding errors of the mechanism ({@link LoopRounding}).
  * What no motion reduces is the misfit of redundant equations; it is accepted up to {@link

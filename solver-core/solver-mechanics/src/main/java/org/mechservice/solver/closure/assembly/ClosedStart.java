@@ -116,7 +116,7 @@ public final class ClosedStart {
 
   /**
    * Returns the reason why no good choice of independent coordinates exists at the start, if there
-   * is one. Penalty closure needs no such choice (NUMERICS §3).
+   * is one. Penalty closure needs no such choice.
    */
   public Optional<String> againstProjection() {
     return againstProjection;

@@ -13,7 +13,7 @@ import org.mechservice.solver.linear.SparseMatrix;
 /**
  * The positions nearest to given ones that close the loops: the least Σ (δ_j / (u_j w_j))² with
  * Φ(q) = 0, δ being the move along the tangent, u_j the unit of a coordinate and w_j how willingly
- * it moves (NUMERICS §3). Workspace of one thread; allocates.
+ * it moves (docs/theory/loops.md#assembly). Workspace of one thread; allocates.
  *
  * <p>An attempt closes the loops by damped Gauss-Newton steps from a state, and then descends along
  * the closed positions towards the given ones: steps within a trusted distance by conjugate

@@ -22,10 +22,10 @@ import org.mechservice.solver.linear.Interruption;
 import org.mechservice.solver.linear.SparseMatrix;
 
 /**
- * The number of independent loop equations (NUMERICS §3): the rank of J M^(−1/2) with rows of unit
- * length, at the assembled state and at three neighbouring assembled states, since the rank drops
- * in a singular position. The largest of these is used for the whole run. Predicted states do not
- * satisfy the loops, and J there seems to have a larger rank.
+ * The number of independent loop equations (docs/theory/loops.md#rank): the rank of J M^(−1/2) with
+ * rows of unit length, at the assembled state and at three neighbouring assembled states, since the
+ * rank drops in a singular position. The largest of these is used for the whole run. Predicted
+ * states do not satisfy the loops, and J there seems to have a larger rank.
  *
  * <p>Runs once at set-up and allocates memory.
  */

@@ -23,9 +23,9 @@ import org.mechservice.solver.linear.SparseMatrix;
  *
  * <pre>Rᵀ (M + hγ C + hγ² (K + Σ λ_k ∂²Φ_k)) R Δv_I = …</pre>
  *
- * <p>with K, C the derivatives of the open tree's residual (NUMERICS §3). The matrix omits the
- * derivatives of R and γ̂, which are smaller by hγ |v| over a length; the iteration makes up for
- * them.
+ * <p>with K, C the derivatives of the open tree's residual (docs/theory/loops.md#projection). The
+ * matrix omits the derivatives of R and γ̂, which are smaller by hγ |v| over a length; the
+ * iteration makes up for them.
  */
 public final class LinearisedProjectionModel extends ResidualProjectionModel
     implements LinearisedModel {

@@ -19,8 +19,8 @@ import org.mechservice.solver.force.user.UserForceSource;
  * </pre>
  *
  * <p>iterated until J a + c is round-off. Every step ends with a projection of positions and
- * velocities onto the loops in the metric of M (NUMERICS §3). Redundant equations are permitted,
- * and no choice of coordinates is needed.
+ * velocities onto the loops in the metric of M (docs/theory/loops.md#penalty). Redundant equations
+ * are permitted, and no choice of coordinates is needed.
  */
 public class PenaltyModel extends LoopModel implements ProjectedStates, ModelState {
   final PenaltySettings settings;

@@ -7,7 +7,8 @@ import org.mechservice.solver.linear.SparseMatrix;
 
 /**
  * The second velocity transformation: accelerations from the equations of motion projected onto the
- * free directions of the loops (NUMERICS §3; García de Jalón and Bayo 1994, ch. 5 and 8).
+ * free directions of the loops (docs/theory/loops.md#projection; García de Jalón and Bayo 1994, ch.
+ * 5 and 8).
  *
  * <pre>v' = R v_I' + γ̂;  (Rᵀ M R) v_I' = −Rᵀ (b − τ + M γ̂)
  * R = 1 on the independent velocities, −J_D⁻¹ J_I on the dependent ones; γ̂ = −J_D⁻¹ γ there</pre>

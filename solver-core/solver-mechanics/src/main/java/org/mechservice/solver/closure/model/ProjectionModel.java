@@ -13,7 +13,8 @@ import org.mechservice.solver.force.user.UserForceSource;
 
 /**
  * DSR with closed loops by the second velocity transformation: the state is [q; v] of the open
- * tree, with as many independent coordinates as degrees of freedom (NUMERICS §3).
+ * tree, with as many independent coordinates as degrees of freedom
+ * (docs/theory/loops.md#projection).
  */
 public class ProjectionModel extends LoopModel implements DependentStates, ModelState {
   public final Completion completion;

@@ -29,13 +29,13 @@ import org.mechservice.solver.linear.SparseMatrix;
  *
  * <p>with rows of J divided by their sizes, and columns in the coordinates' units in the term Jᵀ μ.
  * Error tests leave λ and μ out. The equations of an implicit step are solved by the augmented
- * Lagrangian method: a penalty replaces the zero block, and iteration removes its error (NUMERICS
- * §3). Rows that are redundant at the linearisation are left out, with λ and μ zero: predicted
- * states lie off the loops, where such rows slightly contradict the others, and multipliers would
- * grow without bound. The matrix omits the derivative of J v by q, because it is kept over several
- * steps; every solution is corrected by the rates at the state that it leads to. The matrix also
- * omits the derivative of Jᵀ μ, for which the iteration makes up. Equations that restrict
- * velocities alone have no Φ, and their μ is zero.
+ * Lagrangian method: a penalty replaces the zero block, and iteration removes its error
+ * (docs/theory/loops.md#penalty). Rows that are redundant at the linearisation are left out, with λ
+ * and μ zero: predicted states lie off the loops, where such rows slightly contradict the others,
+ * and multipliers would grow without bound. The matrix omits the derivative of J v by q, because it
+ * is kept over several steps; every solution is corrected by the rates at the state that it leads
+ * to. The matrix also omits the derivative of Jᵀ μ, for which the iteration makes up. Equations
+ * that restrict velocities alone have no Φ, and their μ is zero.
  */
 public final class ResidualPenaltyModel extends PenaltyModel implements LinearisedModel {
   /** Method for the derivatives of the equations of motion. */

@@ -8,7 +8,8 @@ import org.mechservice.solver.force.user.UserForceSource;
 
 /**
  * RR with closed loops by the second velocity transformation: F = [q_I' − (N v)_I; Rᵀ (M v' + b −
- * τ)] with v' = R v_I' + γ̂, by Newton-Euler sweeps without a mass matrix (NUMERICS §3).
+ * τ)] with v' = R v_I' + γ̂, by Newton-Euler sweeps without a mass matrix
+ * (docs/theory/loops.md#projection).
  */
 public class ResidualProjectionModel extends ProjectionModel implements ResidualModel {
   /** Elements of Rᵀ A R to one of A above which neither R nor the former is formed. */

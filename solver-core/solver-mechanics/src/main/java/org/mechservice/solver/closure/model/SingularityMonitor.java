@@ -10,7 +10,7 @@ import org.mechservice.solver.closure.equations.LoopEquations;
 /**
  * Measures at each accepted state how close the loops are to a position in which their equations
  * lose rank. Two branches of the motion meet in such a position, and neither energy nor residuals
- * show a change from one branch to the other (NUMERICS §3).
+ * show a change from one branch to the other (docs/theory/loops.md#singular-positions).
  *
  * <p>Closeness is the smallest pivot of the scaled J by full pivoting, divided by its largest value
  * in the run. A step may cross a singular position; J is therefore interpolated to the point at

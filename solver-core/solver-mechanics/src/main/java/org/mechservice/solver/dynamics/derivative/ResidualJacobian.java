@@ -38,7 +38,7 @@ import org.mechservice.solver.kinematics.TreeMotion;
  * angular velocity of a ball is given in the axes of the file's body 1; where that is the parent,
  * the columns do not turn with the link, and ∂F/∂q of its three columns gets ∂F/∂v [ω]× + M [ω']×,
  * its own rows less [Sᵀ fᶜ]×. ∂/∂q by Euler parameters is meant along the tangent: by a small
- * rotation in the axes of body 1 (NUMERICS §1a).
+ * rotation in the axes of body 1 (docs/theory/motion.md#positions).
  *
  * <p>External wrenches are held constant in the axes of their links, and joint forces constant; the
  * caller adds their derivatives through {@link #forces}. Workspace of one thread.

@@ -8,7 +8,7 @@ import org.mechservice.solver.spatial.EulerParameters;
 
 /**
  * The linear equations of an implicit step on F = [q' − N(q) v; M v' + b − τ], reduced from [q; v]
- * to v (NUMERICS §2). Workspace of one thread.
+ * to v (docs/theory/formulations.md#rr-jf-the-jacobian-by-recursion). Workspace of one thread.
  *
  * <p>With K, C, M the derivatives of the second part, G = ∂(N v)/∂q and hγ from the integrator:
  *

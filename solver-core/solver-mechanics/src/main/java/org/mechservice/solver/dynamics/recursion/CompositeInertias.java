@@ -94,7 +94,10 @@ public final class CompositeInertias {
     }
   }
 
-  /** Returns the reference size of the pivots of a link's joint (NUMERICS §2). */
+  /**
+   * Returns the reference size of the pivots of a link's joint
+   * (docs/theory/formulations.md#pivots).
+   */
   public double scale(int link) {
     if (tree.kind[link] == LinkKind.SLIDE) {
       return mass[link];

@@ -12,9 +12,10 @@ import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.closure.DistanceClosure;
 
 /**
- * Uniform slender rods between points of two bodies, without spin about their own axes (NUMERICS
- * §4). With v_A, v_B the velocities of the ends the energy of a rod is (m/6) (v_A·v_A + v_A·v_B +
- * v_B·v_B), exactly, so the load on A is −(m/6) (2 a_A + a_B) + (m/2) g, and correspondingly at B.
+ * Uniform slender rods between points of two bodies, without spin about their own axes
+ * (docs/theory/motion.md#bodies). With v_A, v_B the velocities of the ends the energy of a rod is
+ * (m/6) (v_A·v_A + v_A·v_B + v_B·v_B), exactly, so the load on A is −(m/6) (2 a_A + a_B) + (m/2) g,
+ * and correspondingly at B.
  *
  * <p>Workspace of one thread; nothing allocates after construction.
  */

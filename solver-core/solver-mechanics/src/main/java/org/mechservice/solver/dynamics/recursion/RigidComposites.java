@@ -10,7 +10,7 @@ import org.mechservice.solver.kinematics.TreeMotion;
 /**
  * The links beyond a joint as one rigid body, whose inertia is the reference size of a pivot of the
  * joint-space inertia. A pivot that is very small relative to it consists of rounding errors
- * (NUMERICS §2). Workspace of one thread.
+ * (docs/theory/formulations.md#pivots). Workspace of one thread.
  */
 public final class RigidComposites {
   private final TreeGeometry tree;

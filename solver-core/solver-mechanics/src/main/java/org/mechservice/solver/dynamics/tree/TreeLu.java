@@ -8,7 +8,7 @@ import org.mechservice.solver.linear.LinearSolver;
  * Factors of a {@link TreeSquare}, eliminated along the tree from the leaves to the root without
  * interchanges, so that no fill-in occurs outside the pattern. If elements grow too much or a pivot
  * vanishes, the matrix is factored again as a dense one with interchanges, and a counter records it
- * (NUMERICS §2). Workspace of one thread.
+ * (docs/theory/formulations.md#rr-jf-the-jacobian-by-recursion). Workspace of one thread.
  */
 public final class TreeLu {
   /**

@@ -11,7 +11,8 @@ import org.mechservice.solver.force.ForceSet;
  * by a pose is taken for a small twist [rotation; displacement of the reference point] in link
  * axes, with the components of the link's velocity [angular; linear] in link axes held constant. A
  * coordinate is an index among the extended velocities; its small displacement is along the tangent
- * (NUMERICS §1a) and changes the force directly, not through the motion of links.
+ * (docs/theory/motion.md#positions) and changes the force directly, not through the motion of
+ * links.
  *
  * <p>Callers reuse the arrays, so implementations must copy them.
  */

@@ -2,7 +2,10 @@ package org.mechservice.solver.kinematics.pair;
 
 import org.mechservice.solver.spatial.Blocks;
 
-/** (|ρ|² − d²) / (2d): a length with a gradient of one where the distance is d (NUMERICS §3). */
+/**
+ * (|ρ|² − d²) / (2d): a length with a gradient of one where the distance is d
+ * (docs/theory/loops.md#cutting).
+ */
 final class Distance extends PairFunction {
   /** A unit vector in no plane and along no axis that a mechanism is likely to move in. */
   private static final double[] ANY_DIRECTION = {0.48, 0.6, 0.64};

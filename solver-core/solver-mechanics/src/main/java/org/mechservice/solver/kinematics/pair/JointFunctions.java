@@ -15,8 +15,8 @@ import org.mechservice.solver.spatial.Vector3;
 
 /**
  * The constraint functions and coordinates of a joint, as functions of the pose of the file's body
- * 2 (B) relative to its body 1 (A), by the definitions of MECHML §4. The constraint functions are
- * smooth, free of Euler parameters, and zero only in poses of the joint.
+ * 2 (B) relative to its body 1 (A), by the definitions of docs/mechml.md#joints. The constraint
+ * functions are smooth, free of Euler parameters, and zero only in poses of the joint.
  *
  * @param forbidden constraint functions, zero in every pose that the joint allows; 6 minus its
  *     degrees of freedom

@@ -8,12 +8,12 @@
  * gradient and its curvature, so that forces, constraint equations and their derivatives all use
  * one scheme: the gradient is the wrench of a unit multiplier, and the curvature its derivative.
  * {@link org.mechservice.solver.kinematics.pair.CutJoint} holds the functions of one cut joint, by
- * the definitions of MECHML §4. {@link org.mechservice.solver.kinematics.pair.PairLinearisation}
- * transforms gradient and curvature to derivatives of wrenches on links, and {@link
- * org.mechservice.solver.kinematics.pair.PairForms} gives generated code the same functions in
- * symbolic form.
+ * the definitions of docs/mechml.md#joints. {@link
+ * org.mechservice.solver.kinematics.pair.PairLinearisation} transforms gradient and curvature to
+ * derivatives of wrenches on links, and {@link org.mechservice.solver.kinematics.pair.PairForms}
+ * gives generated code the same functions in symbolic form.
  *
- * <p>The functions avoid Euler parameters and are smooth; angles are unwrapped by their users.
- * Source: NUMERICS §3.
+ * <p>The functions avoid Euler parameters and are smooth; angles are unwrapped by their users. See
+ * docs/theory/loops.md#cutting.
  */
 package org.mechservice.solver.kinematics.pair;

@@ -6,9 +6,9 @@ import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.text.Origin;
 
 /**
- * A coupling of positions, such as a gear, a rack or a rope (MECHML §5, CoordConstraint): the
- * expression is zero. It may contain time, parameters, positions of coordinates, of tree joints and
- * of cut ones, and places of points, but no velocities.
+ * A coupling of positions, such as a gear, a rack or a rope (docs/mechml.md#constraints,
+ * CoordConstraint): the expression is zero. It may contain time, parameters, positions of
+ * coordinates, of tree joints and of cut ones, and places of points, but no velocities.
  *
  * @param name name in the model file
  * @param relation expression that is zero during the motion; coordinates in SI units

@@ -4,15 +4,15 @@ import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.text.Origin;
 
 /**
- * Two points keep their distance, as the ends of a rod with ball joints do (MECHML §5,
- * DISTConstraint).
+ * Two points keep their distance, as the ends of a rod with ball joints do
+ * (docs/mechml.md#constraints, DISTConstraint).
  *
  * @param name name in the model file
  * @param point1 end on the file's body 1
  * @param point2 end on the file's body 2
  * @param distance m, positive; two points that coincide are a {@link JointClosure} of type S
  * @param rodMass mass of a uniform slender rod between the points, kg, not negative; 0 for none.
- *     The rod has no inertia about its own axis (NUMERICS §4)
+ *     The rod has no inertia about its own axis (docs/theory/motion.md#bodies)
  * @param origin position in the model file
  */
 public record DistanceClosure(

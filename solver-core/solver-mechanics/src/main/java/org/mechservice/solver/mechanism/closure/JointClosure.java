@@ -9,7 +9,8 @@ import org.mechservice.solver.text.Origin;
 
 /**
  * A joint of any type that was cut to open a loop: it constrains the relative motion of its two
- * bodies (MECHML §4). Its coordinates are not states; they follow from the poses of the two bodies.
+ * bodies (docs/mechml.md#joints). Its coordinates are not states; they follow from the poses of the
+ * two bodies.
  *
  * @param joint the joint; either of its bodies may be the root. Its start values are not part of
  *     the state

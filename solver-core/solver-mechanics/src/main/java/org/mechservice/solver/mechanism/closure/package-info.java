@@ -16,6 +16,7 @@
  *
  * <p>Package {@code org.mechservice.solver.closure} turns the closures into the equations Φ(q, t) =
  * 0, finds their rank and solves the equations of motion under them; {@code sim.equations.loop}
- * generates code for the same equations. Definitions: MECHML §4 and §5.
+ * generates code for the same equations. Definitions: docs/mechml.md#joints and
+ * docs/mechml.md#constraints.
  */
 package org.mechservice.solver.mechanism.closure;

@@ -11,7 +11,8 @@ import org.mechservice.solver.spatial.Vector3;
  * @param parentPoint the joint's point on the parent, from the parent's origin, in parent axes, m
  * @param child index of the outer body in the list of bodies
  * @param childPoint the joint's point on the child, from the child's origin, in child axes, m
- * @param zeroRotation from child axes to parent axes at zero coordinates (A0 in MECHML §4)
+ * @param zeroRotation from child axes to parent axes at zero coordinates (A0 in
+ *     docs/mechml.md#joints)
  */
 public record Attachment(
     int parent, Vector3 parentPoint, int child, Vector3 childPoint, Rotation zeroRotation) {

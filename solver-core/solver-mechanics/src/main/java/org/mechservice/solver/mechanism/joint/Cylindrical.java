@@ -7,7 +7,7 @@ import org.mechservice.solver.text.Origin;
 
 /**
  * The child slides along and turns about an axis fixed in both bodies: A = Rot(axis, q2) A0, the
- * child's point lies at q1 · axis from the parent's (MECHML §4, type C).
+ * child's point lies at q1 · axis from the parent's (docs/mechml.md#joints, type C).
  *
  * @param name name in the model file
  * @param attachment bodies, points, rotation at zero

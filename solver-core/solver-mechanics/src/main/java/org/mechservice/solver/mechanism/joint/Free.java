@@ -7,7 +7,7 @@ import org.mechservice.solver.text.Origin;
  * No constraint: q = e0, e1, e2, e3, x, y, z with e the Euler parameters of the file's body 2
  * relative to its body 1 and x, y, z the position of body 2's point from body 1's in body 1's axes;
  * v = angular velocity of body 2 relative to body 1 and d(x, y, z)/dt as seen from body 1, both in
- * body 1's axes (MECHML §4, type F).
+ * body 1's axes (docs/mechml.md#joints, type F).
  *
  * @param name name in the model file
  * @param attachment bodies and points; the rotation at zero is the identity, since e = (1, 0, 0, 0)

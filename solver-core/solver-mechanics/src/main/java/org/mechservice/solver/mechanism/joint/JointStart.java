@@ -5,7 +5,8 @@ import java.util.List;
 import org.mechservice.solver.api.JointType;
 
 /**
- * Start values of the coordinates of a joint with several of them, in the order of MECHML §4.
+ * Start values of the coordinates of a joint with several of them, in the order of
+ * docs/mechml.md#joints.
  *
  * @param positions rad, m, or Euler parameters (scalar first, norm 1)
  * @param velocities rad/s or m/s

@@ -7,8 +7,8 @@ import org.mechservice.solver.text.Origin;
 
 /**
  * Two planes that slide on each other: with x and normal fixed in the file's body 1 and y = normal
- * × x, body 2's point lies at q1 x + q2 y from body 1's, and A = Rot(normal, q3) A0 (MECHML §4,
- * type PL).
+ * × x, body 2's point lies at q1 x + q2 y from body 1's, and A = Rot(normal, q3) A0
+ * (docs/mechml.md#joints, type PL).
  *
  * @param name name in the model file
  * @param attachment bodies, points, rotation at zero

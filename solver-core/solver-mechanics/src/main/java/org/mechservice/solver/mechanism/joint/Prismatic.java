@@ -7,7 +7,7 @@ import org.mechservice.solver.text.Origin;
 
 /**
  * The child slides along an axis fixed in both bodies: A = A0, the child's point lies at q · axis
- * from the parent's (MECHML §4, type P).
+ * from the parent's (docs/mechml.md#joints, type P).
  *
  * @param name name in the model file
  * @param attachment bodies, points, rotation at zero

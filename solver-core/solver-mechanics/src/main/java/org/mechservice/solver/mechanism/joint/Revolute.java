@@ -7,7 +7,7 @@ import org.mechservice.solver.text.Origin;
 
 /**
  * The child turns about an axis fixed in both bodies: A = Rot(axis, q) A0, the two points coincide
- * (MECHML §4, type R).
+ * (docs/mechml.md#joints, type R).
  *
  * @param name name in the model file
  * @param attachment bodies, points, rotation at zero

@@ -7,8 +7,8 @@ import org.mechservice.solver.text.Origin;
 
 /**
  * The child turns about an axis fixed in both bodies and moves along it as a nut on a screw: A =
- * Rot(axis, q) A0, the child's point lies at pitch · q · axis from the parent's (MECHML §4, type
- * H).
+ * Rot(axis, q) A0, the child's point lies at pitch · q · axis from the parent's
+ * (docs/mechml.md#joints, type H).
  *
  * @param name name in the model file
  * @param attachment bodies, points, rotation at zero

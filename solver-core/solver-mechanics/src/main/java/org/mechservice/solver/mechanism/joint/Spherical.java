@@ -6,7 +6,7 @@ import org.mechservice.solver.text.Origin;
 /**
  * A ball and socket: the two points coincide, A = R(e) with e the Euler parameters of the file's
  * body 2 relative to its body 1; the velocities are the angular velocity of body 2 relative to body
- * 1 in body 1's axes (MECHML §4, type S).
+ * 1 in body 1's axes (docs/mechml.md#joints, type S).
  *
  * @param name name in the model file
  * @param attachment bodies and points; the rotation at zero is the identity, since e = (1, 0, 0, 0)

@@ -7,8 +7,8 @@ import org.mechservice.solver.text.Origin;
 
 /**
  * A cross rotates about an axis of the file's body 1, and body 2 rotates about its own axis
- * relative to the cross: A = Rot(axis1, q1) A0 Rot(axis2, q2), the two points coincide (MECHML §4,
- * type U).
+ * relative to the cross: A = Rot(axis1, q1) A0 Rot(axis2, q2), the two points coincide
+ * (docs/mechml.md#joints, type U).
  *
  * @param name name in the model file
  * @param attachment bodies, points, rotation at zero

@@ -4,7 +4,7 @@ import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.text.Origin;
 
 /**
- * No motion: A = A0, the two points coincide (MECHML §4, type W).
+ * No motion: A = A0, the two points coincide (docs/mechml.md#joints, type W).
  *
  * @param name name in the model file
  * @param attachment bodies, points and relative orientation

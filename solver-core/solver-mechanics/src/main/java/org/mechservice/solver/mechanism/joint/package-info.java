@@ -13,6 +13,6 @@
  * formulations and the generated code follow. Joints that close loops are the same records inside a
  * {@code mechanism.closure.JointClosure}. The package knows nothing of the mechanism around it.
  *
- * <p>Source: the definitions are those of MECHML §4.
+ * <p>The definitions are those of docs/mechml.md#joints.
  */
 package org.mechservice.solver.mechanism.joint;

@@ -17,7 +17,7 @@ import org.mechservice.solver.mechanism.RandomTrees;
  * on trees of all joints with up to two rods, under wrenches that turn with their links.
  */
 class ResidualJacobianTest {
-  /** Bound of the issue, of the norm of the block. */
+  /** Bound of the differences, as a part of the norm of the block. */
   private static final double BOUND = 1e-9;
 
   static LongStream seeds() {

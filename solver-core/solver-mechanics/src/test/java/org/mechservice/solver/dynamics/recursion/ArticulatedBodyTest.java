@@ -72,8 +72,7 @@ class ArticulatedBodyTest {
       difference[i] = loaded[i] - free[i];
     }
     double[] force = m.operate(difference);
-    // Polarised energies lose a digit, the solution loses what the condition of M takes (NUMERICS
-    // §5).
+    // Polarised energies lose a digit, the solution loses what the condition of M takes.
     double condition = new SingularValueDecomposition(m).getConditionNumber();
     double bound = 100 * Math.ulp(1.0) * condition * Math.max(1, largest(tau));
     for (int i = 0; i < tau.length; i++) {

@@ -5,7 +5,7 @@ import java.util.Arrays;
 /**
  * Complex Schur form H = Z T Zᴴ of a Hessenberg matrix, T upper triangular with the eigenvalues on
  * its diagonal: the QR algorithm with Wilkinson's shifts (Golub and Van Loan, Matrix Computations,
- * §7.5). Real and imaginary parts stand in arrays of their own.
+ * 2013, §7.5). Real and imaginary parts stand in arrays of their own.
  */
 final class ComplexSchur {
   private static final int ITERATIONS_PER_EIGENVALUE = 60;

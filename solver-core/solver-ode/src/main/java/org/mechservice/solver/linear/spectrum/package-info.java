@@ -11,6 +11,6 @@
  * solve systems that have fewer independent equations than unknowns.
  *
  * <p>The package does not depend on {@code linear}, whose factors serve the steps of a run. Source:
- * Golub and Van Loan, <i>Matrix Computations</i>, ch. 7 and 8.
+ * Golub and Van Loan, <i>Matrix Computations</i>, 2013, ch. 7 and 8.
  */
 package org.mechservice.solver.linear.spectrum;

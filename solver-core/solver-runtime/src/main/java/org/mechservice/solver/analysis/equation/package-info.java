@@ -18,6 +18,6 @@
  *
  * <p>Everything else is formed from the data of the mechanism. A workspace belongs to one thread.
  *
- * <p>Source: NUMERICS §3, §6.
+ * <p>The mathematics is in docs/theory/loops.md#projection and docs/theory/analyses.md.
  */
 package org.mechservice.solver.analysis.equation;

@@ -88,7 +88,10 @@ public abstract class ModelEquations implements UnitNormGroups, PiecewiseSystem,
     return tolerances;
   }
 
-  /** {@inheritDoc} An angle counts as a whole turn at most (NUMERICS §5). */
+  /**
+   * {@inheritDoc} An angle counts as a whole turn at most
+   * (docs/theory/integrators.md#error-control).
+   */
   @Override
   public final double largestSize(int component) {
     return angle[component] ? 2 * Math.PI : Double.POSITIVE_INFINITY;
