@@ -133,6 +133,8 @@ class WorkerTest {
 
   @Test
   void killedWorkerHarmsNoOtherRun() throws Exception {
+    // the worker of an earlier test may still be ending
+    Eventually.holds(() -> workers().findAny().isEmpty());
     try (HostedClient there = host(HostLimits.DEFAULT)) {
       IMechSimRemote endless = simulation(there, LOOP);
       endless.start();
