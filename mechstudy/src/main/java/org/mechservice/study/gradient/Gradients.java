@@ -12,7 +12,6 @@ import org.mechservice.library.MechModel;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.sim.gradient.ModelFunctions;
-import org.mechservice.sim.scene.SettledCoefficients;
 import org.mechservice.solver.api.ModelParameter;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.mechanism.Parameter;
@@ -185,18 +184,8 @@ public final class Gradients {
       throw new IllegalArgumentException("a parameter is given twice");
     }
     List<String> parameters = by.stream().filter(name -> isParameter(model, name)).toList();
-    ModelInputs inputs = inputs(model, parameters);
+    ModelInputs inputs = ModelInputs.of(model, parameters);
     return new Gradients(inputs.model(), List.copyOf(by), outputs, inputs.names());
-  }
-
-  /** Makes those parameters inputs whose values the code does not depend on. */
-  private static ModelInputs inputs(MechModel model, List<String> parameters)
-      throws MechmlException {
-    ModelInputs all = ModelInputs.of(model, parameters);
-    Set<String> settled = SettledCoefficients.parameters(all.model().content().mechanism());
-    return all.names().stream().noneMatch(settled::contains)
-        ? all
-        : ModelInputs.of(model, parameters.stream().filter(p -> !settled.contains(p)).toList());
   }
 
   /** Sets the bound of the memory in which the adjoint keeps the motion, bytes. */

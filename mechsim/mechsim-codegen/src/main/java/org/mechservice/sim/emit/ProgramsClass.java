@@ -81,11 +81,16 @@ final class ProgramsClass implements GeneratedClass {
 
   @Override
   public String source() {
+    return source(ModelClass.PACKAGE);
+  }
+
+  /** Returns the source as a class of a package. */
+  String source(String packageName) {
     SourceLines source = new SourceLines();
-    source.line("package " + ModelClass.PACKAGE + ";").blank();
+    source.line("package " + packageName + ";").blank();
     List<String> imports = new ArrayList<>();
     interfaces.forEach(type -> imports.add(outermost(type).getName()));
-    if (slots() > 0) {
+    if (slots() > 0 && parts.stream().anyMatch(part -> !part.plan().angles().isEmpty())) {
       imports.add("org.mechservice.solver.spatial.SinCos");
     }
     if (!constants.isEmpty()) {

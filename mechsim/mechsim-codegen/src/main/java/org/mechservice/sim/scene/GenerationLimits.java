@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.IntSupplier;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.closure.PenaltySettings;
 import org.mechservice.solver.closure.equations.LoopEquations;
@@ -23,8 +22,6 @@ import org.mechservice.solver.mechanism.joint.Joint;
 /** Limits beyond which a scene is simulated from data instead of generated code. */
 public final class GenerationLimits {
   /** Largest number of names in a message. */
-  private static final int MOST_NAMES = 5;
-
   private GenerationLimits() {}
 
   /**
@@ -155,10 +152,6 @@ public final class GenerationLimits {
               + elements
               + "), whose code would be too long to compile");
     }
-    add(
-        beyond,
-        "tunable parameters in coefficients of forces",
-        SettledCoefficients.withParameters(mechanism).stream());
     return beyond;
   }
 
@@ -210,10 +203,6 @@ public final class GenerationLimits {
               + ways.steps()
               + " joints), which data evaluate sooner");
     }
-    add(
-        beyond,
-        "tunable parameters in coefficients of forces",
-        SettledCoefficients.withParameters(mechanism).stream());
     return beyond;
   }
 
@@ -283,17 +272,5 @@ public final class GenerationLimits {
       onWay[joint.attachment().child()] = above + own;
     }
     return velocities.build();
-  }
-
-  private static void add(List<String> beyond, String kind, Stream<String> names) {
-    List<String> quoted = names.map(name -> "\"" + name + "\"").toList();
-    if (!quoted.isEmpty()) {
-      int more = quoted.size() - MOST_NAMES;
-      beyond.add(
-          kind
-              + " "
-              + String.join(", ", quoted.subList(0, Math.min(MOST_NAMES, quoted.size())))
-              + (more > 0 ? " and " + more + " more" : ""));
-    }
   }
 }

@@ -6,10 +6,14 @@ import org.mechservice.solver.expression.ClosureCoordinate;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.force.applied.AppliedForce;
+import org.mechservice.solver.force.applied.ContactLaw;
 import org.mechservice.solver.force.applied.CoordinateForce;
+import org.mechservice.solver.force.applied.CutCoordinateLaw;
 import org.mechservice.solver.force.applied.CutCoordinates;
 import org.mechservice.solver.force.applied.FrameForce;
 import org.mechservice.solver.force.applied.FrameMotion;
+import org.mechservice.solver.force.applied.PrintedFrameLaw;
+import org.mechservice.solver.force.applied.PrintedScalarLaw;
 import org.mechservice.solver.force.applied.ScalarLaw;
 import org.mechservice.solver.force.applied.TreeCoordinate;
 import org.mechservice.solver.force.formula.CoupledSpring;
@@ -17,12 +21,8 @@ import org.mechservice.solver.force.formula.CutJointForce;
 import org.mechservice.solver.force.formula.ExpressionJointForce;
 import org.mechservice.solver.force.formula.ExpressionWrench;
 import org.mechservice.solver.force.formula.FormulaLaw;
-import org.mechservice.solver.force.law.BushingLaw;
-import org.mechservice.solver.force.law.ContactLaw;
-import org.mechservice.solver.force.law.CutCoordinateLaw;
-import org.mechservice.solver.force.law.JointFrictionLaw;
-import org.mechservice.solver.force.law.JointSpringLaw;
-import org.mechservice.solver.force.law.SpringDamperLaw;
+import org.mechservice.solver.force.law.CoordinateLaw;
+import org.mechservice.solver.force.law.PairLaw;
 import org.mechservice.solver.force.user.AppliedUserForce;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.kinematics.TreeGeometry;
@@ -38,6 +38,7 @@ import org.mechservice.solver.mechanism.force.JointForce;
 import org.mechservice.solver.mechanism.force.JointFriction;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
 import org.mechservice.solver.mechanism.force.PairForce;
+import org.mechservice.solver.mechanism.force.Side;
 import org.mechservice.solver.mechanism.force.SpringDamper;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.spatial.Rotation;
@@ -62,18 +63,18 @@ final class ForceAssembly implements ForceVisitor<AppliedForce> {
   @Override
   public AppliedForce springDamper(SpringDamper force) {
     FrameMotion line = new FrameMotion(motion, parallel(force.point1()), parallel(force.point2()));
-    return new FrameForce(force, line, new SpringDamperLaw(force));
+    return new FrameForce(force, line, new PrintedFrameLaw(force, PairLaw.of(force), 3));
   }
 
   @Override
   public AppliedForce jointSpringDamper(JointSpringDamper force) {
-    return ofPosition(force, force.coordinate(), new JointSpringLaw(force));
+    return ofPosition(force, force.coordinate(), spring(force, force.side()));
   }
 
   @Override
   public AppliedForce bushing(Bushing force) {
     FrameMotion frames = new FrameMotion(motion, force.frame1(), force.frame2());
-    return new FrameForce(force, frames, new BushingLaw(force));
+    return new FrameForce(force, frames, new PrintedFrameLaw(force, PairLaw.of(force), 12));
   }
 
   @Override
@@ -92,7 +93,7 @@ final class ForceAssembly implements ForceVisitor<AppliedForce> {
 
   @Override
   public AppliedForce couplingSpringDamper(CouplingSpringDamper force) {
-    return new CoupledSpring(force, motion, new JointSpringLaw(force));
+    return new CoupledSpring(force, motion, spring(force, force.side()));
   }
 
   @Override
@@ -109,12 +110,17 @@ final class ForceAssembly implements ForceVisitor<AppliedForce> {
 
   @Override
   public AppliedForce jointFriction(JointFriction force) {
-    return ofVelocity(force, force.coordinate(), new JointFrictionLaw(force));
+    return ofVelocity(
+        force, force.coordinate(), new PrintedScalarLaw(force, CoordinateLaw.FRICTION));
   }
 
   @Override
   public AppliedForce userForce(UserForceElement force) {
     return new AppliedUserForce(force, motion, source);
+  }
+
+  private static ScalarLaw spring(ForceElement element, Side side) {
+    return new PrintedScalarLaw(element, CoordinateLaw.of(side));
   }
 
   private AppliedForce ofPosition(ForceElement element, Coordinate coordinate, ScalarLaw law) {

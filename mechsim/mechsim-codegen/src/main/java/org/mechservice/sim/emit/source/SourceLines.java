@@ -34,6 +34,12 @@ public final class SourceLines {
     return line("}");
   }
 
+  /** Closes a block that is an expression of a statement. */
+  public SourceLines closeStatement() {
+    indentation -= 2;
+    return line("};");
+  }
+
   /** Writes an empty line. */
   public SourceLines blank() {
     text.append('\n');

@@ -11,12 +11,13 @@ import org.mechservice.sim.equations.recursion.Loads;
 import org.mechservice.sim.equations.recursion.VelocityRows;
 import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.Expression.RelativeMotion;
+import org.mechservice.solver.force.law.Frames;
 import org.mechservice.solver.symbol.Scalar;
 import org.mechservice.solver.symbol.ScalarMatrix;
 import org.mechservice.solver.symbol.ScalarVector;
 
 /** Pose and motion of a frame of body 2 relative to a frame of body 1, in the axes of frame 1. */
-public final class RelativeFrameMotion {
+public final class RelativeFrameMotion implements Frames {
   private final LinkKinematics kinematics;
   private final int link1;
   private final int link2;
@@ -57,12 +58,12 @@ public final class RelativeFrameMotion {
     return kinematics.fromAncestor(ancestor, link1, kinematics.toAncestor(ancestor, link2, v));
   }
 
-  /** Returns the origin of frame 2 from that of frame 1, m. */
+  @Override
   public ScalarVector displacement() {
     return inFrame1(between);
   }
 
-  /** Returns the rotation from the axes of frame 2 to those of frame 1. */
+  @Override
   public ScalarMatrix rotation() {
     ScalarVector x = inFrame1(fromLink2(axes2.column(0)));
     ScalarVector y = inFrame1(fromLink2(axes2.column(1)));
@@ -70,13 +71,13 @@ public final class RelativeFrameMotion {
     return ScalarMatrix.of((i, j) -> (j == 0 ? x : j == 1 ? y : z).at(i));
   }
 
-  /** Returns the angular velocity of frame 2 relative to frame 1, rad/s. */
+  @Override
   public ScalarVector omega() {
     ScalarVector second = fromLink2(kinematics.omega(link2));
     return inFrame1(second.minus(kinematics.omega(link1)));
   }
 
-  /** Returns the rate of the displacement relative to body 1, m/s. */
+  @Override
   public ScalarVector rate() {
     ScalarVector second = fromLink2(kinematics.velocityAt(link2, r2));
     ScalarVector carried = kinematics.velocityAt(link1, r1.plus(between));

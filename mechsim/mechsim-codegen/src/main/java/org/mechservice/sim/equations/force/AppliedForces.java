@@ -3,6 +3,7 @@ package org.mechservice.sim.equations.force;
 import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.sim.equations.coordinates.ClosestPointSearch;
+import org.mechservice.sim.equations.coordinates.ClosestPointSearch.Curve;
 import org.mechservice.sim.equations.coordinates.CutCoordinateTerms;
 import org.mechservice.sim.equations.coordinates.JointCoordinates;
 import org.mechservice.sim.equations.coordinates.JointLinks;
@@ -22,6 +23,13 @@ import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.force.law.ClosestFoot;
+import org.mechservice.solver.force.law.ContactLoad;
+import org.mechservice.solver.force.law.CoordinateLaw;
+import org.mechservice.solver.force.law.CoordinateLoad;
+import org.mechservice.solver.force.law.PairLaw;
+import org.mechservice.solver.force.law.PairLoad;
+import org.mechservice.solver.force.law.SpringLaw;
 import org.mechservice.solver.mechanism.FurtherState;
 import org.mechservice.solver.mechanism.force.Bushing;
 import org.mechservice.solver.mechanism.force.Contact;
@@ -200,31 +208,32 @@ public final class AppliedForces {
 
   /** The equations of each kind of force. */
   private final class Terms implements ForceVisitor<ForceTerm> {
+    /** Returns the coefficients of a force. */
+    private List<Scalar> coefficients(ForceElement force) {
+      return force.coefficients().stream().map(one -> formulas.scalar(one.value())).toList();
+    }
+
     @Override
     public ForceTerm springDamper(SpringDamper s) {
       PairMotion pair = new PairMotion(kinematics, points, s.point1(), s.point2());
-      return new SpringTerm(s.name(), pair, law(s));
+      return new SpringTerm(s.name(), pair, SpringLaw.of(s.side(), coefficients(s)));
     }
 
     @Override
     public ForceTerm jointForce(JointForce f) {
       Scalar size = formulas.scalar(f.force());
       Scalar power = size.times(joints.velocity(f.coordinate()));
-      return new CoordinateTerm(joints, f.coordinate(), size, expressions.zero(), power);
+      CoordinateLoad load = new CoordinateLoad(size, expressions.zero(), power);
+      return new CoordinateTerm(joints, f.coordinate(), load);
     }
 
     @Override
     public ForceTerm couplingSpringDamper(CouplingSpringDamper s) {
-      SpringLaw law =
-          new SpringLaw(
-              s.side(),
-              formulas.scalar(s.stiffness()),
-              formulas.scalar(s.damping()),
-              formulas.scalar(s.dissipation()),
-              formulas.scalar(s.rest()),
-              formulas.scalar(s.force0()),
-              number(s.smoothing()));
-      return new CouplingTerm(new Relation(expressions, links, cuts, s.along()), law);
+      List<Scalar> coefficients = coefficients(s);
+      Relation relation = new Relation(expressions, links, cuts, s.along());
+      Scalar rate = relation.rate();
+      CoordinateLaw law = CoordinateLaw.of(s.side());
+      return new CouplingTerm(relation, rate, law.of(relation.value(), rate, coefficients));
     }
 
     @Override
@@ -239,29 +248,6 @@ public final class AppliedForces {
     }
 
     /**
-     * Returns a coefficient that must be known at code generation, because the code depends on it.
-     */
-    private double number(Expression coefficient) {
-      Scalar value = formulas.scalar(coefficient);
-      if (!value.isConstant()) {
-        throw new IllegalArgumentException(
-            "no code is generated for a parameter in " + coefficient);
-      }
-      return value.value();
-    }
-
-    private SpringLaw law(SpringDamper s) {
-      return new SpringLaw(
-          s.side(),
-          formulas.scalar(s.stiffness()),
-          formulas.scalar(s.damping()),
-          formulas.scalar(s.dissipation()),
-          formulas.scalar(s.length0()),
-          formulas.scalar(s.force0()),
-          number(s.smoothing()));
-    }
-
-    /**
      * Returns the term of a joint's spring, whose component is an index among positions; that of
      * its force is one among velocities.
      */
@@ -269,37 +255,19 @@ public final class AppliedForces {
     public ForceTerm jointSpringDamper(JointSpringDamper s) {
       Coordinate position = s.coordinate();
       Coordinate velocity = joints.velocityOf(position);
-      SpringLaw law =
-          new SpringLaw(
-              s.side(),
-              formulas.scalar(s.stiffness()),
-              formulas.scalar(s.damping()),
-              formulas.scalar(s.dissipation()),
-              formulas.scalar(s.position0()),
-              formulas.scalar(s.force0()).negated(),
-              number(s.smoothing()));
+      List<Scalar> coefficients = coefficients(s);
       Scalar q = joints.position(position);
       Scalar v = joints.velocity(velocity);
-      return new CoordinateTerm(
-          joints,
-          velocity,
-          law.tension(q, v).negated(),
-          law.potential(q),
-          law.dampingForce(q, v).times(v).negated());
+      CoordinateLaw law = CoordinateLaw.of(s.side());
+      return new CoordinateTerm(joints, velocity, law.of(q, v, coefficients));
     }
 
     @Override
     public ForceTerm jointFriction(JointFriction f) {
       Coordinate coordinate = f.coordinate();
       Scalar v = joints.velocity(coordinate);
-      Scalar force = v.times(formulas.scalar(f.viscous()).negated());
-      Scalar dry = formulas.scalar(f.coulomb());
-      if (!dry.isZero()) {
-        Scalar speed = formulas.scalar(f.speed());
-        Scalar root = v.squared().plus(speed.squared()).squareRoot();
-        force = force.minus(v.over(root).times(dry));
-      }
-      return new CoordinateTerm(joints, coordinate, force, expressions.zero(), force.times(v));
+      CoordinateLoad load = CoordinateLaw.FRICTION.of(expressions.zero(), v, coefficients(f));
+      return new CoordinateTerm(joints, coordinate, load);
     }
 
     @Override
@@ -328,36 +296,23 @@ public final class AppliedForces {
       BodyFrame sphere = new BodyFrame(f.center().body(), f.center().position(), Rotation.IDENTITY);
       RelativeFrameMotion frames = new RelativeFrameMotion(kinematics, points, f.surface(), sphere);
       boolean ofCentre = !f.tracks().isEmpty();
-      List<ClosestPointSearch.Curve> curves =
-          (ofCentre ? f.tracks() : List.of(f.height()))
-              .stream().map(curve -> ClosestPointSearch.Curve.of(expressions, curve)).toList();
-      PushLaw push =
-          new PushLaw(
-              formulas.scalar(f.stiffness()),
-              number(f.exponent()),
-              formulas.scalar(f.damping()),
-              formulas.scalar(f.dissipation()),
-              number(f.smoothing()));
-      return new ContactTerm(
-          frames,
-          new ContactTerm.Coefficients(
-              formulas.scalar(f.radius()),
-              push,
-              formulas.scalar(f.friction()),
-              formulas.scalar(f.frictionSpeed()),
-              ofCentre),
-          curves);
+      List<Expression> curves = ofCentre ? f.tracks() : List.of(f.height());
+      ContactLoad.Coefficients coefficients = ContactLoad.Coefficients.of(coefficients(f));
+      List<PairLoad> touches = new ArrayList<>();
+      for (Expression height : curves) {
+        Curve curve = Curve.of(expressions, height);
+        ScalarVector place = frames.displacement();
+        ClosestFoot foot = ClosestPointSearch.foot(curve, place.x(), place.z(), ofCentre);
+        touches.add(new ContactLoad(frames, coefficients, foot));
+      }
+      return new PairTerm(frames, touches);
     }
 
     @Override
     public ForceTerm bushing(Bushing f) {
-      return new BushingTerm(
-          expressions,
-          new RelativeFrameMotion(kinematics, points, f.frame1(), f.frame2()),
-          f.stiffness().stream().mapToDouble(this::number).toArray(),
-          f.damping().stream().mapToDouble(this::number).toArray(),
-          f.preload().stream().mapToDouble(this::number).toArray(),
-          f.law() == Bushing.Law.ENERGY);
+      RelativeFrameMotion frames =
+          new RelativeFrameMotion(kinematics, points, f.frame1(), f.frame2());
+      return new PairTerm(frames, List.of(PairLaw.of(f).of(frames, coefficients(f))));
     }
   }
 }

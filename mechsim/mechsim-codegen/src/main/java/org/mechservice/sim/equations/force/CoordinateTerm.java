@@ -4,6 +4,7 @@ import java.util.List;
 import org.mechservice.sim.equations.coordinates.JointCoordinates;
 import org.mechservice.sim.equations.recursion.Loads;
 import org.mechservice.solver.expression.Coordinate;
+import org.mechservice.solver.force.law.CoordinateLoad;
 import org.mechservice.solver.symbol.Scalar;
 
 /**
@@ -11,21 +12,28 @@ import org.mechservice.solver.symbol.Scalar;
  *
  * @param joints coordinates of all joints
  * @param coordinate component among velocities
- * @param force force, positive if it increases the coordinate, N·m or N
- * @param potential its potential energy, J
- * @param power power of the part without potential energy, W
+ * @param load force on it
  */
-record CoordinateTerm(
-    JointCoordinates joints, Coordinate coordinate, Scalar force, Scalar potential, Scalar power)
+record CoordinateTerm(JointCoordinates joints, Coordinate coordinate, CoordinateLoad load)
     implements ForceTerm {
 
   @Override
   public void apply(Loads loads) {
-    joints.addForce(coordinate, force, loads);
+    joints.addForce(coordinate, load.force(), loads);
+  }
+
+  @Override
+  public Scalar potential() {
+    return load.potential();
+  }
+
+  @Override
+  public Scalar power() {
+    return load.power();
   }
 
   @Override
   public List<Scalar> values() {
-    return List.of(force);
+    return List.of(load.force());
   }
 }

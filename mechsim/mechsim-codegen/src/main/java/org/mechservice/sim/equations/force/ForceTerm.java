@@ -3,6 +3,7 @@ package org.mechservice.sim.equations.force;
 import java.util.List;
 import java.util.Optional;
 import org.mechservice.sim.equations.recursion.Loads;
+import org.mechservice.solver.force.law.PairLoad.Direction;
 import org.mechservice.solver.symbol.Scalar;
 
 /** An applied force as equations. */
@@ -16,14 +17,6 @@ interface ForceTerm {
   default Optional<Direction> direction() {
     return Optional.empty();
   }
-
-  /**
-   * Condition {@code size > least} for a force to have a direction.
-   *
-   * @param size checked value
-   * @param least largest value without a direction
-   */
-  record Direction(Scalar size, double least) {}
 
   /** Returns its potential energy, J; zero if it has none. */
   Scalar potential();

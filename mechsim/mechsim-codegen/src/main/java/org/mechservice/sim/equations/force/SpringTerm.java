@@ -6,23 +6,16 @@ import org.mechservice.sim.equations.coordinates.PairMotion;
 import org.mechservice.sim.equations.recursion.Loads;
 import org.mechservice.sim.scene.ModelBuildException;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.symbol.Expressions;
-import org.mechservice.solver.symbol.MathFunction;
+import org.mechservice.solver.force.law.PairLoad.Direction;
+import org.mechservice.solver.force.law.SpringLaw;
+import org.mechservice.solver.force.law.SpringLoad;
 import org.mechservice.solver.symbol.Scalar;
 import org.mechservice.solver.symbol.ScalarVector;
 
-/**
- * A spring and damper along the line between two points: the force on point 2 is −T n. The line is
- * not defined if the points coincide: a spring without tension there uses the direction of the
- * velocity u; any other spring has no direction.
- */
+/** A spring and damper along the line between two points. */
 final class SpringTerm implements ForceTerm {
   private final PairMotion pair;
-  private final SpringLaw law;
-  private final ScalarVector way;
-  private final Scalar length;
-  private final Scalar rate;
-  private final boolean slack;
+  private final SpringLoad load;
 
   /** Whether its length never changes, so that it has no effect on the motion. */
   private final boolean still;
@@ -34,12 +27,12 @@ final class SpringTerm implements ForceTerm {
    */
   SpringTerm(String name, PairMotion pair, SpringLaw law) {
     this.pair = pair;
-    this.law = law;
-    this.way = pair.way();
-    this.length = way.dot(way).squareRoot();
-    this.slack = law.isSlackAtZero(length.expressions());
-    boolean coincident = length.isZero();
-    if (coincident && !slack && !pair.isRigid()) {
+    ScalarVector way = pair.way();
+    boolean coincident = way.dot(way).isZero();
+    this.still = pair.isRigid() || coincident;
+    ScalarVector none = ScalarVector.zero(way.x().expressions());
+    this.load = new SpringLoad(law, way, still ? none : pair.velocity());
+    if (coincident && !pair.isRigid() && !load.isSlack()) {
       throw new ModelBuildException(
           MessageCode.FORCE_WITHOUT_DIRECTION,
           "force \""
@@ -47,54 +40,32 @@ final class SpringTerm implements ForceTerm {
               + "\" has no direction: its two points coincide in every position; move one of them,"
               + " or use an element that suits the motion");
     }
-    this.still = pair.isRigid() || coincident;
-    this.rate = still ? length.expressions().zero() : rate(pair.velocity());
-  }
-
-  private Scalar rate(ScalarVector velocity) {
-    Scalar along = way.dot(velocity).over(length);
-    return slack ? atZero(velocity.dot(velocity).squareRoot(), along) : along;
-  }
-
-  /** Returns one value if the points coincide, otherwise another. */
-  private Scalar atZero(Scalar coincident, Scalar apart) {
-    Expressions e = length.expressions();
-    return e.function(MathFunction.CHOOSE, length, e.zero(), coincident, apart);
   }
 
   @Override
   public Optional<Direction> direction() {
-    return slack || still ? Optional.empty() : Optional.of(new Direction(length, 0));
+    return still ? Optional.empty() : load.direction();
   }
 
   @Override
   public void apply(Loads loads) {
-    if (still) {
-      return;
+    if (!still) {
+      pair.addForce(load.force(), loads);
     }
-    Scalar perLength = law.tension(length, rate).over(length).negated();
-    if (!slack) {
-      pair.addForce(way.times(perLength), loads);
-      return;
-    }
-    Expressions e = length.expressions();
-    Scalar resisting = law.dampingForce(e.zero(), e.one()).negated();
-    ScalarVector along = way.times(atZero(e.zero(), perLength));
-    pair.addForce(along.plus(pair.velocity().times(atZero(resisting, e.zero()))), loads);
   }
 
   @Override
   public Scalar potential() {
-    return law.potential(length);
+    return load.potential();
   }
 
   @Override
   public Scalar power() {
-    return law.dampingForce(length, rate).times(rate).negated();
+    return load.power();
   }
 
   @Override
   public List<Scalar> values() {
-    return List.of(length, rate, law.tension(length, rate));
+    return load.values();
   }
 }

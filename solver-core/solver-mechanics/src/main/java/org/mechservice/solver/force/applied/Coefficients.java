@@ -5,30 +5,37 @@ import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Expression.ParameterValue;
 import org.mechservice.solver.expression.Tape;
 import org.mechservice.solver.expression.TapeEvaluation;
+import org.mechservice.solver.mechanism.force.Coefficient;
+import org.mechservice.solver.mechanism.force.ForceElement;
 
-/**
- * The coefficients of a force law: expressions of tunable parameters only, evaluated once per run.
- */
-public final class Coefficients {
+/** The coefficients of a force: expressions of tunable parameters only, evaluated once per run. */
+final class Coefficients {
+  private final List<Coefficient> coefficients;
   private final TapeEvaluation tape;
-  private final double[] value;
 
   /**
    * @throws IllegalArgumentException if an expression depends on time or the state
    */
-  public Coefficients(String force, List<Expression> expressions) {
-    tape = new TapeEvaluation(new Tape(expressions));
-    value = new double[expressions.size()];
+  Coefficients(ForceElement force) {
+    coefficients = force.coefficients();
+    tape = new TapeEvaluation(new Tape(coefficients.stream().map(Coefficient::value).toList()));
     for (Expression leaf : tape.tape().leaves()) {
       if (!(leaf instanceof ParameterValue)) {
         throw new IllegalArgumentException(
-            "coefficients of force " + force + " may contain parameters but not " + leaf);
+            "coefficients of force " + force.name() + " may contain parameters but not " + leaf);
       }
     }
   }
 
-  /** Evaluates; returns the index of the first that is not finite, or −1. */
-  public int update(double[] parameters) {
+  /**
+   * Evaluates.
+   *
+   * @param parameters values of all parameters, SI units; not modified
+   * @param out receives the coefficients
+   * @param force receives the defect of one that cannot be used
+   * @return false if there is one
+   */
+  boolean update(double[] parameters, double[] out, AppliedForce force) {
     List<Expression> leaves = tape.tape().leaves();
     for (int i = 0; i < leaves.size(); i++) {
       if (leaves.get(i) instanceof ParameterValue parameter) {
@@ -36,13 +43,23 @@ public final class Coefficients {
       }
     }
     tape.values();
-    for (int i = 0; i < value.length; i++) {
-      value[i] = tape.value(i);
+    for (int i = 0; i < coefficients.size(); i++) {
+      out[i] = tape.value(i);
+      if (!Double.isFinite(out[i])) {
+        return refuse(i, out[i], Coefficient.Condition.FINITE, force);
+      }
     }
-    return tape.firstNotFinite();
+    for (int i = 0; i < coefficients.size(); i++) {
+      Coefficient.Condition condition = coefficients.get(i).condition();
+      if (!condition.holds(out[i], i == 0 ? 0 : out[i - 1])) {
+        return refuse(i, out[i], condition, force);
+      }
+    }
+    return true;
   }
 
-  public double at(int index) {
-    return value[index];
+  private boolean refuse(
+      int coefficient, double value, Coefficient.Condition condition, AppliedForce force) {
+    return force.refuse(coefficients.get(coefficient).name(), value, condition.text());
   }
 }

@@ -8,8 +8,8 @@ public final class CoordinateForce extends AppliedForce {
   private final TreeMotion motion;
   private final TreeCoordinate coordinate;
   private final ScalarLaw law;
-  private double position;
-  private double velocity;
+  private final double[] slopes = new double[2];
+  private double force;
 
   /**
    * @param coordinate has a velocity; if it has no position, the law must not depend on the
@@ -30,40 +30,40 @@ public final class CoordinateForce extends AppliedForce {
 
   @Override
   public boolean apply(double t, double[] wrench, double[] tau) {
-    position = coordinate.position() < 0 ? 0 : motion.q[coordinate.position()];
-    velocity = motion.v[coordinate.velocity()];
-    law.evaluate(position, velocity);
-    if (!Double.isFinite(law.force())) {
-      return notFinite("joint force", law.force());
+    double position = coordinate.position() < 0 ? 0 : motion.q[coordinate.position()];
+    force = law.force(position, motion.v[coordinate.velocity()]);
+    if (!Double.isFinite(force)) {
+      return notFinite("joint force", force);
     }
-    tau[coordinate.velocity()] += law.force();
+    tau[coordinate.velocity()] += force;
     return true;
   }
 
   @Override
   public boolean linearise(double t, ForceJacobian sink) {
-    double sum = law.byPosition() + law.byVelocity();
+    law.slopes(slopes);
+    double sum = slopes[0] + slopes[1];
     if (!Double.isFinite(sum)) {
       return notFinite("derivative", sum);
     }
     int at = coordinate.velocity();
-    sink.forceByCoordinate(at, at, law.byPosition(), law.byVelocity());
+    sink.forceByCoordinate(at, at, slopes[0], slopes[1]);
     return true;
   }
 
   @Override
   public double potentialEnergy() {
-    return law.potentialEnergy(position);
+    return law.potentialEnergy();
   }
 
   @Override
   public double power() {
-    return law.force() * velocity + law.energyRate(velocity);
+    return law.power();
   }
 
   @Override
   public void values(double[] out, int at) {
-    out[at] = law.force();
+    out[at] = force;
   }
 
   @Override

@@ -9,8 +9,7 @@ public final class FrameForce extends AppliedForce {
   private final FrameMotion motion;
   private final FrameLaw law;
   private final double[] w = new double[6];
-  private final double[] lawByPlace = new double[36];
-  private final double[] lawByVelocity = new double[36];
+  private final double[] slopes = new double[72];
   private final double[] xi = new double[6];
   private final double[] still = new double[6];
   private final double[] place = new double[6];
@@ -51,11 +50,9 @@ public final class FrameForce extends AppliedForce {
 
   @Override
   public boolean linearise(double t, ForceJacobian sink) {
-    Arrays.fill(lawByPlace, 0);
-    Arrays.fill(lawByVelocity, 0);
-    law.jacobian(motion, lawByPlace, lawByVelocity);
-    for (int i = 0; i < 36; i++) {
-      double entry = lawByPlace[i] + lawByVelocity[i];
+    Arrays.fill(slopes, 0);
+    law.slopes(motion, slopes);
+    for (double entry : slopes) {
       if (!Double.isFinite(entry)) {
         return notFinite("derivative", entry);
       }
@@ -105,8 +102,7 @@ public final class FrameForce extends AppliedForce {
     for (int i = 0; i < 6; i++) {
       double sum = 0;
       for (int k = 0; k < 6; k++) {
-        sum +=
-            lawByPlace[6 * i + k] * byThisPlace[k] + lawByVelocity[6 * i + k] * byThisVelocity[k];
+        sum += slopes[12 * i + k] * byThisPlace[k] + slopes[12 * i + 6 + k] * byThisVelocity[k];
       }
       dw[i] = sum;
     }
@@ -120,17 +116,12 @@ public final class FrameForce extends AppliedForce {
 
   @Override
   public double potentialEnergy() {
-    return law.potentialEnergy(motion);
+    return law.potentialEnergy();
   }
 
-  /** Returns the power of the wrench without its conservative part. */
   @Override
   public double power() {
-    double sum = law.energyRate(motion);
-    for (int i = 0; i < 6; i++) {
-      sum += w[i] * motion.twist[i];
-    }
-    return sum;
+    return law.power(motion, w);
   }
 
   @Override

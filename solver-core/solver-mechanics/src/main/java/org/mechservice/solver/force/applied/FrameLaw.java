@@ -23,11 +23,10 @@ public interface FrameLaw {
   /**
    * Differentiates the law at the state of the last {@link #wrench}.
    *
-   * @param byPlace derivative by [rotation; displacement] of frame 2 with {@code x.twist} held, 6 ×
-   *     6 row by row; zero at entry, overwritten
-   * @param byVelocity derivative by {@code x.twist}, likewise
+   * @param by derivative by [rotation; displacement] of frame 2 with {@code x.twist} held, then by
+   *     {@code x.twist}, 6 × 12 row by row; zero at entry, overwritten
    */
-  void jacobian(FrameMotion x, double[] byPlace, double[] byVelocity);
+  void slopes(FrameMotion x, double[] by);
 
   /**
    * Differentiates the law by a further state, at the state of the last {@link #wrench}. Most laws
@@ -41,10 +40,14 @@ public interface FrameLaw {
   }
 
   /** Returns the potential energy in the state of the last {@link #wrench}, J. */
-  double potentialEnergy(FrameMotion x);
+  double potentialEnergy();
 
-  /** Returns the rate of {@link #potentialEnergy} along {@code x.twist}, W. */
-  double energyRate(FrameMotion x);
+  /**
+   * Returns the power of the part without potential energy along {@code x.twist}, W.
+   *
+   * @param w the wrench of the last {@link #wrench}; not modified
+   */
+  double power(FrameMotion x, double[] w);
 
   /** Writes the values of the last {@link #wrench}. */
   void values(FrameMotion x, double[] out, int at);

@@ -120,6 +120,13 @@ public final class FrameMotion {
     readVelocities();
   }
 
+  /** Writes all components in the order of {@link Expression.RelativeMotion}. */
+  void components(double[] out) {
+    System.arraycopy(displacement, 0, out, 0, 3);
+    System.arraycopy(rotation, 0, out, RelativeMotion.ROTATION, 9);
+    System.arraycopy(twist, 0, out, RelativeMotion.ANGULAR_VELOCITY, 6);
+  }
+
   /** Returns a component in the order of {@link Expression.RelativeMotion}. */
   public double component(int component) {
     if (component < RelativeMotion.ROTATION) {

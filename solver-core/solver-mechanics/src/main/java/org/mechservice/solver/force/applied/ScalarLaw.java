@@ -10,18 +10,19 @@ public interface ScalarLaw {
    */
   boolean parameters(double[] values, AppliedForce force);
 
-  /** Evaluates the force and its derivatives. */
-  void evaluate(double position, double velocity);
-
   /** Returns the force; a positive force increases the coordinate. */
-  double force();
+  double force(double position, double velocity);
 
-  double byPosition();
+  /**
+   * Differentiates the law at the state of the last {@link #force}.
+   *
+   * @param by derivatives by position and velocity; overwritten
+   */
+  void slopes(double[] by);
 
-  double byVelocity();
+  /** Returns the potential energy in the state of the last {@link #force}, J. */
+  double potentialEnergy();
 
-  double potentialEnergy(double position);
-
-  /** Returns the rate of the potential energy. */
-  double energyRate(double velocity);
+  /** Returns the power of the part without potential energy, likewise, W. */
+  double power();
 }

@@ -56,8 +56,10 @@ public final class CoupledSpring extends AppliedForce {
   private final OuterProduct product = new OuterProduct(NoJacobian.INSTANCE);
   private final LoadSink loads = new LoadSink();
   private final SlopeSink slopes = new SlopeSink();
+  private final double[] byState = new double[2];
   private double position;
   private double velocity;
+  private double force;
 
   public CoupledSpring(CouplingSpringDamper element, TreeMotion motion, ScalarLaw law) {
     super(element);
@@ -125,8 +127,7 @@ public final class CoupledSpring extends AppliedForce {
       rate[i] = moves[i] ? rates[i].value(t) : i == time ? 1 : 0;
       velocity += slope[i] * rate[i];
     }
-    law.evaluate(position, velocity);
-    double force = law.force();
+    force = law.force(position, velocity);
     if (!Double.isFinite(force)) {
       return notFinite("force along the coupling", force);
     }
@@ -139,10 +140,11 @@ public final class CoupledSpring extends AppliedForce {
 
   @Override
   public boolean linearise(double t, ForceJacobian sink) {
+    law.slopes(byState);
     formula.gradientChange(0, rate, slopeRate);
     product.to(sink);
     for (int l = 0; l < positions.length; l++) {
-      double sum = slope[l] * (law.byPosition() + law.byVelocity()) + slopeRate[l];
+      double sum = slope[l] * (byState[0] + byState[1]) + slopeRate[l];
       if (!Double.isFinite(sum)) {
         return notFinite("derivative", sum);
       }
@@ -151,38 +153,38 @@ public final class CoupledSpring extends AppliedForce {
       unit[l] = 0;
       slopes.leaf = l;
       positions[l].gradient(slopes);
-      positions[l].addCurvature(law.force() * slope[l], sink);
+      positions[l].addCurvature(force * slope[l], sink);
     }
     return true;
   }
 
   /** Returns the derivative of the load along a position by a position. */
   private double byPosition(int on, int by) {
-    double force = law.byPosition() * slope[by] + law.byVelocity() * slopeRate[by];
-    return slope[on] * force + law.force() * bend[by];
+    double change = byState[0] * slope[by] + byState[1] * slopeRate[by];
+    return slope[on] * change + force * bend[by];
   }
 
   /** Returns the derivative of the load along a position by the rate of a position. */
   private double byRate(int on, int by) {
-    return slope[on] * law.byVelocity() * slope[by];
+    return slope[on] * byState[1] * slope[by];
   }
 
   @Override
   public double potentialEnergy() {
-    return law.potentialEnergy(position);
+    return law.potentialEnergy();
   }
 
   @Override
   public double power() {
     double byTime = time < 0 ? 0 : slope[time];
-    return law.force() * (velocity - byTime) + law.energyRate(velocity);
+    return law.power() - force * byTime;
   }
 
   @Override
   public void values(double[] out, int at) {
     out[at] = position;
     out[at + 1] = velocity;
-    out[at + 2] = -law.force();
+    out[at + 2] = -force;
   }
 
   @Override

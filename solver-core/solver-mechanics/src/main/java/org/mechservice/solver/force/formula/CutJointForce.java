@@ -5,14 +5,14 @@ import java.util.function.IntConsumer;
 import org.mechservice.solver.expression.ClosureCoordinate;
 import org.mechservice.solver.force.applied.AppliedForce;
 import org.mechservice.solver.force.applied.Couplings;
+import org.mechservice.solver.force.applied.CutCoordinateLaw;
 import org.mechservice.solver.force.applied.CutCoordinates;
 import org.mechservice.solver.force.applied.ForceJacobian;
 import org.mechservice.solver.force.applied.FrameForce;
 import org.mechservice.solver.force.applied.FrameMotion;
 import org.mechservice.solver.force.applied.NoJacobian;
 import org.mechservice.solver.force.applied.OuterProduct;
-import org.mechservice.solver.force.law.CutCoordinateLaw;
-import org.mechservice.solver.force.law.ExternalForceLaw;
+import org.mechservice.solver.force.applied.ScalarLaw;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.kinematics.pair.CutJoint;
@@ -25,7 +25,7 @@ import org.mechservice.solver.mechanism.force.JointForce;
  */
 public final class CutJointForce extends AppliedForce {
   private final ExpressionInputs inputs;
-  private final ExternalForceLaw given = new ExternalForceLaw();
+  private final Given given = new Given();
   private final FrameForce carried;
   private final FrameMotion frames;
   private final PairFunction function;
@@ -55,7 +55,7 @@ public final class CutJointForce extends AppliedForce {
     if (!Double.isFinite(inputs.value(0))) {
       return notFinite("joint force", inputs.value(0));
     }
-    given.set(inputs.value(0));
+    given.force = inputs.value(0);
     return carried.apply(t, wrench, tau);
   }
 
@@ -131,5 +131,38 @@ public final class CutJointForce extends AppliedForce {
           }
         };
     inputs.links(taker);
+  }
+
+  /** A force that does not depend on the coordinate itself. */
+  private static final class Given implements ScalarLaw {
+    private double force;
+    private double velocity;
+
+    @Override
+    public boolean parameters(double[] values, AppliedForce applied) {
+      return true;
+    }
+
+    @Override
+    public double force(double position, double rate) {
+      velocity = rate;
+      return force;
+    }
+
+    @Override
+    public void slopes(double[] by) {
+      by[0] = 0;
+      by[1] = 0;
+    }
+
+    @Override
+    public double potentialEnergy() {
+      return 0;
+    }
+
+    @Override
+    public double power() {
+      return force * velocity;
+    }
   }
 }

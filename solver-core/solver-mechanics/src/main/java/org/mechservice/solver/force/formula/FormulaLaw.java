@@ -95,7 +95,7 @@ public final class FormulaLaw implements FrameLaw {
   }
 
   @Override
-  public void jacobian(FrameMotion x, double[] byPlace, double[] byVelocity) {
+  public void slopes(FrameMotion x, double[] by) {
     differentiate();
     List<Expression> leaves = law.tape().leaves();
     for (int leaf = 0; leaf < leaves.size(); leaf++) {
@@ -111,9 +111,9 @@ public final class FormulaLaw implements FrameLaw {
           change = x.changeOf(relative.component(), place);
         }
         if (change != 0) {
-          double[] matrix = ofTwist < 0 ? byPlace : byVelocity;
+          int column = ofTwist < 0 ? j : 6 + j;
           for (int i = 0; i < 6; i++) {
-            matrix[6 * i + j] += gradients[i][leaf] * change;
+            by[12 * i + column] += gradients[i][leaf] * change;
           }
         }
       }
@@ -143,13 +143,17 @@ public final class FormulaLaw implements FrameLaw {
   }
 
   @Override
-  public double potentialEnergy(FrameMotion x) {
+  public double potentialEnergy() {
     return law.value(POTENTIAL);
   }
 
   @Override
-  public double energyRate(FrameMotion x) {
-    return law.value(POTENTIAL_RATE);
+  public double power(FrameMotion x, double[] w) {
+    double sum = law.value(POTENTIAL_RATE);
+    for (int i = 0; i < 6; i++) {
+      sum += w[i] * x.twist[i];
+    }
+    return sum;
   }
 
   @Override

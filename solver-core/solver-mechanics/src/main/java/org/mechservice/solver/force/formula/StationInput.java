@@ -19,7 +19,7 @@ final class StationInput extends LeafInput {
   StationInput(TreeMotion motion, ClosestStation closest, double[] parameters) {
     along = new RelativeInput(motion, closest.along());
     above = new RelativeInput(motion, closest.above());
-    point = new ClosestPoint(closest.curve(), false);
+    point = new ClosestPoint(closest.curve());
     this.parameters = parameters;
   }
 

@@ -12,20 +12,17 @@ import org.mechservice.solver.expression.TapeEvaluation;
 import org.mechservice.solver.spatial.CubicCurve;
 
 /**
- * The point of a curve z = h(x) that is closest to a point (x, z), and the frame of the curve
- * there. Legend: s its abscissa; θ the angle of slope, tan θ = h′(s); n = (−sin θ, cos θ) the
- * normal; σ the distance along n, positive above the curve; g(s) = s − x + (h(s) − z) h′(s) half of
- * the derivative of the squared distance.
+ * The search for the point of a curve z = h(x) that is closest to a point (x, z). Legend: s its
+ * abscissa; g(s) = s − x + (h(s) − z) h′(s) half of the derivative of the squared distance. {@link
+ * ClosestFoot} has the distance and the normal there.
  *
  * <p>The point is sought between x − w and x + w, with w = |h(x) − z|. On a table {@link
  * CubicCurve#closest} finds it, piece for piece. On any other height the closest of {@value #SEEDS}
  * places to each side of x is taken, and g = 0 is solved between its neighbours, by Newton's method
  * with an interval that shrinks, by half or to where the tangents at its ends meet, a corner; what
  * is narrower than a {@value #SEEDS}th of the window can be missed. Generated code takes the same
- * steps. Of two points at the same distance either is taken; σ is continuous there, n jumps.
- *
- * <p>At a corner of the surface the point is no foot of a perpendicular: σ is then the way to it,
- * and n its direction. The curve of a sphere's centre has no corners.
+ * steps. Of two points at the same distance either is taken; the distance is continuous there, the
+ * normal jumps.
  */
 public final class ClosestPoint {
   /** Places to each side of x. */
@@ -33,18 +30,6 @@ public final class ClosestPoint {
 
   /** Largest number of steps of Newton's method; halvings would leave 2⁻¹² of an interval. */
   public static final int STEPS = 12;
-
-  /** Least of 1 − σ κ, with κ the curvature: at the centre of curvature s has no derivative. */
-  public static final double LEAST = 1e-6;
-
-  /**
-   * Largest angle between the normal and the way to a foot of a perpendicular, rad; at a corner of
-   * the surface, where s does not move, it is larger. A search that has converged leaves 1e-12.
-   */
-  public static final double CORNER = 1e-7;
-
-  /** Rounding of g, by |x| + |z| and √(1 + h′²): some fifty units in the last place. */
-  public static final double ROUNDING = 1e-14;
 
   private final TapeEvaluation height;
 
@@ -54,20 +39,13 @@ public final class ClosestPoint {
   /** Leaf that is the abscissa; −1 of a horizontal line. */
   private final int argument;
 
+  private double below;
   private double station;
   private double value;
   private double slope;
   private double bend;
-  private double distance;
-  private double sine;
-  private double cosine;
-  private double turning;
 
-  /** Whether the curve is that of the centre of the sphere, else the surface. */
-  private final boolean ofCentre;
-
-  public ClosestPoint(Expression curve, boolean ofCentre) {
-    this.ofCentre = ofCentre;
+  public ClosestPoint(Expression curve) {
     height = new TapeEvaluation(new Tape(List.of(curve)));
     argument = leaves().indexOf(new Argument());
     row = row(curve).orElse(new double[0]);
@@ -83,7 +61,7 @@ public final class ClosestPoint {
   }
 
   /** Returns what the curve depends on. */
-  List<Expression> leaves() {
+  public List<Expression> leaves() {
     return height.tape().leaves();
   }
 
@@ -103,7 +81,7 @@ public final class ClosestPoint {
    */
   public boolean find(double x, double z) {
     evaluate(x);
-    double below = value;
+    below = value;
     double s = x;
     if (row.length > 0) {
       s = CubicCurve.closest(row, 0, row.length, x, z);
@@ -112,26 +90,7 @@ public final class ClosestPoint {
       s = search(x, z);
     }
     station = s;
-    double root = Math.sqrt(1 + slope * slope);
-    cosine = 1 / root;
-    sine = slope / root;
-    double way = x - s;
-    double up = z - value;
-    double along = (up - slope * way) / root;
-    double direct = Math.sqrt(way * way + up * up);
-    double g = up * slope + way;
-    double limit = root * (CORNER * direct + ROUNDING * (Math.abs(x) + Math.abs(z)));
-    if (ofCentre || Math.abs(g) <= limit) {
-      distance = along;
-      double curvature = bend / (root * root * root);
-      turning = curvature / Math.max(1 - curvature * distance, LEAST);
-    } else {
-      distance = z > below ? direct : -direct;
-      sine = -way / distance;
-      cosine = up / distance;
-      turning = -1 / distance;
-    }
-    return Double.isFinite(distance + bend);
+    return Double.isFinite(value + slope + bend);
   }
 
   /** Finds s and evaluates the curve there. */
@@ -204,23 +163,16 @@ public final class ClosestPoint {
     return station;
   }
 
-  /** Returns σ, m. */
-  double distance() {
-    return distance;
-  }
-
-  /** Returns sin θ. */
-  double sine() {
-    return sine;
-  }
-
-  /** Returns cos θ. */
-  double cosine() {
-    return cosine;
-  }
-
-  /** Returns dθ by the displacement of the point along the curve, 1/m. */
-  double turning() {
-    return turning;
+  /**
+   * Writes the curve at the closest point: s, h(s), m, h′(s), h″(s), 1/m, and h(x), m.
+   *
+   * @param out overwritten from {@code at}
+   */
+  public void curve(double[] out, int at) {
+    out[at] = station;
+    out[at + 1] = value;
+    out[at + 2] = slope;
+    out[at + 3] = bend;
+    out[at + 4] = below;
   }
 }

@@ -1,11 +1,13 @@
 package org.mechservice.solver.mechanism.force;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.mechanism.force.Coefficient.Condition;
 import org.mechservice.solver.mechanism.joint.Joint;
 import org.mechservice.solver.text.Origin;
 
@@ -84,6 +86,16 @@ public record Bushing(
         new Variable("tx", "N·m"),
         new Variable("ty", "N·m"),
         new Variable("tz", "N·m"));
+  }
+
+  /** {@inheritDoc} K, C and preload. */
+  @Override
+  public List<Coefficient> coefficients() {
+    List<Coefficient> all = new ArrayList<>();
+    stiffness.forEach(k -> all.add(new Coefficient("stiffness", k, Condition.FINITE)));
+    damping.forEach(c -> all.add(new Coefficient("damping", c, Condition.FINITE)));
+    preload.forEach(f -> all.add(new Coefficient("preload", f, Condition.FINITE)));
+    return all;
   }
 
   @Override

@@ -7,6 +7,7 @@ import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.mechanism.force.Coefficient.Condition;
 import org.mechservice.solver.mechanism.joint.Joint;
 import org.mechservice.solver.text.Origin;
 
@@ -113,6 +114,20 @@ public record Contact(
         new Variable("normal", "N"),
         new Variable("frictionX", "N"),
         new Variable("frictionY", "N"));
+  }
+
+  /** {@inheritDoc} R, k, c, χ, n, ε, friction and its speed. */
+  @Override
+  public List<Coefficient> coefficients() {
+    return List.of(
+        new Coefficient("radius", radius, Condition.NOT_NEGATIVE),
+        new Coefficient("stiffness", stiffness, Condition.NOT_NEGATIVE),
+        new Coefficient("damping", damping, Condition.NOT_NEGATIVE),
+        new Coefficient("dissipation", dissipation, Condition.NOT_NEGATIVE),
+        new Coefficient("exponent", exponent, Condition.AT_LEAST_ONE),
+        new Coefficient("smoothing", smoothing, Condition.NOT_NEGATIVE),
+        new Coefficient("friction coefficient", friction, Condition.NOT_NEGATIVE),
+        new Coefficient("friction speed", frictionSpeed, Condition.POSITIVE_WITH_FRICTION));
   }
 
   @Override

@@ -87,6 +87,12 @@ public record CouplingSpringDamper(
             new Variable("length", "m"), new Variable("rate", "m/s"), new Variable("tension", "N"));
   }
 
+  /** {@inheritDoc} k, c, rest, tension there, ε, χ. */
+  @Override
+  public List<Coefficient> coefficients() {
+    return side.coefficients(stiffness, damping, rest, force0, smoothing, dissipation);
+  }
+
   @Override
   public String kind() {
     return "spring along a coupling";

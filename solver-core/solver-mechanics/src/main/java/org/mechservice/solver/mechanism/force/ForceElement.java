@@ -42,6 +42,11 @@ public sealed interface ForceElement
     return Optional.empty();
   }
 
+  /** Returns the numbers of its law, in the order in which the law takes them. */
+  default List<Coefficient> coefficients() {
+    return List.of();
+  }
+
   /** Returns the formulas of time and state that give its components. */
   default List<Formula> formulas() {
     return List.of();

@@ -6,6 +6,7 @@ import java.util.function.Function;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.mechanism.force.Coefficient.Condition;
 import org.mechservice.solver.mechanism.joint.Joint;
 import org.mechservice.solver.text.Origin;
 
@@ -36,6 +37,15 @@ public record JointFriction(
   public List<Variable> values(Function<Coordinate, Joint> jointOf) {
     String unit = jointOf.apply(coordinate).forceUnit(coordinate.component());
     return List.of(new Variable("force", unit));
+  }
+
+  /** {@inheritDoc} Coulomb friction, speed, viscous friction. */
+  @Override
+  public List<Coefficient> coefficients() {
+    return List.of(
+        new Coefficient("dry friction", coulomb, Condition.NOT_NEGATIVE),
+        new Coefficient("friction speed", speed, Condition.POSITIVE_WITH_FRICTION),
+        new Coefficient("viscous friction", viscous, Condition.NOT_NEGATIVE));
   }
 
   @Override

@@ -80,6 +80,13 @@ public record JointSpringDamper(
     return List.of(new Variable("force", slides ? "N" : "N·m"));
   }
 
+  /** {@inheritDoc} k, c, position0, tension there, ε, χ. */
+  @Override
+  public List<Coefficient> coefficients() {
+    return side.coefficients(
+        stiffness, damping, position0, new Expression.Negation(force0), smoothing, dissipation);
+  }
+
   @Override
   public String kind() {
     return "spring in a joint";

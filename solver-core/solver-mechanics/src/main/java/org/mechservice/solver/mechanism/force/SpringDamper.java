@@ -84,6 +84,12 @@ public record SpringDamper(
         new Variable("length", "m"), new Variable("rate", "m/s"), new Variable("tension", "N"));
   }
 
+  /** {@inheritDoc} k, c, length0, tension there, ε, χ. */
+  @Override
+  public List<Coefficient> coefficients() {
+    return side.coefficients(stiffness, damping, length0, force0, smoothing, dissipation);
+  }
+
   @Override
   public String kind() {
     return "spring between points";

@@ -12,6 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Function;
+import org.mechservice.solver.force.law.printed.PrintedLaws;
 
 /** The closest point of formulas against minimisation by brute force. */
 class ClosestPointTest {
@@ -68,7 +69,7 @@ class ClosestPointTest {
         isWave
             ? s -> high * StrictMath.sin(2 / width * s)
             : s -> high * StrictMath.exp(-(s / width) * (s / width));
-    ClosestPoint point = new ClosestPoint(curve, false);
+    Foot point = new Foot(curve);
     for (int i = 0; i < 40; i++) {
       double x = random.nextGaussian() * width;
       double z = h.applyAsDouble(x) + 1.9 * RADIUS * random.nextDouble();
@@ -85,7 +86,7 @@ class ClosestPointTest {
   @ParameterizedTest
   void normalTurnsAsTheClosestPointMoves(long seed) {
     Random random = new Random(seed);
-    ClosestPoint point = new ClosestPoint(wave(0.03, 2 + random.nextDouble()), false);
+    Foot point = new Foot(wave(0.03, 2 + random.nextDouble()));
     double x = 3 * random.nextGaussian();
     double z = RADIUS + 0.05 * random.nextGaussian();
     point.find(x - 1e-6, z);
@@ -93,14 +94,14 @@ class ClosestPointTest {
     point.find(x + 1e-6, z);
     double behind = Math.atan2(point.sine(), point.cosine());
     point.find(x, z);
-    double turn = point.turning() * point.cosine();
+    double turn = point.turn();
     assertThat((behind - before) / 2e-6).isCloseTo(turn, within(1e-6 * (1 + Math.abs(turn))));
   }
 
   /** Far above hollows of any width the gap is positive, and nothing is refused. */
   @Test
   void farAboveNothingIsRefused() {
-    ClosestPoint point = new ClosestPoint(wave(0.2, 30), false);
+    Foot point = new Foot(wave(0.2, 30));
     for (double z = 0.6; z < 100; z *= 1.1) {
       for (double x = 0; x < 0.3; x += 0.01) {
         assertThat(point.find(x, z)).isTrue();
@@ -114,12 +115,68 @@ class ClosestPointTest {
   void cornerPushesTowardsTheCentre() {
     Expression roof =
         new Expression.Negation(Expression.call(Function.ABS, List.of(times(0.8, S))));
-    ClosestPoint point = new ClosestPoint(roof, false);
+    Foot point = new Foot(roof);
     double x = 0.1;
     double z = 0.25;
     assertThat(point.find(x, z)).isTrue();
     double expected = Math.hypot(x, z);
     assertThat(point.distance()).isCloseTo(expected, within(1e-14));
     assertThat(point.sine()).isCloseTo(-x / expected, within(1e-12));
+  }
+
+  /**
+   * What the search finds, with distance and normal from the printed contact of a frozen motion.
+   */
+  private static final class Foot {
+    private static final int PUSH = 3;
+
+    private final ClosestPoint point;
+    private final PrintedLaw law = PrintedLaws.of(PairLaw.CONTACT);
+    private final double[] motion = new double[PairLaw.VARIABLES];
+    private final double[] c = new double[PairLaw.CONTACT.coefficientCount()];
+    private final double[] load = new double[PairLaw.DIRECTION + 1];
+    private final double[] slopes = new double[72];
+    private final double[] results = new double[PairLaw.VALUES + 4];
+
+    Foot(Expression curve) {
+      point = new ClosestPoint(curve);
+      // a stiffness and an exponent of one; a radius that is deep in the surface everywhere
+      c[0] = 1e3;
+      c[1] = 1;
+      c[4] = 1;
+    }
+
+    boolean find(double x, double z) {
+      boolean found = point.find(x, z);
+      motion[0] = x;
+      motion[2] = z;
+      point.curve(c, PairLaw.FOOT);
+      law.load(motion, c, load);
+      law.slopes(motion, c, slopes);
+      law.results(motion, c, results);
+      return found;
+    }
+
+    double distance() {
+      c[0] = 0;
+      law.results(motion, c, results);
+      c[0] = 1e3;
+      return -results[PairLaw.VALUES];
+    }
+
+    double sine() {
+      return -load[PUSH] / Math.hypot(load[PUSH], load[PUSH + 2]);
+    }
+
+    double cosine() {
+      return load[PUSH + 2] / Math.hypot(load[PUSH], load[PUSH + 2]);
+    }
+
+    /** Returns dθ/dx from the slopes of the push (−N sin θ, N cos θ). */
+    double turn() {
+      double byX = slopes[12 * PUSH + PUSH];
+      double upByX = slopes[12 * (PUSH + 2) + PUSH];
+      return -(byX * cosine() + upByX * sine()) / Math.hypot(load[PUSH], load[PUSH + 2]);
+    }
   }
 }

@@ -1,5 +1,6 @@
-package org.mechservice.sim.equations.force;
+package org.mechservice.solver.force.law;
 
+import java.util.List;
 import org.mechservice.solver.mechanism.force.Side;
 import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.Scalar;
@@ -10,24 +11,34 @@ import org.mechservice.solver.symbol.Scalar;
  * its opposite with y = −x below.
  *
  * @param side side on which it acts
- * @param k stiffness
- * @param c damping
- * @param chi dissipation
- * @param rest z0
- * @param preload F0
- * @param eps smoothing of pos
+ * @param k stiffness, N/m or N·m/rad
+ * @param c damping, N·s/m or N·m·s/rad
+ * @param rest z0, m or rad
+ * @param preload F0, N or N·m; not used unless it acts on both sides
+ * @param eps smoothing ε of pos, m or rad; not used if it acts on both sides
+ * @param chi dissipation χ, s/m or s/rad; not used if it acts on both sides
  */
-record SpringLaw(
-    Side side, Scalar k, Scalar c, Scalar chi, Scalar rest, Scalar preload, double eps) {
-  /** Tension, relative to its terms, that counts as zero. */
-  private static final double NO_TENSION = 1e-9;
+public record SpringLaw(
+    Side side, Scalar k, Scalar c, Scalar rest, Scalar preload, Scalar eps, Scalar chi) {
+  /** Names of the coefficients in printed methods. */
+  static final List<String> SYMBOLS =
+      List.of("stiffness", "damping", "rest", "preload", "eps", "chi");
+
+  /** Returns the law of coefficients in the order of the elements: k, c, z0, F0, ε, χ. */
+  public static SpringLaw of(Side side, List<Scalar> c) {
+    return new SpringLaw(side, c.get(0), c.get(1), c.get(2), c.get(3), c.get(4), c.get(5));
+  }
+
+  private Expressions expressions() {
+    return k.expressions();
+  }
 
   private Scalar elongation(Scalar z) {
     return z.minus(rest);
   }
 
   private PushLaw push() {
-    return new PushLaw(k, 1, c, chi, eps);
+    return new PushLaw(k, expressions().one(), c, chi, eps);
   }
 
   /** Returns a value with the sign of the side. */
@@ -35,18 +46,10 @@ record SpringLaw(
     return side == Side.ABOVE ? value : value.negated();
   }
 
-  /** Returns whether there is no tension at z = z′ = 0, up to rounding of its terms. */
-  boolean isSlackAtZero(Expressions e) {
-    Scalar tension = tension(e.zero(), e.zero());
-    double size = Math.abs(k.value()) * (Math.abs(rest.value()) + eps);
-    double scale = Math.abs(preload.value()) + size;
-    return tension.isConstant() && Math.abs(tension.value()) <= NO_TENSION * scale;
-  }
-
   /** Returns the part of the tension without potential energy: that of the damper. */
   Scalar dampingForce(Scalar z, Scalar rate) {
     if (side == Side.BOTH) {
-      return c.isZero() ? z.expressions().zero() : rate.times(c);
+      return c.isZero() ? expressions().zero() : rate.times(c);
     }
     return signed(push().dissipative(signed(elongation(z)), signed(rate)));
   }
@@ -59,7 +62,7 @@ record SpringLaw(
     return signed(push().force(signed(elongation(z)), signed(rate)));
   }
 
-  /** Returns the energy of the spring, zero at the rest position. */
+  /** Returns the energy of spring and preload, zero at the rest position, J. */
   Scalar potential(Scalar z) {
     if (side == Side.BOTH) {
       Scalar x = elongation(z);

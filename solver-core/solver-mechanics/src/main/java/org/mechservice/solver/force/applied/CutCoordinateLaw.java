@@ -1,10 +1,6 @@
-package org.mechservice.solver.force.law;
+package org.mechservice.solver.force.applied;
 
 import java.util.Arrays;
-import org.mechservice.solver.force.applied.AppliedForce;
-import org.mechservice.solver.force.applied.FrameLaw;
-import org.mechservice.solver.force.applied.FrameMotion;
-import org.mechservice.solver.force.applied.ScalarLaw;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.kinematics.pair.CutJoint;
 import org.mechservice.solver.kinematics.pair.PairFunction;
@@ -26,8 +22,9 @@ public final class CutCoordinateLaw implements FrameLaw {
    */
   private final int reference;
 
+  private final double[] slopes = new double[2];
   private double position;
-  private double velocity;
+  private double force;
 
   public CutCoordinateLaw(
       TreeMotion motion, CutJoint cut, PairFunction function, double start, ScalarLaw law) {
@@ -44,24 +41,25 @@ public final class CutCoordinateLaw implements FrameLaw {
   }
 
   @Override
-  public boolean wrench(FrameMotion x, double[] w, AppliedForce force) {
+  public boolean wrench(FrameMotion x, double[] w, AppliedForce applied) {
     cut.relative().place(motion);
     double found = function.evaluate(cut.relative());
     double before = motion.counted.get(reference);
     position = before + function.difference(found, before);
-    velocity = 0;
+    double velocity = 0;
     for (int i = 0; i < 6; i++) {
       velocity += function.gradient[i] * x.twist[i];
     }
-    law.evaluate(position, velocity);
+    force = law.force(position, velocity);
     for (int i = 0; i < 6; i++) {
-      w[i] = law.force() * function.gradient[i];
+      w[i] = force * function.gradient[i];
     }
     return true;
   }
 
   @Override
-  public void jacobian(FrameMotion x, double[] byPlace, double[] byVelocity) {
+  public void slopes(FrameMotion x, double[] by) {
+    law.slopes(slopes);
     Arrays.fill(curvature, 0);
     function.addCurvature(cut.relative(), 1, curvature);
     double[] g = function.gradient;
@@ -70,27 +68,27 @@ public final class CutCoordinateLaw implements FrameLaw {
       for (int k = 0; k < 6; k++) {
         velocityByPlace += x.twist[k] * curvature[6 * k + j];
       }
-      double change = law.byPosition() * g[j] + law.byVelocity() * velocityByPlace;
+      double change = slopes[0] * g[j] + slopes[1] * velocityByPlace;
       for (int i = 0; i < 6; i++) {
-        byPlace[6 * i + j] = g[i] * change + law.force() * curvature[6 * i + j];
-        byVelocity[6 * i + j] = law.byVelocity() * g[i] * g[j];
+        by[12 * i + j] = g[i] * change + force * curvature[6 * i + j];
+        by[12 * i + 6 + j] = slopes[1] * g[i] * g[j];
       }
     }
   }
 
   @Override
-  public double potentialEnergy(FrameMotion x) {
-    return law.potentialEnergy(position);
+  public double potentialEnergy() {
+    return law.potentialEnergy();
   }
 
   @Override
-  public double energyRate(FrameMotion x) {
-    return law.energyRate(velocity);
+  public double power(FrameMotion x, double[] w) {
+    return law.power();
   }
 
   @Override
   public void values(FrameMotion x, double[] out, int at) {
-    out[at] = law.force();
+    out[at] = force;
   }
 
   @Override

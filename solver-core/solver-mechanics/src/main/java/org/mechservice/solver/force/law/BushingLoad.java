@@ -1,10 +1,10 @@
-package org.mechservice.sim.equations.force;
+package org.mechservice.solver.force.law;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.mechservice.sim.equations.coordinates.RelativeFrameMotion;
-import org.mechservice.sim.equations.recursion.Loads;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.MathFunction;
 import org.mechservice.solver.symbol.Scalar;
@@ -15,7 +15,13 @@ import org.mechservice.solver.symbol.ScalarVector;
  * Force and moment of a bushing. Legend: x = [r; φ]; φ′ = B ω with B = B(φ); g = preload − K x − C
  * x′; force g_r; moment Bᵀ g_φ, or g_φ with ω in place of φ′ where the law is linear.
  */
-final class BushingTerm implements ForceTerm {
+public final class BushingLoad implements PairLoad {
+  /** Names of the coefficients in printed methods. */
+  static final List<String> SYMBOLS =
+      Stream.of(numbered("K", 36), numbered("C", 36), numbered("preload", 6))
+          .flatMap(List::stream)
+          .toList();
+
   /** Angle below which γ is taken from its series; the next term is then below 1e-17. */
   private static final double SERIES = 0.05;
 
@@ -23,9 +29,9 @@ final class BushingTerm implements ForceTerm {
   private static final double HALF_TURN = 1e-3;
 
   private final Expressions e;
-  private final RelativeFrameMotion frames;
-  private final double[] stiffness;
-  private final double[] preload;
+  private final Frames frames;
+  private final List<Scalar> stiffness;
+  private final List<Scalar> preload;
   private final boolean byEnergy;
   private final ScalarVector phi;
   private final Scalar gamma;
@@ -35,24 +41,23 @@ final class BushingTerm implements ForceTerm {
   private final List<Scalar> g;
 
   /**
-   * @param stiffness K row by row
-   * @param damping C row by row
-   * @param preload force, then moment
+   * @param stiffness K row by row, 36 numbers, N/m, N, N·m/m and N·m
+   * @param damping C row by row, likewise by rates
+   * @param preload force, then moment, N and N·m
    * @param byEnergy whether the moment follows from its power
    */
-  BushingTerm(
-      Expressions expressions,
-      RelativeFrameMotion frames,
-      double[] stiffness,
-      double[] damping,
-      double[] preload,
+  public BushingLoad(
+      Frames frames,
+      List<Scalar> stiffness,
+      List<Scalar> damping,
+      List<Scalar> preload,
       boolean byEnergy) {
-    this.e = expressions;
     this.frames = frames;
-    this.stiffness = stiffness.clone();
-    this.preload = preload.clone();
+    this.stiffness = List.copyOf(stiffness);
+    this.preload = List.copyOf(preload);
     this.byEnergy = byEnergy;
     ScalarMatrix r = frames.rotation();
+    e = r.at(0, 0).expressions();
     // e0 = cos θ/2: half a turn is refused
     half = e.one().plus(r.at(0, 0)).plus(r.at(1, 1)).plus(r.at(2, 2)).squareRoot().times(0.5);
     ScalarVector vector =
@@ -77,13 +82,17 @@ final class BushingTerm implements ForceTerm {
     rates = joined(frames.rate(), byEnergy ? turned(-0.5, frames.omega()) : frames.omega());
     g = new ArrayList<>();
     for (int i = 0; i < 6; i++) {
-      Scalar sum = e.constant(preload[i]);
+      Scalar sum = preload.get(i);
       for (int k = 0; k < 6; k++) {
-        Scalar spring = x.get(k).times(stiffness[6 * i + k]);
-        sum = sum.minus(spring).minus(rates.get(k).times(damping[6 * i + k]));
+        Scalar spring = x.get(k).times(stiffness.get(6 * i + k));
+        sum = sum.minus(spring).minus(rates.get(k).times(damping.get(6 * i + k)));
       }
       g.add(sum);
     }
+  }
+
+  private static List<String> numbered(String name, int count) {
+    return IntStream.range(0, count).mapToObj(i -> name + "_" + i).toList();
   }
 
   private Scalar choose(Scalar a, Scalar b, Scalar first, Scalar second) {
@@ -120,11 +129,13 @@ final class BushingTerm implements ForceTerm {
     return all;
   }
 
-  private ScalarVector force() {
+  @Override
+  public ScalarVector force() {
     return new ScalarVector(g.get(0), g.get(1), g.get(2));
   }
 
-  private ScalarVector moment() {
+  @Override
+  public ScalarVector moment() {
     ScalarVector plain = new ScalarVector(g.get(3), g.get(4), g.get(5));
     return byEnergy ? turned(0.5, plain) : plain;
   }
@@ -136,18 +147,13 @@ final class BushingTerm implements ForceTerm {
   }
 
   @Override
-  public void apply(Loads loads) {
-    frames.addWrench(force(), moment(), loads);
-  }
-
-  @Override
   public Scalar potential() {
     Scalar sum = e.zero();
     for (int i = 0; i < 6; i++) {
       for (int k = 0; k < 6; k++) {
-        sum = sum.plus(x.get(i).times(x.get(k)).times(0.5 * stiffness[6 * i + k]));
+        sum = sum.plus(x.get(i).times(x.get(k)).times(stiffness.get(6 * i + k).times(0.5)));
       }
-      sum = sum.minus(x.get(i).times(preload[i]));
+      sum = sum.minus(x.get(i).times(preload.get(i)));
     }
     return sum;
   }
@@ -159,10 +165,10 @@ final class BushingTerm implements ForceTerm {
     Scalar sum = force().dot(frames.rate()).plus(moment().dot(omega));
     List<Scalar> dx = joined(frames.rate(), turned(-0.5, omega));
     for (int i = 0; i < 6; i++) {
-      Scalar resisting = e.constant(-preload[i]);
+      Scalar resisting = preload.get(i).negated();
       for (int k = 0; k < 6; k++) {
-        double symmetric = 0.5 * (stiffness[6 * i + k] + stiffness[6 * k + i]);
-        resisting = resisting.plus(x.get(k).times(symmetric));
+        Scalar both = stiffness.get(6 * i + k).plus(stiffness.get(6 * k + i));
+        resisting = resisting.plus(x.get(k).times(both.times(0.5)));
       }
       sum = sum.plus(resisting.times(dx.get(i)));
     }

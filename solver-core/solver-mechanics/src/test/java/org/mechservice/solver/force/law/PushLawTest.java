@@ -3,13 +3,22 @@ package org.mechservice.solver.force.law;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Map;
 import java.util.Random;
+import java.util.function.IntFunction;
 import java.util.stream.LongStream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.mechservice.solver.symbol.Differentiation;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
 
-/** A one-sided law with random coefficients, smooth and not, with every kind of damping. */
-class OneSidedLawTest {
+/**
+ * A push with random coefficients, smooth and not, with every kind of damping, as a formula of the
+ * coefficients and with their numbers in place.
+ */
+class PushLawTest {
   private static final int STATES = 200;
 
   /** Coefficients of a law. */
@@ -24,10 +33,8 @@ class OneSidedLawTest {
       return new Draw(k, n, c, chi, eps, random);
     }
 
-    OneSidedLaw law() {
-      OneSidedLaw law = new OneSidedLaw();
-      law.set(k, n, c, chi, eps);
-      return law;
+    Push law() {
+      return new Push(this);
     }
 
     /** A depth, near zero and far from it, on both sides. */
@@ -48,7 +55,7 @@ class OneSidedLawTest {
   @ParameterizedTest
   void neverPulls(long seed) {
     Draw draw = Draw.of(seed);
-    OneSidedLaw law = draw.law();
+    Push law = draw.law();
     for (int i = 0; i < STATES; i++) {
       law.evaluate(draw.depth(), draw.rate());
       assertThat(law.force() >= 0).as("force %s", law.force()).isTrue();
@@ -61,7 +68,7 @@ class OneSidedLawTest {
   @ParameterizedTest
   void damperOnlyLosesEnergy(long seed) {
     Draw draw = Draw.of(seed);
-    OneSidedLaw law = draw.law();
+    Push law = draw.law();
     for (int i = 0; i < STATES; i++) {
       double rate = draw.rate();
       law.evaluate(draw.depth(), rate);
@@ -75,15 +82,14 @@ class OneSidedLawTest {
   @ParameterizedTest
   void isTheSumWhereTheDamperTakesLessThanHalf(long seed) {
     Draw draw = Draw.of(seed);
-    OneSidedLaw law = draw.law();
+    Push law = draw.law();
     int compared = 0;
     for (int i = 0; i < STATES; i++) {
       double x = draw.depth();
       double rate = draw.rate();
       law.evaluate(x, rate);
-      double elastic = draw.k() * Math.pow(SmoothPositive.value(x, draw.eps()), draw.n());
-      double damper =
-          draw.c() * rate * SmoothPositive.slope(x, draw.eps()) + draw.chi() * rate * elastic;
+      double elastic = draw.k() * Math.pow(positive(x, draw.eps()), draw.n());
+      double damper = draw.c() * rate * slope(x, draw.eps()) + draw.chi() * rate * elastic;
       if (damper >= -elastic / 2) {
         assertThat(law.force())
             .isCloseTo(elastic + damper, within(1e-13 * (elastic + Math.abs(damper))));
@@ -103,7 +109,7 @@ class OneSidedLawTest {
   @ParameterizedTest
   void slopesAreDifferences(long seed) {
     Draw draw = Draw.of(seed);
-    OneSidedLaw law = draw.law();
+    Push law = draw.law();
     int compared = 0;
     for (int i = 0; i < STATES; i++) {
       double x = draw.depth();
@@ -136,8 +142,76 @@ class OneSidedLawTest {
     assertThat(compared).isGreaterThan(STATES * 9 / 10);
   }
 
-  private static double force(OneSidedLaw law, double x, double rate) {
+  private static double force(Push law, double x, double rate) {
     law.evaluate(x, rate);
     return law.force();
+  }
+
+  private static double positive(double x, double eps) {
+    double root = Math.sqrt(x * x + eps * eps);
+    return x >= 0 ? 0.5 * (x + root) : eps == 0 ? 0 : 0.5 * eps * (eps / (root - x));
+  }
+
+  private static double slope(double x, double eps) {
+    double root = Math.sqrt(x * x + eps * eps);
+    return root == 0 ? 0.5 : positive(x, eps) / root;
+  }
+
+  /** The law as programs; both forms must agree in all that they put out. */
+  private static final class Push {
+    private final Program general = new Program();
+    private final Program folded = new Program();
+    private final double[] inputs = new double[7];
+    private final double[] out = new double[4];
+
+    Push(Draw draw) {
+      double[] c = {draw.k(), draw.n(), draw.c(), draw.chi(), draw.eps()};
+      System.arraycopy(c, 0, inputs, 2, c.length);
+      put(general, i -> general.expressions().input(2 + i));
+      put(folded, i -> folded.expressions().constant(c[i]));
+    }
+
+    private static void put(Program program, IntFunction<Scalar> c) {
+      program.section("Push.", "push");
+      Expressions e = program.expressions();
+      PushLaw law = new PushLaw(c.apply(0), c.apply(1), c.apply(2), c.apply(3), c.apply(4));
+      Scalar x = e.input(0);
+      Scalar rate = e.input(1);
+      Scalar force = law.force(x, rate);
+      program.output(0, force);
+      program.output(1, law.elastic(x));
+      program.output(2, new Differentiation(e, Map.of(x, e.one())).of(force));
+      program.output(3, new Differentiation(e, Map.of(rate, e.one())).of(force));
+    }
+
+    /** Bound: some ten operations in another order, on terms of the size of the elastic part. */
+    void evaluate(double x, double rate) {
+      inputs[0] = x;
+      inputs[1] = rate;
+      double[] other = new double[4];
+      general.evaluate(inputs, out);
+      folded.evaluate(inputs, other);
+      for (int i = 0; i < out.length; i++) {
+        assertThat(out[i])
+            .as("output %d at %s, %s", i, x, rate)
+            .isCloseTo(other[i], within(1e-14 * (Math.abs(other[i]) + Math.abs(out[1]))));
+      }
+    }
+
+    double force() {
+      return out[0];
+    }
+
+    double elastic() {
+      return out[1];
+    }
+
+    double byDepth() {
+      return out[2];
+    }
+
+    double byRate() {
+      return out[3];
+    }
   }
 }

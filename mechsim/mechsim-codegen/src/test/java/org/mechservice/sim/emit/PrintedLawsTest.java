@@ -1,0 +1,314 @@
+package org.mechservice.sim.emit;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.mechservice.sim.emit.method.MethodSignature;
+import org.mechservice.sim.emit.method.MethodSignature.Argument;
+import org.mechservice.sim.emit.plan.CodeForm;
+import org.mechservice.sim.emit.source.SourceLines;
+import org.mechservice.solver.force.law.CoordinateLaw;
+import org.mechservice.solver.force.law.CoordinateLoad;
+import org.mechservice.solver.force.law.Frames;
+import org.mechservice.solver.force.law.PairLaw;
+import org.mechservice.solver.force.law.PairLoad;
+import org.mechservice.solver.force.law.PrintedLaw;
+import org.mechservice.solver.force.law.printed.PrintedLaws;
+import org.mechservice.solver.symbol.Differentiation;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Program;
+import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarMatrix;
+import org.mechservice.solver.symbol.ScalarVector;
+
+/**
+ * The printed methods of force laws are what their formulas say. Run it with {@code
+ * -Dgolden.write=true} to print them anew.
+ */
+class PrintedLawsTest {
+  private static final String PACKAGE = PrintedLaws.class.getPackageName();
+  private static final Path SOURCES =
+      Path.of("../../solver-core/solver-mechanics/src/main/java", PACKAGE.replace('.', '/'));
+
+  private static final List<String> ABOUT =
+      List.of(
+          "Printed from its formula; do not edit. PrintedLawsTest compares it with the formula and",
+          "prints it anew with -Dgolden.write=true.");
+
+  @Test
+  void printedMethodsAreThoseOfTheFormulas() throws IOException {
+    boolean write = Boolean.getBoolean("golden.write");
+    for (Map.Entry<String, String> source : sources().entrySet()) {
+      Path file = SOURCES.resolve(source.getKey() + ".java");
+      if (write) {
+        Files.writeString(file, source.getValue());
+      }
+      assertThat(file).content().isEqualTo(source.getValue());
+    }
+  }
+
+  private static Map<String, String> sources() {
+    Map<String, String> sources = new LinkedHashMap<>();
+    for (PairLaw law : PairLaw.values()) {
+      sources.put(className(law), source(className(law), law.coefficientCount(), new OfPair(law)));
+    }
+    for (CoordinateLaw law : CoordinateLaw.values()) {
+      String name = className(law);
+      sources.put(name, source(name, law.coefficientCount(), new OfCoordinate(law)));
+    }
+    sources.put("PrintedLaws", choice());
+    sources.put("package-info", packageInfo());
+    return sources;
+  }
+
+  private static String className(Enum<?> law) {
+    StringBuilder name =
+        new StringBuilder(law instanceof CoordinateLaw ? "PrintedJoint" : "Printed");
+    for (String word : List.of(law.name().toLowerCase(Locale.ROOT).split("_", -1))) {
+      name.append(Character.toUpperCase(word.charAt(0))).append(word.substring(1));
+    }
+    return name.toString();
+  }
+
+  /** Returns the class that makes printed laws. */
+  private static String choice() {
+    SourceLines source = new SourceLines();
+    source.line("package " + PACKAGE + ";").blank();
+    for (Class<?> type : List.of(CoordinateLaw.class, PairLaw.class, PrintedLaw.class)) {
+      source.line("import " + type.getName() + ";");
+    }
+    source.blank().documentation(List.of("The printed laws. " + ABOUT.get(0), ABOUT.get(1)));
+    source.open("public final class PrintedLaws").line("private PrintedLaws() {}");
+    for (Enum<?>[] laws : List.of(PairLaw.values(), CoordinateLaw.values())) {
+      source.blank().documentation(List.of("Returns a new instance of a law."));
+      source.open(
+          "public static PrintedLaw of(" + laws[0].getDeclaringClass().getSimpleName() + " law)");
+      source.open("return switch (law)");
+      for (Enum<?> law : laws) {
+        source.line("case " + law.name() + " -> new " + className(law) + "();");
+      }
+      source.closeStatement().close();
+    }
+    return source.close().toString();
+  }
+
+  private static String packageInfo() {
+    SourceLines source = new SourceLines();
+    source.documentation(
+        List.of(
+            "The methods of the force laws of {@code force.law}, printed from their formulas.",
+            "{@code PrintedLaws} makes an instance of each; the other classes are not edited."));
+    return source.line("package " + PACKAGE + ";").toString();
+  }
+
+  /** The programs of a law. */
+  private interface Programs {
+    Program load();
+
+    Program slopes();
+
+    Program results();
+  }
+
+  private static String source(String name, int coefficients, Programs programs) {
+    ProgramsClass printed =
+        new ProgramsClass(name, ABOUT, List.of(PrintedLaw.class), false, CodeForm.STRAIGHT);
+    int first = programs instanceof OfPair ? PairLaw.VARIABLES : CoordinateLaw.VARIABLES;
+    assertThat(coefficients).isPositive();
+    add(printed, "load", first, programs.load());
+    add(printed, "slopes", first, programs.slopes());
+    add(printed, "results", first, programs.results());
+    return printed.source(PACKAGE).replace("public final class", "final class");
+  }
+
+  private static void add(ProgramsClass printed, String name, int coefficients, Program program) {
+    List<Argument> arguments =
+        List.of(new Argument("x", true, 0), new Argument("c", true, coefficients));
+    printed.add(new MethodSignature(name, arguments, "out", false, true), program);
+  }
+
+  /** A law between two frames, of inputs. */
+  private static final class OfPair implements Programs {
+    private final PairLaw law;
+
+    OfPair(PairLaw law) {
+      this.law = law;
+    }
+
+    /** The relative motion as inputs of a program. */
+    private record Inputs(Expressions e) implements Frames {
+      private ScalarVector vector(int first) {
+        return new ScalarVector(e.input(first), e.input(first + 1), e.input(first + 2));
+      }
+
+      @Override
+      public ScalarVector displacement() {
+        return vector(0);
+      }
+
+      @Override
+      public ScalarMatrix rotation() {
+        return ScalarMatrix.of((i, j) -> e.input(3 + 3 * i + j));
+      }
+
+      @Override
+      public ScalarVector omega() {
+        return vector(12);
+      }
+
+      @Override
+      public ScalarVector rate() {
+        return vector(15);
+      }
+    }
+
+    private PairLoad load(Program program) {
+      program.section("The load by its formula.", "law");
+      Inputs x = new Inputs(program.expressions());
+      program.named("r", x.displacement());
+      program.named("R", x.rotation());
+      program.named("omega", x.omega());
+      program.named("u", x.rate());
+      List<Scalar> c = new ArrayList<>();
+      for (int i = 0; i < law.coefficientCount(); i++) {
+        Scalar input = program.expressions().input(PairLaw.VARIABLES + i);
+        c.add(program.named(law.symbols().get(i), input));
+      }
+      return law.of(x, c);
+    }
+
+    private static List<Scalar> wrench(PairLoad load) {
+      List<Scalar> wrench = new ArrayList<>(load.moment().components());
+      wrench.addAll(load.force().components());
+      return wrench;
+    }
+
+    @Override
+    public Program load() {
+      Program program = new Program();
+      PairLoad load = load(program);
+      List<Scalar> wrench = wrench(load);
+      for (int i = 0; i < 6; i++) {
+        program.output(i, wrench.get(i));
+      }
+      Expressions e = program.expressions();
+      Scalar direction =
+          load.direction().map(d -> d.size().minus(e.constant(d.least()))).orElse(e.one());
+      program.output(PairLaw.DIRECTION, direction);
+      return program;
+    }
+
+    @Override
+    public Program slopes() {
+      Program program = new Program();
+      List<Scalar> wrench = wrench(load(program));
+      for (int j = 0; j < 12; j++) {
+        program.section("Derivatives by motion " + (j + 1) + ".", "by" + (j + 1));
+        Differentiation rates = new Differentiation(program.expressions(), motion(program, j));
+        for (int i = 0; i < 6; i++) {
+          Scalar slope = rates.of(wrench.get(i));
+          if (!slope.isZero()) {
+            program.output(12 * i + j, slope);
+          }
+        }
+      }
+      return program;
+    }
+
+    /** Returns the rates of the inputs: rotation, displacement, angular velocity, rate. */
+    private static Map<Scalar, Scalar> motion(Program program, int direction) {
+      Inputs x = new Inputs(program.expressions());
+      Scalar one = program.expressions().one();
+      Map<Scalar, Scalar> rates = new HashMap<>();
+      if (direction < 3) {
+        // the axes of frame 2 turn by a unit vector × each
+        for (int column = 0; column < 3; column++) {
+          int next = (direction + 1) % 3;
+          int last = (direction + 2) % 3;
+          rates.put(x.rotation().at(next, column), x.rotation().at(last, column).negated());
+          rates.put(x.rotation().at(last, column), x.rotation().at(next, column));
+        }
+      } else if (direction < 6) {
+        rates.put(x.displacement().at(direction - 3), one);
+      } else if (direction < 9) {
+        rates.put(x.omega().at(direction - 6), one);
+      } else {
+        rates.put(x.rate().at(direction - 9), one);
+      }
+      return rates;
+    }
+
+    @Override
+    public Program results() {
+      Program program = new Program();
+      PairLoad load = load(program);
+      program.output(PairLaw.POTENTIAL, load.potential());
+      program.output(PairLaw.POWER, load.power());
+      for (int i = 0; i < load.values().size(); i++) {
+        program.output(PairLaw.VALUES + i, load.values().get(i));
+      }
+      return program;
+    }
+  }
+
+  /** A law on a coordinate, of inputs. */
+  private static final class OfCoordinate implements Programs {
+    private final CoordinateLaw law;
+
+    OfCoordinate(CoordinateLaw law) {
+      this.law = law;
+    }
+
+    private CoordinateLoad load(Program program) {
+      program.section("The load by its formula.", "law");
+      Expressions e = program.expressions();
+      List<Scalar> c = new ArrayList<>();
+      for (int i = 0; i < law.coefficientCount(); i++) {
+        Scalar input = e.input(CoordinateLaw.VARIABLES + i);
+        c.add(program.named(law.symbols().get(i), input));
+      }
+      Scalar position = program.named("q", e.input(0));
+      Scalar rate = program.named("v", e.input(1));
+      return law.of(position, rate, c);
+    }
+
+    @Override
+    public Program load() {
+      Program program = new Program();
+      program.output(0, load(program).force());
+      return program;
+    }
+
+    @Override
+    public Program slopes() {
+      Program program = new Program();
+      Scalar force = load(program).force();
+      Expressions e = program.expressions();
+      for (int i = 0; i < CoordinateLaw.VARIABLES; i++) {
+        Scalar slope = new Differentiation(e, Map.of(e.input(i), e.one())).of(force);
+        if (!slope.isZero()) {
+          program.output(i, slope);
+        }
+      }
+      return program;
+    }
+
+    @Override
+    public Program results() {
+      Program program = new Program();
+      CoordinateLoad load = load(program);
+      program.output(PairLaw.POTENTIAL, load.potential());
+      program.output(PairLaw.POWER, load.power());
+      return program;
+    }
+  }
+}
