@@ -28,6 +28,7 @@ import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.Program;
 import org.mechservice.solver.symbol.Scalar;
 import org.mechservice.solver.symbol.ScalarMatrix;
+import org.mechservice.solver.symbol.ScalarOperation;
 import org.mechservice.solver.symbol.ScalarVector;
 
 /**
@@ -44,6 +45,10 @@ class PrintedLawsTest {
           "Printed from its formula; do not edit. PrintedLawsTest compares it with the formula and",
           "prints it anew with -Dgolden.write=true.");
 
+  private static final String FORM = "Returns a new instance of a law.";
+  private static final String SMOOTH =
+      "whether its smoothing is positive, otherwise zero; of no effect if it has none";
+
   @Test
   void printedMethodsAreThoseOfTheFormulas() throws IOException {
     boolean write = Boolean.getBoolean("golden.write");
@@ -59,20 +64,36 @@ class PrintedLawsTest {
   private static Map<String, String> sources() {
     Map<String, String> sources = new LinkedHashMap<>();
     for (PairLaw law : PairLaw.values()) {
-      sources.put(className(law), source(className(law), law.coefficientCount(), new OfPair(law)));
+      for (boolean smooth : forms(law.smoothing())) {
+        String name = className(law, smooth);
+        sources.put(name, source(name, new OfPair(law, smooth)));
+      }
     }
     for (CoordinateLaw law : CoordinateLaw.values()) {
-      String name = className(law);
-      sources.put(name, source(name, law.coefficientCount(), new OfCoordinate(law)));
+      for (boolean smooth : forms(law.smoothing())) {
+        String name = className(law, smooth);
+        sources.put(name, source(name, new OfCoordinate(law, smooth)));
+      }
     }
     sources.put("PrintedLaws", choice());
     sources.put("package-info", packageInfo());
     return sources;
   }
 
-  private static String className(Enum<?> law) {
+  /** Returns the forms of a law: without smoothing, and with it if it has one. */
+  private static boolean[] forms(int smoothing) {
+    return smoothing < 0 ? new boolean[] {false} : new boolean[] {false, true};
+  }
+
+  /** Returns the smoothing of a form of a law: zero or positive. */
+  private static Scalar smoothing(Expressions e, int input, boolean smooth) {
+    return smooth ? e.input(input).markedPositive() : e.zero();
+  }
+
+  private static String className(Enum<?> law, boolean smooth) {
     StringBuilder name =
-        new StringBuilder(law instanceof CoordinateLaw ? "PrintedJoint" : "Printed");
+        new StringBuilder(
+            "Printed" + (smooth ? "Smooth" : "") + (law instanceof CoordinateLaw ? "Joint" : ""));
     for (String word : List.of(law.name().toLowerCase(Locale.ROOT).split("_", -1))) {
       name.append(Character.toUpperCase(word.charAt(0))).append(word.substring(1));
     }
@@ -88,17 +109,26 @@ class PrintedLawsTest {
     }
     source.blank().documentation(List.of("The printed laws. " + ABOUT.get(0), ABOUT.get(1)));
     source.open("public final class PrintedLaws").line("private PrintedLaws() {}");
-    for (Enum<?>[] laws : List.of(PairLaw.values(), CoordinateLaw.values())) {
-      source.blank().documentation(List.of("Returns a new instance of a law."));
-      source.open(
-          "public static PrintedLaw of(" + laws[0].getDeclaringClass().getSimpleName() + " law)");
-      source.open("return switch (law)");
-      for (Enum<?> law : laws) {
-        source.line("case " + law.name() + " -> new " + className(law) + "();");
-      }
-      source.closeStatement().close();
+    source.blank().documentation(List.of(FORM, "", "@param smooth " + SMOOTH));
+    source.open("public static PrintedLaw of(PairLaw law, boolean smooth)");
+    source.open("return switch (law)");
+    for (PairLaw law : PairLaw.values()) {
+      source.line("case " + law + " -> " + made(law, law.smoothing()) + ";");
     }
+    source.closeStatement().close();
+    source.blank().documentation(List.of(FORM, "", "@param smooth " + SMOOTH));
+    source.open("public static PrintedLaw of(CoordinateLaw law, boolean smooth)");
+    source.open("return switch (law)");
+    for (CoordinateLaw law : CoordinateLaw.values()) {
+      source.line("case " + law + " -> " + made(law, law.smoothing()) + ";");
+    }
+    source.closeStatement().close();
     return source.close().toString();
+  }
+
+  private static String made(Enum<?> law, int smoothing) {
+    String plain = "new " + className(law, false) + "()";
+    return smoothing < 0 ? plain : "smooth ? new " + className(law, true) + "() : " + plain;
   }
 
   private static String packageInfo() {
@@ -112,6 +142,15 @@ class PrintedLawsTest {
 
   /** The programs of a law. */
   private interface Programs {
+    /** Returns the number of variables. */
+    int variables();
+
+    /** Returns the number of coefficients. */
+    int coefficients();
+
+    /** Returns how many of them, the first, are the same in a run. */
+    int settled();
+
     Program load();
 
     Program slopes();
@@ -119,29 +158,139 @@ class PrintedLawsTest {
     Program results();
   }
 
-  private static String source(String name, int coefficients, Programs programs) {
+  private static String source(String name, Programs programs) {
     ProgramsClass printed =
         new ProgramsClass(name, ABOUT, List.of(PrintedLaw.class), false, CodeForm.STRAIGHT);
-    int first = programs instanceof OfPair ? PairLaw.VARIABLES : CoordinateLaw.VARIABLES;
-    assertThat(coefficients).isPositive();
-    add(printed, "load", first, programs.load());
-    add(printed, "slopes", first, programs.slopes());
-    add(printed, "results", first, programs.results());
-    return printed.source(PACKAGE).replace("public final class", "final class");
+    Argument coefficients = new Argument("c", true, programs.variables());
+    List<Argument> all = List.of(new Argument("x", true, 0), coefficients);
+    Settled settled = new Settled(programs);
+    add(printed, "load", all, settled.program(programs.load()));
+    add(printed, "slopes", all, settled.program(programs.slopes()));
+    add(printed, "results", all, settled.program(programs.results()));
+    if (settled.count() > 0) {
+      add(printed, "settle", List.of(coefficients), settled.settling());
+    }
+    String text = printed.source(PACKAGE).replace("public final class", "final class");
+    SourceLines rest = new SourceLines();
+    rest.open("").blank();
+    if (settled.count() == 0) {
+      rest.line("@Override").line("public void settle(double[] c, double[] out) {}").blank();
+    }
+    rest.line("@Override").open("public int size()");
+    rest.line("return " + (programs.coefficients() + settled.count()) + ";").close();
+    String more = rest.close().toString();
+    return text.substring(0, text.lastIndexOf('}')) + more.substring(more.indexOf('\n') + 1);
   }
 
-  private static void add(ProgramsClass printed, String name, int coefficients, Program program) {
-    List<Argument> arguments =
-        List.of(new Argument("x", true, 0), new Argument("c", true, coefficients));
+  private static void add(
+      ProgramsClass printed, String name, List<Argument> arguments, Program program) {
     printed.add(new MethodSignature(name, arguments, "out", false, true), program);
+  }
+
+  /** What depends on coefficients alone, as further inputs behind them. */
+  private static final class Settled {
+    private final int first;
+    private final int firstMoving;
+    private final int next;
+    private final Program settling = new Program();
+    private final Map<Scalar, Integer> places = new LinkedHashMap<>();
+
+    Settled(Programs programs) {
+      first = programs.variables();
+      firstMoving = first + programs.settled();
+      next = first + programs.coefficients();
+      settling.section("What depends on coefficients alone.", "c");
+    }
+
+    int count() {
+      return places.size();
+    }
+
+    /** Returns the program that computes them. */
+    Program settling() {
+      places.forEach((value, place) -> settling.output(place, value));
+      return settling;
+    }
+
+    /** Returns a program with them as inputs. */
+    Program program(Program source) {
+      Program program = new Program();
+      Map<Scalar, Scalar> images = new HashMap<>();
+      for (Program.Section section : source.sections()) {
+        program.section(section.title(), section.subject());
+        for (Program.Output output : section.outputs()) {
+          program.output(output.index(), image(source, program, output.value(), images));
+        }
+      }
+      return program;
+    }
+
+    private Scalar image(Program source, Program program, Scalar node, Map<Scalar, Scalar> images) {
+      Scalar known = images.get(node);
+      if (known != null) {
+        return known;
+      }
+      Expressions e = program.expressions();
+      Scalar image;
+      if (isSettled(node) && isWorthIt(node)) {
+        int place = places.computeIfAbsent(copied(node), value -> next - first + places.size());
+        image = program.named("settled_" + (place - next + first + 1), e.input(first + place));
+      } else {
+        List<Scalar> operands = new ArrayList<>();
+        for (Scalar operand : node.operands()) {
+          operands.add(image(source, program, operand, images));
+        }
+        image = e.alike(node, operands);
+        source.nameOf(node).ifPresent(name -> program.named(name, e.alike(node, operands)));
+      }
+      images.put(node, image);
+      return image;
+    }
+
+    private boolean isSettled(Scalar node) {
+      return switch (node.operation()) {
+        case CONSTANT -> true;
+        case INPUT -> node.index() >= first && node.index() < firstMoving;
+        default -> node.operands().stream().allMatch(this::isSettled);
+      };
+    }
+
+    /** A sign costs nothing where it is used. */
+    private static boolean isWorthIt(Scalar node) {
+      Scalar inner = node.operation() == ScalarOperation.NEGATE ? node.first() : node;
+      return !inner.operands().isEmpty();
+    }
+
+    private Scalar copied(Scalar node) {
+      return settling
+          .expressions()
+          .alike(node, node.operands().stream().map(this::copied).toList());
+    }
   }
 
   /** A law between two frames, of inputs. */
   private static final class OfPair implements Programs {
     private final PairLaw law;
+    private final boolean smooth;
 
-    OfPair(PairLaw law) {
+    OfPair(PairLaw law, boolean smooth) {
       this.law = law;
+      this.smooth = smooth;
+    }
+
+    @Override
+    public int variables() {
+      return PairLaw.VARIABLES;
+    }
+
+    @Override
+    public int coefficients() {
+      return law.coefficientCount();
+    }
+
+    @Override
+    public int settled() {
+      return law.settledCount();
     }
 
     /** The relative motion as inputs of a program. */
@@ -180,7 +329,9 @@ class PrintedLawsTest {
       program.named("u", x.rate());
       List<Scalar> c = new ArrayList<>();
       for (int i = 0; i < law.coefficientCount(); i++) {
-        Scalar input = program.expressions().input(PairLaw.VARIABLES + i);
+        Expressions e = program.expressions();
+        int at = PairLaw.VARIABLES + i;
+        Scalar input = i == law.smoothing() ? smoothing(e, at, smooth) : e.input(at);
         c.add(program.named(law.symbols().get(i), input));
       }
       return law.of(x, c);
@@ -217,7 +368,7 @@ class PrintedLawsTest {
         for (int i = 0; i < 6; i++) {
           Scalar slope = rates.of(wrench.get(i));
           if (!slope.isZero()) {
-            program.output(12 * i + j, slope);
+            program.output((j < 6 ? 0 : 30) + 6 * i + j, slope);
           }
         }
       }
@@ -263,9 +414,26 @@ class PrintedLawsTest {
   /** A law on a coordinate, of inputs. */
   private static final class OfCoordinate implements Programs {
     private final CoordinateLaw law;
+    private final boolean smooth;
 
-    OfCoordinate(CoordinateLaw law) {
+    OfCoordinate(CoordinateLaw law, boolean smooth) {
       this.law = law;
+      this.smooth = smooth;
+    }
+
+    @Override
+    public int variables() {
+      return CoordinateLaw.VARIABLES;
+    }
+
+    @Override
+    public int coefficients() {
+      return law.coefficientCount();
+    }
+
+    @Override
+    public int settled() {
+      return law.coefficientCount();
     }
 
     private CoordinateLoad load(Program program) {
@@ -273,7 +441,8 @@ class PrintedLawsTest {
       Expressions e = program.expressions();
       List<Scalar> c = new ArrayList<>();
       for (int i = 0; i < law.coefficientCount(); i++) {
-        Scalar input = e.input(CoordinateLaw.VARIABLES + i);
+        int at = CoordinateLaw.VARIABLES + i;
+        Scalar input = i == law.smoothing() ? smoothing(e, at, smooth) : e.input(at);
         c.add(program.named(law.symbols().get(i), input));
       }
       Scalar position = program.named("q", e.input(0));

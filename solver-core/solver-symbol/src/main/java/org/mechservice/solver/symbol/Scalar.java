@@ -26,6 +26,7 @@ public final class Scalar {
   private final Optional<MathFunction> function;
   private final Optional<NumberRow> row;
   private boolean steep;
+  private boolean positive;
 
   /** Creates a node that is not a function. */
   Scalar(
@@ -160,6 +161,16 @@ public final class Scalar {
   public Scalar markedSteep() {
     steep |= !isConstant();
     return this;
+  }
+
+  /** Marks this as larger than zero for all inputs: choices that ask for it are decided. */
+  public Scalar markedPositive() {
+    positive |= !isConstant();
+    return this;
+  }
+
+  boolean isPositive() {
+    return positive;
   }
 
   /**

@@ -212,7 +212,8 @@ final class Simplification {
 
   /**
    * Returns a function call; a call with constant arguments is folded if its value is finite, and a
-   * choice with constant bounds is decided.
+   * choice is decided if its bounds are constants, or if a positive number would have to be at most
+   * zero.
    */
   static Scalar function(MathFunction function, List<Scalar> arguments) {
     double[] x = new double[arguments.size()];
@@ -226,6 +227,9 @@ final class Simplification {
     }
     if (function == MathFunction.CHOOSE) {
       boolean decided = arguments.get(0).isConstant() && arguments.get(1).isConstant();
+      if (arguments.get(0).isPositive() && arguments.get(1).isZero()) {
+        return arguments.get(3);
+      }
       if (decided || arguments.get(2) == arguments.get(3)) {
         return arguments.get(x[0] <= x[1] ? 2 : 3);
       }

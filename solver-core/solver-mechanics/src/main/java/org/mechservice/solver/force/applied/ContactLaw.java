@@ -17,7 +17,7 @@ public final class ContactLaw implements FrameLaw {
 
   private final Coefficients coefficients;
   private final Touch[] touches;
-  private final double[] x = new double[PairLaw.VARIABLES];
+  private double[] x = {};
 
   /**
    * @throws IllegalArgumentException if a coefficient depends on time or the state, or a curve on
@@ -50,6 +50,8 @@ public final class ContactLaw implements FrameLaw {
       if (!coefficients.update(values, touch.c, force)) {
         return false;
       }
+      touch.law = touch.c[touch.smoothing] > 0 ? touch.smooth : touch.hard;
+      touch.law.settle(touch.c, touch.c);
       touch.point.parameters(values);
     }
     return true;
@@ -57,7 +59,7 @@ public final class ContactLaw implements FrameLaw {
 
   @Override
   public boolean wrench(FrameMotion motion, double[] w, AppliedForce force) {
-    motion.components(x);
+    x = motion.x;
     Arrays.fill(w, 0);
     for (Touch touch : touches) {
       if (!touch.point.find(x[0], x[2])) {
@@ -117,7 +119,10 @@ public final class ContactLaw implements FrameLaw {
   /** The contact at one curve. */
   private static final class Touch {
     final ClosestPoint point;
-    final PrintedLaw law;
+    final PrintedLaw hard;
+    final PrintedLaw smooth;
+    final int smoothing;
+    PrintedLaw law;
     final double[] c;
     final double[] load = new double[PairLaw.DIRECTION + 1];
     final double[] slopes = new double[72];
@@ -125,8 +130,11 @@ public final class ContactLaw implements FrameLaw {
 
     Touch(PairLaw law, ClosestPoint point) {
       this.point = point;
-      this.law = PrintedLaws.of(law);
-      c = new double[law.coefficientCount()];
+      hard = PrintedLaws.of(law, false);
+      smooth = PrintedLaws.of(law, true);
+      smoothing = law.smoothing();
+      this.law = hard;
+      c = new double[Math.max(hard.size(), smooth.size())];
     }
   }
 }

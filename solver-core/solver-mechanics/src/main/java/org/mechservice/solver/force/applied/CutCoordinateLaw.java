@@ -48,7 +48,7 @@ public final class CutCoordinateLaw implements FrameLaw {
     position = before + function.difference(found, before);
     double velocity = 0;
     for (int i = 0; i < 6; i++) {
-      velocity += function.gradient[i] * x.twist[i];
+      velocity += function.gradient[i] * x.twist(i);
     }
     force = law.force(position, velocity);
     for (int i = 0; i < 6; i++) {
@@ -66,12 +66,12 @@ public final class CutCoordinateLaw implements FrameLaw {
     for (int j = 0; j < 6; j++) {
       double velocityByPlace = 0;
       for (int k = 0; k < 6; k++) {
-        velocityByPlace += x.twist[k] * curvature[6 * k + j];
+        velocityByPlace += x.twist(k) * curvature[6 * k + j];
       }
       double change = slopes[0] * g[j] + slopes[1] * velocityByPlace;
       for (int i = 0; i < 6; i++) {
-        by[12 * i + j] = g[i] * change + force * curvature[6 * i + j];
-        by[12 * i + 6 + j] = slopes[1] * g[i] * g[j];
+        by[6 * i + j] = g[i] * change + force * curvature[6 * i + j];
+        by[36 + 6 * i + j] = slopes[1] * g[i] * g[j];
       }
     }
   }

@@ -52,7 +52,8 @@ public final class FrameForce extends AppliedForce {
   public boolean linearise(double t, ForceJacobian sink) {
     Arrays.fill(slopes, 0);
     law.slopes(motion, slopes);
-    for (double entry : slopes) {
+    for (int i = 0; i < 36; i++) {
+      double entry = slopes[i] + slopes[36 + i];
       if (!Double.isFinite(entry)) {
         return notFinite("derivative", entry);
       }
@@ -102,7 +103,7 @@ public final class FrameForce extends AppliedForce {
     for (int i = 0; i < 6; i++) {
       double sum = 0;
       for (int k = 0; k < 6; k++) {
-        sum += slopes[12 * i + k] * byThisPlace[k] + slopes[12 * i + 6 + k] * byThisVelocity[k];
+        sum += slopes[6 * i + k] * byThisPlace[k] + slopes[36 + 6 * i + k] * byThisVelocity[k];
       }
       dw[i] = sum;
     }

@@ -23,8 +23,8 @@ public interface FrameLaw {
   /**
    * Differentiates the law at the state of the last {@link #wrench}.
    *
-   * @param by derivative by [rotation; displacement] of frame 2 with {@code x.twist} held, then by
-   *     {@code x.twist}, 6 × 12 row by row; zero at entry, overwritten
+   * @param by derivative by [rotation; displacement] of frame 2 with its twist held, 6 × 6 row by
+   *     row, then by its twist, likewise; zero at entry, overwritten
    */
   void slopes(FrameMotion x, double[] by);
 
@@ -43,7 +43,7 @@ public interface FrameLaw {
   double potentialEnergy();
 
   /**
-   * Returns the power of the part without potential energy along {@code x.twist}, W.
+   * Returns the power of the part without potential energy along its twist, W.
    *
    * @param w the wrench of the last {@link #wrench}; not modified
    */

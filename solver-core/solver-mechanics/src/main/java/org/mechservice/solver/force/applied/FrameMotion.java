@@ -37,14 +37,12 @@ public final class FrameMotion {
   private final double[] r2 = new double[3];
   private final double[] s = new double[3];
 
-  /** Origin of frame 2 from that of frame 1, m. */
-  public final double[] displacement = new double[3];
-
-  /** Axes of frame 2 to axes of frame 1. */
-  public final double[] rotation = new double[9];
-
-  /** Angular velocity of frame 2, rad/s, then the rate of {@link #displacement}, m/s. */
-  public final double[] twist = new double[6];
+  /**
+   * All components, in the order of {@link Expression.RelativeMotion}: the origin of frame 2 from
+   * that of frame 1, m; the axes of frame 2 to axes of frame 1; angular velocity of frame 2, rad/s;
+   * the rate of its origin, m/s.
+   */
+  final double[] x = new double[RelativeMotion.COUNT];
 
   /**
    * Angular velocity of link 1 in frame 1; of link 2; velocity of frame 2's origin; scratch in
@@ -100,7 +98,7 @@ public final class FrameMotion {
   public void read() {
     motion.points.difference(ancestor, link1, r1, 0, link2, r2, 0, moved, 0);
     motion.fromWorld(link1, moved, 0, work, 0);
-    apply(a1, 0, work, 0, displacement, 0);
+    apply(a1, 0, work, 0, x, 0);
     for (int i = 0; i < 3; i++) {
       s[i] = r1[i] + work[i];
     }
@@ -116,25 +114,18 @@ public final class FrameMotion {
         a2[3 * i + j] = moved[i];
       }
     }
-    multiply(a2, 0, axes2, 0, rotation, 0);
+    multiply(a2, 0, axes2, 0, x, RelativeMotion.ROTATION);
     readVelocities();
-  }
-
-  /** Writes all components in the order of {@link Expression.RelativeMotion}. */
-  void components(double[] out) {
-    System.arraycopy(displacement, 0, out, 0, 3);
-    System.arraycopy(rotation, 0, out, RelativeMotion.ROTATION, 9);
-    System.arraycopy(twist, 0, out, RelativeMotion.ANGULAR_VELOCITY, 6);
   }
 
   /** Returns a component in the order of {@link Expression.RelativeMotion}. */
   public double component(int component) {
-    if (component < RelativeMotion.ROTATION) {
-      return displacement[component];
-    } else if (component < RelativeMotion.ANGULAR_VELOCITY) {
-      return rotation[component - RelativeMotion.ROTATION];
-    }
-    return twist[component - RelativeMotion.ANGULAR_VELOCITY];
+    return x[component];
+  }
+
+  /** Returns a component of the twist: of the angular velocity, rad/s, then of the rate, m/s. */
+  public double twist(int component) {
+    return x[RelativeMotion.ANGULAR_VELOCITY + component];
   }
 
   /**
@@ -154,15 +145,16 @@ public final class FrameMotion {
     int j = (component - RelativeMotion.ROTATION) % 3;
     int next = (i + 1) % 3;
     int last = (i + 2) % 3;
-    return place[next] * rotation[3 * last + j] - place[last] * rotation[3 * next + j];
+    return place[next] * x[RelativeMotion.ROTATION + 3 * last + j]
+        - place[last] * x[RelativeMotion.ROTATION + 3 * next + j];
   }
 
   private void readVelocities() {
     velocity(link2, r2, a2, omega2, velocity2);
     velocity(link1, s, a1, omega1, moved);
     for (int i = 0; i < 3; i++) {
-      twist[i] = omega2[i] - omega1[i];
-      twist[3 + i] = velocity2[i] - moved[i];
+      x[RelativeMotion.ANGULAR_VELOCITY + i] = omega2[i] - omega1[i];
+      x[RelativeMotion.RATE + i] = velocity2[i] - moved[i];
     }
   }
 
@@ -234,7 +226,7 @@ public final class FrameMotion {
    * @param first whether body 1 moves
    * @param xi [rotation; displacement] in link axes; not modified
    * @param place change of [rotation; displacement] of frame 2 in frame 1; overwritten
-   * @param velocity change of {@link #twist}; overwritten
+   * @param velocity change of the twist; overwritten
    */
   public void changeByPlace(boolean first, double[] xi, double[] place, double[] velocity) {
     changeByVelocity(first, xi, place);
@@ -252,7 +244,7 @@ public final class FrameMotion {
     addCross(place, 3, omega1, 0, velocity, 3);
   }
 
-  /** As {@link #changeByPlace} for a change of the body's velocity: that of {@link #twist}. */
+  /** As {@link #changeByPlace} for a change of the body's velocity: that of the twist. */
   public void changeByVelocity(boolean first, double[] xi, double[] change) {
     double[] a = first ? a1 : a2;
     double sign = first ? -1 : 1;

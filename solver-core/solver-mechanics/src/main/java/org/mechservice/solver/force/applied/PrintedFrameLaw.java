@@ -9,9 +9,11 @@ import org.mechservice.solver.mechanism.force.ForceElement;
 /** A law of the catalogue between two frames. */
 public final class PrintedFrameLaw implements FrameLaw {
   private final PairLaw law;
-  private final PrintedLaw printed;
+  private final PrintedLaw plain;
+  private final PrintedLaw smooth;
+  private PrintedLaw printed;
   private final Coefficients coefficients;
-  private final double[] x = new double[PairLaw.VARIABLES];
+  private double[] x = {};
   private final double[] c;
   private final double[] load = new double[PairLaw.DIRECTION + 1];
   private final double[] results;
@@ -22,20 +24,25 @@ public final class PrintedFrameLaw implements FrameLaw {
    */
   public PrintedFrameLaw(ForceElement element, PairLaw law, int valueCount) {
     this.law = law;
-    printed = PrintedLaws.of(law);
+    plain = PrintedLaws.of(law, false);
+    smooth = PrintedLaws.of(law, true);
+    printed = plain;
     coefficients = new Coefficients(element);
-    c = new double[law.coefficientCount()];
+    c = new double[Math.max(plain.size(), smooth.size())];
     results = new double[PairLaw.VALUES + valueCount];
   }
 
   @Override
   public boolean parameters(double[] values, AppliedForce force) {
-    return coefficients.update(values, c, force);
+    boolean usable = coefficients.update(values, c, force);
+    printed = law.smoothing() >= 0 && c[law.smoothing()] > 0 ? smooth : plain;
+    printed.settle(c, c);
+    return usable;
   }
 
   @Override
   public boolean wrench(FrameMotion motion, double[] w, AppliedForce force) {
-    motion.components(x);
+    x = motion.x;
     printed.load(x, c, load);
     if (load[PairLaw.DIRECTION] <= 0) {
       results();

@@ -8,7 +8,10 @@ import org.mechservice.solver.mechanism.force.ForceElement;
 
 /** A law of the catalogue on one coordinate. */
 public final class PrintedScalarLaw implements ScalarLaw {
-  private final PrintedLaw printed;
+  private final CoordinateLaw law;
+  private final PrintedLaw plain;
+  private final PrintedLaw smooth;
+  private PrintedLaw printed;
   private final Coefficients coefficients;
   private final double[] x = new double[CoordinateLaw.VARIABLES];
   private final double[] c;
@@ -19,14 +22,20 @@ public final class PrintedScalarLaw implements ScalarLaw {
    * @throws IllegalArgumentException if a coefficient depends on time or the state
    */
   public PrintedScalarLaw(ForceElement element, CoordinateLaw law) {
-    printed = PrintedLaws.of(law);
+    this.law = law;
+    plain = PrintedLaws.of(law, false);
+    smooth = PrintedLaws.of(law, true);
+    printed = plain;
     coefficients = new Coefficients(element);
-    c = new double[law.coefficientCount()];
+    c = new double[Math.max(plain.size(), smooth.size())];
   }
 
   @Override
   public boolean parameters(double[] values, AppliedForce force) {
-    return coefficients.update(values, c, force);
+    boolean usable = coefficients.update(values, c, force);
+    printed = law.smoothing() >= 0 && c[law.smoothing()] > 0 ? smooth : plain;
+    printed.settle(c, c);
+    return usable;
   }
 
   @Override

@@ -61,7 +61,11 @@ final class CutInput extends LeafInput {
       value = before + function.difference(found, before);
       return value;
     }
-    return dot(function.gradient, frames.twist);
+    double rate = 0;
+    for (int i = 0; i < 6; i++) {
+      rate += function.gradient[i] * frames.twist(i);
+    }
+    return rate;
   }
 
   @Override
@@ -86,7 +90,7 @@ final class CutInput extends LeafInput {
         double sum = dot(function.gradient, twist);
         for (int i = 0; i < 6; i++) {
           for (int k = 0; k < 6; k++) {
-            sum += frames.twist[i] * curvature[6 * i + k] * place[k];
+            sum += frames.twist(i) * curvature[6 * i + k] * place[k];
           }
         }
         byPlace[j] = sum;

@@ -111,9 +111,9 @@ public final class FormulaLaw implements FrameLaw {
           change = x.changeOf(relative.component(), place);
         }
         if (change != 0) {
-          int column = ofTwist < 0 ? j : 6 + j;
+          int first = ofTwist < 0 ? 0 : 36;
           for (int i = 0; i < 6; i++) {
-            by[12 * i + column] += gradients[i][leaf] * change;
+            by[first + 6 * i + j] += gradients[i][leaf] * change;
           }
         }
       }
@@ -151,7 +151,7 @@ public final class FormulaLaw implements FrameLaw {
   public double power(FrameMotion x, double[] w) {
     double sum = law.value(POTENTIAL_RATE);
     for (int i = 0; i < 6; i++) {
-      sum += w[i] * x.twist[i];
+      sum += w[i] * x.twist(i);
     }
     return sum;
   }

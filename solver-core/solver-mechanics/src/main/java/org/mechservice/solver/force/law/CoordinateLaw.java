@@ -36,6 +36,11 @@ public enum CoordinateLaw {
     return symbols().size();
   }
 
+  /** Returns the coefficient for which a law is printed twice, as {@link PairLaw#smoothing}. */
+  public int smoothing() {
+    return this == UPPER_STOP || this == LOWER_STOP ? symbols().indexOf("eps") : -1;
+  }
+
   /** Returns the names of the coefficients in printed methods. */
   public List<String> symbols() {
     return this == FRICTION ? CoordinateLoad.FRICTION_SYMBOLS : SpringLaw.SYMBOLS;

@@ -17,9 +17,9 @@ import org.mechservice.solver.symbol.Scalar;
  * <ul>
  *   <li>the load: moment (3) and force (3) on body 2, then a number that is positive where the load
  *       has a direction;
- *   <li>its derivatives, 6 × 12 row by row: by a small [rotation; displacement] of frame 2 with its
- *       velocities held, then by [angular velocity; rate]; entries that are always zero are left
- *       out;
+ *   <li>its derivatives, each 6 × 6 row by row: by a small [rotation; displacement] of frame 2 with
+ *       its velocities held, then by [angular velocity; rate]; entries that are always zero are
+ *       left out;
  *   <li>results: potential energy, J, power of the part without it, W, and the output values.
  * </ul>
  */
@@ -77,6 +77,19 @@ public enum PairLaw {
   /** Returns the number of coefficients. */
   public int coefficientCount() {
     return symbols().size();
+  }
+
+  /** Returns how many of them, the first, are the same in a run. */
+  public int settledCount() {
+    return this == CONTACT || this == CONTACT_OF_CENTRE ? FOOT : coefficientCount();
+  }
+
+  /**
+   * Returns the coefficient, a smoothing, for which a law is printed twice: with zero in its place,
+   * and for positive numbers; −1 if it is printed once.
+   */
+  public int smoothing() {
+    return this == SPRING ? -1 : symbols().indexOf("eps");
   }
 
   /** Returns the names of the coefficients in printed methods. */

@@ -131,9 +131,9 @@ class ClosestPointTest {
     private static final int PUSH = 3;
 
     private final ClosestPoint point;
-    private final PrintedLaw law = PrintedLaws.of(PairLaw.CONTACT);
+    private final PrintedLaw law = PrintedLaws.of(PairLaw.CONTACT, false);
     private final double[] motion = new double[PairLaw.VARIABLES];
-    private final double[] c = new double[PairLaw.CONTACT.coefficientCount()];
+    private final double[] c = new double[law.size()];
     private final double[] load = new double[PairLaw.DIRECTION + 1];
     private final double[] slopes = new double[72];
     private final double[] results = new double[PairLaw.VALUES + 4];
@@ -144,6 +144,7 @@ class ClosestPointTest {
       c[0] = 1e3;
       c[1] = 1;
       c[4] = 1;
+      law.settle(c, c);
     }
 
     boolean find(double x, double z) {
@@ -159,8 +160,10 @@ class ClosestPointTest {
 
     double distance() {
       c[0] = 0;
+      law.settle(c, c);
       law.results(motion, c, results);
       c[0] = 1e3;
+      law.settle(c, c);
       return -results[PairLaw.VALUES];
     }
 
@@ -174,8 +177,8 @@ class ClosestPointTest {
 
     /** Returns dθ/dx from the slopes of the push (−N sin θ, N cos θ). */
     double turn() {
-      double byX = slopes[12 * PUSH + PUSH];
-      double upByX = slopes[12 * (PUSH + 2) + PUSH];
+      double byX = slopes[6 * PUSH + PUSH];
+      double upByX = slopes[6 * (PUSH + 2) + PUSH];
       return -(byX * cosine() + upByX * sine()) / Math.hypot(load[PUSH], load[PUSH + 2]);
     }
   }

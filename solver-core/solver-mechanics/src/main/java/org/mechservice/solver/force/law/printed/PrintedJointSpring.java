@@ -26,7 +26,18 @@ final class PrintedJointSpring implements PrintedLaw {
     // The load by its formula.
     double v = x[1];
     double law_1 = x[0] - c[2];
-    out[0] = law_1 * (c[3] + 0.5 * c[0] * law_1);
+    out[0] = law_1 * (c[3] + law_1 * c[6]);
     out[1] = -(c[1] * v * v);
+  }
+
+  @Override
+  public void settle(double[] c, double[] out) {
+    // What depends on coefficients alone.
+    out[6] = 0.5 * c[0];
+  }
+
+  @Override
+  public int size() {
+    return 7;
   }
 }

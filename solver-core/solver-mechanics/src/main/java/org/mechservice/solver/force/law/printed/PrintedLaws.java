@@ -14,27 +14,32 @@ public final class PrintedLaws {
 
   /**
    * Returns a new instance of a law.
+   *
+   * @param smooth whether its smoothing is positive, otherwise zero; of no effect if it has none
    */
-  public static PrintedLaw of(PairLaw law) {
+  public static PrintedLaw of(PairLaw law, boolean smooth) {
     return switch (law) {
       case SPRING -> new PrintedSpring();
-      case ROPE -> new PrintedRope();
-      case BUFFER -> new PrintedBuffer();
+      case ROPE -> smooth ? new PrintedSmoothRope() : new PrintedRope();
+      case BUFFER -> smooth ? new PrintedSmoothBuffer() : new PrintedBuffer();
       case BUSHING -> new PrintedBushing();
       case LINEAR_BUSHING -> new PrintedLinearBushing();
-      case CONTACT -> new PrintedContact();
-      case CONTACT_OF_CENTRE -> new PrintedContactOfCentre();
+      case CONTACT -> smooth ? new PrintedSmoothContact() : new PrintedContact();
+      case CONTACT_OF_CENTRE -> smooth ? new PrintedSmoothContactOfCentre() : new
+          PrintedContactOfCentre();
     };
   }
 
   /**
    * Returns a new instance of a law.
+   *
+   * @param smooth whether its smoothing is positive, otherwise zero; of no effect if it has none
    */
-  public static PrintedLaw of(CoordinateLaw law) {
+  public static PrintedLaw of(CoordinateLaw law, boolean smooth) {
     return switch (law) {
       case SPRING -> new PrintedJointSpring();
-      case UPPER_STOP -> new PrintedJointUpperStop();
-      case LOWER_STOP -> new PrintedJointLowerStop();
+      case UPPER_STOP -> smooth ? new PrintedSmoothJointUpperStop() : new PrintedJointUpperStop();
+      case LOWER_STOP -> smooth ? new PrintedSmoothJointLowerStop() : new PrintedJointLowerStop();
       case FRICTION -> new PrintedJointFriction();
     };
   }
