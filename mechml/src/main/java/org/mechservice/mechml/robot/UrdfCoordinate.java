@@ -1,7 +1,7 @@
 package org.mechservice.mechml.robot;
 
 import java.util.Optional;
-import org.mechservice.solver.mechanism.force.Side;
+import org.mechservice.solver.force.law.Side;
 
 /** A coordinate of the mechanism that is a joint of URDF, with what URDF has along it. */
 final class UrdfCoordinate {

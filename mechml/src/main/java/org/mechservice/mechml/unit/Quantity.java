@@ -1,5 +1,7 @@
 package org.mechservice.mechml.unit;
 
+import java.util.stream.Stream;
+
 /**
  * Physical quantity of an attribute: it determines the dimension of its unit and the unit of its
  * bare numbers.
@@ -34,7 +36,9 @@ public enum Quantity {
   /** Length per angle: the pitch of a screw; likewise. */
   PITCH(new Dimension(0, 1, 0, -1), 0),
   /** Of a contact: per speed. */
-  DISSIPATION(new Dimension(0, -1, 1, 0), 0);
+  DISSIPATION(new Dimension(0, -1, 1, 0), 0),
+  /** Force times area: of forces by the inverse square of a distance. */
+  FORCE_TIMES_AREA(new Dimension(1, 3, -2, 0), 1);
 
   @SuppressWarnings("ImmutableEnumChecker") // a record of numbers
   private final Dimension dimension;
@@ -44,6 +48,23 @@ public enum Quantity {
   Quantity(Dimension dimension, int force) {
     this.dimension = dimension;
     this.force = force;
+  }
+
+  /**
+   * Returns the quantity of a unit in SI; of those with one dimension the first.
+   *
+   * @throws IllegalArgumentException if there is no such unit, or no quantity that it measures
+   */
+  public static Quantity inSi(String unit) {
+    try {
+      Dimension dimension = UnitParser.parse(unit).dimension();
+      return Stream.of(values())
+          .filter(quantity -> quantity.dimension.equals(dimension))
+          .findFirst()
+          .orElseThrow(() -> new IllegalArgumentException("no quantity is measured in " + unit));
+    } catch (UnitException e) {
+      throw new IllegalArgumentException(unit + " is no unit", e);
+    }
   }
 
   /** Returns the dimension of its unit. */

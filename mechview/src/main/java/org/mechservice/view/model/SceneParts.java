@@ -33,6 +33,7 @@ import org.mechservice.solver.mechanism.force.ForceVisitor;
 import org.mechservice.solver.mechanism.force.JointForce;
 import org.mechservice.solver.mechanism.force.JointFriction;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
+import org.mechservice.solver.mechanism.force.LawForce;
 import org.mechservice.solver.mechanism.force.NamedPoint;
 import org.mechservice.solver.mechanism.force.PairForce;
 import org.mechservice.solver.mechanism.force.SpringDamper;
@@ -384,6 +385,12 @@ final class SceneParts {
           one.radius(),
           "",
           one.disc() ? point(one.frame2().axes().apply(Z)) : Point3.ZERO);
+    }
+
+    @Override
+    public SceneForce lawForce(LawForce one) {
+      return between(
+          one.name(), SceneForce.Kind.USER, List.of(one.frame1().origin(), one.frame2().origin()));
     }
 
     @Override

@@ -18,7 +18,7 @@ import org.mechservice.solver.expression.Function;
 
 /**
  * Coefficients of a contact: the push at the depth d, which is the law of {@code
- * solver.force.law.OneSidedLaw}, N = max(0, E + c d′ pos′(d) + χ d′ E) with E = k pos(d)ⁿ, and
+ * solver.force.law.PushLaw}, N = max(0, E + c d′ pos′(d) + χ d′ E) with E = k pos(d)ⁿ, and
  * friction.
  *
  * @param stiffness k, N/mⁿ

@@ -14,8 +14,8 @@ import org.mechservice.mechml.unit.Unit;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.force.law.Side;
 import org.mechservice.solver.mechanism.force.CouplingSpringDamper;
-import org.mechservice.solver.mechanism.force.Side;
 
 /**
  * Reads {@code couplingSpringDamper} and {@code elasticRope}. A coupling with backlash is two

@@ -15,6 +15,7 @@ import org.mechservice.mechml.resolve.formula.MechanismNames;
 import org.mechservice.mechml.resolve.value.NameTable;
 import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.force.law.PairLaw;
 import org.mechservice.solver.mechanism.FurtherState;
 import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.UserForceElement;
@@ -33,6 +34,7 @@ public final class ForcesReader {
   private final ShapeContactReader shapes;
   private final TyreReader tyres;
   private final CouplingSpringReader couplings;
+  private final LawForceReader laws;
   private final MechanismNames names;
   private final Diagnostics diagnostics;
 
@@ -54,6 +56,7 @@ public final class ForcesReader {
     this.shapes = new ShapeContactReader(values, formulas, names, states, diagnostics);
     this.tyres = new TyreReader(values, formulas, names, states, diagnostics);
     this.contacts = new ContactReader(values, formulas, names, diagnostics);
+    this.laws = new LawForceReader(formulas, names, diagnostics);
     this.names = names;
     this.diagnostics = diagnostics;
   }
@@ -92,7 +95,8 @@ public final class ForcesReader {
       case "contact" -> contact(element);
       case "sphereContact", "discContact", "boxContact" -> shapes.read(element);
       case "tyre" -> tyres.read(element);
-      default -> userForce(element);
+      case "force" -> userForce(element);
+      default -> PairLaw.ofElement(element.name()).flatMap(law -> laws.read(element, law));
     };
   }
 

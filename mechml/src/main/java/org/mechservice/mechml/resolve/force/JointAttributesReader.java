@@ -14,10 +14,10 @@ import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.force.law.Side;
 import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.JointFriction;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
-import org.mechservice.solver.mechanism.force.Side;
 
 /**
  * Reads the forces given as attributes of joints: spring, damper, friction, stops. The forces are

@@ -11,10 +11,10 @@ import org.mechservice.mechml.resolve.formula.ResolvedCoordinate;
 import org.mechservice.mechml.unit.Quantity;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.force.law.Side;
 import org.mechservice.solver.mechanism.force.JointForce;
 import org.mechservice.solver.mechanism.force.JointFriction;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
-import org.mechservice.solver.mechanism.force.Side;
 
 /** Reads the forces that act on a coordinate of a joint. */
 final class JointForceReader {

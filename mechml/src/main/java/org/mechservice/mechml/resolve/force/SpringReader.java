@@ -10,7 +10,7 @@ import org.mechservice.mechml.unit.Quantity;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.mechanism.force.Side;
+import org.mechservice.solver.force.law.Side;
 import org.mechservice.solver.mechanism.force.SpringDamper;
 
 /** Reads {@code springDamper}. */

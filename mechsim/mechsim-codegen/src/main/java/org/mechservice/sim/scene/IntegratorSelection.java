@@ -8,13 +8,13 @@ import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.catalogue.IntegrationMethod;
 import org.mechservice.solver.catalogue.MethodNames;
 import org.mechservice.solver.closure.assembly.ClosedStart;
+import org.mechservice.solver.force.law.Side;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.Bushing;
 import org.mechservice.solver.mechanism.force.CouplingSpringDamper;
 import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.JointForce;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
-import org.mechservice.solver.mechanism.force.Side;
 import org.mechservice.solver.mechanism.force.SpringDamper;
 
 /**

@@ -27,9 +27,7 @@ import org.mechservice.solver.symbol.Differentiation;
 import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.Program;
 import org.mechservice.solver.symbol.Scalar;
-import org.mechservice.solver.symbol.ScalarMatrix;
 import org.mechservice.solver.symbol.ScalarOperation;
-import org.mechservice.solver.symbol.ScalarVector;
 
 /**
  * The printed methods of force laws are what their formulas say. Run it with {@code
@@ -115,6 +113,7 @@ class PrintedLawsTest {
     for (PairLaw law : PairLaw.values()) {
       source.line("case " + law + " -> " + made(law, law.smoothing()) + ";");
     }
+    source.line("default -> throw new IllegalStateException(law + \" is not printed\");");
     source.closeStatement().close();
     source.blank().documentation(List.of(FORM, "", "@param smooth " + SMOOTH));
     source.open("public static PrintedLaw of(CoordinateLaw law, boolean smooth)");
@@ -122,6 +121,7 @@ class PrintedLawsTest {
     for (CoordinateLaw law : CoordinateLaw.values()) {
       source.line("case " + law + " -> " + made(law, law.smoothing()) + ";");
     }
+    source.line("default -> throw new IllegalStateException(law + \" is not printed\");");
     source.closeStatement().close();
     return source.close().toString();
   }
@@ -136,7 +136,8 @@ class PrintedLawsTest {
     source.documentation(
         List.of(
             "The methods of the force laws of {@code force.law}, printed from their formulas.",
-            "{@code PrintedLaws} makes an instance of each; the other classes are not edited."));
+            "",
+            "<p>{@code PrintedLaws} makes an instance of each; nothing here is edited."));
     return source.line("package " + PACKAGE + ";").toString();
   }
 
@@ -293,36 +294,9 @@ class PrintedLawsTest {
       return law.settledCount();
     }
 
-    /** The relative motion as inputs of a program. */
-    private record Inputs(Expressions e) implements Frames {
-      private ScalarVector vector(int first) {
-        return new ScalarVector(e.input(first), e.input(first + 1), e.input(first + 2));
-      }
-
-      @Override
-      public ScalarVector displacement() {
-        return vector(0);
-      }
-
-      @Override
-      public ScalarMatrix rotation() {
-        return ScalarMatrix.of((i, j) -> e.input(3 + 3 * i + j));
-      }
-
-      @Override
-      public ScalarVector omega() {
-        return vector(12);
-      }
-
-      @Override
-      public ScalarVector rate() {
-        return vector(15);
-      }
-    }
-
     private PairLoad load(Program program) {
       program.section("The load by its formula.", "law");
-      Inputs x = new Inputs(program.expressions());
+      Frames x = Frames.ofInputs(program.expressions());
       program.named("r", x.displacement());
       program.named("R", x.rotation());
       program.named("omega", x.omega());
@@ -377,7 +351,7 @@ class PrintedLawsTest {
 
     /** Returns the rates of the inputs: rotation, displacement, angular velocity, rate. */
     private static Map<Scalar, Scalar> motion(Program program, int direction) {
-      Inputs x = new Inputs(program.expressions());
+      Frames x = Frames.ofInputs(program.expressions());
       Scalar one = program.expressions().one();
       Map<Scalar, Scalar> rates = new HashMap<>();
       if (direction < 3) {

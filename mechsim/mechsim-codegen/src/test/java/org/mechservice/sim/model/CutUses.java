@@ -9,6 +9,7 @@ import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.ClosureCoordinate;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Function;
+import org.mechservice.solver.force.law.Side;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.closure.CoordinateClosure;
 import org.mechservice.solver.mechanism.closure.JointClosure;
@@ -18,7 +19,6 @@ import org.mechservice.solver.mechanism.force.ForceTorque;
 import org.mechservice.solver.mechanism.force.JointForce;
 import org.mechservice.solver.mechanism.force.JointFriction;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
-import org.mechservice.solver.mechanism.force.Side;
 import org.mechservice.solver.spatial.Vector3;
 import org.mechservice.solver.text.Origin;
 

@@ -11,6 +11,10 @@ import org.mechservice.solver.expression.Expression.Time;
 import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.expression.Table;
+import org.mechservice.solver.force.law.Condition;
+import org.mechservice.solver.force.law.ForceRow;
+import org.mechservice.solver.force.law.PairLaw;
+import org.mechservice.solver.force.law.Side;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.Bushing;
 import org.mechservice.solver.mechanism.force.Contact;
@@ -20,8 +24,8 @@ import org.mechservice.solver.mechanism.force.ForceTorque;
 import org.mechservice.solver.mechanism.force.JointForce;
 import org.mechservice.solver.mechanism.force.JointFriction;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
+import org.mechservice.solver.mechanism.force.LawForce;
 import org.mechservice.solver.mechanism.force.PairForce;
-import org.mechservice.solver.mechanism.force.Side;
 import org.mechservice.solver.mechanism.force.SpringDamper;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
@@ -116,6 +120,18 @@ public final class RandomMechmlForces {
               forces.add(new JointForce(name(), c, formula(), Origin.NONE));
             });
     forces.add(pairForce());
+    for (PairLaw law : PairLaw.values()) {
+      law.row().ifPresent(row -> forces.add(law(law, row)));
+    }
+  }
+
+  /** A force that is a law with numbers. */
+  private ForceElement law(PairLaw law, ForceRow row) {
+    List<Expression> numbers =
+        row.numbers().stream()
+            .map(number -> number.condition() == Condition.FINITE ? number(5) : positive(1))
+            .toList();
+    return new LawForce(name(), law, frame(), frame(), numbers, Origin.NONE);
   }
 
   /** A spring along a coordinate, the distance of a point from an axis and time. */

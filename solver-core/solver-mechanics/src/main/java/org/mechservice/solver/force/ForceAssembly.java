@@ -22,7 +22,7 @@ import org.mechservice.solver.force.formula.ExpressionJointForce;
 import org.mechservice.solver.force.formula.ExpressionWrench;
 import org.mechservice.solver.force.formula.FormulaLaw;
 import org.mechservice.solver.force.law.CoordinateLaw;
-import org.mechservice.solver.force.law.PairLaw;
+import org.mechservice.solver.force.law.Side;
 import org.mechservice.solver.force.user.AppliedUserForce;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.kinematics.TreeGeometry;
@@ -37,8 +37,8 @@ import org.mechservice.solver.mechanism.force.ForceVisitor;
 import org.mechservice.solver.mechanism.force.JointForce;
 import org.mechservice.solver.mechanism.force.JointFriction;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
+import org.mechservice.solver.mechanism.force.LawForce;
 import org.mechservice.solver.mechanism.force.PairForce;
-import org.mechservice.solver.mechanism.force.Side;
 import org.mechservice.solver.mechanism.force.SpringDamper;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.spatial.Rotation;
@@ -63,7 +63,7 @@ final class ForceAssembly implements ForceVisitor<AppliedForce> {
   @Override
   public AppliedForce springDamper(SpringDamper force) {
     FrameMotion line = new FrameMotion(motion, parallel(force.point1()), parallel(force.point2()));
-    return new FrameForce(force, line, new PrintedFrameLaw(force, PairLaw.of(force), 3));
+    return new FrameForce(force, line, new PrintedFrameLaw(force, force.pairLaw(), 3));
   }
 
   @Override
@@ -74,7 +74,7 @@ final class ForceAssembly implements ForceVisitor<AppliedForce> {
   @Override
   public AppliedForce bushing(Bushing force) {
     FrameMotion frames = new FrameMotion(motion, force.frame1(), force.frame2());
-    return new FrameForce(force, frames, new PrintedFrameLaw(force, PairLaw.of(force), 12));
+    return new FrameForce(force, frames, new PrintedFrameLaw(force, force.pairLaw(), 12));
   }
 
   @Override
@@ -106,6 +106,13 @@ final class ForceAssembly implements ForceVisitor<AppliedForce> {
   public AppliedForce pairForce(PairForce force) {
     FrameMotion frames = new FrameMotion(motion, force.frame1(), force.frame2());
     return new FrameForce(force, frames, new FormulaLaw(force, motion));
+  }
+
+  @Override
+  public AppliedForce lawForce(LawForce force) {
+    FrameMotion frames = new FrameMotion(motion, force.frame1(), force.frame2());
+    int values = force.law().row().orElseThrow().outputs().size();
+    return new FrameForce(force, frames, new PrintedFrameLaw(force, force.law(), values));
   }
 
   @Override

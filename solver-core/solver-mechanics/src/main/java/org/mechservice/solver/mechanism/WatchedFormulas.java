@@ -24,7 +24,11 @@ import org.mechservice.solver.expression.Expression.Sum;
 import org.mechservice.solver.expression.Expression.TableValue;
 import org.mechservice.solver.expression.Expression.Time;
 import org.mechservice.solver.expression.Function;
+import org.mechservice.solver.expression.ScalarFormulas;
 import org.mechservice.solver.expression.Tape;
+import org.mechservice.solver.force.law.Frames;
+import org.mechservice.solver.force.law.PairLoad;
+import org.mechservice.solver.force.law.Side;
 import org.mechservice.solver.mechanism.closure.CoordinateClosure;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
@@ -37,11 +41,13 @@ import org.mechservice.solver.mechanism.force.ForceVisitor;
 import org.mechservice.solver.mechanism.force.JointForce;
 import org.mechservice.solver.mechanism.force.JointFriction;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
+import org.mechservice.solver.mechanism.force.LawForce;
 import org.mechservice.solver.mechanism.force.PairForce;
-import org.mechservice.solver.mechanism.force.Side;
 import org.mechservice.solver.mechanism.force.SpringDamper;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.spatial.Rotation;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.Scalar;
 
 /**
  * The formulas of a mechanism that a step could pass over: those that change their form with the
@@ -301,6 +307,30 @@ final class WatchedFormulas implements ForceVisitor<List<Expression>> {
   public List<Expression> pairForce(PairForce force) {
     // a pair that tells no load has its formulas watched
     return force.outputs().size() > 1 ? List.of(force.load()) : force.wrench();
+  }
+
+  @Override
+  public List<Expression> lawForce(LawForce force) {
+    Expressions e = new Expressions();
+    List<Expression> leaves = new ArrayList<>();
+    for (int i = 0; i < RelativeMotion.COUNT; i++) {
+      leaves.add(new RelativeMotion(force.frame1(), force.frame2(), i));
+    }
+    leaves.addAll(force.numbers());
+    List<Scalar> numbers = new ArrayList<>();
+    for (int i = 0; i < force.numbers().size(); i++) {
+      boolean isKnown = force.numbers().get(i) instanceof Constant;
+      numbers.add(
+          isKnown
+              ? e.constant(((Constant) force.numbers().get(i)).value())
+              : e.input(RelativeMotion.COUNT + i));
+    }
+    PairLoad load = force.law().of(Frames.ofInputs(e), numbers);
+    ScalarFormulas formulas = new ScalarFormulas(leaves);
+    List<Expression> wrench = new ArrayList<>();
+    load.moment().components().forEach(component -> wrench.add(formulas.of(component)));
+    load.force().components().forEach(component -> wrench.add(formulas.of(component)));
+    return wrench;
   }
 
   @Override

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.ClosureCoordinate;
@@ -21,6 +22,9 @@ import org.mechservice.solver.expression.Expression.Sum;
 import org.mechservice.solver.expression.Expression.Time;
 import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.JointCoordinate;
+import org.mechservice.solver.force.law.Condition;
+import org.mechservice.solver.force.law.PairLaw;
+import org.mechservice.solver.force.law.Side;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.Bushing;
 import org.mechservice.solver.mechanism.force.Contact;
@@ -30,9 +34,9 @@ import org.mechservice.solver.mechanism.force.ForceTorque;
 import org.mechservice.solver.mechanism.force.JointForce;
 import org.mechservice.solver.mechanism.force.JointFriction;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
+import org.mechservice.solver.mechanism.force.LawForce;
 import org.mechservice.solver.mechanism.force.NamedPoint;
 import org.mechservice.solver.mechanism.force.PairForce;
-import org.mechservice.solver.mechanism.force.Side;
 import org.mechservice.solver.mechanism.force.SpringDamper;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.mechanism.joint.Joint;
@@ -64,7 +68,8 @@ public final class RandomForces {
     USER_WITH_DERIVATIVES,
     COUPLING_SPRING,
     PAIR_FORCE,
-    RELATIVE_WRENCH
+    RELATIVE_WRENCH,
+    LAW
   }
 
   private final Random random;
@@ -141,6 +146,7 @@ public final class RandomForces {
       case COUPLING_SPRING -> couplingSpring(name, new CoordinatePosition(pick(positions)));
       case PAIR_FORCE -> pairForce(name);
       case RELATIVE_WRENCH -> relativeWrench(name);
+      case LAW -> law(name);
     };
   }
 
@@ -291,6 +297,17 @@ public final class RandomForces {
         0,
         false,
         Origin.NONE);
+  }
+
+  /** A force that is a law with numbers. */
+  private LawForce law(String name) {
+    List<PairLaw> laws = Stream.of(PairLaw.values()).filter(law -> law.row().isPresent()).toList();
+    PairLaw law = laws.get(random.nextInt(laws.size()));
+    List<Expression> numbers =
+        law.row().orElseThrow().numbers().stream()
+            .map(number -> number.condition() == Condition.FINITE ? number() : positive())
+            .toList();
+    return new LawForce(name, law, frame(), frame(), numbers, Origin.NONE);
   }
 
   private ForceTorque relativeWrench(String name) {

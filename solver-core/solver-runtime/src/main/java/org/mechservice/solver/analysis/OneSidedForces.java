@@ -1,12 +1,12 @@
 package org.mechservice.solver.analysis;
 
+import org.mechservice.solver.force.law.Side;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.Contact;
 import org.mechservice.solver.mechanism.force.CouplingSpringDamper;
 import org.mechservice.solver.mechanism.force.ForceElement;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
 import org.mechservice.solver.mechanism.force.PairForce;
-import org.mechservice.solver.mechanism.force.Side;
 import org.mechservice.solver.mechanism.force.SpringDamper;
 
 /** Forces that may be zero with their derivatives, such as those of contacts, stops and ropes. */

@@ -27,7 +27,6 @@ import org.mechservice.solver.force.law.ClosestFoot;
 import org.mechservice.solver.force.law.ContactLoad;
 import org.mechservice.solver.force.law.CoordinateLaw;
 import org.mechservice.solver.force.law.CoordinateLoad;
-import org.mechservice.solver.force.law.PairLaw;
 import org.mechservice.solver.force.law.PairLoad;
 import org.mechservice.solver.force.law.SpringLaw;
 import org.mechservice.solver.mechanism.FurtherState;
@@ -40,6 +39,7 @@ import org.mechservice.solver.mechanism.force.ForceVisitor;
 import org.mechservice.solver.mechanism.force.JointForce;
 import org.mechservice.solver.mechanism.force.JointFriction;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
+import org.mechservice.solver.mechanism.force.LawForce;
 import org.mechservice.solver.mechanism.force.PairForce;
 import org.mechservice.solver.mechanism.force.SpringDamper;
 import org.mechservice.solver.mechanism.force.UserForceElement;
@@ -243,6 +243,13 @@ public final class AppliedForces {
     }
 
     @Override
+    public ForceTerm lawForce(LawForce f) {
+      RelativeFrameMotion frames =
+          new RelativeFrameMotion(kinematics, points, f.frame1(), f.frame2());
+      return new PairTerm(frames, List.of(f.law().of(frames, coefficients(f))));
+    }
+
+    @Override
     public ForceTerm userForce(UserForceElement f) {
       throw new IllegalArgumentException("the loads of force " + f.name() + " are inputs");
     }
@@ -312,7 +319,7 @@ public final class AppliedForces {
     public ForceTerm bushing(Bushing f) {
       RelativeFrameMotion frames =
           new RelativeFrameMotion(kinematics, points, f.frame1(), f.frame2());
-      return new PairTerm(frames, List.of(PairLaw.of(f).of(frames, coefficients(f))));
+      return new PairTerm(frames, List.of(f.pairLaw().of(frames, coefficients(f))));
     }
   }
 }

@@ -5,6 +5,7 @@ import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Expression.ParameterValue;
 import org.mechservice.solver.expression.Tape;
 import org.mechservice.solver.expression.TapeEvaluation;
+import org.mechservice.solver.force.law.Condition;
 import org.mechservice.solver.mechanism.force.Coefficient;
 import org.mechservice.solver.mechanism.force.ForceElement;
 
@@ -46,11 +47,11 @@ final class Coefficients {
     for (int i = 0; i < coefficients.size(); i++) {
       out[i] = tape.value(i);
       if (!Double.isFinite(out[i])) {
-        return refuse(i, out[i], Coefficient.Condition.FINITE, force);
+        return refuse(i, out[i], Condition.FINITE, force);
       }
     }
     for (int i = 0; i < coefficients.size(); i++) {
-      Coefficient.Condition condition = coefficients.get(i).condition();
+      Condition condition = coefficients.get(i).condition();
       if (!condition.holds(out[i], i == 0 ? 0 : out[i - 1])) {
         return refuse(i, out[i], condition, force);
       }
@@ -58,8 +59,7 @@ final class Coefficients {
     return true;
   }
 
-  private boolean refuse(
-      int coefficient, double value, Coefficient.Condition condition, AppliedForce force) {
+  private boolean refuse(int coefficient, double value, Condition condition, AppliedForce force) {
     return force.refuse(coefficients.get(coefficient).name(), value, condition.text());
   }
 }

@@ -29,7 +29,7 @@ public final class ContactLaw implements FrameLaw {
         element.tracks().isEmpty() ? List.of(element.height()) : element.tracks();
     touches =
         curves.stream()
-            .map(curve -> new Touch(PairLaw.of(element), new ClosestPoint(curve)))
+            .map(curve -> new Touch(element.pairLaw(), new ClosestPoint(curve)))
             .toArray(Touch[]::new);
     for (Touch touch : touches) {
       for (Expression leaf : touch.point.leaves()) {

@@ -47,7 +47,9 @@ public final class PrintedFrameLaw implements FrameLaw {
     if (load[PairLaw.DIRECTION] <= 0) {
       results();
       return force.fail(
-          MessageCode.FORCE_WITHOUT_DIRECTION, law.whyUndirected(results), law.adviceUndirected());
+          MessageCode.FORCE_WITHOUT_DIRECTION,
+          law.undirected().cause(results),
+          law.undirected().advice());
     }
     System.arraycopy(load, 0, w, 0, w.length);
     return true;

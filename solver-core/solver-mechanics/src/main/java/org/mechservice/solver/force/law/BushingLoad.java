@@ -22,6 +22,12 @@ public final class BushingLoad implements PairLoad {
           .flatMap(List::stream)
           .toList();
 
+  static final Undirected UNDIRECTED =
+      new Undirected(
+          "Its frames are turned by half a turn, where a rotation vector changes its sign.",
+          0,
+          "Turn one of the frames, or use a joint with a spring for large rotations.");
+
   /** Angle below which γ is taken from its series; the next term is then below 1e-17. */
   private static final double SERIES = 0.05;
 

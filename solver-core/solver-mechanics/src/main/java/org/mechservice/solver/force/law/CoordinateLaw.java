@@ -1,7 +1,6 @@
 package org.mechservice.solver.force.law;
 
 import java.util.List;
-import org.mechservice.solver.mechanism.force.Side;
 import org.mechservice.solver.symbol.Scalar;
 
 /**

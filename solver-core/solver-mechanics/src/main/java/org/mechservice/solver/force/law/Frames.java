@@ -1,5 +1,6 @@
 package org.mechservice.solver.force.law;
 
+import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.ScalarMatrix;
 import org.mechservice.solver.symbol.ScalarVector;
 
@@ -16,4 +17,36 @@ public interface Frames {
 
   /** Returns the rate of the displacement relative to body 1, m/s. */
   ScalarVector rate();
+
+  /**
+   * Returns a motion whose components are inputs from 0 on: displacement, rotation row by row,
+   * angular velocity, rate.
+   */
+  static Frames ofInputs(Expressions e) {
+    return new Frames() {
+      private ScalarVector vector(int first) {
+        return new ScalarVector(e.input(first), e.input(first + 1), e.input(first + 2));
+      }
+
+      @Override
+      public ScalarVector displacement() {
+        return vector(0);
+      }
+
+      @Override
+      public ScalarMatrix rotation() {
+        return ScalarMatrix.of((i, j) -> e.input(3 + 3 * i + j));
+      }
+
+      @Override
+      public ScalarVector omega() {
+        return vector(12);
+      }
+
+      @Override
+      public ScalarVector rate() {
+        return vector(15);
+      }
+    };
+  }
 }

@@ -1,15 +1,15 @@
 package org.mechservice.solver.force.law;
 
 import java.util.List;
-import org.mechservice.solver.mechanism.force.Bushing;
-import org.mechservice.solver.mechanism.force.Contact;
-import org.mechservice.solver.mechanism.force.Side;
-import org.mechservice.solver.mechanism.force.SpringDamper;
+import java.util.Optional;
+import java.util.function.BiFunction;
+import java.util.stream.Stream;
 import org.mechservice.solver.symbol.Scalar;
 
 /**
  * The laws of forces between two bodies: each a formula of the relative motion of two frames and of
  * its coefficients, from which the code of a model and the methods of a {@link PrintedLaw} come.
+ * One that needs nothing but numbers is an element of MechML by its {@link ForceRow}.
  *
  * <p>A printed law has 18 variables: displacement (3), rotation row by row (9), angular velocity
  * (3), rate of the displacement (3), as {@link Frames} has them. It puts out
@@ -24,18 +24,19 @@ import org.mechservice.solver.symbol.Scalar;
  * </ul>
  */
 public enum PairLaw {
-  SPRING,
+  SPRING((x, c) -> spring(Side.BOTH, x, c), SpringLaw.SYMBOLS, SpringLoad.UNDIRECTED),
   /** A spring that pulls alone. */
-  ROPE,
+  ROPE((x, c) -> spring(Side.ABOVE, x, c), SpringLaw.SYMBOLS, SpringLoad.UNDIRECTED),
   /** A spring that pushes alone. */
-  BUFFER,
-  BUSHING,
+  BUFFER((x, c) -> spring(Side.BELOW, x, c), SpringLaw.SYMBOLS, SpringLoad.UNDIRECTED),
+  BUSHING((x, c) -> bushing(true, x, c), BushingLoad.SYMBOLS, BushingLoad.UNDIRECTED),
   /** A bushing whose moment is not converted. */
-  LINEAR_BUSHING,
+  LINEAR_BUSHING((x, c) -> bushing(false, x, c), BushingLoad.SYMBOLS, BushingLoad.UNDIRECTED),
   /** A contact at the closest point of the surface, which are further coefficients, see FOOT. */
-  CONTACT,
+  CONTACT((x, c) -> contact(false, x, c), ContactLoad.SYMBOLS, Undirected.NEVER),
   /** Likewise at that of the curve on which the centre moves. */
-  CONTACT_OF_CENTRE;
+  CONTACT_OF_CENTRE((x, c) -> contact(true, x, c), ContactLoad.SYMBOLS, Undirected.NEVER),
+  INVERSE_SQUARE(InverseSquareLoad::new, InverseSquareLoad.ROW, InverseSquareLoad.UNDIRECTED);
 
   /** Number of variables of a printed law. */
   public static final int VARIABLES = 18;
@@ -55,28 +56,60 @@ public enum PairLaw {
    */
   public static final int FOOT = 8;
 
+  @SuppressWarnings("ImmutableEnumChecker") // has no state
+  private final BiFunction<Frames, List<Scalar>, PairLoad> formula;
+
+  @SuppressWarnings("ImmutableEnumChecker") // is not modifiable
+  private final List<String> symbols;
+
+  private final Undirected undirected;
+
+  @SuppressWarnings("ImmutableEnumChecker") // its lists are not modifiable
+  private final Optional<ForceRow> row;
+
+  /** A law of an element of its own. */
+  PairLaw(
+      BiFunction<Frames, List<Scalar>, PairLoad> formula,
+      List<String> symbols,
+      Undirected undirected) {
+    this.formula = formula;
+    this.symbols = symbols;
+    this.undirected = undirected;
+    this.row = Optional.empty();
+  }
+
+  /** A law that is an element by its row. */
+  PairLaw(BiFunction<Frames, List<Scalar>, PairLoad> formula, ForceRow row, Undirected undirected) {
+    this.formula = formula;
+    this.symbols = row.numbers().stream().map(ForceRow.Number::name).toList();
+    this.undirected = undirected;
+    this.row = Optional.of(row);
+  }
+
+  /** Returns the row of the element that it is, if it is one. */
+  public Optional<ForceRow> row() {
+    return row;
+  }
+
+  /** Returns the law that is an element of MechML. */
+  public static Optional<PairLaw> ofElement(String element) {
+    return Stream.of(values())
+        .filter(law -> law.row.filter(row -> row.element().equals(element)).isPresent())
+        .findFirst();
+  }
+
   /** Returns the law of a spring and damper between points. */
-  public static PairLaw of(SpringDamper spring) {
-    return switch (spring.side()) {
+  public static PairLaw ofSpring(Side side) {
+    return switch (side) {
       case BOTH -> SPRING;
       case ABOVE -> ROPE;
       case BELOW -> BUFFER;
     };
   }
 
-  /** Returns the law of a bushing. */
-  public static PairLaw of(Bushing bushing) {
-    return bushing.law() == Bushing.Law.ENERGY ? BUSHING : LINEAR_BUSHING;
-  }
-
-  /** Returns the law of a contact at one of its curves. */
-  public static PairLaw of(Contact contact) {
-    return contact.tracks().isEmpty() ? CONTACT : CONTACT_OF_CENTRE;
-  }
-
   /** Returns the number of coefficients. */
   public int coefficientCount() {
-    return symbols().size();
+    return symbols.size();
   }
 
   /** Returns how many of them, the first, are the same in a run. */
@@ -89,16 +122,12 @@ public enum PairLaw {
    * and for positive numbers; −1 if it is printed once.
    */
   public int smoothing() {
-    return this == SPRING ? -1 : symbols().indexOf("eps");
+    return this == SPRING ? -1 : symbols.indexOf("eps");
   }
 
   /** Returns the names of the coefficients in printed methods. */
   public List<String> symbols() {
-    return switch (this) {
-      case SPRING, ROPE, BUFFER -> SpringLaw.SYMBOLS;
-      case BUSHING, LINEAR_BUSHING -> BushingLoad.SYMBOLS;
-      case CONTACT, CONTACT_OF_CENTRE -> ContactLoad.SYMBOLS;
-    };
+    return symbols;
   }
 
   /**
@@ -108,43 +137,12 @@ public enum PairLaw {
    * @param coefficients in the order of the element's, those of a contact followed by the foot
    */
   public PairLoad of(Frames x, List<Scalar> coefficients) {
-    return switch (this) {
-      case SPRING -> spring(Side.BOTH, x, coefficients);
-      case ROPE -> spring(Side.ABOVE, x, coefficients);
-      case BUFFER -> spring(Side.BELOW, x, coefficients);
-      case BUSHING -> bushing(true, x, coefficients);
-      case LINEAR_BUSHING -> bushing(false, x, coefficients);
-      case CONTACT -> contact(false, x, coefficients);
-      case CONTACT_OF_CENTRE -> contact(true, x, coefficients);
-    };
+    return formula.apply(x, coefficients);
   }
 
-  /**
-   * Returns why a load has no direction, for messages.
-   *
-   * @param results what {@link PrintedLaw#results} gave there
-   */
-  public String whyUndirected(double[] results) {
-    return switch (this) {
-      case SPRING, ROPE, BUFFER ->
-          "Its two points coincide, so its tension of "
-              + results[VALUES + 2]
-              + " N has no direction.";
-      case BUSHING, LINEAR_BUSHING ->
-          "Its frames are turned by half a turn, where a rotation vector changes its sign.";
-      case CONTACT, CONTACT_OF_CENTRE -> "It has no normal.";
-    };
-  }
-
-  /** Returns what to do about a load without direction, for messages. */
-  public String adviceUndirected() {
-    return switch (this) {
-      case SPRING, ROPE, BUFFER ->
-          "Move one of the points, or use a bushing, which needs no direction.";
-      case BUSHING, LINEAR_BUSHING ->
-          "Turn one of the frames, or use a joint with a spring for large rotations.";
-      case CONTACT, CONTACT_OF_CENTRE -> "Look at its profile.";
-    };
+  /** Returns why a load may have no direction. */
+  public Undirected undirected() {
+    return undirected;
   }
 
   private static PairLoad spring(Side side, Frames x, List<Scalar> c) {

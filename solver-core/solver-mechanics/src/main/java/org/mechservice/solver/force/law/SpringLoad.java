@@ -17,6 +17,11 @@ import org.mechservice.solver.symbol.Substitution;
  * smoothly, its damper along the velocity u; any other spring has no direction.
  */
 public final class SpringLoad implements PairLoad {
+  static final Undirected UNDIRECTED =
+      new Undirected(
+          "Its two points coincide, so its tension of %s N has no direction.",
+          2, "Move one of the points, or use a bushing, which needs no direction.");
+
   /** Tension, relative to its terms, that counts as zero. */
   private static final double NO_TENSION = 1e-9;
 

@@ -7,7 +7,8 @@ import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.mechanism.force.Coefficient.Condition;
+import org.mechservice.solver.force.law.Condition;
+import org.mechservice.solver.force.law.PairLaw;
 import org.mechservice.solver.mechanism.joint.Joint;
 import org.mechservice.solver.text.Origin;
 
@@ -96,6 +97,11 @@ public record Bushing(
     damping.forEach(c -> all.add(new Coefficient("damping", c, Condition.FINITE)));
     preload.forEach(f -> all.add(new Coefficient("preload", f, Condition.FINITE)));
     return all;
+  }
+
+  /** Returns its law. */
+  public PairLaw pairLaw() {
+    return law == Law.ENERGY ? PairLaw.BUSHING : PairLaw.LINEAR_BUSHING;
   }
 
   @Override

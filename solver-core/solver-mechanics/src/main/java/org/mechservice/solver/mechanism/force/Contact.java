@@ -7,7 +7,8 @@ import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.mechanism.force.Coefficient.Condition;
+import org.mechservice.solver.force.law.Condition;
+import org.mechservice.solver.force.law.PairLaw;
 import org.mechservice.solver.mechanism.joint.Joint;
 import org.mechservice.solver.text.Origin;
 
@@ -128,6 +129,11 @@ public record Contact(
         new Coefficient("smoothing", smoothing, Condition.NOT_NEGATIVE),
         new Coefficient("friction coefficient", friction, Condition.NOT_NEGATIVE),
         new Coefficient("friction speed", frictionSpeed, Condition.POSITIVE_WITH_FRICTION));
+  }
+
+  /** Returns its law at one of its curves. */
+  public PairLaw pairLaw() {
+    return tracks.isEmpty() ? PairLaw.CONTACT : PairLaw.CONTACT_OF_CENTRE;
   }
 
   @Override

@@ -6,6 +6,7 @@ import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.force.law.Side;
 import org.mechservice.solver.mechanism.joint.Joint;
 import org.mechservice.solver.text.Origin;
 
@@ -90,7 +91,7 @@ public record CouplingSpringDamper(
   /** {@inheritDoc} k, c, rest, tension there, ε, χ. */
   @Override
   public List<Coefficient> coefficients() {
-    return side.coefficients(stiffness, damping, rest, force0, smoothing, dissipation);
+    return SpringCoefficients.of(side, stiffness, damping, rest, force0, smoothing, dissipation);
   }
 
   @Override

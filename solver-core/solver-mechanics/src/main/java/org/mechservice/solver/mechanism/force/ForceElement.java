@@ -20,6 +20,7 @@ public sealed interface ForceElement
         Contact,
         JointFriction,
         PairForce,
+        LawForce,
         UserForceElement {
   /** Returns the name in the model file. */
   String name();

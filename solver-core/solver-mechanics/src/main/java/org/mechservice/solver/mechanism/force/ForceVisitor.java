@@ -31,6 +31,9 @@ public interface ForceVisitor<R> {
   /** Answers for a force between two frames given by formulas. */
   R pairForce(PairForce force);
 
+  /** Answers for a law of the catalogue between two frames. */
+  R lawForce(LawForce force);
+
   /** Answers for friction in a joint. */
   R jointFriction(JointFriction force);
 

@@ -6,7 +6,7 @@ import java.util.function.Function;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.mechanism.force.Coefficient.Condition;
+import org.mechservice.solver.force.law.Condition;
 import org.mechservice.solver.mechanism.joint.Joint;
 import org.mechservice.solver.text.Origin;
 

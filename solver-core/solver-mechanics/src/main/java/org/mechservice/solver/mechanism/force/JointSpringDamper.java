@@ -7,6 +7,7 @@ import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.force.law.Side;
 import org.mechservice.solver.mechanism.joint.Joint;
 import org.mechservice.solver.text.Origin;
 
@@ -83,8 +84,14 @@ public record JointSpringDamper(
   /** {@inheritDoc} k, c, position0, tension there, ε, χ. */
   @Override
   public List<Coefficient> coefficients() {
-    return side.coefficients(
-        stiffness, damping, position0, new Expression.Negation(force0), smoothing, dissipation);
+    return SpringCoefficients.of(
+        side,
+        stiffness,
+        damping,
+        position0,
+        new Expression.Negation(force0),
+        smoothing,
+        dissipation);
   }
 
   @Override

@@ -6,6 +6,8 @@ import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.force.law.PairLaw;
+import org.mechservice.solver.force.law.Side;
 import org.mechservice.solver.mechanism.joint.Joint;
 import org.mechservice.solver.text.Origin;
 
@@ -87,7 +89,12 @@ public record SpringDamper(
   /** {@inheritDoc} k, c, length0, tension there, ε, χ. */
   @Override
   public List<Coefficient> coefficients() {
-    return side.coefficients(stiffness, damping, length0, force0, smoothing, dissipation);
+    return SpringCoefficients.of(side, stiffness, damping, length0, force0, smoothing, dissipation);
+  }
+
+  /** Returns its law. */
+  public PairLaw pairLaw() {
+    return PairLaw.ofSpring(side);
   }
 
   @Override

@@ -27,6 +27,8 @@ public final class PrintedLaws {
       case CONTACT -> smooth ? new PrintedSmoothContact() : new PrintedContact();
       case CONTACT_OF_CENTRE -> smooth ? new PrintedSmoothContactOfCentre() : new
           PrintedContactOfCentre();
+      case INVERSE_SQUARE -> new PrintedInverseSquare();
+      default -> throw new IllegalStateException(law + " is not printed");
     };
   }
 
@@ -41,6 +43,7 @@ public final class PrintedLaws {
       case UPPER_STOP -> smooth ? new PrintedSmoothJointUpperStop() : new PrintedJointUpperStop();
       case LOWER_STOP -> smooth ? new PrintedSmoothJointLowerStop() : new PrintedJointLowerStop();
       case FRICTION -> new PrintedJointFriction();
+      default -> throw new IllegalStateException(law + " is not printed");
     };
   }
 }

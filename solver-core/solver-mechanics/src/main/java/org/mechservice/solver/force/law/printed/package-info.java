@@ -1,5 +1,6 @@
 /**
  * The methods of the force laws of {@code force.law}, printed from their formulas.
- * {@code PrintedLaws} makes an instance of each; the other classes are not edited.
+ *
+ * <p>{@code PrintedLaws} makes an instance of each; nothing here is edited.
  */
 package org.mechservice.solver.force.law.printed;

@@ -2,27 +2,23 @@ package org.mechservice.solver.mechanism.force;
 
 import java.util.List;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.mechanism.force.Coefficient.Condition;
+import org.mechservice.solver.force.law.Condition;
+import org.mechservice.solver.force.law.Side;
 
-/** The side of its rest position on which a spring acts. */
-public enum Side {
-  /** Both sides. */
-  BOTH,
-  /** Only above the rest value of length or coordinate: a rope, an upper stop. */
-  ABOVE,
-  /** Only below the rest value: a buffer, a lower stop. */
-  BELOW;
+/** The coefficients of springs, in the order of their law. */
+final class SpringCoefficients {
+  private SpringCoefficients() {}
 
-  /** Returns the coefficients of a spring on this side, in the order of its law. */
-  List<Coefficient> coefficients(
+  static List<Coefficient> of(
+      Side side,
       Expression stiffness,
       Expression damping,
       Expression rest,
       Expression preload,
       Expression smoothing,
       Expression dissipation) {
-    Condition ofPush = this == BOTH ? Condition.FINITE : Condition.NOT_NEGATIVE;
-    Condition ofPreload = this == BOTH ? Condition.FINITE : Condition.ZERO_ON_ONE_SIDE;
+    Condition ofPush = side == Side.BOTH ? Condition.FINITE : Condition.NOT_NEGATIVE;
+    Condition ofPreload = side == Side.BOTH ? Condition.FINITE : Condition.ZERO_ON_ONE_SIDE;
     return List.of(
         new Coefficient("stiffness", stiffness, ofPush),
         new Coefficient("damping", damping, ofPush),

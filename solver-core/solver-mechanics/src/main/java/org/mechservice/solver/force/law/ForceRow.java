@@ -1,0 +1,50 @@
+package org.mechservice.solver.force.law;
+
+import java.util.List;
+import java.util.Optional;
+import org.mechservice.solver.api.result.Variable;
+
+/**
+ * What a force between two bodies is in MechML, if it is a law with numbers and nothing else: its
+ * element, from which grammar, reader, checks, columns and the guide follow.
+ *
+ * @param element name of the element
+ * @param acts between what, in words
+ * @param law its law, in words and signs
+ * @param energy what becomes of its work, in words
+ * @param numbers its attributes, in the order of the law's coefficients
+ * @param outputs names and SI units of its values
+ * @param example how its example ends: a block of 1 kg that slides along x from rest at 1 m, with
+ *     the force between the origin and it, after 1 s
+ */
+public record ForceRow(
+    String element,
+    String acts,
+    String law,
+    String energy,
+    List<Number> numbers,
+    List<Variable> outputs,
+    String example) {
+  /**
+   * An attribute.
+   *
+   * @param name its name
+   * @param unit its unit in SI, as MechML writes units
+   * @param otherwise its value if it is not given; empty if it must be given
+   * @param condition what the law needs of it
+   * @param meaning in words
+   * @param example value in the example of the guide, SI
+   */
+  public record Number(
+      String name,
+      String unit,
+      Optional<Double> otherwise,
+      Condition condition,
+      String meaning,
+      double example) {}
+
+  public ForceRow {
+    numbers = List.copyOf(numbers);
+    outputs = List.copyOf(outputs);
+  }
+}
