@@ -59,7 +59,7 @@ class LawElementsTest {
     StringBuilder text = new StringBuilder("<!ELEMENT ").append(row.element());
     text.append(" (body1, body2)>\n<!ATTLIST ").append(row.element());
     text.append("\n  name CDATA #REQUIRED");
-    for (ForceRow.Number number : row.numbers()) {
+    for (ForceRow.Attribute number : row.attributes()) {
       String mode = number.otherwise().isEmpty() ? "#REQUIRED" : "#IMPLIED";
       text.append("\n  ").append(number.name()).append(" CDATA ").append(mode);
       text.append("\n  ").append(number.name()).append("Unit CDATA #IMPLIED");
@@ -80,7 +80,7 @@ class LawElementsTest {
     for (ForceRow row : rows()) {
       text.append("| `").append(row.element()).append("` | `name` | ").append(row.acts());
       text.append(": ").append(row.law()).append(" | | required |\n");
-      for (ForceRow.Number number : row.numbers()) {
+      for (ForceRow.Attribute number : row.attributes()) {
         String condition = number.condition().text();
         text.append("| | `").append(number.name()).append("` | ").append(number.meaning());
         text.append(condition.equals("finite") ? "" : "; " + condition).append(" | ");
@@ -109,7 +109,7 @@ class LawElementsTest {
       ForceRow row, String indent, String point1, String body2, String point2) {
     StringBuilder text = new StringBuilder(indent).append('<').append(row.element());
     text.append(" name=\"law\"");
-    for (ForceRow.Number number : row.numbers()) {
+    for (ForceRow.Attribute number : row.attributes()) {
       text.append(' ').append(number.name()).append("=\"");
       text.append(ShortestDecimal.format(number.example())).append("\" ");
       text.append(number.name()).append("Unit=\"").append(number.unit()).append('"');

@@ -31,9 +31,9 @@ final class LawForceReader {
   Optional<LawForce> read(Element element, PairLaw law) {
     Optional<BodyFrame> frame1 = frames.read(element.requiredChild("body1"));
     Optional<BodyFrame> frame2 = frames.read(element.requiredChild("body2"));
-    List<ForceRow.Number> row = law.row().orElseThrow().numbers();
+    List<ForceRow.Attribute> row = law.row().orElseThrow().attributes();
     List<Expression> numbers = new ArrayList<>();
-    for (ForceRow.Number number : row) {
+    for (ForceRow.Attribute number : row) {
       number(element, number).ifPresent(numbers::add);
     }
     if (frame1.isEmpty() || frame2.isEmpty() || numbers.size() < row.size()) {
@@ -49,7 +49,7 @@ final class LawForceReader {
             names.origin(element)));
   }
 
-  private Optional<Expression> number(Element element, ForceRow.Number number) {
+  private Optional<Expression> number(Element element, ForceRow.Attribute number) {
     Quantity quantity = Quantity.inSi(number.unit());
     return formulas
         .coefficient(element, number.name(), quantity, number.otherwise().orElse(0.0))

@@ -128,7 +128,7 @@ public final class RandomMechmlForces {
   /** A force that is a law with numbers. */
   private ForceElement law(PairLaw law, ForceRow row) {
     List<Expression> numbers =
-        row.numbers().stream()
+        row.attributes().stream()
             .map(number -> number.condition() == Condition.FINITE ? number(5) : positive(1))
             .toList();
     return new LawForce(name(), law, frame(), frame(), numbers, Origin.NONE);

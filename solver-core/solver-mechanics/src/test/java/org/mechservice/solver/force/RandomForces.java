@@ -304,7 +304,7 @@ public final class RandomForces {
     List<PairLaw> laws = Stream.of(PairLaw.values()).filter(law -> law.row().isPresent()).toList();
     PairLaw law = laws.get(random.nextInt(laws.size()));
     List<Expression> numbers =
-        law.row().orElseThrow().numbers().stream()
+        law.row().orElseThrow().attributes().stream()
             .map(number -> number.condition() == Condition.FINITE ? number() : positive())
             .toList();
     return new LawForce(name, law, frame(), frame(), numbers, Origin.NONE);

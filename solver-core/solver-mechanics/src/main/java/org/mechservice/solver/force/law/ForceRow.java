@@ -12,7 +12,7 @@ import org.mechservice.solver.api.result.Variable;
  * @param acts between what, in words
  * @param law its law, in words and signs
  * @param energy what becomes of its work, in words
- * @param numbers its attributes, in the order of the law's coefficients
+ * @param attributes its numbers, in the order of the law's coefficients
  * @param outputs names and SI units of its values
  * @param example how its example ends: a block of 1 kg that slides along x from rest at 1 m, with
  *     the force between the origin and it, after 1 s
@@ -22,7 +22,7 @@ public record ForceRow(
     String acts,
     String law,
     String energy,
-    List<Number> numbers,
+    List<Attribute> attributes,
     List<Variable> outputs,
     String example) {
   /**
@@ -35,7 +35,7 @@ public record ForceRow(
    * @param meaning in words
    * @param example value in the example of the guide, SI
    */
-  public record Number(
+  public record Attribute(
       String name,
       String unit,
       Optional<Double> otherwise,
@@ -44,7 +44,7 @@ public record ForceRow(
       double example) {}
 
   public ForceRow {
-    numbers = List.copyOf(numbers);
+    attributes = List.copyOf(attributes);
     outputs = List.copyOf(outputs);
   }
 }

@@ -21,14 +21,14 @@ final class InverseSquareLoad implements PairLoad {
           "attraction strength·r/(r² + softening²)^(3/2)",
           "potential",
           List.of(
-              new ForceRow.Number(
+              new ForceRow.Attribute(
                   "strength",
                   "N*m^2",
                   Optional.empty(),
                   Condition.FINITE,
                   "force times the square of the distance; negative pushes apart",
                   0.5),
-              new ForceRow.Number(
+              new ForceRow.Attribute(
                   "softening",
                   "m",
                   Optional.of(0.0),

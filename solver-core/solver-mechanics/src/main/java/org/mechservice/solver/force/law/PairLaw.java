@@ -62,6 +62,7 @@ public enum PairLaw {
   @SuppressWarnings("ImmutableEnumChecker") // is not modifiable
   private final List<String> symbols;
 
+  @SuppressWarnings("ImmutableEnumChecker") // a record of texts and a number
   private final Undirected undirected;
 
   @SuppressWarnings("ImmutableEnumChecker") // its lists are not modifiable
@@ -81,7 +82,7 @@ public enum PairLaw {
   /** A law that is an element by its row. */
   PairLaw(BiFunction<Frames, List<Scalar>, PairLoad> formula, ForceRow row, Undirected undirected) {
     this.formula = formula;
-    this.symbols = row.numbers().stream().map(ForceRow.Number::name).toList();
+    this.symbols = row.attributes().stream().map(ForceRow.Attribute::name).toList();
     this.undirected = undirected;
     this.row = Optional.of(row);
   }

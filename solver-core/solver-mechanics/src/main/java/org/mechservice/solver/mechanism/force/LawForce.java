@@ -50,7 +50,7 @@ public record LawForce(
   public List<Coefficient> coefficients() {
     List<Coefficient> all = new ArrayList<>();
     for (int i = 0; i < numbers.size(); i++) {
-      ForceRow.Number number = row().numbers().get(i);
+      ForceRow.Attribute number = row().attributes().get(i);
       all.add(new Coefficient(number.name(), numbers.get(i), number.condition()));
     }
     return all;
