@@ -1,6 +1,7 @@
 package org.mechservice.mechml;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatCode;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -10,6 +11,7 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
+import org.mechservice.mechml.unit.Quantity;
 import org.mechservice.solver.force.law.ForceRow;
 import org.mechservice.solver.force.law.PairLaw;
 import org.mechservice.solver.text.ShortestDecimal;
@@ -39,6 +41,17 @@ class LawElementsTest {
     assertThat(from).as(line).isNotNegative();
     int begin = text.indexOf('\n', from) + 1;
     return text.substring(0, begin) + printed + text.substring(text.indexOf(END, begin));
+  }
+
+  @Test
+  void unitsOfAttributesAreThoseOfMechml() {
+    for (ForceRow row : rows()) {
+      for (ForceRow.Attribute attribute : row.attributes()) {
+        assertThatCode(() -> Quantity.inSi(attribute.unit()))
+            .as("%s of %s", attribute.name(), row.element())
+            .doesNotThrowAnyException();
+      }
+    }
   }
 
   @Test

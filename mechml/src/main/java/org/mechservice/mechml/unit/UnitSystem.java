@@ -1,7 +1,5 @@
 package org.mechservice.mechml.unit;
 
-import java.util.Arrays;
-
 /**
  * The units of a model file's bare numbers; time is always in s.
  *
@@ -33,7 +31,7 @@ public record UnitSystem(Unit mass, Unit length, Unit angle, Unit force) {
    */
   public Unit inExpressions(Dimension dimension) {
     int forces =
-        Arrays.stream(Quantity.values())
+        Quantity.named().stream()
             .filter(quantity -> quantity.dimension().equals(dimension))
             .findFirst()
             .map(Quantity::force)

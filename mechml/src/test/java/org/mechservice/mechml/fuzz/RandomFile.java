@@ -104,8 +104,10 @@ final class RandomFile {
     this.random = random;
     String text = Files.readString(dtd).replaceAll("(?s)<!--.*?-->", "");
     Matcher entity = Pattern.compile("<!ENTITY % (\\w+) \"([^\"]*)\">").matcher(text);
-    while (entity.find()) {
-      text = text.replace("%" + entity.group(1) + ";", entity.group(2));
+    List<MatchResult> entities = entity.results().toList();
+    // an entity may name those before it
+    for (int i = entities.size() - 1; i >= 0; i--) {
+      text = text.replace("%" + entities.get(i).group(1) + ";", entities.get(i).group(2));
     }
     for (MatchResult e : ELEMENT.matcher(text).results().toList()) {
       models.put(e.group(1), TOKEN.matcher(e.group(2)).results().map(MatchResult::group).toList());
