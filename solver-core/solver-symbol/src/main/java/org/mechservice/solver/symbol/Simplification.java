@@ -15,6 +15,10 @@ import java.util.List;
  * Simplifies an operation before it becomes a node: constants are folded, 0 and 1 disappear, x − x
  * and a − (a − b) cancel, and signs move outwards until a sum or difference absorbs them.
  *
+ * <p>Operations are not put into another order: c + (d + x) and c (d x) stay as they are, although
+ * c and d are known. A formula then gives the same bits whether its numbers are known when code is
+ * written or are read when it runs.
+ *
  * <p>Values are assumed to be finite: 0 · x is 0. Operations on constants without a finite result
  * are not folded, so that the run finds the fault at its origin and can name the joint or force.
  */
@@ -54,11 +58,10 @@ final class Simplification {
       return sum(b, a);
     }
     if (a.isConstant()) {
-      if (beginsWithConstant(b)) {
-        Scalar both = expressions.constant(a.value() + b.first().value());
-        return b.is(ADD) ? sum(both, b.second()) : difference(both, b.second());
-      }
       Scalar opposite = expressions.constant(-a.value());
+      if (b.is(ADD) && b.first() == opposite) {
+        return b.second();
+      }
       if (expressions.contains(SUBTRACT, opposite, b)) {
         return negation(expressions.binary(SUBTRACT, opposite, b));
       }
@@ -91,14 +94,7 @@ final class Simplification {
 
   /** Removes terms that occur on both sides of a − b. */
   private static Scalar cancelled(Expressions expressions, Scalar a, Scalar b) {
-    if (b.isConstant()) {
-      return sum(expressions.constant(-b.value()), a);
-    }
     if (a.isConstant()) {
-      if (beginsWithConstant(b)) {
-        Scalar both = expressions.constant(a.value() - b.first().value());
-        return b.is(ADD) ? difference(both, b.second()) : sum(both, b.second());
-      }
       Scalar opposite = expressions.constant(-a.value());
       if (expressions.contains(ADD, opposite, b)) {
         return negation(expressions.binary(ADD, opposite, b));
@@ -116,15 +112,13 @@ final class Simplification {
     if (b.is(ADD) && b.operands().contains(a)) {
       return negation(b.first() == a ? b.second() : b.first());
     }
+    if (b.isConstant()) {
+      return sum(expressions.constant(-b.value()), a);
+    }
     if (expressions.contains(SUBTRACT, b, a)) {
       return negation(expressions.binary(SUBTRACT, b, a));
     }
     return expressions.binary(SUBTRACT, a, b);
-  }
-
-  /** Returns whether a value is c + x or c − x with a constant c. */
-  private static boolean beginsWithConstant(Scalar node) {
-    return (node.is(ADD) || node.is(SUBTRACT)) && node.first().isConstant();
   }
 
   static Scalar product(Scalar a, Scalar b) {
@@ -148,12 +142,6 @@ final class Simplification {
     }
     if (b.isConstant()) {
       return product(b, a);
-    }
-    if (a.isConstant() && b.is(MULTIPLY) && b.first().isConstant()) {
-      double both = a.value() * b.first().value();
-      if (Double.isFinite(both)) {
-        return product(expressions.constant(both), b.second());
-      }
     }
     if (a.isConstant()) {
       Scalar opposite = expressions.constant(-a.value());
