@@ -33,9 +33,10 @@ import org.mechservice.solver.api.run.RunSettings;
  *   <li>{@code ExampleDigests FOLDER FILE} runs the scenes of a folder and writes a line for each
  *       run: its name, the SHA-256 of its rows, the tolerance of each column, and some of its rows.
  *       {@code ExampleDigests FOLDER FILE BEFORE} ends each scene where the other file ends it.
- *   <li>{@code ExampleDigests FOLDER FILE BEFORE AFTER} runs again, with a tenth of their
- *       tolerances, the runs that differ in two such files: what is then different is how far the
- *       tolerances determine a result.
+ *   <li>{@code ExampleDigests FOLDER FILE BEFORE AFTER PART} runs again, with a part of their
+ *       tolerances, the runs that differ in two such files. What a tenth of them changes is how far
+ *       the tolerances determine a result; what 0.999 of them changes is what other steps of the
+ *       same size do to it.
  *   <li>{@code ExampleDigests BEFORE AFTER} compares two files and prints the runs that differ,
  *       with the largest difference of a value of their last row in tolerances: the relative one
  *       times the largest value of the column, and the absolute one. {@code ExampleDigests BEFORE
@@ -88,8 +89,8 @@ final class ExampleDigests {
     Path first = Path.of(arguments[0]);
     Path second = Path.of(arguments[1]);
     if (!Files.isDirectory(first)) {
-      Map<String, Run> finer = arguments.length > 2 ? lines(Path.of(arguments[2])) : Map.of();
-      compare(lines(first), lines(second), finer);
+      Map<String, Run> others = arguments.length > 2 ? lines(Path.of(arguments[2])) : Map.of();
+      compare(lines(first), lines(second), others);
       return;
     }
     Map<String, Run> before = arguments.length > 2 ? lines(Path.of(arguments[2])) : Map.of();
@@ -99,7 +100,10 @@ final class ExampleDigests {
         before.forEach(
             (name, run) -> {
               if (differ(run, after.getOrDefault(name, Run.MISSING)) && !run.rows().isEmpty()) {
-                out.println(name + "\t" + finer(first, name, run.last().get(0)));
+                out.println(
+                    name
+                        + "\t"
+                        + again(first, name, run.last().get(0), Double.parseDouble(arguments[4])));
                 out.flush();
               }
             });
@@ -173,7 +177,7 @@ final class ExampleDigests {
     return run.tStart() + ends;
   }
 
-  private static String finer(Path folder, String name, double end) {
+  private static String again(Path folder, String name, double end, double part) {
     String[] words = name.split(" ", -1);
     for (int i = 1; i < words.length; i++) {
       words[i] = words[i].equals("file") ? "" : words[i];
@@ -181,16 +185,16 @@ final class ExampleDigests {
     try {
       MechModel model = MechModel.read(folder.resolve(words[0]));
       RunSettings run = model.content().settings().run();
-      MechModel finer =
+      MechModel changed =
           model
               .until(end)
               .tolerances(
-                  run.relativeTolerance() / 10,
-                  run.absoluteTolerance() / 10,
-                  run.angleTolerance() / 10,
-                  run.velocityTolerance() / 10,
-                  run.angularVelocityTolerance() / 10);
-      return result(finer, words[1], words[2], words[3]);
+                  part * run.relativeTolerance(),
+                  part * run.absoluteTolerance(),
+                  part * run.angleTolerance(),
+                  part * run.velocityTolerance(),
+                  part * run.angularVelocityTolerance());
+      return result(changed, words[1], words[2], words[3]);
     } catch (IOException | MechmlException e) {
       throw new IllegalStateException(name + " could be read before", e);
     }
@@ -274,7 +278,7 @@ final class ExampleDigests {
   }
 
   private static void compare(
-      Map<String, Run> before, Map<String, Run> after, Map<String, Run> finer) {
+      Map<String, Run> before, Map<String, Run> after, Map<String, Run> others) {
     long different = 0;
     long runs = 0;
     for (Map.Entry<String, Run> entry : before.entrySet()) {
@@ -283,14 +287,14 @@ final class ExampleDigests {
       runs += one.digest().equals("does not fit") ? 0 : 1;
       if (differ(one, after.getOrDefault(name, Run.MISSING))) {
         different++;
-        String beside = finer.containsKey(name) ? ", with a tenth of the tolerances " : "";
+        String beside = others.containsKey(name) ? ", with other tolerances " : "";
         System.out.println(
             name
                 + ": "
                 + difference(one, after.getOrDefault(name, Run.MISSING))
                 + (beside.isEmpty()
                     ? ""
-                    : beside + difference(one, finer.getOrDefault(name, Run.MISSING))));
+                    : beside + difference(one, others.getOrDefault(name, Run.MISSING))));
       }
     }
     System.out.printf("%d of %d runs differ%n", different, runs);

@@ -97,10 +97,6 @@ public final class SettledCoefficients {
     } else if (e instanceof Expression.Negation negation) {
       return has(negation.operand(), parameter);
     }
-    if (e instanceof Expression.TableValue value) {
-      return value.arguments().stream().anyMatch(argument -> has(argument, parameter));
-    }
-    return e instanceof Expression.Call call
-        && call.arguments().stream().anyMatch(argument -> has(argument, parameter));
+    return Expression.operands(e).stream().anyMatch(operand -> has(operand, parameter));
   }
 }

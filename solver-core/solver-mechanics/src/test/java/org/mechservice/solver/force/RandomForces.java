@@ -19,7 +19,6 @@ import org.mechservice.solver.expression.Expression.Product;
 import org.mechservice.solver.expression.Expression.RelativeMotion;
 import org.mechservice.solver.expression.Expression.Sum;
 import org.mechservice.solver.expression.Expression.Time;
-import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.Bushing;
@@ -38,6 +37,7 @@ import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.mechanism.joint.Joint;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.symbol.MathFunction;
 import org.mechservice.solver.text.Origin;
 
 /**
@@ -178,13 +178,13 @@ public final class RandomForces {
     Side side = List.of(Side.values()).get(random.nextInt(3));
     Expression place =
         new Call(
-            Function.HYPOT,
+            MathFunction.HYPOT,
             List.of(
                 new Sum(number(), new PointPosition(point(), random.nextInt(3))),
                 new PointPosition(point(), random.nextInt(3))));
     Expression along =
         new Sum(
-            new Product(place, new Call(Function.SIN, List.of(position))),
+            new Product(place, new Call(MathFunction.SIN, List.of(position))),
             new Product(new PointPosition(point(), random.nextInt(3)), new Time()));
     return new CouplingSpringDamper(
         name,
@@ -238,7 +238,7 @@ public final class RandomForces {
 
   /** Hills that bend less than spheres of the size of the mechanism. */
   private static Expression hills() {
-    Call wave = new Call(Function.SIN, List.of(new Argument()));
+    Call wave = new Call(MathFunction.SIN, List.of(new Argument()));
     return new Product(Expression.of(0.1), wave);
   }
 
@@ -274,7 +274,7 @@ public final class RandomForces {
     }
     List<Expression> wrench =
         IntStream.range(0, 6)
-            .mapToObj(i -> new Call(Function.SIN, List.of(mixture(motion))))
+            .mapToObj(i -> new Call(MathFunction.SIN, List.of(mixture(motion))))
             .map(Expression.class::cast)
             .toList();
     return new PairForce(
@@ -283,8 +283,8 @@ public final class RandomForces {
         ((RelativeMotion) motion.get(0)).frame1(),
         ((RelativeMotion) motion.get(0)).frame2(),
         wrench,
-        new Call(Function.SIN, List.of(square)),
-        new Product(new Call(Function.COS, List.of(square)), along),
+        new Call(MathFunction.SIN, List.of(square)),
+        new Product(new Call(MathFunction.COS, List.of(square)), along),
         List.of(
             new PairForce.Value("square", "m²", square), new PairForce.Value("load", "N", square)),
         Expression.ZERO,
@@ -338,8 +338,8 @@ public final class RandomForces {
     Expression b = formula(depth - 1);
     return switch (random.nextInt(3)) {
       case 0 -> new Sum(a, b);
-      case 1 -> new Product(new Call(Function.ATAN, List.of(a)), b);
-      default -> new Call(Function.SIN, List.of(new Sum(a, b)));
+      case 1 -> new Product(new Call(MathFunction.ATAN, List.of(a)), b);
+      default -> new Call(MathFunction.SIN, List.of(new Sum(a, b)));
     };
   }
 

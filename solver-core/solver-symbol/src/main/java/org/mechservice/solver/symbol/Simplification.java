@@ -10,6 +10,8 @@ import static org.mechservice.solver.symbol.ScalarOperation.SQUARE_ROOT;
 import static org.mechservice.solver.symbol.ScalarOperation.SUBTRACT;
 
 import java.util.List;
+import java.util.Optional;
+import org.mechservice.solver.spatial.SinCos;
 
 /**
  * Simplifies an operation before it becomes a node: constants are folded, 0 and 1 disappear, x − x
@@ -199,8 +201,8 @@ final class Simplification {
   }
 
   /**
-   * Returns a function call; a call with constant arguments is folded if its value is finite, and a
-   * choice with constant bounds is decided.
+   * Returns a function call, or the formula that it is; a call with constant arguments is folded if
+   * its value is finite, and a choice with constant bounds is decided.
    */
   static Scalar function(MathFunction function, List<Scalar> arguments) {
     double[] x = new double[arguments.size()];
@@ -211,6 +213,10 @@ final class Simplification {
     }
     if (known && Double.isFinite(function.value(x))) {
       return arguments.get(0).expressions().constant(function.value(x));
+    }
+    Optional<Scalar> formula = function.formula(arguments);
+    if (formula.isPresent()) {
+      return formula.get();
     }
     if (function == MathFunction.CHOOSE) {
       boolean decided = arguments.get(0).isConstant() && arguments.get(1).isConstant();
@@ -227,26 +233,26 @@ final class Simplification {
 
   static Scalar sine(Scalar angle) {
     if (angle.isConstant()) {
-      return angle.expressions().constant(StrictMath.sin(angle.value()));
+      return angle.expressions().constant(SinCos.sine(angle.value()));
     }
     if (angle.is(NEGATE)) {
       return negation(sine(angle.first()));
     }
     return isSimple(angle)
         ? angle.expressions().unary(SINE, angle)
-        : function(MathFunction.SIN, List.of(angle));
+        : angle.expressions().call(MathFunction.SIN, List.of(angle));
   }
 
   static Scalar cosine(Scalar angle) {
     if (angle.isConstant()) {
-      return angle.expressions().constant(StrictMath.cos(angle.value()));
+      return angle.expressions().constant(SinCos.cosine(angle.value()));
     }
     if (angle.is(NEGATE)) {
       return cosine(angle.first());
     }
     return isSimple(angle)
         ? angle.expressions().unary(COSINE, angle)
-        : function(MathFunction.COS, List.of(angle));
+        : angle.expressions().call(MathFunction.COS, List.of(angle));
   }
 
   /**
