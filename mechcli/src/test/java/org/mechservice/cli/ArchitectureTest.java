@@ -23,8 +23,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
-import java.util.TreeMap;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -153,22 +151,6 @@ class ArchitectureTest {
             .flatMap(module -> packagesOf(module).stream())
             .toArray(String[]::new);
     classes().should().resideInAnyPackage(all).check(PRODUCT);
-  }
-
-  @Test
-  void noTwoTypesOfTheProductShareASimpleName() {
-    Map<String, List<String>> packages =
-        PRODUCT.stream()
-            .filter(type -> type.isTopLevelClass() && !type.getSimpleName().equals("package-info"))
-            .filter(type -> !GENERATED.test(type))
-            .collect(
-                Collectors.groupingBy(
-                    JavaClass::getSimpleName,
-                    TreeMap::new,
-                    Collectors.mapping(JavaClass::getPackageName, Collectors.toList())));
-    packages.values().removeIf(places -> places.size() == 1);
-
-    assertThat(packages).isEmpty();
   }
 
   /** Types of one package may need each other; across packages that is a circle of files. */

@@ -22,7 +22,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.mechml.unit.UnitSymbols;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.expression.Function;
+import org.mechservice.solver.symbol.MathFunction;
 import org.w3c.dom.Element;
 import org.w3c.dom.Node;
 
@@ -154,7 +154,7 @@ class DocumentationTest {
   @Test
   void guideNamesEveryFunctionAndUnit() throws IOException {
     assertThat(WORD.matcher(guide()).results().map(w -> w.group()))
-        .containsAll(Function.symbols())
+        .containsAll(MathFunction.symbols())
         .containsAll(UnitSymbols.all());
   }
 }

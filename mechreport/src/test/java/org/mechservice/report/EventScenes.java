@@ -21,7 +21,6 @@ import org.mechservice.solver.expression.Expression.CoordinateVelocity;
 import org.mechservice.solver.expression.Expression.Product;
 import org.mechservice.solver.expression.Expression.Sum;
 import org.mechservice.solver.expression.Expression.Time;
-import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Body;
@@ -42,6 +41,7 @@ import org.mechservice.solver.simulation.RuntimeSolver;
 import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.symbol.MathFunction;
 import org.mechservice.solver.text.Origin;
 
 /**
@@ -118,7 +118,7 @@ final class EventScenes {
         List.of(
             new Prismatic("drive", on(-1, 0), X, 0, 0, Origin.NONE),
             new Revolute("hinge", on(0, 1), Y, 0, 0, Origin.NONE)),
-        List.of(new PrescribedMotion(0, List.of(new Call(Function.ABS, List.of(late))))));
+        List.of(new PrescribedMotion(0, List.of(new Call(MathFunction.ABS, List.of(late))))));
   }
 
   private static Attachment on(int parent, int child) {

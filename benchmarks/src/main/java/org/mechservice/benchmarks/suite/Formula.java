@@ -1,29 +1,20 @@
 package org.mechservice.benchmarks.suite;
 
 import java.util.List;
-import java.util.Locale;
+import java.util.function.BinaryOperator;
 import java.util.function.ToIntFunction;
+import org.mechservice.mechml.expression.ExpressionException;
+import org.mechservice.mechml.expression.ExpressionParser;
+import org.mechservice.mechml.expression.ParsedExpression;
+import org.mechservice.solver.symbol.MathFunction;
 
 /**
- * An expression of the suite's problem file: numbers, + - * / **, brackets, the functions sin cos
- * exp sqrt log asin, pi, and names.
- *
- * <p>The parser of model files is not used: {@code peers.py} evaluates the same texts as Python, so
- * powers are written {@code **}; names stand for places of one array, where the parser of model
- * files knows joints and parameters; and functions are those of {@link Math}, so another evaluation
- * would change the last bits of the recorded tables.
+ * An expression of the suite's problem file: one of model files, with the catalogue's functions,
+ * but for what Python, which evaluates the same texts in {@code peers.py}, writes otherwise: powers
+ * are {@code **}, and π is {@code pi}. Names stand for places of one array.
  */
 final class Formula {
-  private static final List<String> FUNCTIONS = List.of("sin", "cos", "exp", "sqrt", "log", "asin");
-
-  private final String text;
-  private final ToIntFunction<String> slots;
-  private int at;
-
-  private Formula(String text, ToIntFunction<String> slots) {
-    this.text = text.replace(" ", "");
-    this.slots = slots;
-  }
+  private Formula() {}
 
   /** Evaluates with the values of all names. */
   interface Node {
@@ -34,140 +25,69 @@ final class Formula {
   /**
    * Reads an expression.
    *
-   * @param slots place of each name among the values
+   * @param slots place of each name among the values, negative for what is none
    * @throws IllegalArgumentException if it cannot be read
    */
   static Node of(String text, ToIntFunction<String> slots) {
-    Formula formula = new Formula(text, slots);
-    Node node = formula.sum();
-    if (formula.at < formula.text.length()) {
-      throw formula.unreadable();
-    }
-    return node;
-  }
-
-  private IllegalArgumentException unreadable() {
-    return new IllegalArgumentException("cannot read " + text + " at " + at);
-  }
-
-  private boolean next(String symbol) {
-    boolean found = text.startsWith(symbol, at);
-    at += found ? symbol.length() : 0;
-    return found;
-  }
-
-  private Node sum() {
-    Node left = product();
-    while (true) {
-      Node first = left;
-      if (next("+")) {
-        Node second = product();
-        left = values -> first.at(values) + second.at(values);
-      } else if (next("-")) {
-        Node second = product();
-        left = values -> first.at(values) - second.at(values);
-      } else {
-        return left;
-      }
+    try {
+      return node(ExpressionParser.parse(text.replace("**", "^")), slots);
+    } catch (ExpressionException e) {
+      throw new IllegalArgumentException("cannot read " + text + ": " + e.reason(), e);
     }
   }
 
-  private Node product() {
-    Node left = sign();
-    while (true) {
-      Node first = left;
-      if (!text.startsWith("**", at) && next("*")) {
-        Node second = sign();
-        left = values -> first.at(values) * second.at(values);
-      } else if (next("/")) {
-        Node second = sign();
-        left = values -> first.at(values) / second.at(values);
-      } else {
-        return left;
-      }
-    }
-  }
-
-  private Node sign() {
-    if (next("-")) {
-      Node positive = sign();
+  private static Node node(ParsedExpression expression, ToIntFunction<String> slots) {
+    if (expression instanceof ParsedExpression.Literal literal) {
+      return values -> literal.value();
+    } else if (expression instanceof ParsedExpression.Reference name) {
+      return named(name.text(), slots);
+    } else if (expression instanceof ParsedExpression.Sum sum) {
+      return chain(
+          sum.parts(), slots, (a, b) -> v -> a.at(v) + b.at(v), (a, b) -> v -> a.at(v) - b.at(v));
+    } else if (expression instanceof ParsedExpression.Product product) {
+      return chain(
+          product.parts(),
+          slots,
+          (a, b) -> v -> a.at(v) * b.at(v),
+          (a, b) -> v -> a.at(v) / b.at(v));
+    } else if (expression instanceof ParsedExpression.Negation negation) {
+      Node positive = node(negation.operand(), slots);
       return values -> -positive.at(values);
+    } else if (expression instanceof ParsedExpression.Power power) {
+      return call(MathFunction.POWER, List.of(power.base(), power.exponent()), slots);
+    } else if (expression instanceof ParsedExpression.Call call) {
+      return call(call.function(), call.arguments(), slots);
     }
-    return next("+") ? sign() : power();
+    throw new IllegalArgumentException("the suite has no tables");
   }
 
-  private Node power() {
-    Node base = atom();
-    if (!next("**")) {
-      return base;
-    }
-    Node exponent = sign();
-    return values -> {
-      double power = exponent.at(values);
-      double x = base.at(values);
-      return power == 2 ? x * x : power == 3 ? x * x * x : Math.pow(x, power);
-    };
-  }
-
-  private Node atom() {
-    if (next("(")) {
-      Node inner = sum();
-      if (!next(")")) {
-        throw unreadable();
-      }
-      return inner;
-    }
-    int from = at;
-    if (at < text.length() && Character.isLetter(text.charAt(at))) {
-      while (at < text.length() && isNamePart(text.charAt(at))) {
-        at++;
-      }
-      return named(text.substring(from, at));
-    }
-    return number();
-  }
-
-  private static boolean isNamePart(char c) {
-    return Character.isLetterOrDigit(c) || c == '_';
-  }
-
-  private Node named(String name) {
+  private static Node named(String name, ToIntFunction<String> slots) {
     if (name.equals("pi")) {
       return values -> Math.PI;
     }
-    if (!FUNCTIONS.contains(name)) {
-      int slot = slots.applyAsInt(name);
-      if (slot < 0) {
-        throw unreadable();
-      }
-      return values -> values[slot];
+    int slot = slots.applyAsInt(name);
+    if (slot < 0) {
+      throw new IllegalArgumentException("cannot read " + name);
     }
-    Node argument = atom();
-    return switch (name.toLowerCase(Locale.ROOT)) {
-      case "sin" -> values -> Math.sin(argument.at(values));
-      case "cos" -> values -> Math.cos(argument.at(values));
-      case "exp" -> values -> Math.exp(argument.at(values));
-      case "sqrt" -> values -> Math.sqrt(argument.at(values));
-      case "log" -> values -> Math.log(argument.at(values));
-      default -> values -> Math.asin(argument.at(values));
-    };
+    return values -> values[slot];
   }
 
-  private Node number() {
-    int from = at;
-    while (at < text.length() && isNumberPart(from)) {
-      at++;
+  private static Node chain(
+      List<ParsedExpression.Part> parts,
+      ToIntFunction<String> slots,
+      BinaryOperator<Node> direct,
+      BinaryOperator<Node> inverse) {
+    Node chain = node(parts.get(0).operand(), slots);
+    for (ParsedExpression.Part part : parts.subList(1, parts.size())) {
+      chain = (part.inverse() ? inverse : direct).apply(chain, node(part.operand(), slots));
     }
-    if (from == at) {
-      throw unreadable();
-    }
-    double value = Double.parseDouble(text.substring(from, at));
-    return values -> value;
+    return chain;
   }
 
-  private boolean isNumberPart(int from) {
-    char c = text.charAt(at);
-    boolean exponentSign = (c == '-' || c == '+') && at > from && text.charAt(at - 1) == 'e';
-    return Character.isDigit(c) || c == '.' || c == 'e' || exponentSign;
+  private static Node call(
+      MathFunction function, List<ParsedExpression> arguments, ToIntFunction<String> slots) {
+    Node a = node(arguments.get(0), slots);
+    Node b = node(arguments.get(arguments.size() - 1), slots);
+    return values -> function.value(a.at(values), b.at(values));
   }
 }

@@ -3,9 +3,11 @@ package org.mechservice.mechml.expression;
 import java.util.List;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.symbol.MathFunction;
 
 /**
- * Computes the value of a constant expression in a scope; every intermediate value must be finite.
+ * Computes the value of a constant expression in a scope, with the bits that a run would give it;
+ * every intermediate value must be finite.
  */
 public final class ConstantEvaluation {
   private final Scope scope;
@@ -87,7 +89,9 @@ public final class ConstantEvaluation {
     double base = value(power.base());
     double exponent = value(power.exponent());
     return finite(
-        StrictMath.pow(base, exponent), power.offset(), Phrase.of("%s ^ %s", base, exponent));
+        MathFunction.POWER.value(base, exponent),
+        power.offset(),
+        Phrase.of("%s ^ %s", base, exponent));
   }
 
   private double call(ParsedExpression.Call call) throws ExpressionException {
@@ -97,7 +101,7 @@ public final class ConstantEvaluation {
       arguments[i] = value(call.arguments().get(i));
       shown.append(i == 0 ? "" : ", ").append(arguments[i]);
     }
-    return finite(call.function().at(arguments), call.offset(), shown.append(')').toString());
+    return finite(call.function().value(arguments), call.offset(), shown.append(')').toString());
   }
 
   private static double finite(double value, int offset, String what) throws ExpressionException {

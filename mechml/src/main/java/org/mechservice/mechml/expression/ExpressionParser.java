@@ -11,7 +11,7 @@ import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.unit.UnitSymbols;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.expression.Function;
+import org.mechservice.solver.symbol.MathFunction;
 
 /** Reads an expression by recursive descent; one method per rule of the grammar. */
 public final class ExpressionParser {
@@ -177,9 +177,9 @@ public final class ExpressionParser {
     }
     String symbol = name.names().get(name.names().size() - 1);
     boolean prefixed = name.names().size() == 2 && name.names().get(0).equals("Math");
-    Function function =
+    MathFunction function =
         (prefixed || name.names().size() == 1) && name.index().isEmpty()
-            ? Function.named(symbol).orElse(null)
+            ? MathFunction.named(symbol).orElse(null)
             : null;
     if (function == null) {
       throw new ExpressionException(
@@ -204,7 +204,7 @@ public final class ExpressionParser {
   }
 
   private List<String> known() {
-    List<String> known = new ArrayList<>(Function.symbols());
+    List<String> known = new ArrayList<>(MathFunction.symbols());
     known.addAll(tables.keySet());
     return known;
   }

@@ -2,7 +2,7 @@ package org.mechservice.mechml.expression;
 
 import java.util.List;
 import java.util.OptionalInt;
-import org.mechservice.solver.expression.Function;
+import org.mechservice.solver.symbol.MathFunction;
 
 /** A parsed expression; every part knows its position in the text. */
 public sealed interface ParsedExpression {
@@ -69,7 +69,7 @@ public sealed interface ParsedExpression {
   }
 
   /** A function with all its arguments. */
-  record Call(Function function, List<ParsedExpression> arguments, int offset)
+  record Call(MathFunction function, List<ParsedExpression> arguments, int offset)
       implements ParsedExpression {
     public Call {
       arguments = List.copyOf(arguments);

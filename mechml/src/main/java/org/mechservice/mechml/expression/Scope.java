@@ -6,7 +6,7 @@ import java.util.List;
 import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.expression.Function;
+import org.mechservice.solver.symbol.MathFunction;
 
 /** The values of the names in an expression. */
 @FunctionalInterface
@@ -32,7 +32,7 @@ public interface Scope {
     if (name.text().equals("PI") || name.text().equals("Math.PI")) {
       return Math.PI;
     }
-    if (Function.named(name.text()).isPresent()) {
+    if (MathFunction.named(name.text()).isPresent()) {
       throw new ExpressionException(
           MessageCode.EXPRESSION_SYNTAX, name.offset(), name.text() + " lacks its arguments");
     }

@@ -18,7 +18,8 @@
  * error is an {@link org.mechservice.mechml.expression.ExpressionException} with the character
  * where it occurs.
  *
- * <p>All functions use {@code StrictMath}, so that every machine computes the same bits.
+ * <p>Functions are those of the catalogue {@link org.mechservice.solver.symbol.MathFunction}: a
+ * constant has the bits that a run would give it, on every machine.
  */
 @NullMarked
 package org.mechservice.mechml.expression;

@@ -11,7 +11,7 @@ import org.mechservice.mechml.resolve.value.AttributeText;
 import org.mechservice.mechml.unit.Unit;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.expression.Function;
+import org.mechservice.solver.symbol.MathFunction;
 
 /**
  * The blocks {@code pid} and {@code transferFunction} as states and an output formula. A block
@@ -204,7 +204,7 @@ final class ControllerBlocks {
         if (bound.isEmpty()) {
           return Optional.empty();
         }
-        Function nearer = limit.equals("upper") ? Function.MIN : Function.MAX;
+        MathFunction nearer = limit.equals("upper") ? MathFunction.MIN : MathFunction.MAX;
         value = Expression.call(nearer, List.of(value, bound.get()));
       }
     }
@@ -241,7 +241,7 @@ final class ControllerBlocks {
               + (isZero(ki.get()) ? "ki" : withDerivative ? "kd" : "kp"));
     }
     Expression ratio = new Expression.Quotient(other.get(), ki.get());
-    return Optional.of(withDerivative ? Expression.call(Function.SQRT, List.of(ratio)) : ratio);
+    return Optional.of(withDerivative ? Expression.call(MathFunction.SQRT, List.of(ratio)) : ratio);
   }
 
   /**

@@ -25,12 +25,12 @@ import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.mechml.unit.Unit;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.PointFunction;
 import org.mechservice.solver.mechanism.FurtherChange;
 import org.mechservice.solver.mechanism.FurtherState;
 import org.mechservice.solver.mechanism.Parameter;
 import org.mechservice.solver.mechanism.Sampling;
+import org.mechservice.solver.symbol.MathFunction;
 
 /**
  * Reads {@code States}: single states, blocks that stand for several states and an output, inputs,
@@ -190,7 +190,7 @@ final class StatesReader {
       entries.add(entry);
       String name = element.required("name");
       taken.add(element, Optional.of(element));
-      if (RESERVED.contains(name) || Function.named(name).isPresent()) {
+      if (RESERVED.contains(name) || MathFunction.named(name).isPresent()) {
         unusable(element, "has another meaning in expressions");
       } else if (values.parameters().names().contains(name)) {
         unusable(element, "is the name of a parameter, too; rename one of them");

@@ -14,10 +14,10 @@ import org.mechservice.mechml.resolve.value.NameTable;
 import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.mechml.unit.Unit;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.PointFunction;
 import org.mechservice.solver.expression.Table;
 import org.mechservice.solver.expression.TableMap;
+import org.mechservice.solver.symbol.MathFunction;
 
 /**
  * Reads {@code Tables}: functions of one argument, given by points, and of two, given on a grid,
@@ -107,7 +107,7 @@ final class TablesReader {
 
   private boolean isFunction(Element element) {
     String name = element.required("name");
-    if (Function.named(name).isPresent()) {
+    if (MathFunction.named(name).isPresent()) {
       diagnostics.error(
           MessageCode.UNUSABLE_NAME,
           element.position(),

@@ -2,7 +2,8 @@ package org.mechservice.mechml.fuzz;
 
 import java.util.List;
 import java.util.Random;
-import org.mechservice.solver.expression.Function;
+import org.mechservice.solver.spatial.Powers;
+import org.mechservice.solver.symbol.MathFunction;
 
 /**
  * Draws expressions together with their values, worked out while they are written: what the parser
@@ -19,7 +20,7 @@ record RandomExpression(String text, double value, int binds) {
   private static final int POWER = 4;
   private static final int ATOM = 5;
 
-  private static final List<Function> FUNCTIONS = List.of(Function.values());
+  private static final List<MathFunction> FUNCTIONS = MathFunction.inFormulas();
   private static final List<String> NUMBERS =
       List.of("0", "1", "2", ".5", "3.", "1e3", "1E-2", "2.5e+1", "-1", "1e300", "1e-300");
 
@@ -37,7 +38,7 @@ record RandomExpression(String text, double value, int binds) {
       case 3 -> both(a, b, a.in(PRODUCT) + "/" + b.in(SIGN), a.value / b.value, PRODUCT);
       // 0 - x: no expression is -0 for its sign alone.
       case 4 -> both(a, a, "-" + a.in(POWER), 0 - a.value, SIGN);
-      case 5 -> both(a, b, a.in(ATOM) + "^" + b.in(SIGN), StrictMath.pow(a.value, b.value), POWER);
+      case 5 -> both(a, b, a.in(ATOM) + "^" + b.in(SIGN), Powers.power(a.value, b.value), POWER);
       default -> call(random, a, b);
     };
   }
@@ -58,14 +59,14 @@ record RandomExpression(String text, double value, int binds) {
   }
 
   private static RandomExpression call(Random random, RandomExpression a, RandomExpression b) {
-    Function function = FUNCTIONS.get(random.nextInt(FUNCTIONS.size()));
+    MathFunction function = FUNCTIONS.get(random.nextInt(FUNCTIONS.size()));
     String prefix = random.nextBoolean() ? "Math." : "";
     String arguments = function.arity() == 1 ? a.text : a.text + ", " + b.text;
     return both(
         a,
         function.arity() == 1 ? a : b,
         prefix + function.symbol() + "(" + arguments + ")",
-        function.at(new double[] {a.value, b.value}),
+        function.value(a.value, b.value),
         ATOM);
   }
 

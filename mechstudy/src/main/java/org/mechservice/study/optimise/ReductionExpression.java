@@ -12,7 +12,7 @@ import org.mechservice.mechml.expression.ExpressionParser;
 import org.mechservice.mechml.expression.ParsedExpression;
 import org.mechservice.mechml.expression.References;
 import org.mechservice.mechml.expression.Scope;
-import org.mechservice.solver.expression.Function;
+import org.mechservice.solver.symbol.MathFunction;
 import org.mechservice.study.Reduction;
 
 /**
@@ -116,8 +116,8 @@ final class ReductionExpression {
   }
 
   private static boolean isFunction(String name, String text, int bracket) {
-    boolean both = name.equals(Function.MIN.symbol()) || name.equals(Function.MAX.symbol());
-    return both ? hasComma(text, bracket) : Function.named(name).isPresent();
+    boolean both = name.equals(MathFunction.MIN.symbol()) || name.equals(MathFunction.MAX.symbol());
+    return both ? hasComma(text, bracket) : MathFunction.named(name).isPresent();
   }
 
   private static boolean hasComma(String text, int bracket) {

@@ -14,7 +14,7 @@ import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.sum;
 import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.times;
 
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.expression.Function;
+import org.mechservice.solver.symbol.MathFunction;
 
 /**
  * Coefficients of a contact: the push at the depth d, which is the law of {@code
@@ -69,11 +69,11 @@ record ContactCoefficients(
       if (isZero(smoothing)) {
         root = Expression.ZERO;
         value = above;
-        slope = call(Function.STEP, depth);
+        slope = call(MathFunction.STEP, depth);
         return;
       }
       root = root(sum(square(depth), square(smoothing)));
-      Expression size = call(Function.ABS, depth);
+      Expression size = call(MathFunction.ABS, depth);
       value = sum(above, quotient(times(0.5, square(smoothing)), sum(size, root)));
       slope = quotient(value, root);
     }
@@ -117,7 +117,7 @@ record ContactCoefficients(
         Expression log =
             isZero(smoothing)
                 ? Expression.ZERO
-                : call(Function.LOG, quotient(times(2, value), smoothing));
+                : call(MathFunction.LOG, quotient(times(2, value), smoothing));
         return product(stiffness, sum(half, product(quarter, sum(log, Expression.of(-0.5)))));
       }
       Expression rest =
@@ -131,7 +131,7 @@ record ContactCoefficients(
     Expression touch() {
       return isZero(smoothing)
           ? slope
-          : call(Function.SMOOTH_STEP, sum(Expression.of(1), quotient(depth, smoothing)));
+          : call(MathFunction.SMOOTH_STEP, sum(Expression.of(1), quotient(depth, smoothing)));
     }
   }
 }

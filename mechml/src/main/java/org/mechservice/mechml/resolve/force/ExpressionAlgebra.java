@@ -4,6 +4,7 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Expression.Call;
+import org.mechservice.solver.expression.Expression.Composed;
 import org.mechservice.solver.expression.Expression.Constant;
 import org.mechservice.solver.expression.Expression.Negation;
 import org.mechservice.solver.expression.Expression.Power;
@@ -11,7 +12,7 @@ import org.mechservice.solver.expression.Expression.Product;
 import org.mechservice.solver.expression.Expression.Quotient;
 import org.mechservice.solver.expression.Expression.Sum;
 import org.mechservice.solver.expression.Expression.TableValue;
-import org.mechservice.solver.expression.Function;
+import org.mechservice.solver.symbol.MathFunction;
 
 /**
  * Arithmetic of expressions, in which numbers are computed at once and terms that are zero vanish.
@@ -76,19 +77,19 @@ final class ExpressionAlgebra {
   static Expression root(Expression a) {
     return a instanceof Constant x
         ? Expression.of(StrictMath.sqrt(x.value()))
-        : call(Function.SQRT, a);
+        : call(MathFunction.SQRT, a);
   }
 
-  static Expression call(Function function, Expression... arguments) {
-    return new Call(function, List.of(arguments));
+  static Expression call(MathFunction function, Expression... arguments) {
+    return Expression.call(function, List.of(arguments));
   }
 
   static Expression larger(Expression a, Expression b) {
-    return call(Function.MAX, a, b);
+    return call(MathFunction.MAX, a, b);
   }
 
   static Expression smaller(Expression a, Expression b) {
-    return call(Function.MIN, a, b);
+    return call(MathFunction.MIN, a, b);
   }
 
   static boolean isZero(Expression a) {
@@ -132,7 +133,10 @@ final class ExpressionAlgebra {
       return new TableValue(
           value.table(), value.arguments().stream().map(one -> at(one, x, done)).toList());
     } else if (e instanceof Call call) {
-      return new Call(
+      return Expression.call(
+          call.function(), call.arguments().stream().map(one -> at(one, x, done)).toList());
+    } else if (e instanceof Composed call) {
+      return Expression.call(
           call.function(), call.arguments().stream().map(one -> at(one, x, done)).toList());
     }
     return e;

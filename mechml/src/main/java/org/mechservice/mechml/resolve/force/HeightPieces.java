@@ -14,10 +14,10 @@ import org.mechservice.solver.expression.Expression.Product;
 import org.mechservice.solver.expression.Expression.Quotient;
 import org.mechservice.solver.expression.Expression.Sum;
 import org.mechservice.solver.expression.Expression.TableValue;
-import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.Table;
 import org.mechservice.solver.expression.Tape;
 import org.mechservice.solver.expression.TapeEvaluation;
+import org.mechservice.solver.symbol.MathFunction;
 
 /**
  * A height h(s) that is smooth between finitely many places and straight before the first and
@@ -184,7 +184,7 @@ final class HeightPieces {
     private static boolean isStraight(Expression e) {
       boolean here =
           !(e instanceof TableValue)
-              && !(e instanceof Call call && call.function() == Function.SMOOTH_STEP);
+              && !(e instanceof Call call && call.function() == MathFunction.SMOOTH_STEP);
       return here && Expression.operands(e).stream().allMatch(Collector::isStraight);
     }
 

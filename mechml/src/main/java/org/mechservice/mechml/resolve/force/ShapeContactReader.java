@@ -26,9 +26,9 @@ import org.mechservice.mechml.unit.Quantity;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.mechanism.FurtherState;
 import org.mechservice.solver.mechanism.force.PairForce;
+import org.mechservice.solver.symbol.MathFunction;
 
 /**
  * Reads {@code sphereContact}, {@code discContact}, {@code boxContact} and a {@code contact} that
@@ -210,7 +210,7 @@ final class ShapeContactReader {
     private static List<Expression> beyond(ExpressionVector r, ExpressionVector h) {
       List<Expression> beyond = new ArrayList<>();
       for (int i = 0; i < 3; i++) {
-        beyond.add(minus(call(Function.ABS, r.components().get(i)), h.components().get(i)));
+        beyond.add(minus(call(MathFunction.ABS, r.components().get(i)), h.components().get(i)));
       }
       return beyond;
     }
@@ -234,16 +234,16 @@ final class ShapeContactReader {
       }
       List<Expression> q = beyond(r, h);
       Expression inside =
-          call(Function.STEP, negated(larger(larger(q.get(0), q.get(1)), q.get(2))));
+          call(MathFunction.STEP, negated(larger(larger(q.get(0), q.get(1)), q.get(2))));
       Expression one = Expression.of(1);
-      Expression x = call(Function.STEP, minus(q.get(0), larger(q.get(1), q.get(2))));
-      Expression y = product(minus(one, x), call(Function.STEP, minus(q.get(1), q.get(2))));
+      Expression x = call(MathFunction.STEP, minus(q.get(0), larger(q.get(1), q.get(2))));
+      Expression y = product(minus(one, x), call(MathFunction.STEP, minus(q.get(1), q.get(2))));
       Expression z = minus(minus(one, x), y);
       ExpressionVector face =
           new ExpressionVector(
-              product(x, call(Function.SIGNUM, r.x())),
-              product(y, call(Function.SIGNUM, r.y())),
-              product(z, call(Function.SIGNUM, r.z())));
+              product(x, call(MathFunction.SIGNUM, r.x())),
+              product(y, call(MathFunction.SIGNUM, r.y())),
+              product(z, call(MathFunction.SIGNUM, r.z())));
       return away.plus(face.times(inside));
     }
   }

@@ -15,9 +15,9 @@ import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.times;
 import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.mechanism.FurtherState;
 import org.mechservice.solver.mechanism.force.PairForce;
+import org.mechservice.solver.symbol.MathFunction;
 import org.mechservice.solver.text.Origin;
 
 /**
@@ -200,7 +200,7 @@ final class TyreFormulas {
     Expression circumferential = product(rollingRadius, spin);
     Expression slidingX = minus(ex.dot(velocity), circumferential);
     Expression slidingY = ey.dot(velocity);
-    Expression transport = sum(call(Function.ABS, circumferential), restSpeed);
+    Expression transport = sum(call(MathFunction.ABS, circumferential), restSpeed);
     Expression slipX = negated(quotient(slidingX, transport));
     Expression slipY = negated(quotient(slidingY, transport));
 
@@ -224,7 +224,7 @@ final class TyreFormulas {
     Expression form = minus(quotient(product(initial, most), maximum), Expression.of(2));
     Expression rising =
         quotient(product(initial, smaller(slip, most)), sum(ONE, product(rise, sum(rise, form))));
-    Expression fall = call(Function.SMOOTH_STEP, quotient(minus(slip, most), minus(end, most)));
+    Expression fall = call(MathFunction.SMOOTH_STEP, quotient(minus(slip, most), minus(end, most)));
     Expression size = minus(rising, product(minus(maximum, slid), fall));
     Expression perSlip = product(share, quotient(size, slip));
 
@@ -257,7 +257,7 @@ final class TyreFormulas {
             new PairForce.Value("lateral", "N", fy),
             new PairForce.Value("slipX", "1", slipX),
             new PairForce.Value("slipY", "1", slipY),
-            new PairForce.Value("camber", "rad", call(Function.ASIN, axle.dot(n)))),
+            new PairForce.Value("camber", "rad", call(MathFunction.ASIN, axle.dot(n)))),
         radius,
         radius instanceof Expression.Constant constant ? constant.value() : 0,
         true,

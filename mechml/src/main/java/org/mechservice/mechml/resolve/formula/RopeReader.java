@@ -15,8 +15,8 @@ import org.mechservice.solver.expression.Expression.Negation;
 import org.mechservice.solver.expression.Expression.PointPosition;
 import org.mechservice.solver.expression.Expression.Product;
 import org.mechservice.solver.expression.Expression.Sum;
-import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.symbol.MathFunction;
 
 /**
  * The length of a rope as a formula of the places of points: the straight parts between eyes and
@@ -229,6 +229,6 @@ public final class RopeReader {
   }
 
   static Expression root(Expression square) {
-    return Expression.call(Function.SQRT, List.of(square));
+    return Expression.call(MathFunction.SQRT, List.of(square));
   }
 }

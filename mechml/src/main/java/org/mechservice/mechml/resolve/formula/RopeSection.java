@@ -10,8 +10,8 @@ import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Expression.Negation;
 import org.mechservice.solver.expression.Expression.Product;
 import org.mechservice.solver.expression.Expression.Sum;
-import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.symbol.MathFunction;
 
 /**
  * A rope from one eye over pulleys to the next: its length by the pulleys that it touches. {@link
@@ -69,7 +69,8 @@ final class RopeSection {
         rest.remove(k);
         Expression touched =
             Expression.call(
-                Function.STEP, List.of(angle(passed.get(k - 1), passed.get(k), passed.get(k + 1))));
+                MathFunction.STEP,
+                List.of(angle(passed.get(k - 1), passed.get(k), passed.get(k + 1))));
         Expression left = RopeReader.minus(Expression.of(1), touched);
         length = new Sum(new Product(touched, length), new Product(left, length(rest)));
       }
@@ -105,7 +106,7 @@ final class RopeSection {
     Expression square = new Sum(new Product(dx, dx), new Product(dy, dy));
     Expression inPlane = RopeReader.minus(square, new Product(delta, delta));
     if (j > i + 1) {
-      inPlane = Expression.call(Function.MAX, List.of(inPlane, TINY));
+      inPlane = Expression.call(MathFunction.MAX, List.of(inPlane, TINY));
     }
     Expression tangent = RopeReader.root(inPlane);
     Expression ux = new Sum(new Product(tangent, dx), new Product(delta, dy));
@@ -128,7 +129,7 @@ final class RopeSection {
             new Product(before.ux(), behind.uy()), new Product(before.uy(), behind.ux()));
     Expression angle =
         Expression.call(
-            Function.ATAN2,
+            MathFunction.ATAN2,
             List.of(new Negation(dot), pulley.isLeft() ? cross : new Negation(cross)));
     return new Sum(Expression.of(Math.PI / 2), angle);
   }

@@ -6,7 +6,7 @@ import org.mechservice.solver.expression.Expression.Negation;
 import org.mechservice.solver.expression.Expression.Product;
 import org.mechservice.solver.expression.Expression.Quotient;
 import org.mechservice.solver.expression.Expression.Sum;
-import org.mechservice.solver.expression.Function;
+import org.mechservice.solver.symbol.MathFunction;
 
 /**
  * Rotations over time as paths of unit quaternions e0, e1, e2, e3: from three angles, or from four
@@ -35,9 +35,9 @@ final class TurningPath {
 
   private static List<Expression> turn(char axis, Expression angle) {
     Expression half = new Product(HALF, angle);
-    Expression sine = Expression.call(Function.SIN, List.of(half));
+    Expression sine = Expression.call(MathFunction.SIN, List.of(half));
     return List.of(
-        Expression.call(Function.COS, List.of(half)),
+        Expression.call(MathFunction.COS, List.of(half)),
         axis == 'x' ? sine : Expression.ZERO,
         axis == 'y' ? sine : Expression.ZERO,
         axis == 'z' ? sine : Expression.ZERO);
@@ -75,7 +75,7 @@ final class TurningPath {
   /** Returns four numbers over their norm; not finite where all are zero. */
   static List<Expression> normalised(List<Expression> numbers) {
     Expression square = sum(numbers.stream().map(n -> new Product(n, n)).toArray(Product[]::new));
-    Expression norm = Expression.call(Function.SQRT, List.of(square));
+    Expression norm = Expression.call(MathFunction.SQRT, List.of(square));
     return numbers.stream().<Expression>map(n -> new Quotient(n, norm)).toList();
   }
 }

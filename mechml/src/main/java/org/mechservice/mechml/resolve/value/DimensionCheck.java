@@ -226,34 +226,22 @@ public final class DimensionCheck {
 
   private Known call(ParsedExpression.Call call) {
     List<ParsedExpression> arguments = call.arguments();
-    return switch (call.function()) {
-      case ABS -> known(arguments.get(0));
-      case SQRT -> power(known(arguments.get(0)), 0.5);
-      case POW -> power(arguments.get(0), arguments.get(1));
-      case MIN, MAX, HYPOT -> sum(arguments);
-      case ATAN2 -> {
-        yield Known.number(sum(arguments).measured());
-      }
-      case FLOOR -> {
-        known(arguments.get(0));
+    return switch (call.function().units()) {
+      case SAME -> known(arguments.get(0));
+      case ROOT -> power(known(arguments.get(0)), 0.5);
+      case POWER -> power(arguments.get(0), arguments.get(1));
+      case COMMON -> sum(arguments);
+      case ANGLE_OF_TWO -> Known.number(sum(arguments).measured());
+      case COUNT -> {
+        arguments.forEach(this::known);
         yield Known.ANYTHING;
       }
-      case SIN,
-          COS,
-          TAN,
-          ASIN,
-          ACOS,
-          ATAN,
-          EXP,
-          LOG,
-          SINH,
-          COSH,
-          TANH,
-          SIGNUM,
-          STEP,
-          SMOOTH_STEP -> {
-        yield Known.number(known(arguments.get(0)).measured());
-      }
+      case NUMBER, ANGLE ->
+          Known.number(
+              arguments.stream()
+                  .map(this::known)
+                  .map(Known::measured)
+                  .reduce(false, (a, b) -> a || b));
     };
   }
 

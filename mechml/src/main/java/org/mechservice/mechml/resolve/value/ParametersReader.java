@@ -25,7 +25,7 @@ import org.mechservice.mechml.unit.UnitException;
 import org.mechservice.mechml.unit.UnitParser;
 import org.mechservice.mechml.unit.UnitSystem;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.mechservice.solver.expression.Function;
+import org.mechservice.solver.symbol.MathFunction;
 
 /** Reads {@code Parameters}; they may refer to each other in any order. */
 public final class ParametersReader {
@@ -76,7 +76,7 @@ public final class ParametersReader {
   private void parse(Element element) {
     String name = element.required("name");
     String text = options.values().getOrDefault(name, element.required("value"));
-    if (RESERVED.contains(name) || Function.named(name).isPresent()) {
+    if (RESERVED.contains(name) || MathFunction.named(name).isPresent()) {
       diagnostics.error(
           MessageCode.UNUSABLE_NAME,
           element.position(),

@@ -64,11 +64,10 @@ final class RadianCheck {
   }
 
   private Optional<String> ofCall(ParsedExpression.Call call) {
-    return switch (call.function()) {
-      case ASIN, ACOS, ATAN, ATAN2 -> Optional.of(call.function().symbol());
-      case ABS, MIN, MAX, HYPOT, FLOOR -> first(call.arguments());
-      case SQRT, SIN, COS, TAN, EXP, LOG, POW, SINH, COSH, TANH, SIGNUM, STEP, SMOOTH_STEP ->
-          Optional.empty();
+    return switch (call.function().units()) {
+      case ANGLE, ANGLE_OF_TWO -> Optional.of(call.function().symbol());
+      case SAME, COMMON, COUNT -> first(call.arguments());
+      case NUMBER, ROOT, POWER -> Optional.empty();
     };
   }
 }

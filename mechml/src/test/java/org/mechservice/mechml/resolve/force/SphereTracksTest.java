@@ -12,9 +12,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.Table;
 import org.mechservice.solver.expression.TableCurve;
+import org.mechservice.solver.symbol.MathFunction;
 
 /** The curves of a sphere's centre over a profile, against spheres that are set down on it. */
 class SphereTracksTest {
@@ -133,7 +133,7 @@ class SphereTracksTest {
 
   @Test
   void heightWithASineHasNoPieces() {
-    Expression wave = Expression.call(Function.SIN, List.of(new Expression.Argument()));
+    Expression wave = Expression.call(MathFunction.SIN, List.of(new Expression.Argument()));
     assertThat(HeightPieces.of(wave)).isEmpty();
     assertThat(HeightPieces.of(new Expression.Sum(wave, road(new Random(1))))).isEmpty();
   }

@@ -40,6 +40,9 @@ enum Linearity {
     } else if (e instanceof Expression.Call call) {
       Linearity arguments = largest(call.arguments());
       return ofTimeAtMost(arguments, arguments);
+    } else if (e instanceof Expression.Composed call) {
+      Linearity arguments = largest(call.arguments());
+      return ofTimeAtMost(arguments, arguments);
     } else if (e instanceof Expression.TableValue value) {
       return ofTimeAtMost(largest(value.arguments()), CONSTANT);
     }

@@ -138,14 +138,7 @@ static double smooth_step(double a) {
   return s * s * (3 - 2 * s);
 }
 
-static double tangent(double a) {
-  double both[2];
-  mech_sin_cos(a, both);
-  return both[0] / both[1];
-}
-
 static double value(const mech_watch_step *step, double a, double b) {
-  double both[2];
   switch (step->operation) {
     case WATCH_ADD:
       return a + b;
@@ -162,13 +155,9 @@ static double value(const mech_watch_step *step, double a, double b) {
     case WATCH_ABS:
       return fabs(a);
     case WATCH_SIN:
-      mech_sin_cos(a, both);
-      return both[0];
+      return mech_sine(a);
     case WATCH_COS:
-      mech_sin_cos(a, both);
-      return both[1];
-    case WATCH_TAN:
-      return tangent(a);
+      return mech_cosine(a);
     case WATCH_ASIN:
       return mech_asin(a);
     case WATCH_ACOS:
@@ -283,7 +272,6 @@ static double distance(int choice, const double *point) {
 static int is_narrow(const mech_watch_step *step) {
   switch (step->operation) {
     case WATCH_DIVIDE:
-    case WATCH_TAN:
     case WATCH_ATAN:
     case WATCH_EXP:
     case WATCH_SINH:
@@ -495,15 +483,9 @@ static bounds exact_bounds(const mech_watch_step *step, bounds a, bounds b) {
     case WATCH_ABS:
       return absolute(a);
     case WATCH_SIN:
-      return wave(mech_sin(a.low), mech_sin(a.high), a, 0.5 * PI_NUMBER);
+      return wave(mech_sine(a.low), mech_sine(a.high), a, 0.5 * PI_NUMBER);
     case WATCH_COS:
-      return wave(mech_cos(a.low), mech_cos(a.high), a, 0);
-    case WATCH_TAN:
-      if (a.high - a.low >= PI_NUMBER ||
-          holds_multiple(a.low + 0.5 * PI_NUMBER, a.high + 0.5 * PI_NUMBER, PI_NUMBER)) {
-        return all();
-      }
-      return between(tangent(a.low), tangent(a.high));
+      return wave(mech_cosine(a.low), mech_cosine(a.high), a, 0);
     case WATCH_ASIN:
       return between(mech_asin(unit(a.low)), mech_asin(unit(a.high)));
     case WATCH_ACOS:

@@ -20,7 +20,6 @@ typedef enum {
   WATCH_ABS,
   WATCH_SIN,
   WATCH_COS,
-  WATCH_TAN,
   WATCH_ASIN,
   WATCH_ACOS,
   WATCH_ATAN,

@@ -29,7 +29,6 @@ import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.Accuracy;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -41,6 +40,7 @@ import org.mechservice.solver.mechanism.joint.StartRole;
 import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.symbol.MathFunction;
 import org.mechservice.solver.text.Origin;
 
 /** The text of a model class. */
@@ -259,7 +259,7 @@ class GeneratedSourceTest {
         .extracting(Omission::what)
         .doesNotContain("quaternions");
     Joint slide = joint("slide", "P", Mechanism.ROOT, 0, new Vector3(1, 0, 0));
-    Expression wave = new Expression.Call(Function.SIN, List.of(new Expression.Time()));
+    Expression wave = new Expression.Call(MathFunction.SIN, List.of(new Expression.Time()));
     Mechanism pushed =
         new Mechanism(
             "pushed",

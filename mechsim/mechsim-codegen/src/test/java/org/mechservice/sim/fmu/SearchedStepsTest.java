@@ -35,7 +35,7 @@ import org.mechservice.solver.api.capability.ModelEvents;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.dynamics.event.StateEvents;
-import org.mechservice.solver.expression.Function;
+import org.mechservice.solver.symbol.MathFunction;
 
 /**
  * Units for Co-Simulation feel what happens between two points of a step, whatever the steps of
@@ -54,7 +54,7 @@ class SearchedStepsTest {
   private static final int STEPS = 400;
 
   private static final List<String> FUNCTIONS =
-      Stream.concat(Function.symbols().stream(), Stream.of("lin", "aki", "mp", "lin", "mp"))
+      Stream.concat(MathFunction.symbols().stream(), Stream.of("lin", "aki", "mp", "lin", "mp"))
           .toList();
 
   private static final String TABLES =
@@ -369,7 +369,7 @@ class SearchedStepsTest {
     int kind = random.nextInt(FUNCTIONS.size() + 5);
     if (kind < FUNCTIONS.size()) {
       String name = FUNCTIONS.get(kind);
-      Optional<Function> function = Function.named(name);
+      Optional<MathFunction> function = MathFunction.named(name);
       boolean two = name.equals("mp") || function.map(f -> f.arity() == 2).orElse(false);
       return name + "(" + one + (two ? "," + formula(random, depth - 1) : "") + ")";
     }

@@ -8,7 +8,6 @@ import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.ClosureCoordinate;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.force.law.Side;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.closure.CoordinateClosure;
@@ -20,6 +19,7 @@ import org.mechservice.solver.mechanism.force.JointForce;
 import org.mechservice.solver.mechanism.force.JointFriction;
 import org.mechservice.solver.mechanism.force.JointSpringDamper;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.symbol.MathFunction;
 import org.mechservice.solver.text.Origin;
 
 /** Springs, friction, forces and relations that depend on every coordinate of every cut joint. */
@@ -114,7 +114,7 @@ public final class CutUses {
 
   /** 2 a + sin(a) b, of coordinates a and b of cut joints, which are zero at the start. */
   private LoopClosure relation(Expression a, Expression b) {
-    Expression sine = new Expression.Call(Function.SIN, List.of(a));
+    Expression sine = new Expression.Call(MathFunction.SIN, List.of(a));
     Expression relation =
         new Expression.Sum(
             new Expression.Product(Expression.of(2 + number()), a),
@@ -123,7 +123,7 @@ public final class CutUses {
   }
 
   private static Expression bounded(Expression sum) {
-    return new Expression.Call(Function.TANH, List.of(sum));
+    return new Expression.Call(MathFunction.TANH, List.of(sum));
   }
 
   private String name() {

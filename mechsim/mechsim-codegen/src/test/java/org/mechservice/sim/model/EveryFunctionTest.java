@@ -4,16 +4,17 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatCode;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.scene.forecast.RunForecast;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.capability.ModelParts;
 import org.mechservice.solver.dynamics.LinearisedResidualModel;
-import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.force.user.UserForceSource;
+import org.mechservice.solver.symbol.MathFunction;
 
 /**
  * Each function of expressions works at every stage from the model file to the run: reader,
@@ -25,11 +26,15 @@ class EveryFunctionTest {
   private static final double V = 0.7;
 
   /** Writes a force of half a function of the position, and of the velocity if it takes two. */
-  private static String force(String prefix, Function function) {
+  private static String force(String prefix, MathFunction function) {
     String arguments = function.arity() == 1 ? "s.q" : "s.q, s.v";
     return "<jointForce name=\"f\" joint=\"s\" expression=\"0.5*"
         + (prefix + function.symbol() + "(" + arguments + ")")
         + "\"/>";
+  }
+
+  static List<MathFunction> functions() {
+    return MathFunction.inFormulas();
   }
 
   private static Model data(MechmlModel file) {
@@ -46,9 +51,9 @@ class EveryFunctionTest {
     return rates[1];
   }
 
-  @EnumSource(Function.class)
+  @MethodSource("functions")
   @ParameterizedTest
-  void dataAndCodeGiveTheSameBits(Function function) throws Exception {
+  void dataAndCodeGiveTheSameBits(MathFunction function) throws Exception {
     MechmlModel file = BranchesNotTakenTest.scene(force("", function));
     GeneratedModel generated = ModelFactory.generate(file, BranchesNotTakenTest.OPTIONS);
     Model code = ModelFactory.compile(file, BranchesNotTakenTest.OPTIONS, generated).newInstance();
@@ -58,14 +63,14 @@ class EveryFunctionTest {
     double expected = acceleration(data(file));
 
     assertThat(generated.operations()).isPositive();
-    assertThat(expected).isCloseTo(0.5 * function.at(new double[] {Q, V}), within(1e-15));
+    assertThat(expected).isCloseTo(0.5 * function.value(Q, V), within(1e-15));
     assertThat(acceleration(code)).isEqualTo(expected);
     assertThat(acceleration(compiled)).isEqualTo(expected);
   }
 
-  @EnumSource(Function.class)
+  @MethodSource("functions")
   @ParameterizedTest
-  void derivativesOfDataAndCodeAgree(Function function) throws Exception {
+  void derivativesOfDataAndCodeAgree(MathFunction function) throws Exception {
     MechmlModel file = BranchesNotTakenTest.scene(force("", function));
     GeneratedModel generated = ModelFactory.generate(file, BranchesNotTakenTest.OPTIONS);
     Model code = ModelFactory.compile(file, BranchesNotTakenTest.OPTIONS, generated).newInstance();
@@ -75,18 +80,18 @@ class EveryFunctionTest {
     assertThat(BranchesNotTakenTest.step(code, Q, V)).containsExactly(expected, within(1e-13));
   }
 
-  @EnumSource(Function.class)
+  @MethodSource("functions")
   @ParameterizedTest
-  void readerTakesThePrefixOfJava(Function function) throws Exception {
+  void readerTakesThePrefixOfJava(MathFunction function) throws Exception {
     MechmlModel plain = BranchesNotTakenTest.scene(force("", function));
     MechmlModel prefixed = BranchesNotTakenTest.scene(force("Math.", function));
 
     assertThat(acceleration(data(prefixed))).isEqualTo(acceleration(data(plain)));
   }
 
-  @EnumSource(Function.class)
+  @MethodSource("functions")
   @ParameterizedTest
-  void forecastKnowsTheFunction(Function function) throws Exception {
+  void forecastKnowsTheFunction(MathFunction function) throws Exception {
     MechmlModel file = BranchesNotTakenTest.scene(force("", function));
 
     assertThatCode(() -> RunForecast.of(file, "auto", "auto", file.settings().run()))

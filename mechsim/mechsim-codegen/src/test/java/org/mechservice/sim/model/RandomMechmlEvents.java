@@ -11,7 +11,6 @@ import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.api.capability.ModelEvents;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.mechanism.Event;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -19,6 +18,7 @@ import org.mechservice.solver.mechanism.Output;
 import org.mechservice.solver.mechanism.StateChange;
 import org.mechservice.solver.mechanism.joint.Joint;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.symbol.MathFunction;
 import org.mechservice.solver.text.Origin;
 
 /**
@@ -124,6 +124,6 @@ public final class RandomMechmlEvents {
     Expression a = Expression.of(2 * random.nextDouble() - 1);
     Expression product = new Expression.Product(x, y);
     return new Expression.Sum(
-        new Expression.Product(a, x), new Expression.Call(Function.TANH, List.of(product)));
+        new Expression.Product(a, x), new Expression.Call(MathFunction.TANH, List.of(product)));
   }
 }

@@ -8,7 +8,6 @@ import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Expression.Time;
-import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.expression.Table;
 import org.mechservice.solver.force.law.Condition;
@@ -29,6 +28,7 @@ import org.mechservice.solver.mechanism.force.PairForce;
 import org.mechservice.solver.mechanism.force.SpringDamper;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.symbol.MathFunction;
 import org.mechservice.solver.text.Origin;
 
 /** Random forces of every kind on a given tree. */
@@ -138,7 +138,7 @@ public final class RandomMechmlForces {
   private ForceElement coupled(JointCoordinate c, Expression preload, Side side, Expression eps) {
     Expression distance =
         new Expression.Call(
-            Function.HYPOT,
+            MathFunction.HYPOT,
             List.of(
                 new Expression.Sum(positive(1), new Expression.PointPosition(point(), 0)),
                 new Expression.PointPosition(point(), 2)));
@@ -209,7 +209,7 @@ public final class RandomMechmlForces {
     Expression bump =
         new Expression.Product(
             positive(0.2),
-            new Expression.Call(Function.SIN, List.of(new Expression.Product(number(2), x))));
+            new Expression.Call(MathFunction.SIN, List.of(new Expression.Product(number(2), x))));
     return new Contact(
         name(),
         point(),
@@ -236,7 +236,7 @@ public final class RandomMechmlForces {
       Expression part = new Expression.RelativeMotion(frame1, frame2, i);
       sum = new Expression.Sum(sum, new Expression.Product(number(0.5), part));
     }
-    Expression shared = new Expression.Call(Function.SIN, List.of(sum));
+    Expression shared = new Expression.Call(MathFunction.SIN, List.of(sum));
     List<Expression> wrench = new ArrayList<>();
     for (int i = 0; i < 6; i++) {
       shared = new Expression.Sum(shared, new Expression.Product(number(0.3), shared));
@@ -267,8 +267,8 @@ public final class RandomMechmlForces {
       sum = new Expression.Sum(sum, new Expression.CoordinatePosition(c));
     }
     return new Expression.Sum(
-        new Expression.Call(Function.TANH, List.of(sum)),
-        new Expression.Call(Function.COS, List.of(new Expression.Product(t, number(3)))));
+        new Expression.Call(MathFunction.TANH, List.of(sum)),
+        new Expression.Call(MathFunction.COS, List.of(new Expression.Product(t, number(3)))));
   }
 
   private String name() {

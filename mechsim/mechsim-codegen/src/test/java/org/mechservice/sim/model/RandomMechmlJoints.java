@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Random;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.mechanism.PrescribedMotion;
 import org.mechservice.solver.mechanism.joint.Attachment;
 import org.mechservice.solver.mechanism.joint.Cylindrical;
@@ -21,6 +20,7 @@ import org.mechservice.solver.mechanism.joint.Universal;
 import org.mechservice.solver.mechanism.joint.Weld;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.symbol.MathFunction;
 import org.mechservice.solver.text.Origin;
 
 /** Random joints of every type, half of them taken against the file's sense, and motions. */
@@ -127,15 +127,16 @@ public final class RandomMechmlJoints {
     Expression a = Expression.of(number());
     Expression linear = new Expression.Sum(new Expression.Product(Expression.of(number()), t), a);
     return switch (random.nextInt(3)) {
-      case 0 -> new Expression.Product(a, new Expression.Call(Function.SIN, List.of(linear)));
+      case 0 -> new Expression.Product(a, new Expression.Call(MathFunction.SIN, List.of(linear)));
       case 1 ->
           new Expression.Call(
-              Function.EXP,
+              MathFunction.EXP,
               List.of(
                   new Expression.Negation(
                       new Expression.Product(
                           Expression.of(0.5), new Expression.Power(t, Expression.of(2))))));
-      default -> new Expression.Product(linear, new Expression.Call(Function.COS, List.of(linear)));
+      default ->
+          new Expression.Product(linear, new Expression.Call(MathFunction.COS, List.of(linear)));
     };
   }
 }

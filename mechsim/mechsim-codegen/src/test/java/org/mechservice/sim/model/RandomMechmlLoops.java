@@ -9,7 +9,6 @@ import org.mechservice.solver.api.capability.BodyPoses;
 import org.mechservice.solver.dynamics.DataDrivenModel;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.closure.CoordinateClosure;
@@ -24,6 +23,7 @@ import org.mechservice.solver.mechanism.joint.StartRole;
 import org.mechservice.solver.spatial.EulerParameters;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.symbol.MathFunction;
 import org.mechservice.solver.text.Origin;
 
 /**
@@ -148,7 +148,7 @@ public final class RandomMechmlLoops {
     Expression a = Expression.of(number());
     Expression t = new Expression.Time();
     return random.nextBoolean()
-        ? new Expression.Call(Function.SIN, List.of(new Expression.Product(a, t)))
+        ? new Expression.Call(MathFunction.SIN, List.of(new Expression.Product(a, t)))
         : new Expression.Product(a, new Expression.Power(t, Expression.of(2)));
   }
 
@@ -159,7 +159,7 @@ public final class RandomMechmlLoops {
     Expression f =
         random.nextBoolean()
             ? new Expression.Product(Expression.of(number()), second)
-            : new Expression.Call(Function.SIN, List.of(second));
+            : new Expression.Call(MathFunction.SIN, List.of(second));
     Expression sum =
         new Expression.Sum(new Expression.Product(Expression.of(2 + number()), first), f);
     Expression moving =

@@ -10,7 +10,7 @@ import org.mechservice.solver.expression.Expression.Negation;
 import org.mechservice.solver.expression.Expression.Product;
 import org.mechservice.solver.expression.Expression.Quotient;
 import org.mechservice.solver.expression.Expression.Sum;
-import org.mechservice.solver.expression.Function;
+import org.mechservice.solver.symbol.MathFunction;
 
 /**
  * The corners of a curve that a sphere above it can touch on both sides at once: those of {@code
@@ -51,7 +51,7 @@ final class HollowCorners {
     }
   }
 
-  private static boolean isHollow(Function function, int sign) {
+  private static boolean isHollow(MathFunction function, int sign) {
     return switch (function) {
       case MAX, ABS -> sign >= 0;
       case MIN -> sign <= 0;
@@ -63,7 +63,7 @@ final class HollowCorners {
   private static int signOf(Expression part, List<Expression> operands, int operand) {
     if (part instanceof Sum
         || (part instanceof Call call
-            && (call.function() == Function.MAX || call.function() == Function.MIN))) {
+            && (call.function() == MathFunction.MAX || call.function() == MathFunction.MIN))) {
       return 1;
     } else if (part instanceof Negation) {
       return -1;

@@ -7,6 +7,7 @@ import java.util.TreeSet;
 import java.util.stream.Stream;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Expression.Call;
+import org.mechservice.solver.expression.Expression.Composed;
 import org.mechservice.solver.expression.Expression.Constant;
 import org.mechservice.solver.expression.Expression.Negation;
 import org.mechservice.solver.expression.Expression.ParameterValue;
@@ -100,12 +101,13 @@ final class MotionJumps {
           && n.value() >= 1
           && n.value() == Math.rint(n.value());
     } else if (formula instanceof Call call) {
-      return switch (call.function()) {
-        case SIN, COS, EXP, ATAN, SINH, COSH, TANH, SMOOTH_STEP ->
-            isSmooth(call.arguments().get(0));
-        case SQRT, ABS, TAN, ASIN, ACOS, ATAN2, LOG, POW, MIN, MAX, SIGNUM, HYPOT, FLOOR, STEP ->
-            call.arguments().stream().allMatch(MotionJumps::isFixed);
-      };
+      List<Expression> arguments = call.arguments();
+      boolean smooth = call.function().isSmooth() && arguments.size() == 1;
+      return arguments.stream().allMatch(MotionJumps::isFixed)
+          || (smooth && isSmooth(arguments.get(0)));
+    } else if (formula instanceof Composed composed) {
+      return composed.arguments().stream().allMatch(MotionJumps::isFixed)
+          || isSmooth(composed.formula());
     }
     return formula instanceof Time || isFixed(formula);
   }

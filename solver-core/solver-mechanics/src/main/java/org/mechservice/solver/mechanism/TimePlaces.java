@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.DoubleStream;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Expression.Call;
 import org.mechservice.solver.expression.Expression.Constant;
@@ -19,13 +20,14 @@ import org.mechservice.solver.expression.Expression.Quotient;
 import org.mechservice.solver.expression.Expression.Sum;
 import org.mechservice.solver.expression.Expression.TableValue;
 import org.mechservice.solver.expression.Expression.Time;
-import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.Tape;
 import org.mechservice.solver.expression.TapePieces;
 import org.mechservice.solver.mechanism.closure.CoordinateClosure;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.force.ForceElement;
+import org.mechservice.solver.symbol.Corners;
+import org.mechservice.solver.symbol.MathFunction;
 
 /**
  * The places in time at which a mechanism's equations change their form because of an expression of
@@ -146,18 +148,9 @@ final class TimePlaces {
 
   private boolean isChoiceOfTime(Expression part) {
     if (part instanceof Call call) {
-      return isChoice(call.function()) && isOfTime(part);
+      return call.function().corners() != Corners.NONE && isOfTime(part);
     }
     return part instanceof TableValue && isOfTime(part);
-  }
-
-  private static boolean isChoice(Function function) {
-    return switch (function) {
-      case STEP, SIGNUM, FLOOR, ABS, SMOOTH_STEP, MIN, MAX -> true;
-      // smooth wherever they are defined
-      case SQRT, SIN, COS, TAN, ASIN, ACOS, ATAN, ATAN2, EXP, LOG, POW, SINH, COSH, TANH, HYPOT ->
-          false;
-    };
   }
 
   /** Returns whether an expression depends on time, and on nothing else that changes. */
@@ -207,25 +200,19 @@ final class TimePlaces {
     }
   }
 
-  private void lines(Function function, List<Optional<Line>> arguments) {
+  private void lines(MathFunction function, List<Optional<Line>> arguments) {
     Line line = arguments.get(0).orElseThrow();
     Line other = arguments.get(arguments.size() - 1).orElseThrow();
-    switch (function) {
-      case MIN, MAX -> addMeeting(line, other);
-      case FLOOR -> {
+    switch (function.corners()) {
+      case EQUAL -> addMeeting(line, other);
+      case WHOLE_NUMBERS -> {
         if (line.slope() != 0) {
           addWholes(line);
         }
       }
-      case SMOOTH_STEP -> {
-        if (line.slope() != 0) {
-          add(line.where(0));
-          add(line.where(1));
-        }
-      }
       default -> {
         if (line.slope() != 0) {
-          add(line.where(0));
+          DoubleStream.of(function.corners().places()).map(line::where).forEach(this::add);
         }
       }
     }

@@ -11,6 +11,7 @@ import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Expression.Argument;
 import org.mechservice.solver.expression.Expression.Call;
 import org.mechservice.solver.expression.Expression.ClosestStation;
+import org.mechservice.solver.expression.Expression.Composed;
 import org.mechservice.solver.expression.Expression.Constant;
 import org.mechservice.solver.expression.Expression.CoordinatePosition;
 import org.mechservice.solver.expression.Expression.Negation;
@@ -23,7 +24,6 @@ import org.mechservice.solver.expression.Expression.RelativeMotion;
 import org.mechservice.solver.expression.Expression.Sum;
 import org.mechservice.solver.expression.Expression.TableValue;
 import org.mechservice.solver.expression.Expression.Time;
-import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.ScalarFormulas;
 import org.mechservice.solver.expression.Tape;
 import org.mechservice.solver.force.law.Frames;
@@ -46,7 +46,9 @@ import org.mechservice.solver.mechanism.force.PairForce;
 import org.mechservice.solver.mechanism.force.SpringDamper;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.spatial.Rotation;
+import org.mechservice.solver.symbol.Corners;
 import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.MathFunction;
 import org.mechservice.solver.symbol.Scalar;
 
 /**
@@ -102,18 +104,10 @@ final class WatchedFormulas implements ForceVisitor<List<Expression>> {
   private static boolean isNarrow(Expression formula) {
     boolean here =
         formula instanceof TableValue
-            || (formula instanceof Call call && !isMadeOfPieces(call.function()))
+            || (formula instanceof Call call && call.function().corners() == Corners.NONE)
             || formula instanceof Power
             || formula instanceof Quotient;
     return here || Expression.operands(formula).stream().anyMatch(WatchedFormulas::isNarrow);
-  }
-
-  private static boolean isMadeOfPieces(Function function) {
-    return switch (function) {
-      case ABS, MIN, MAX, SIGNUM, FLOOR, STEP, SMOOTH_STEP -> true;
-      case SQRT, SIN, COS, TAN, ASIN, ACOS, ATAN, ATAN2, EXP, LOG, POW, SINH, COSH, TANH, HYPOT ->
-          false;
-    };
   }
 
   /** Returns a formula without its even terms; empty if it has no others. */
@@ -184,16 +178,12 @@ final class WatchedFormulas implements ForceVisitor<List<Expression>> {
     return false;
   }
 
-  private static boolean isUneven(Function function) {
-    return switch (function) {
-      case ABS, MIN, MAX, SIGNUM, FLOOR, STEP, SMOOTH_STEP, EXP, TANH, ATAN, SINH, COSH, TAN, POW ->
-          true;
-      case SQRT, SIN, COS, ASIN, ACOS, ATAN2, LOG, HYPOT -> false;
-    };
+  private static boolean isUneven(MathFunction function) {
+    return function.corners() != Corners.NONE || function.isNarrow();
   }
 
   private static Expression pressed(Expression amount) {
-    return Expression.call(Function.MAX, List.of(Expression.ZERO, amount));
+    return Expression.call(MathFunction.MAX, List.of(Expression.ZERO, amount));
   }
 
   /** Returns by how much a one-sided spring is stretched or pressed; nothing for another. */
@@ -216,7 +206,7 @@ final class WatchedFormulas implements ForceVisitor<List<Expression>> {
               new Negation(new PointPosition(force.point1(), axis)));
       squares = new Sum(squares, new Product(way, way));
     }
-    Expression length = Expression.call(Function.SQRT, List.of(squares));
+    Expression length = Expression.call(MathFunction.SQRT, List.of(squares));
     return oneSided(force.side(), length, force.length0());
   }
 
@@ -262,7 +252,8 @@ final class WatchedFormulas implements ForceVisitor<List<Expression>> {
     Expression closest = new ClosestStation(force.surface(), ball, height);
     List<Expression> watched = new ArrayList<>(List.of(depth));
     for (Expression side : HollowCorners.of(height)) {
-      watched.add(new Product(depth, Expression.call(Function.SIGNUM, List.of(at(closest, side)))));
+      watched.add(
+          new Product(depth, Expression.call(MathFunction.SIGNUM, List.of(at(closest, side)))));
     }
     return watched;
   }
@@ -274,7 +265,7 @@ final class WatchedFormulas implements ForceVisitor<List<Expression>> {
     Expression slope =
         new Product(Expression.of(0.5 / SHORT), new Sum(ahead, new Negation(behind)));
     return Expression.call(
-        Function.SQRT, List.of(new Sum(Expression.of(1), new Product(slope, slope))));
+        MathFunction.SQRT, List.of(new Sum(Expression.of(1), new Product(slope, slope))));
   }
 
   private static Expression at(Expression x, Expression curve) {
@@ -299,6 +290,8 @@ final class WatchedFormulas implements ForceVisitor<List<Expression>> {
       return new Negation(parts.get(0));
     } else if (formula instanceof Call call) {
       return Expression.call(call.function(), parts);
+    } else if (formula instanceof Composed) {
+      return parts.get(0);
     }
     return new TableValue(((TableValue) formula).table(), parts);
   }

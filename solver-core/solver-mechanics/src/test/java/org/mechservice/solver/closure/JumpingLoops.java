@@ -11,7 +11,6 @@ import org.mechservice.solver.expression.Expression.Product;
 import org.mechservice.solver.expression.Expression.Quotient;
 import org.mechservice.solver.expression.Expression.Sum;
 import org.mechservice.solver.expression.Expression.Time;
-import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -29,6 +28,7 @@ import org.mechservice.solver.mechanism.joint.StartRole;
 import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.symbol.MathFunction;
 import org.mechservice.solver.text.Origin;
 
 /**
@@ -265,18 +265,20 @@ final class JumpingLoops {
   private Expression jump(Expression velocity, Expression off, Expression into) {
     Expression slip = new Sum(velocity, Expression.of(-belt));
     return switch (law) {
-      case SIGN -> call(Function.SIGNUM, slip);
-      case STEEP -> call(Function.TANH, new Quotient(slip, Expression.of(width)));
+      case SIGN -> call(MathFunction.SIGNUM, slip);
+      case STEEP -> call(MathFunction.TANH, new Quotient(slip, Expression.of(width)));
       case BANG_BANG ->
-          call(Function.SIGNUM, call(Function.SIN, new Product(Expression.of(rate), new Time())));
+          call(
+              MathFunction.SIGNUM,
+              call(MathFunction.SIN, new Product(Expression.of(rate), new Time())));
       case STAIRS ->
           new Quotient(
-              call(Function.FLOOR, new Product(Expression.of(30), off)), Expression.of(10));
-      case STOP -> new Product(Expression.of(stop), call(Function.MAX, into, Expression.of(0)));
+              call(MathFunction.FLOOR, new Product(Expression.of(30), off)), Expression.of(10));
+      case STOP -> new Product(Expression.of(stop), call(MathFunction.MAX, into, Expression.of(0)));
     };
   }
 
-  private static Expression call(Function function, Expression... arguments) {
+  private static Expression call(MathFunction function, Expression... arguments) {
     return new Expression.Call(function, List.of(arguments));
   }
 

@@ -20,7 +20,6 @@ import org.mechservice.solver.expression.Expression.Product;
 import org.mechservice.solver.expression.Expression.RelativeMotion;
 import org.mechservice.solver.expression.Expression.Sum;
 import org.mechservice.solver.expression.Expression.Time;
-import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.force.law.Condition;
 import org.mechservice.solver.force.law.PairLaw;
@@ -42,6 +41,7 @@ import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.mechanism.joint.Joint;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.symbol.MathFunction;
 import org.mechservice.solver.text.Origin;
 
 /**
@@ -184,13 +184,13 @@ public final class RandomForces {
     Side side = List.of(Side.values()).get(random.nextInt(3));
     Expression place =
         new Call(
-            Function.HYPOT,
+            MathFunction.HYPOT,
             List.of(
                 new Sum(number(), new PointPosition(point(), random.nextInt(3))),
                 new PointPosition(point(), random.nextInt(3))));
     Expression along =
         new Sum(
-            new Product(place, new Call(Function.SIN, List.of(position))),
+            new Product(place, new Call(MathFunction.SIN, List.of(position))),
             new Product(new PointPosition(point(), random.nextInt(3)), new Time()));
     return new CouplingSpringDamper(
         name,
@@ -244,7 +244,7 @@ public final class RandomForces {
 
   /** Hills that bend less than spheres of the size of the mechanism. */
   private static Expression hills() {
-    Call wave = new Call(Function.SIN, List.of(new Argument()));
+    Call wave = new Call(MathFunction.SIN, List.of(new Argument()));
     return new Product(Expression.of(0.1), wave);
   }
 
@@ -280,7 +280,7 @@ public final class RandomForces {
     }
     List<Expression> wrench =
         IntStream.range(0, 6)
-            .mapToObj(i -> new Call(Function.SIN, List.of(mixture(motion))))
+            .mapToObj(i -> new Call(MathFunction.SIN, List.of(mixture(motion))))
             .map(Expression.class::cast)
             .toList();
     return new PairForce(
@@ -289,8 +289,8 @@ public final class RandomForces {
         ((RelativeMotion) motion.get(0)).frame1(),
         ((RelativeMotion) motion.get(0)).frame2(),
         wrench,
-        new Call(Function.SIN, List.of(square)),
-        new Product(new Call(Function.COS, List.of(square)), along),
+        new Call(MathFunction.SIN, List.of(square)),
+        new Product(new Call(MathFunction.COS, List.of(square)), along),
         List.of(
             new PairForce.Value("square", "m²", square), new PairForce.Value("load", "N", square)),
         Expression.ZERO,
@@ -355,8 +355,8 @@ public final class RandomForces {
     Expression b = formula(depth - 1);
     return switch (random.nextInt(3)) {
       case 0 -> new Sum(a, b);
-      case 1 -> new Product(new Call(Function.ATAN, List.of(a)), b);
-      default -> new Call(Function.SIN, List.of(new Sum(a, b)));
+      case 1 -> new Product(new Call(MathFunction.ATAN, List.of(a)), b);
+      default -> new Call(MathFunction.SIN, List.of(new Sum(a, b)));
     };
   }
 

@@ -14,17 +14,17 @@ import org.mechservice.solver.expression.Expression.StateValue;
 import org.mechservice.solver.expression.Expression.Sum;
 import org.mechservice.solver.expression.Expression.TableValue;
 import org.mechservice.solver.expression.Expression.Time;
-import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.Table;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.symbol.MathFunction;
 import org.mechservice.solver.text.Origin;
 
 /** Places in time at which formulas change their form, beside the zeros of their arguments. */
 final class TimePlacesTest {
   private static final Expression T = new Time();
 
-  private static Expression call(Function function, Expression... arguments) {
+  private static Expression call(MathFunction function, Expression... arguments) {
     return Expression.call(function, List.of(arguments));
   }
 
@@ -47,7 +47,7 @@ final class TimePlacesTest {
 
   @Test
   void zerosOfASineAreAllFound() {
-    List<Double> found = places(call(Function.SIGNUM, call(Function.SIN, T)), 0.1, 100);
+    List<Double> found = places(call(MathFunction.SIGNUM, call(MathFunction.SIN, T)), 0.1, 100);
     assertThat(found).hasSize(31);
     for (int k = 1; k <= 31; k++) {
       assertThat(found.get(k - 1)).isCloseTo(k * Math.PI, within(4 * Math.ulp(k * Math.PI)));
@@ -57,7 +57,7 @@ final class TimePlacesTest {
   @Test
   void bothEndsOfARampOfTSquaredAreFound() {
     Expression argument = new Product(minus(new Product(T, T), 49), Expression.of(10));
-    assertThat(places(call(Function.SMOOTH_STEP, argument), 0, 10))
+    assertThat(places(call(MathFunction.SMOOTH_STEP, argument), 0, 10))
         .satisfiesExactly(
             t -> assertThat(t).isCloseTo(7, within(1e-14)),
             t -> assertThat(t).isCloseTo(Math.sqrt(49.1), within(1e-14)));
@@ -82,7 +82,7 @@ final class TimePlacesTest {
   @Test
   void smallerOfTwoCurvesChangesWhereTheyMeet() {
     // t² = t + 2 at 2
-    Expression formula = call(Function.MIN, new Product(T, T), minus(T, -2));
+    Expression formula = call(MathFunction.MIN, new Product(T, T), minus(T, -2));
     assertThat(places(formula, 0, 10))
         .singleElement()
         .satisfies(t -> assertThat(t).isCloseTo(2, within(1e-14)));
@@ -97,7 +97,7 @@ final class TimePlacesTest {
       double width = Math.pow(10, -1 - 7 * random.nextDouble());
       Expression way = minus(T, middle);
       Expression parabola = new Negation(minus(new Product(way, way), width * width));
-      List<Double> found = places(call(Function.STEP, parabola), -1, 12);
+      List<Double> found = places(call(MathFunction.STEP, parabola), -1, 12);
       // rounding of (t - m)² - w² moves a zero by ulp(w²)/(2 w), which is below ulp(t)
       assertThat(found).as("middle %s, width %s", middle, width).hasSize(2);
       assertThat(found.get(0)).isCloseTo(middle - width, within(1e-14));
@@ -107,13 +107,13 @@ final class TimePlacesTest {
 
   @Test
   void argumentThatRestsAtZeroIsNoPlace() {
-    Expression rests = call(Function.MAX, Expression.ZERO, minus(new Product(T, T), 4));
-    List<Double> found = new ArrayList<>(places(call(Function.SIGNUM, rests), 0, 10));
+    Expression rests = call(MathFunction.MAX, Expression.ZERO, minus(new Product(T, T), 4));
+    List<Double> found = new ArrayList<>(places(call(MathFunction.SIGNUM, rests), 0, 10));
     assertThat(found).isNotEmpty().allSatisfy(t -> assertThat(t).isCloseTo(2, within(1e-14)));
   }
 
   @Test
   void choicesOfTheStateHaveNone() {
-    assertThat(places(call(Function.STEP, new Sum(T, new StateValue(0))), 0, 10)).isEmpty();
+    assertThat(places(call(MathFunction.STEP, new Sum(T, new StateValue(0))), 0, 10)).isEmpty();
   }
 }

@@ -2,7 +2,7 @@ package org.mechservice.solver.oracle;
 
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.expression.Function;
+import org.mechservice.solver.symbol.MathFunction;
 
 /** Expressions of time, for prescribed motions, and of joint coordinates, for couplings. */
 final class TimeFunction {
@@ -43,7 +43,7 @@ final class TimeFunction {
     if (expression instanceof Expression.Negation negation) {
       return of(negation.operand(), time, position).times(-1);
     }
-    if (expression instanceof Expression.Call call && call.function() == Function.SIN) {
+    if (expression instanceof Expression.Call call && call.function() == MathFunction.SIN) {
       return of(call.arguments().get(0), time, position).sin();
     }
     throw new IllegalArgumentException("the oracle cannot evaluate " + expression);

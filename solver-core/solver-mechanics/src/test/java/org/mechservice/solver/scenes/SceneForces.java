@@ -7,7 +7,6 @@ import java.util.List;
 import org.mechservice.solver.expression.BodyFrame;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.force.law.Side;
 import org.mechservice.solver.mechanism.force.Bushing;
@@ -18,6 +17,7 @@ import org.mechservice.solver.mechanism.force.PairForce;
 import org.mechservice.solver.mechanism.force.SpringDamper;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.symbol.MathFunction;
 import org.mechservice.solver.text.Origin;
 
 /** The forces of the scenes in the product's own descriptions. */
@@ -94,7 +94,7 @@ final class SceneForces {
       squares = plus(squares, times(motion.place(i), motion.place(i)));
       along = plus(along, times(motion.place(i), motion.rate(i)));
     }
-    Expression length = new Expression.Call(Function.SQRT, List.of(squares));
+    Expression length = new Expression.Call(MathFunction.SQRT, List.of(squares));
     Expression elongation = minus(length, number(force, "L0"));
     Expression tension =
         oneSided(
@@ -119,7 +119,7 @@ final class SceneForces {
   private static Expression oneSided(
       Expression x, Expression rate, Expression k, Expression c, Expression eps) {
     Expression root =
-        new Expression.Call(Function.SQRT, List.of(plus(times(x, x), times(eps, eps))));
+        new Expression.Call(MathFunction.SQRT, List.of(plus(times(x, x), times(eps, eps))));
     Expression positive = times(Expression.of(0.5), plus(x, root));
     Expression slope =
         times(Expression.of(0.5), plus(Expression.of(1), new Expression.Quotient(x, root)));
@@ -248,7 +248,8 @@ final class SceneForces {
     for (double at : JsonSceneReader.numbers(force, "xs")) {
       Expression tanh =
           new Expression.Call(
-              Function.TANH, List.of(new Expression.Quotient(minus(x, Expression.of(at)), width)));
+              MathFunction.TANH,
+              List.of(new Expression.Quotient(minus(x, Expression.of(at)), width)));
       height = plus(height, times(Expression.of(half), plus(Expression.of(1), tanh)));
       Expression steepness = minus(Expression.of(1), times(tanh, tanh));
       slope = plus(slope, new Expression.Quotient(times(Expression.of(half), steepness), width));

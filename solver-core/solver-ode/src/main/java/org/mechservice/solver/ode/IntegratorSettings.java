@@ -70,8 +70,8 @@ public record IntegratorSettings(
     /**
      * Implicit methods hold systems with algebraic components, which are in no test themselves, to
      * a third of the tolerances, and steps of an explicit problem in which nothing is stiff to a
-     * hundredth ({@link org.mechservice.solver.ode.stiff.Ode15s}); they trust a measured rate of
-     * convergence somewhat more, and take differences in residual form along the step.
+     * hundredth ({@code Ode15s}); they trust a measured rate of convergence somewhat more, and take
+     * differences in residual form along the step.
      */
     STANDARD,
     /**

@@ -30,7 +30,6 @@ import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.compact.CompactModel;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -47,6 +46,7 @@ import org.mechservice.solver.simulation.RuntimeSolver;
 import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.symbol.MathFunction;
 import org.mechservice.solver.text.Origin;
 
 /** The slider-crank, crank 0.2 m and rod 0.5 m, with its crank or its slider driven. */
@@ -250,7 +250,7 @@ class PrescribedModelTest {
   /** At the dead centre the slider does not say which way the crank goes on. */
   @Test
   void deadCentreIsTold() throws IOException {
-    Expression cosine = new Expression.Call(Function.COS, List.of(times(2, T)));
+    Expression cosine = new Expression.Call(MathFunction.COS, List.of(times(2, T)));
     Expression there = new Expression.Sum(Expression.of(0.5), times(-0.2, cosine));
     Rows found = new Rows(driven(2, there), 3, "joints");
     assertThat(failure(found)).startsWith("N-062");
@@ -283,7 +283,7 @@ class PrescribedModelTest {
   @ParameterizedTest
   @ValueSource(ints = {1, 2, 3, 7})
   void drivesOfOneFreedomShareItsForceEvenly(int drives) throws IOException {
-    Expression motion = times(0.1, new Expression.Call(Function.SIN, List.of(times(3, T))));
+    Expression motion = times(0.1, new Expression.Call(MathFunction.SIN, List.of(times(3, T))));
     Rows found = new Rows(onSlides(drives, motion), 0.5, "joints,forces,reactions,drives");
     for (int row = 0; row < found.rows.size(); row++) {
       double t = found.rows.get(row)[0];
@@ -306,11 +306,12 @@ class PrescribedModelTest {
   @Test
   void crankAndSliderShareWorkByTheLeastNorm() throws IOException {
     Expression angle = new Expression.Sum(Expression.of(0.3), times(4, T));
-    Expression sin = new Expression.Call(Function.SIN, List.of(angle));
-    Expression along = times(R, new Expression.Call(Function.COS, List.of(angle)));
+    Expression sin = new Expression.Call(MathFunction.SIN, List.of(angle));
+    Expression along = times(R, new Expression.Call(MathFunction.COS, List.of(angle)));
     Expression under =
         new Expression.Sum(Expression.of(L * L), times(-R * R, new Expression.Product(sin, sin)));
-    Expression way = new Expression.Sum(along, new Expression.Call(Function.SQRT, List.of(under)));
+    Expression way =
+        new Expression.Sum(along, new Expression.Call(MathFunction.SQRT, List.of(under)));
     Rows alone = new Rows(driven(0, angle), 1, "joints,forces,reactions,drives");
     Mechanism both =
         with(
@@ -365,7 +366,7 @@ class PrescribedModelTest {
   /** A triangle wave: its corners are jumps of the velocity, between which nothing accelerates. */
   private static Expression triangles() {
     Expression late = new Expression.Sum(T, Expression.of(-0.255));
-    return new Expression.Call(Function.ABS, List.of(late));
+    return new Expression.Call(MathFunction.ABS, List.of(late));
   }
 
   @Test
@@ -395,7 +396,7 @@ class PrescribedModelTest {
   @Test
   void jumpOfPositionEndsTheRun() throws IOException {
     Expression late = new Expression.Sum(T, Expression.of(-0.25));
-    Expression step = new Expression.Call(Function.STEP, List.of(late));
+    Expression step = new Expression.Call(MathFunction.STEP, List.of(late));
     Rows found = new Rows(onSlides(1, step), 0.5, "joints");
     assertThat(failure(found)).startsWith("N-026");
     assertThat(found.rows).hasSize(25);

@@ -21,7 +21,6 @@ import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.assembly.LoopFinding;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Body;
@@ -33,6 +32,7 @@ import org.mechservice.solver.mechanism.joint.Joint;
 import org.mechservice.solver.mechanism.joint.StartRole;
 import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.symbol.MathFunction;
 import org.mechservice.solver.text.Origin;
 
 /** Loops that cannot be simulated end in a message that names what is wrong, never in a NaN. */
@@ -202,7 +202,8 @@ class LoopRefusalTest {
   void aForceThatIsNotFiniteIsNamedWithItsTime(String formulation) {
     Expression angle = new Expression.CoordinatePosition(new JointCoordinate(0, 0));
     Expression breaking =
-        new Expression.Call(Function.SQRT, List.of(new Expression.Sum(Expression.of(0.2), angle)));
+        new Expression.Call(
+            MathFunction.SQRT, List.of(new Expression.Sum(Expression.of(0.2), angle)));
     Expression other = new Expression.Negation(breaking);
     Mechanism pushed =
         new Mechanism(

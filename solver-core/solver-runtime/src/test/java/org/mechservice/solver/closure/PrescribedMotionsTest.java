@@ -10,18 +10,18 @@ import org.mechservice.solver.api.run.Failure;
 import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.PrescribedMotion;
 import org.mechservice.solver.mechanism.closure.CoordinateClosure;
+import org.mechservice.solver.symbol.MathFunction;
 import org.mechservice.solver.text.Origin;
 
 /** A motion of time, the root of 1 − t, whose velocity has no bound near t = 1 s. */
 class PrescribedMotionsTest {
   private static final Expression ROOT =
       new Expression.Call(
-          Function.SQRT,
+          MathFunction.SQRT,
           List.of(
               new Expression.Sum(
                   Expression.of(1), new Expression.Negation(new Expression.Time()))));

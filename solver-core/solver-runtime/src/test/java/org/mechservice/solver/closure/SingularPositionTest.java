@@ -16,12 +16,12 @@ import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.closure.assembly.LoopDefect;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.closure.CoordinateClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.scenes.SharedScene;
+import org.mechservice.solver.symbol.MathFunction;
 import org.mechservice.solver.text.Origin;
 
 class SingularPositionTest {
@@ -184,7 +184,8 @@ class SingularPositionTest {
     Expression difference = new Expression.Sum(first, new Expression.Negation(second));
     Expression beyond =
         new Expression.Call(
-            Function.MAX, List.of(Expression.ZERO, new Expression.Sum(first, Expression.of(-0.1))));
+            MathFunction.MAX,
+            List.of(Expression.ZERO, new Expression.Sum(first, Expression.of(-0.1))));
     Expression leaving = new Expression.Sum(difference, new Expression.Product(beyond, beyond));
     List<LoopClosure> gears =
         List.of(

@@ -27,7 +27,6 @@ import org.mechservice.solver.expression.Expression.Call;
 import org.mechservice.solver.expression.Expression.Product;
 import org.mechservice.solver.expression.Expression.Sum;
 import org.mechservice.solver.expression.Expression.Time;
-import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -43,6 +42,7 @@ import org.mechservice.solver.mechanism.joint.StartRole;
 import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.symbol.MathFunction;
 import org.mechservice.solver.text.Origin;
 
 /**
@@ -58,10 +58,10 @@ class DrivenKinkTest {
   private static final Expression LATE = new Sum(new Time(), Expression.of(-TURN));
 
   /** |t − 0.5|, and a formula of the same kind whose kink no line in t tells. */
-  private static final Expression KINK = new Call(Function.ABS, List.of(LATE));
+  private static final Expression KINK = new Call(MathFunction.ABS, List.of(LATE));
 
   private static final Expression SINE_KINK =
-      new Call(Function.ABS, List.of(new Call(Function.SIN, List.of(LATE))));
+      new Call(MathFunction.ABS, List.of(new Call(MathFunction.SIN, List.of(LATE))));
 
   private final RecordedRows rows = new RecordedRows();
 
@@ -210,7 +210,7 @@ class DrivenKinkTest {
 
   @Test
   void positionThatJumpsEndsTheRunByName() throws IOException {
-    Expression step = new Product(Expression.of(0.1), new Call(Function.STEP, List.of(LATE)));
+    Expression step = new Product(Expression.of(0.1), new Call(MathFunction.STEP, List.of(LATE)));
     RunReport report = run(cartAndBar(step), "DTR", "none", "DE");
 
     Failure failure = ((Outcome.Failed) report.outcome()).failure();

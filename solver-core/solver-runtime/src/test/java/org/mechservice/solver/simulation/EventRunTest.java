@@ -37,7 +37,6 @@ import org.mechservice.solver.expression.Expression.Power;
 import org.mechservice.solver.expression.Expression.Product;
 import org.mechservice.solver.expression.Expression.Sum;
 import org.mechservice.solver.expression.Expression.Time;
-import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Body;
@@ -56,6 +55,7 @@ import org.mechservice.solver.mechanism.joint.StartRole;
 import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.symbol.MathFunction;
 import org.mechservice.solver.text.Origin;
 
 /** What a model's events do to a run of it, in every form of its equations. */
@@ -287,7 +287,8 @@ class EventRunTest {
 
   @Test
   void eventOfAnExpressionThatIsFlatZeroBeforeItRisesHappens() throws IOException {
-    Expression depth = new Call(Function.MAX, List.of(Expression.of(0), times(-1, minus(q(0), 1))));
+    Expression depth =
+        new Call(MathFunction.MAX, List.of(Expression.of(0), times(-1, minus(q(0), 1))));
     Event touch = event("touch", depth, Direction.RISING, Action.STOP);
     RunReport report = run(model(ball(List.of(), touch), "DTR"), "ode113", 4);
 
@@ -302,7 +303,7 @@ class EventRunTest {
     Event limit = event("limit", minus(q(0), -99), Direction.RISING, Action.STOP);
     Event pole = event("pole", new Power(away, Expression.of(-1)), Direction.BOTH, Action.STOP);
     Event touch =
-        event("touch", new Call(Function.ABS, List.of(away)), Direction.BOTH, Action.STOP);
+        event("touch", new Call(MathFunction.ABS, List.of(away)), Direction.BOTH, Action.STOP);
     RunReport report = run(model(ball(List.of(), limit, pole, touch), "DTR"), "ode113", 1);
 
     assertThat(times(report)).isEmpty();
@@ -347,7 +348,7 @@ class EventRunTest {
 
   @Test
   void valueThatIsNoNumberIsRefusedWithEventAndState() throws IOException {
-    Expression root = new Call(Function.SQRT, List.of(v(0)));
+    Expression root = new Call(MathFunction.SQRT, List.of(v(0)));
     StateChange wrong = new StateChange(0, List.of(), List.of(root));
     Event event = event("broken", q(0), Direction.FALLING, Action.SET, wrong);
     RunReport report = run(model(ball(List.of(), event), "DTR"), "ode113", 5);
@@ -477,7 +478,7 @@ class EventRunTest {
   @ParameterizedTest
   void forceThatJumpsAtAKnownTimeCostsNoRejectedStep(String integrator) throws IOException {
     // Held up from 0.3 s on: free fall, then uniform motion.
-    Expression push = times(GRAVITY, new Call(Function.STEP, List.of(minus(new Time(), 0.3))));
+    Expression push = times(GRAVITY, new Call(MathFunction.STEP, List.of(minus(new Time(), 0.3))));
     JointForce hold = new JointForce("hold", new JointCoordinate(0, 0), push, Origin.NONE);
     RunReport report = run(model(ball(List.of(hold)), "DTR"), integrator, 1);
 

@@ -1,6 +1,10 @@
 package org.mechservice.solver.expression;
 
 import java.util.List;
+import java.util.stream.IntStream;
+import org.mechservice.solver.symbol.Expressions;
+import org.mechservice.solver.symbol.MathFunction;
+import org.mechservice.solver.symbol.Scalar;
 
 /**
  * A formula of time, parameters and the state, in SI units.
@@ -32,6 +36,8 @@ public sealed interface Expression {
       return List.of(negation.operand());
     } else if (expression instanceof Call call) {
       return call.arguments();
+    } else if (expression instanceof Composed composed) {
+      return List.of(composed.formula());
     } else if (expression instanceof TableValue value) {
       return value.arguments();
     }
@@ -197,37 +203,65 @@ public sealed interface Expression {
   record Negation(Expression operand) implements Expression {}
 
   /**
-   * Returns a call of a function; of {@link Function#POW} it is a {@link Power}.
+   * Returns a call of a function: of {@link MathFunction#POWER} a {@link Power}, of a function that
+   * is a formula of others a {@link Composed}.
    *
    * @param arguments as many as the arity of the function
    * @throws IllegalArgumentException if there are more or fewer
    */
-  static Expression call(Function function, List<Expression> arguments) {
-    return function == Function.POW && arguments.size() == 2
-        ? new Power(arguments.get(0), arguments.get(1))
+  static Expression call(MathFunction function, List<Expression> arguments) {
+    checkCount(function, arguments);
+    if (function == MathFunction.POWER) {
+      return new Power(arguments.get(0), arguments.get(1));
+    }
+    return function.isComposed()
+        ? new Composed(function, arguments, formula(function, arguments))
         : new Call(function, arguments);
   }
 
+  /** Returns the formula that a composed function is. */
+  private static Expression formula(MathFunction function, List<Expression> arguments) {
+    Expressions e = new Expressions();
+    List<Scalar> inputs = IntStream.range(0, arguments.size()).mapToObj(e::input).toList();
+    return new ScalarFormulas(arguments).of(function.call(inputs));
+  }
+
+  private static void checkCount(MathFunction function, List<Expression> arguments) {
+    if (arguments.size() != function.arity()) {
+      throw new IllegalArgumentException(
+          function.symbol() + " takes " + function.arity() + " arguments, not " + arguments.size());
+    }
+  }
+
   /**
-   * A function of docs/mechml.md#values other than {@link Function#POW}, which is {@link Power}.
+   * A function of docs/mechml.md#values whose calls are neither {@link Power} nor {@link Composed}.
    *
    * @param function the function
    * @param arguments as many as its arity
    */
-  record Call(Function function, List<Expression> arguments) implements Expression {
+  record Call(MathFunction function, List<Expression> arguments) implements Expression {
     public Call {
       arguments = List.copyOf(arguments);
-      if (arguments.size() != function.arity()) {
+      checkCount(function, arguments);
+      if (function == MathFunction.POWER || function.isComposed()) {
         throw new IllegalArgumentException(
-            function.symbol()
-                + " takes "
-                + function.arity()
-                + " arguments, not "
-                + arguments.size());
+            "a call of " + function.symbol() + " is made by Expression.call");
       }
-      if (function == Function.POW) {
-        throw new IllegalArgumentException("a call of pow is written as Expression.Power");
-      }
+    }
+  }
+
+  /**
+   * A call of a function that is a formula of others. The formula is its operand; its name and its
+   * arguments are what the user wrote.
+   *
+   * @param function the function
+   * @param arguments as many as its arity
+   * @param formula what it is
+   */
+  record Composed(MathFunction function, List<Expression> arguments, Expression formula)
+      implements Expression {
+    public Composed {
+      arguments = List.copyOf(arguments);
     }
   }
 

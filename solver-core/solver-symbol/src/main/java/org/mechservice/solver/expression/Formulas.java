@@ -1,6 +1,7 @@
 package org.mechservice.solver.expression;
 
 import java.util.IdentityHashMap;
+import java.util.List;
 import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.MathFunction;
 import org.mechservice.solver.symbol.NumberRow;
@@ -50,7 +51,9 @@ public abstract class Formulas {
     } else if (formula instanceof Expression.Negation negation) {
       return scalar(negation.operand()).negated();
     } else if (formula instanceof Expression.Call call) {
-      return call(call);
+      return call(call.function(), call.arguments());
+    } else if (formula instanceof Expression.Composed call) {
+      return call(call.function(), call.arguments());
     } else if (formula instanceof Expression.TableValue value) {
       return given(value);
     }
@@ -90,32 +93,8 @@ public abstract class Formulas {
     return n >= 0 ? product : quotient(e.one(), product);
   }
 
-  private Scalar call(Expression.Call call) {
-    Scalar x = scalar(call.arguments().get(0));
-    return switch (call.function()) {
-      case SQRT -> x.squareRoot().markedSteep();
-      case SIN -> e.sine(x);
-      case COS -> e.cosine(x);
-      case TAN -> e.sine(x).over(e.cosine(x));
-      case STEP -> e.function(MathFunction.CHOOSE, e.zero(), x, e.one(), e.zero());
-      case SMOOTH_STEP -> smoothStep(x);
-      case ABS -> e.function(MathFunction.ABS, x);
-      case ASIN -> e.function(MathFunction.ASIN, x).markedSteep();
-      case ACOS -> e.function(MathFunction.ACOS, x).markedSteep();
-      case ATAN -> e.function(MathFunction.ATAN, x);
-      case EXP -> e.function(MathFunction.EXP, x).markedSteep();
-      case LOG -> e.function(MathFunction.LOG, x).markedSteep();
-      case SINH -> e.function(MathFunction.SINH, x).markedSteep();
-      case COSH -> e.function(MathFunction.COSH, x).markedSteep();
-      case TANH -> e.function(MathFunction.TANH, x);
-      case SIGNUM -> e.function(MathFunction.SIGNUM, x);
-      case FLOOR -> e.function(MathFunction.FLOOR, x);
-      case ATAN2 -> e.function(MathFunction.ATAN2, x, second(call));
-      case MIN -> e.function(MathFunction.MIN, x, second(call));
-      case MAX -> e.function(MathFunction.MAX, x, second(call));
-      case HYPOT -> e.function(MathFunction.HYPOT, x, second(call));
-      case POW -> power(x, second(call));
-    };
+  private Scalar call(MathFunction function, List<Expression> arguments) {
+    return function.call(arguments.stream().map(this::scalar).toList());
   }
 
   private Scalar given(Expression.TableValue value) {
@@ -172,16 +151,5 @@ public abstract class Formulas {
     Scalar last = e.constant(knots[knots.length - 1]);
     Scalar below = e.function(MathFunction.CHOOSE, x, last, e.zero(), none);
     return e.function(MathFunction.CHOOSE, e.constant(knots[0]), x, below, none);
-  }
-
-  private Scalar second(Expression.Call call) {
-    return scalar(call.arguments().get(1));
-  }
-
-  /** s² (3 − 2 s) with s = x between 0 and 1. */
-  private Scalar smoothStep(Scalar x) {
-    Scalar below = e.function(MathFunction.MIN, e.one(), x);
-    Scalar s = e.function(MathFunction.MAX, e.zero(), below);
-    return s.squared().times(e.constant(3).minus(s.times(2)));
   }
 }

@@ -1,6 +1,10 @@
 package org.mechservice.solver.expression;
 
-import org.mechservice.solver.spatial.SinCos;
+import java.util.EnumMap;
+import java.util.Map;
+import java.util.Objects;
+import org.mechservice.solver.symbol.FunctionDerivatives;
+import org.mechservice.solver.symbol.MathFunction;
 
 /**
  * First and second partial derivatives of one operation f(a, b), and scratch for their computation.
@@ -12,18 +16,29 @@ final class LocalDerivatives {
   double byAB;
   double byBB;
 
-  private final double[] sinCos = new double[2];
+  /** Of the functions of a tape. */
+  private final Map<MathFunction, FunctionDerivatives> functions =
+      new EnumMap<>(MathFunction.class);
 
-  /** Returns the sine, rad. */
-  double sin(double angle) {
-    SinCos.sinCos(angle, sinCos, 0);
-    return sinCos[0];
+  /** Makes room for the derivatives of all steps of a tape. */
+  LocalDerivatives(Tape tape) {
+    for (TapeStep step : tape.operation) {
+      if (step instanceof FunctionStep call) {
+        functions.computeIfAbsent(call.function(), FunctionDerivatives::new);
+      }
+    }
   }
 
-  /** Returns the cosine, rad. */
-  double cos(double angle) {
-    SinCos.sinCos(angle, sinCos, 0);
-    return sinCos[1];
+  /** Sets the derivatives of a function of the tape. */
+  void of(MathFunction function, double a, double b) {
+    FunctionDerivatives derivatives = Objects.requireNonNull(functions.get(function));
+    derivatives.evaluate(a, b);
+    all(
+        derivatives.value(FunctionDerivatives.BY_A),
+        derivatives.value(FunctionDerivatives.BY_B),
+        derivatives.value(FunctionDerivatives.BY_AA),
+        derivatives.value(FunctionDerivatives.BY_AB),
+        derivatives.value(FunctionDerivatives.BY_BB));
   }
 
   /** Sets the derivatives of an operation that is linear in both arguments. */

@@ -4,6 +4,7 @@ import java.util.function.IntToDoubleFunction;
 import org.mechservice.solver.expression.Table.Extrapolation;
 import org.mechservice.solver.expression.Table.Method;
 import org.mechservice.solver.spatial.NumberTable;
+import org.mechservice.solver.symbol.Enclosure;
 
 /**
  * The surface of a map: for each cell of the grid Σᵢⱼ cᵢⱼ dxⁱ dyʲ, i, j = 0 to 3, with dx and dy
@@ -216,19 +217,41 @@ public final class MapSurface implements TapeStep {
     return TableCurve.corners(axis == 0 ? x : y, straight, holds);
   }
 
+  @Override
+  public String name() {
+    return "MAP";
+  }
+
+  @Override
+  public boolean hasPieces() {
+    return straight;
+  }
+
+  @Override
+  public boolean isNarrow() {
+    return !straight;
+  }
+
+  @Override
+  public boolean isEven(double aLow, double aHigh, double bLow, double bHigh, double highest) {
+    return crossings(aLow, aHigh, bLow, bHigh) <= 1;
+  }
+
   /** Returns the number of a point's cell: k (m + 1) + l as in {@link #coefficients}. */
-  int place(double a, double b) {
+  @Override
+  public double piece(double a, double b) {
     int k = (int) NumberTable.interval(x, 0, x.length, a);
     return k * originY.length + (int) NumberTable.interval(y, 0, y.length, b);
   }
 
   /** Returns the distance of a point from the nearest line of the grid, along one argument. */
-  double distanceFromLine(double a, double b) {
+  @Override
+  public double distance(double a, double b) {
     return Math.min(TableCurve.distance(x, a), TableCurve.distance(y, b));
   }
 
   /** Returns how many lines of the grid, along one argument at most, two intervals cross. */
-  int crossings(double aFrom, double aTo, double bFrom, double bTo) {
+  private int crossings(double aFrom, double aTo, double bFrom, double bTo) {
     double alongX =
         NumberTable.interval(x, 0, x.length, aTo) - NumberTable.interval(x, 0, x.length, aFrom);
     double alongY =
@@ -236,8 +259,8 @@ public final class MapSurface implements TapeStep {
     return (int) Math.max(alongX, alongY);
   }
 
-  /** Finds bounds of the values for arguments in two intervals. */
-  void bounds(double aFrom, double aTo, double bFrom, double bTo, Enclosure bounds) {
+  @Override
+  public void bound(double aFrom, double aTo, double bFrom, double bTo, Enclosure bounds) {
     double low = Double.POSITIVE_INFINITY;
     double high = Double.NEGATIVE_INFINITY;
     int lastX = (int) NumberTable.interval(x, 0, x.length, aTo);
@@ -250,11 +273,12 @@ public final class MapSurface implements TapeStep {
         double b0 = (l == 0 ? bFrom : Math.max(bFrom, y[l - 1])) - originY[l];
         double b1 = (l == y.length ? bTo : Math.min(bTo, y[l])) - originY[l];
         cellBounds(NUMBERS * (k * originY.length + l), a0, a1, b0, b1, bounds);
-        low = Math.min(low, bounds.low);
-        high = Math.max(high, bounds.high);
+        low = Math.min(low, bounds.low());
+        high = Math.max(high, bounds.high());
       }
     }
     bounds.set(low, high);
+    bounds.settle(Enclosure.ROUNDING_OF_TABLE);
   }
 
   /** Bounds of a cell's polynomial by Horner's rule on intervals. */
@@ -266,12 +290,12 @@ public final class MapSurface implements TapeStep {
       double rowHigh = 0;
       for (int j = 3; j >= 0; j--) {
         bounds.product(rowLow, rowHigh, b0, b1);
-        rowLow = bounds.low + cells[c + 4 * i + j];
-        rowHigh = bounds.high + cells[c + 4 * i + j];
+        rowLow = bounds.low() + cells[c + 4 * i + j];
+        rowHigh = bounds.high() + cells[c + 4 * i + j];
       }
       bounds.product(low, high, a0, a1);
-      low = bounds.low + rowLow;
-      high = bounds.high + rowHigh;
+      low = bounds.low() + rowLow;
+      high = bounds.high() + rowHigh;
     }
     bounds.set(low, high);
   }
@@ -281,7 +305,7 @@ public final class MapSurface implements TapeStep {
   }
 
   @Override
-  public double value(double a, double b, LocalDerivatives derivatives) {
+  public double value(double a, double b) {
     int k = (int) NumberTable.interval(x, 0, x.length, a);
     int l = (int) NumberTable.interval(y, 0, y.length, b);
     if (bounded && isOutside(a, b)) {

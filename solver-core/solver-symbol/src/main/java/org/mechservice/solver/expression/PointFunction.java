@@ -27,7 +27,6 @@ public sealed interface PointFunction permits Table, TableMap {
    * @param arguments as many as it has
    */
   default double at(List<Double> arguments) {
-    return step()
-        .value(arguments.get(0), arguments.get(arguments.size() - 1), new LocalDerivatives());
+    return step().value(arguments.get(0), arguments.get(arguments.size() - 1));
   }
 }

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import org.mechservice.solver.expression.Table.Extrapolation;
 import org.mechservice.solver.expression.Table.Method;
 import org.mechservice.solver.spatial.NumberTable;
+import org.mechservice.solver.symbol.Enclosure;
 
 /**
  * The curve of a table: one polynomial c0 + d (c1 + d (c2 + d c3)) with d = x − origin for each
@@ -234,9 +235,9 @@ public final class TableCurve implements TapeStep {
     return (int) NumberTable.interval(knots, 0, knots.length, x);
   }
 
-  /** Returns the distance of an argument from the nearest point. */
-  double distanceFromPoint(double x) {
-    return distance(knots, x);
+  @Override
+  public double distance(double a, double b) {
+    return distance(knots, a);
   }
 
   static double distance(double[] knots, double x) {
@@ -246,8 +247,8 @@ public final class TableCurve implements TapeStep {
     return Math.min(before, ahead);
   }
 
-  /** Finds the bounds of the values for arguments in an interval. */
-  void bounds(double from, double to, Enclosure bounds) {
+  @Override
+  public void bound(double from, double to, double bLow, double bHigh, Enclosure bounds) {
     bounds.set(Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY);
     int last = place(to);
     for (int place = place(from); place <= last; place++) {
@@ -260,6 +261,32 @@ public final class TableCurve implements TapeStep {
       bounds.include(cubic(p, b));
       includeExtrema(p, a, b, bounds);
     }
+    bounds.settle(Enclosure.ROUNDING_OF_TABLE);
+  }
+
+  @Override
+  public String name() {
+    return "CURVE";
+  }
+
+  @Override
+  public boolean hasPieces() {
+    return hasCorners();
+  }
+
+  @Override
+  public double piece(double a, double b) {
+    return place(a);
+  }
+
+  @Override
+  public boolean isNarrow() {
+    return !hasCorners();
+  }
+
+  @Override
+  public boolean isEven(double aLow, double aHigh, double bLow, double bHigh, double highest) {
+    return place(aHigh) - place(aLow) <= 1;
   }
 
   private double cubic(int p, double d) {
@@ -299,7 +326,7 @@ public final class TableCurve implements TapeStep {
   }
 
   @Override
-  public double value(double a, double b, LocalDerivatives derivatives) {
+  public double value(double a, double b) {
     return at(a);
   }
 

@@ -82,9 +82,8 @@ public final class Tape {
    * Evaluates all steps.
    *
    * @param value of each slot: leaves and constants given, the others overwritten
-   * @param local scratch
    */
-  void evaluate(double[] value, LocalDerivatives local) {
+  void evaluate(double[] value) {
     for (int i = 0; i < kind.length; i++) {
       double a = value[first[i]];
       double b = value[second[i]];
@@ -94,7 +93,7 @@ public final class Tape {
             case PRODUCT -> a * b;
             case NEGATION -> -a;
             case SQUARE -> a * a;
-            default -> operation[i].value(a, b, local);
+            default -> operation[i].value(a, b);
           };
     }
   }

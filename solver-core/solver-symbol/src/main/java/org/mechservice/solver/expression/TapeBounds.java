@@ -1,6 +1,7 @@
 package org.mechservice.solver.expression;
 
-import org.mechservice.solver.spatial.Powers;
+import org.mechservice.solver.symbol.Corners;
+import org.mechservice.solver.symbol.Enclosure;
 
 /**
  * Bounds of all values of a tape, over a box of leaves or along a short way.
@@ -15,15 +16,6 @@ import org.mechservice.solver.spatial.Powers;
 final class TapeBounds {
   /** Margin beside three values, relative to their second difference. */
   private static final double MARGIN = 0.5;
-
-  /** Change of an argument within which exponential and hyperbolic functions change evenly. */
-  private static final double EVEN = 0.5;
-
-  /** Factor within which a divisor may change for its quotient to change evenly. */
-  private static final double RATIO = 2;
-
-  /** Exponent below which an exponential is nothing; twice the argument beyond which tanh is 1. */
-  private static final double NOTHING = -40;
 
   private final Tape tape;
   private final Enclosure enclosure = new Enclosure();
@@ -46,37 +38,8 @@ final class TapeBounds {
     rough = new boolean[low.length];
     narrow = new boolean[tape.operation.length];
     for (int i = 0; i < narrow.length; i++) {
-      narrow[i] = isNarrow(tape.operation[i]);
+      narrow[i] = tape.operation[i].isNarrow();
     }
-  }
-
-  private static boolean isNarrow(TapeStep step) {
-    if (step instanceof Operation operation) {
-      return switch (operation) {
-        case DIVIDE, TAN, ATAN, EXP, SINH, COSH, TANH, POWER -> true;
-        case ADD,
-            MULTIPLY,
-            NEGATE,
-            SQUARE,
-            SQRT,
-            ABS,
-            SIN,
-            COS,
-            ASIN,
-            ACOS,
-            ATAN2,
-            LOG,
-            MIN,
-            MAX,
-            SIGNUM,
-            HYPOT,
-            FLOOR,
-            STEP,
-            SMOOTH_STEP ->
-            false;
-      };
-    }
-    return !TapePieces.hasPieces(step);
   }
 
   /** Returns whether a step can change much while its arguments hardly do, and is no choice. */
@@ -134,10 +97,10 @@ final class TapeBounds {
     } else if (kind == Tape.PRODUCT) {
       enclosure.ofProduct(low[a], high[a], low[b], high[b]);
     } else {
-      enclosure.of(tape.operation[i], low[a], high[a], low[b], high[b]);
+      tape.operation[i].bound(low[a], high[a], low[b], high[b], enclosure);
     }
-    low[target] = enclosure.low;
-    high[target] = enclosure.high;
+    low[target] = enclosure.low();
+    high[target] = enclosure.high();
   }
 
   /** Returns whether an operation changes evenly within the bounds of its operands. */
@@ -153,54 +116,24 @@ final class TapeBounds {
 
   private boolean otherChangesEvenly(int i, int a, int b) {
     TapeStep step = tape.operation[i];
-    if (narrow[i]) {
-      if (step == Operation.POWER) {
-        enclose(i, Tape.OTHER, a, b, tape.target[i]);
-      }
-      return isEven(i);
-    } else if (!(step instanceof Operation)) {
+    if (step.hasPieces() && !narrow[i]) {
       return isDecided(i);
     }
-    return switch ((Operation) step) {
-      case SIN, COS -> high[a] - low[a] <= EVEN;
-      case SQRT, LOG -> changesLittle(low[a], high[a], RATIO);
-      case ASIN, ACOS -> high[a] < EVEN && low[a] > -EVEN;
-      case HYPOT -> changesLittle(low[a], high[a], RATIO) || changesLittle(low[b], high[b], RATIO);
-      case ATAN2 -> changesLittle(low[b], high[b], RATIO) && low[b] > 0;
-      default -> isDecided(i);
-    };
+    if (step instanceof FunctionStep call && call.function().isEvenByValue()) {
+      enclose(i, Tape.OTHER, a, b, tape.target[i]);
+    }
+    return isEven(i);
   }
 
   private boolean reachesZero(int slot) {
     return low[slot] <= 0 && high[slot] >= 0;
   }
 
-  private static boolean changesLittle(double lowest, double highest, double ratio) {
-    return lowest > 0 ? highest <= ratio * lowest : highest < 0 && lowest >= ratio * highest;
-  }
-
-  /** Returns whether a step that can be narrow changes evenly within the bounds. */
+  /** Returns whether a step that has no pieces changes evenly within the bounds. */
   boolean isEven(int i) {
-    TapeStep step = tape.operation[i];
-    double aLow = low[tape.first[i]];
-    double aHigh = high[tape.first[i]];
-    double bLow = low[tape.second[i]];
-    double bHigh = high[tape.second[i]];
-    if (step instanceof Operation operation) {
-      return switch (operation) {
-        case DIVIDE -> changesLittle(bLow, bHigh, RATIO);
-        case EXP -> aHigh - aLow <= EVEN || aHigh < NOTHING;
-        case TANH -> aHigh - aLow <= EVEN || 2 * aHigh < NOTHING || 2 * aLow > -NOTHING;
-        case ATAN -> aHigh - aLow <= EVEN || changesLittle(aLow, aHigh, RATIO);
-        case POWER ->
-            high[tape.target[i]] < StrictMath.exp(NOTHING)
-                || changesLittle(aLow, aHigh, Powers.power(RATIO, 1 / Math.max(1, bHigh)));
-        default -> aHigh - aLow <= EVEN;
-      };
-    }
-    return step instanceof TableCurve curve
-        ? curve.place(aHigh) - curve.place(aLow) <= 1
-        : ((MapSurface) step).crossings(aLow, aHigh, bLow, bHigh) <= 1;
+    int a = tape.first[i];
+    int b = tape.second[i];
+    return tape.operation[i].isEven(low[a], high[a], low[b], high[b], high[tape.target[i]]);
   }
 
   /** Returns whether a choice takes one piece within the bounds. */
@@ -208,11 +141,11 @@ final class TapeBounds {
     int a = tape.first[i];
     int b = tape.second[i];
     TapeStep step = tape.operation[i];
-    if (step == Operation.MIN || step == Operation.MAX) {
+    if (step instanceof FunctionStep call && call.function().corners() == Corners.EQUAL) {
       boolean apart = high[a] < low[b] || low[a] >= high[b];
       return apart || (isZero(a) && isZero(b));
     }
-    return TapePieces.piece(step, low[a], low[b]) == TapePieces.piece(step, high[a], high[b]);
+    return step.piece(low[a], low[b]) == step.piece(high[a], high[b]);
   }
 
   /** Returns whether a slot is exactly zero. */

@@ -8,12 +8,14 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import org.mechservice.solver.expression.Expression.Call;
+import org.mechservice.solver.expression.Expression.Composed;
 import org.mechservice.solver.expression.Expression.Constant;
 import org.mechservice.solver.expression.Expression.Power;
 import org.mechservice.solver.expression.Expression.Product;
 import org.mechservice.solver.expression.Expression.Quotient;
 import org.mechservice.solver.expression.Expression.Sum;
 import org.mechservice.solver.expression.Expression.TableValue;
+import org.mechservice.solver.symbol.MathFunction;
 
 /**
  * Turns expressions into steps on slots: one slot per leaf, per constant and per step, numbered as
@@ -69,6 +71,9 @@ final class TapeCompiler {
     }
     int a = done.getOrDefault(operands.get(0), -1);
     int b = done.getOrDefault(operands.get(operands.size() - 1), -1);
+    if (expression instanceof Composed) {
+      return a;
+    }
     TapeStep operation = operation(expression);
     if (operation == Operation.SQUARE) {
       b = a;
@@ -93,11 +98,7 @@ final class TapeCompiler {
   private int step(Step step) {
     if (isConstant(step.first()) && isConstant(step.second())) {
       double value =
-          step.operation()
-              .value(
-                  constants.get(step.first()),
-                  constants.get(step.second()),
-                  new LocalDerivatives());
+          step.operation().value(constants.get(step.first()), constants.get(step.second()));
       // a constant that is not finite stays a step, so that its use is reported
       if (Double.isFinite(value)) {
         return constantSlot(value);
@@ -126,40 +127,13 @@ final class TapeCompiler {
       return Operation.DIVIDE;
     } else if (expression instanceof Power power) {
       boolean square = power.exponent() instanceof Constant exponent && exponent.value() == 2;
-      return square ? Operation.SQUARE : Operation.POWER;
+      return square ? Operation.SQUARE : new FunctionStep(MathFunction.POWER);
     } else if (expression instanceof Call call) {
-      return operation(call.function());
+      return new FunctionStep(call.function());
     } else if (expression instanceof TableValue value) {
       return curves.computeIfAbsent(value.table(), PointFunction::step);
     }
     return Operation.NEGATE;
-  }
-
-  private static Operation operation(Function function) {
-    return switch (function) {
-      case SQRT -> Operation.SQRT;
-      case ABS -> Operation.ABS;
-      case SIN -> Operation.SIN;
-      case COS -> Operation.COS;
-      case TAN -> Operation.TAN;
-      case ASIN -> Operation.ASIN;
-      case ACOS -> Operation.ACOS;
-      case ATAN -> Operation.ATAN;
-      case ATAN2 -> Operation.ATAN2;
-      case EXP -> Operation.EXP;
-      case LOG -> Operation.LOG;
-      case POW -> Operation.POWER;
-      case MIN -> Operation.MIN;
-      case MAX -> Operation.MAX;
-      case SINH -> Operation.SINH;
-      case COSH -> Operation.COSH;
-      case TANH -> Operation.TANH;
-      case SIGNUM -> Operation.SIGNUM;
-      case HYPOT -> Operation.HYPOT;
-      case FLOOR -> Operation.FLOOR;
-      case STEP -> Operation.STEP;
-      case SMOOTH_STEP -> Operation.SMOOTH_STEP;
-    };
   }
 
   /** Returns the slots of the leaves, in their order. */

@@ -11,7 +11,7 @@ import java.util.Arrays;
  */
 public final class TapeEvaluation {
   private final Tape tape;
-  private final LocalDerivatives local = new LocalDerivatives();
+  private final LocalDerivatives local;
 
   /** Value of each slot, and its first and second derivative along the trajectory. */
   private final double[] value;
@@ -36,6 +36,7 @@ public final class TapeEvaluation {
   /** Makes a workspace for a tape. */
   public TapeEvaluation(Tape tape) {
     this.tape = tape;
+    local = new LocalDerivatives(tape);
     int slots = tape.initial.length;
     int steps = tape.target.length;
     value = tape.initial.clone();
@@ -83,7 +84,7 @@ public final class TapeEvaluation {
 
   /** Evaluates all results. */
   public void values() {
-    tape.evaluate(value, local);
+    tape.evaluate(value);
   }
 
   /**
@@ -93,7 +94,7 @@ public final class TapeEvaluation {
     for (int i = 0; i < tape.target.length; i++) {
       double a = value[tape.first[i]];
       double b = value[tape.second[i]];
-      value[tape.target[i]] = tape.operation[i].value(a, b, local);
+      value[tape.target[i]] = tape.operation[i].value(a, b);
       tape.operation[i].differentiate(a, b, local);
       byA[i] = local.byA;
       byB[i] = local.byB;

@@ -8,6 +8,8 @@ import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import org.mechservice.solver.expression.Expression.ParameterValue;
 import org.mechservice.solver.expression.Expression.Time;
+import org.mechservice.solver.symbol.Corners;
+import org.mechservice.solver.symbol.MathFunction;
 
 /**
  * The smooth pieces of a tape: which branch each of its choices takes, at a point, along a short
@@ -24,7 +26,6 @@ import org.mechservice.solver.expression.Expression.Time;
  */
 public final class TapePieces {
   private final Tape tape;
-  private final LocalDerivatives local = new LocalDerivatives();
   private final TapeBounds bounds;
   private final double[] low;
   private final double[] high;
@@ -79,7 +80,7 @@ public final class TapePieces {
       TapeStep step = tape.operation[i];
       boolean watched =
           moves[tape.target[i]]
-              && (ofTime ? tape.target[i] == tape.result[0] && hasPlaces(step) : hasPieces(step));
+              && (ofTime ? tape.target[i] == tape.result[0] && hasPlaces(step) : step.hasPieces());
       choiceAt[i] = watched ? count : -1;
       if (watched) {
         found[count++] = i;
@@ -105,7 +106,7 @@ public final class TapePieces {
   }
 
   private static boolean hasPlaces(TapeStep step) {
-    return !(step instanceof Operation) || hasPieces(step);
+    return step instanceof TableCurve || step instanceof MapSurface || step.hasPieces();
   }
 
   private static boolean[] moving(Tape tape, int slots, boolean withTime) {
@@ -119,36 +120,6 @@ public final class TapePieces {
       moves[tape.target[i]] = moves[tape.first[i]] || moves[tape.second[i]];
     }
     return moves;
-  }
-
-  static boolean hasPieces(TapeStep step) {
-    if (step instanceof Operation operation) {
-      return switch (operation) {
-        case ABS, MIN, MAX, SIGNUM, FLOOR, STEP, SMOOTH_STEP -> true;
-        case ADD,
-            MULTIPLY,
-            DIVIDE,
-            NEGATE,
-            SQUARE,
-            SQRT,
-            SIN,
-            COS,
-            TAN,
-            ASIN,
-            ACOS,
-            ATAN,
-            ATAN2,
-            EXP,
-            LOG,
-            SINH,
-            COSH,
-            TANH,
-            HYPOT,
-            POWER ->
-            false;
-      };
-    }
-    return step instanceof TableCurve curve ? curve.hasCorners() : ((MapSurface) step).hasCorners();
   }
 
   /** Returns whether any formula can be large over a short way without a choice. */
@@ -175,13 +146,9 @@ public final class TapePieces {
           step instanceof TableCurve table ? Optional.of(table) : Optional.empty();
       Optional<MapSurface> map =
           step instanceof MapSurface table ? Optional.of(table) : Optional.empty();
-      String name =
-          step instanceof Operation operation
-              ? operation.name()
-              : curve.isPresent() ? "CURVE" : "MAP";
       steps.add(
           new TapeListing.Step(
-              name, tape.target[i], tape.first[i], tape.second[i], choiceAt[i], curve, map));
+              step.name(), tape.target[i], tape.first[i], tape.second[i], choiceAt[i], curve, map));
     }
     return new TapeListing(
         IntStream.of(tape.leafSlot).boxed().toList(),
@@ -209,7 +176,7 @@ public final class TapePieces {
     for (int leaf = 0; leaf < tape.leafSlot.length; leaf++) {
       point[tape.leafSlot[leaf]] = leaves[leaf];
     }
-    tape.evaluate(point, local);
+    tape.evaluate(point);
   }
 
   /** Returns a formula's value at a point. */
@@ -228,7 +195,7 @@ public final class TapePieces {
    */
   public double piece(int choice, double[] point) {
     int i = choices[choice];
-    return piece(tape.operation[i], point[tape.first[i]], point[tape.second[i]]);
+    return tape.operation[i].piece(point[tape.first[i]], point[tape.second[i]]);
   }
 
   /**
@@ -237,34 +204,7 @@ public final class TapePieces {
    */
   public double distance(int choice, double[] point) {
     int i = choices[choice];
-    double a = point[tape.first[i]];
-    double b = point[tape.second[i]];
-    TapeStep step = tape.operation[i];
-    if (step instanceof Operation operation) {
-      return switch (operation) {
-        case MIN, MAX -> Math.abs(a - b);
-        case FLOOR -> Math.abs(a - Math.rint(a));
-        case SMOOTH_STEP -> Math.min(Math.abs(a), Math.abs(a - 1));
-        default -> Math.abs(a);
-      };
-    }
-    return step instanceof TableCurve curve
-        ? curve.distanceFromPoint(a)
-        : ((MapSurface) step).distanceFromLine(a, b);
-  }
-
-  static double piece(TapeStep step, double a, double b) {
-    if (step instanceof Operation operation) {
-      return switch (operation) {
-        case ABS, STEP -> a < 0 ? 0 : 1;
-        case SIGNUM -> Math.signum(a);
-        case FLOOR -> Math.floor(a);
-        case SMOOTH_STEP -> a < 0 ? 0 : a <= 1 ? 1 : 2;
-        case MIN, MAX -> a < b ? 0 : 1;
-        default -> 0;
-      };
-    }
-    return step instanceof TableCurve curve ? curve.place(a) : ((MapSurface) step).place(a, b);
+    return tape.operation[i].distance(point[tape.first[i]], point[tape.second[i]]);
   }
 
   /** Sets the interval of a leaf. */
@@ -342,30 +282,30 @@ public final class TapePieces {
   }
 
   private void passOn(TapeStep step, int a, int b, boolean open) {
-    if (step instanceof Operation operation) {
-      switch (operation) {
-        case DIVIDE, POWER -> {
-          matters[a] = true;
-          matters[b] |= !bounds.isZero(a);
-        }
-        case MIN -> {
-          matters[a] |= low[a] <= high[b];
-          matters[b] |= low[b] <= high[a];
-        }
-        case MAX -> {
-          matters[a] |= high[a] >= low[b];
-          matters[b] |= high[b] >= low[a];
-        }
-        case STEP, SIGNUM, FLOOR -> matters[a] |= open;
-        case SMOOTH_STEP -> matters[a] |= high[a] >= 0 && low[a] <= 1;
-        default -> {
-          matters[a] = true;
-          matters[b] = true;
-        }
-      }
+    if (step == Operation.DIVIDE) {
+      matters[a] = true;
+      matters[b] |= !bounds.isZero(a);
+    } else if (step instanceof FunctionStep call) {
+      passOn(call.function(), a, b, open);
     } else {
       matters[a] = true;
       matters[b] = true;
+    }
+  }
+
+  private void passOn(MathFunction function, int a, int b, boolean open) {
+    if (function.isChoice()) {
+      int least = function.choice().get(0) == 0 ? a : b;
+      int most = least == a ? b : a;
+      matters[a] |= low[least] <= high[most];
+      matters[b] |= low[most] <= high[least];
+    } else if (function.jumps()) {
+      matters[a] |= open;
+    } else if (function.corners() == Corners.BORDERS) {
+      matters[a] |= high[a] >= 0 && low[a] <= 1;
+    } else {
+      matters[a] = true;
+      matters[b] |= !function.zeroStaysZero() || !bounds.isZero(a);
     }
   }
 
@@ -396,21 +336,21 @@ public final class TapePieces {
     int i = choices[choice];
     int a = tape.first[i];
     int b = tape.second[i];
-    TapeStep step = tape.operation[i];
-    if (step == Operation.MIN || step == Operation.MAX) {
-      return Math.min(high[a] - low[b], high[b] - low[a]);
-    } else if (step == Operation.ABS) {
-      return Math.min(-low[a], high[a]);
-    } else if (step == Operation.SMOOTH_STEP || !(step instanceof Operation)) {
-      return Math.max(high[a] - low[a], high[b] - low[b]);
+    if (tape.operation[i] instanceof FunctionStep call && call.function().jumps()) {
+      return Double.POSITIVE_INFINITY;
     }
-    return Double.POSITIVE_INFINITY;
+    Corners corners =
+        tape.operation[i] instanceof FunctionStep call ? call.function().corners() : Corners.NONE;
+    return switch (corners) {
+      case EQUAL -> Math.min(high[a] - low[b], high[b] - low[a]);
+      case SIDES, ZERO -> Math.min(-low[a], high[a]);
+      default -> Math.max(high[a] - low[a], high[b] - low[b]);
+    };
   }
 
   /** Returns whether the value of a choice jumps where its piece changes. */
   public boolean jumps(int choice) {
-    TapeStep step = tape.operation[choices[choice]];
-    return step == Operation.STEP || step == Operation.SIGNUM || step == Operation.FLOOR;
+    return tape.operation[choices[choice]] instanceof FunctionStep call && call.function().jumps();
   }
 
   /** Returns the largest size of the arguments of a choice in the box of {@link #decide}. */

@@ -1,16 +1,42 @@
 package org.mechservice.solver.expression;
 
+import org.mechservice.solver.symbol.Enclosure;
+
 /**
- * A step of a tape on one or two earlier values, f(a) or f(a, b), with its partial derivatives: an
- * {@link Operation}, or the curve of a table.
+ * A step of a tape on one or two earlier values, f(a) or f(a, b), with its partial derivatives and
+ * all that the search of steps must know of it: an {@link Operation}, a {@link FunctionStep}, or
+ * the curve or map of a table.
  */
 interface TapeStep {
-  /**
-   * Returns f, or NaN if f is not defined; functions of one argument ignore b. {@code d} provides
-   * scratch.
-   */
-  double value(double a, double b, LocalDerivatives d);
+  /** Returns the name in printed code. */
+  String name();
+
+  /** Returns f, or NaN if f is not defined; functions of one argument ignore b. */
+  double value(double a, double b);
 
   /** Writes the partial derivatives; not finite if they do not exist. */
   void differentiate(double a, double b, LocalDerivatives d);
+
+  /** Finds the bounds of f, with its rounding, for a and b in two intervals. */
+  void bound(double aLow, double aHigh, double bLow, double bHigh, Enclosure out);
+
+  /** Returns whether it is made of pieces that meet in corners or jumps. */
+  boolean hasPieces();
+
+  /** Returns the number of the piece that f takes; neighbours have neighbouring ones. */
+  double piece(double a, double b);
+
+  /** Returns how far a and b are from where the piece ends. */
+  double distance(double a, double b);
+
+  /** Returns whether f can change much while a and b hardly do, without a corner. */
+  boolean isNarrow();
+
+  /**
+   * Returns whether f stays near a parabola through three of its values for a and b in two
+   * intervals.
+   *
+   * @param highest the highest value of f there
+   */
+  boolean isEven(double aLow, double aHigh, double bLow, double bHigh, double highest);
 }

@@ -40,6 +40,16 @@ public final class SinCos {
 
   private SinCos() {}
 
+  /** Returns the sine of an angle, rad: that of {@link #sinCos}. */
+  public static double sine(double angle) {
+    return Math.abs(angle) <= REDUCTION_LIMIT ? wave(angle, 0) : StrictMath.sin(angle);
+  }
+
+  /** Returns the cosine of an angle, rad: that of {@link #sinCos}. */
+  public static double cosine(double angle) {
+    return Math.abs(angle) <= REDUCTION_LIMIT ? wave(angle, 1) : StrictMath.cos(angle);
+  }
+
   /**
    * Evaluates sine and cosine.
    *
@@ -54,25 +64,53 @@ public final class SinCos {
       return;
     }
     double n = Math.rint(angle * TWO_OVER_PI);
-    double first = angle - n * PI_HALF_1;
-    double second = n * PI_HALF_2;
-    double partial = first - second;
-    double third = n * PI_HALF_3 - ((first - partial) - second);
-    double x = partial - third;
-    double tail = (partial - x) - third;
-
-    double z = x * x;
-    double half = 0.5 * z;
-    double sinPolynomial = S1 + z * (S2 + z * (S3 + z * (S4 + z * (S5 + z * S6))));
-    double cosPolynomial = C1 + z * (C2 + z * (C3 + z * (C4 + z * (C5 + z * C6))));
-    double sin = x + (z * x * sinPolynomial + tail * (1 - half));
-    double leading = 1 - half;
-    double cos = leading + (((1 - leading) - half) + (z * z * cosPolynomial - x * tail));
-
+    double x = remainder(angle, n);
+    double tail = partial(angle, n) - x - third(angle, n);
+    double sin = sineOf(x, tail);
+    double cos = cosineOf(x, tail);
     int quadrant = (int) n & 3;
     double s = (quadrant & 1) == 0 ? sin : cos;
     double c = (quadrant & 1) == 0 ? cos : sin;
     out[offset] = quadrant >= 2 ? -s : s;
     out[offset + 1] = quadrant == 1 || quadrant == 2 ? -c : c;
+  }
+
+  /** Returns the sine of an angle to which some quarters of a turn are added. */
+  private static double wave(double angle, int quarters) {
+    double n = Math.rint(angle * TWO_OVER_PI);
+    double x = remainder(angle, n);
+    double tail = partial(angle, n) - x - third(angle, n);
+    int quadrant = ((int) n + quarters) & 3;
+    double size = (quadrant & 1) == 0 ? sineOf(x, tail) : cosineOf(x, tail);
+    return quadrant >= 2 ? -size : size;
+  }
+
+  /** angle − n π/2, to twice the working precision with the tail that rounding leaves. */
+  private static double remainder(double angle, double n) {
+    return partial(angle, n) - third(angle, n);
+  }
+
+  private static double partial(double angle, double n) {
+    return angle - n * PI_HALF_1 - n * PI_HALF_2;
+  }
+
+  private static double third(double angle, double n) {
+    double first = angle - n * PI_HALF_1;
+    double second = n * PI_HALF_2;
+    return n * PI_HALF_3 - ((first - (first - second)) - second);
+  }
+
+  private static double sineOf(double x, double tail) {
+    double z = x * x;
+    double polynomial = S1 + z * (S2 + z * (S3 + z * (S4 + z * (S5 + z * S6))));
+    return x + (z * x * polynomial + tail * (1 - 0.5 * z));
+  }
+
+  private static double cosineOf(double x, double tail) {
+    double z = x * x;
+    double half = 0.5 * z;
+    double polynomial = C1 + z * (C2 + z * (C3 + z * (C4 + z * (C5 + z * C6))));
+    double leading = 1 - half;
+    return leading + (((1 - leading) - half) + (z * z * polynomial - x * tail));
   }
 }

@@ -93,23 +93,17 @@ public final class Differentiation {
   }
 
   private Scalar function(Scalar node) {
-    return switch (node.function()) {
-      case MIN -> chosen(node.first(), node.second(), node.first(), node.second());
-      case MAX -> chosen(node.second(), node.first(), node.first(), node.second());
-      case CHOOSE -> {
-        List<Scalar> x = node.operands();
-        yield chosen(x.get(0), x.get(1), x.get(2), x.get(3));
-      }
-      default -> smooth(node);
-    };
+    return node.function().isChoice() ? chosen(node) : smooth(node);
   }
 
   /**
    * Returns the derivative of a choice; the operand that is not chosen adds nothing, even if its
    * derivative is NaN.
    */
-  private Scalar chosen(Scalar a, Scalar b, Scalar first, Scalar second) {
-    return expressions.function(MathFunction.CHOOSE, a, b, known(first), known(second));
+  private Scalar chosen(Scalar node) {
+    List<Scalar> x = node.function().choice().stream().map(node.operands()::get).toList();
+    return expressions.function(
+        MathFunction.CHOOSE, x.get(0), x.get(1), known(x.get(2)), known(x.get(3)));
   }
 
   private Scalar smooth(Scalar node) {
@@ -117,7 +111,7 @@ public final class Differentiation {
     for (int i = 0; i < node.operands().size(); i++) {
       Scalar inner = known(node.operands().get(i));
       if (!inner.isZero()) {
-        sum = sum.plus(product(node.isSteep(), FunctionSlopes.slope(node, i), inner));
+        sum = sum.plus(product(node.isSteep(), node.function().slope(node, i), inner));
       }
     }
     return sum;

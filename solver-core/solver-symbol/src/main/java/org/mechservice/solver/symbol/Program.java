@@ -240,17 +240,6 @@ public final class Program {
    * @return the result of the first guard that fails; −1 if none does
    */
   public int evaluate(double time, double[] inputs, double[] outputs) {
-    double[] values = new ProgramEvaluation(time, inputs).valuesOf(this);
-    for (Section section : sections) {
-      for (Output output : section.outputs()) {
-        outputs[output.index()] = values[output.value().id()];
-      }
-      for (Guard guard : section.guards()) {
-        if (values[guard.pivot().id()] <= values[guard.bound().id()]) {
-          return guard.result();
-        }
-      }
-    }
-    return -1;
+    return new ProgramEvaluation(this).run(time, inputs, outputs);
   }
 }

@@ -2,6 +2,7 @@ package org.mechservice.solver.symbol;
 
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
@@ -103,28 +104,23 @@ public final class ReverseDifferentiation {
   }
 
   private void function(boolean guarded, Scalar node, Scalar slope) {
-    Scalar a = node.first();
-    switch (node.function()) {
-      case MIN -> choice(a, node.second(), a, node.second(), slope);
-      case MAX -> choice(node.second(), a, a, node.second(), slope);
-      case CHOOSE ->
-          choice(a, node.second(), node.operands().get(2), node.operands().get(3), slope);
-      default -> {
-        for (int i = 0; i < node.operands().size(); i++) {
-          if (!node.operands().get(i).isConstant()) {
-            add(node.operands().get(i), product(guarded, FunctionSlopes.slope(node, i), slope));
-          }
-        }
+    if (node.function().isChoice()) {
+      choice(node.function().choice().stream().map(node.operands()::get).toList(), slope);
+      return;
+    }
+    for (int i = 0; i < node.operands().size(); i++) {
+      if (!node.operands().get(i).isConstant()) {
+        add(node.operands().get(i), product(guarded, node.function().slope(node, i), slope));
       }
     }
   }
 
   /** The operand that is not chosen gets 0, even if the slope is NaN, and so does all below it. */
-  private void choice(Scalar a, Scalar b, Scalar first, Scalar second, Scalar slope) {
+  private void choice(List<Scalar> x, Scalar slope) {
     Scalar zero = expressions.zero();
-    choosable.add(first);
-    choosable.add(second);
-    add(first, expressions.function(MathFunction.CHOOSE, a, b, slope, zero));
-    add(second, expressions.function(MathFunction.CHOOSE, a, b, zero, slope));
+    choosable.add(x.get(2));
+    choosable.add(x.get(3));
+    add(x.get(2), expressions.function(MathFunction.CHOOSE, x.get(0), x.get(1), slope, zero));
+    add(x.get(3), expressions.function(MathFunction.CHOOSE, x.get(0), x.get(1), zero, slope));
   }
 }

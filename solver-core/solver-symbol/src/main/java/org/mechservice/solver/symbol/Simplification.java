@@ -10,10 +10,16 @@ import static org.mechservice.solver.symbol.ScalarOperation.SQUARE_ROOT;
 import static org.mechservice.solver.symbol.ScalarOperation.SUBTRACT;
 
 import java.util.List;
+import java.util.Optional;
+import org.mechservice.solver.spatial.SinCos;
 
 /**
  * Simplifies an operation before it becomes a node: constants are folded, 0 and 1 disappear, x − x
  * and a − (a − b) cancel, and signs move outwards until a sum or difference absorbs them.
+ *
+ * <p>Operations are not put into another order: c + (d + x) and c (d x) stay as they are, although
+ * c and d are known. A formula then gives the same bits whether its numbers are known when code is
+ * written or are read when it runs.
  *
  * <p>Values are assumed to be finite: 0 · x is 0. Operations on constants without a finite result
  * are not folded, so that the run finds the fault at its origin and can name the joint or force.
@@ -54,11 +60,10 @@ final class Simplification {
       return sum(b, a);
     }
     if (a.isConstant()) {
-      if (beginsWithConstant(b)) {
-        Scalar both = expressions.constant(a.value() + b.first().value());
-        return b.is(ADD) ? sum(both, b.second()) : difference(both, b.second());
-      }
       Scalar opposite = expressions.constant(-a.value());
+      if (b.is(ADD) && b.first() == opposite) {
+        return b.second();
+      }
       if (expressions.contains(SUBTRACT, opposite, b)) {
         return negation(expressions.binary(SUBTRACT, opposite, b));
       }
@@ -91,14 +96,7 @@ final class Simplification {
 
   /** Removes terms that occur on both sides of a − b. */
   private static Scalar cancelled(Expressions expressions, Scalar a, Scalar b) {
-    if (b.isConstant()) {
-      return sum(expressions.constant(-b.value()), a);
-    }
     if (a.isConstant()) {
-      if (beginsWithConstant(b)) {
-        Scalar both = expressions.constant(a.value() - b.first().value());
-        return b.is(ADD) ? difference(both, b.second()) : sum(both, b.second());
-      }
       Scalar opposite = expressions.constant(-a.value());
       if (expressions.contains(ADD, opposite, b)) {
         return negation(expressions.binary(ADD, opposite, b));
@@ -116,15 +114,13 @@ final class Simplification {
     if (b.is(ADD) && b.operands().contains(a)) {
       return negation(b.first() == a ? b.second() : b.first());
     }
+    if (b.isConstant()) {
+      return sum(expressions.constant(-b.value()), a);
+    }
     if (expressions.contains(SUBTRACT, b, a)) {
       return negation(expressions.binary(SUBTRACT, b, a));
     }
     return expressions.binary(SUBTRACT, a, b);
-  }
-
-  /** Returns whether a value is c + x or c − x with a constant c. */
-  private static boolean beginsWithConstant(Scalar node) {
-    return (node.is(ADD) || node.is(SUBTRACT)) && node.first().isConstant();
   }
 
   static Scalar product(Scalar a, Scalar b) {
@@ -148,12 +144,6 @@ final class Simplification {
     }
     if (b.isConstant()) {
       return product(b, a);
-    }
-    if (a.isConstant() && b.is(MULTIPLY) && b.first().isConstant()) {
-      double both = a.value() * b.first().value();
-      if (Double.isFinite(both)) {
-        return product(expressions.constant(both), b.second());
-      }
     }
     if (a.isConstant()) {
       Scalar opposite = expressions.constant(-a.value());
@@ -211,9 +201,9 @@ final class Simplification {
   }
 
   /**
-   * Returns a function call; a call with constant arguments is folded if its value is finite, and a
-   * choice is decided if its bounds are constants, or if a positive number would have to be at most
-   * zero.
+   * Returns a function call, or the formula that it is; a call with constant arguments is folded if
+   * its value is finite, and a choice is decided if its bounds are constants, or if a positive
+   * number would have to be at most zero.
    */
   static Scalar function(MathFunction function, List<Scalar> arguments) {
     double[] x = new double[arguments.size()];
@@ -224,6 +214,10 @@ final class Simplification {
     }
     if (known && Double.isFinite(function.value(x))) {
       return arguments.get(0).expressions().constant(function.value(x));
+    }
+    Optional<Scalar> formula = function.formula(arguments);
+    if (formula.isPresent()) {
+      return formula.get();
     }
     if (function == MathFunction.CHOOSE) {
       boolean decided = arguments.get(0).isConstant() && arguments.get(1).isConstant();
@@ -243,26 +237,26 @@ final class Simplification {
 
   static Scalar sine(Scalar angle) {
     if (angle.isConstant()) {
-      return angle.expressions().constant(StrictMath.sin(angle.value()));
+      return angle.expressions().constant(SinCos.sine(angle.value()));
     }
     if (angle.is(NEGATE)) {
       return negation(sine(angle.first()));
     }
     return isSimple(angle)
         ? angle.expressions().unary(SINE, angle)
-        : function(MathFunction.SIN, List.of(angle));
+        : angle.expressions().call(MathFunction.SIN, List.of(angle));
   }
 
   static Scalar cosine(Scalar angle) {
     if (angle.isConstant()) {
-      return angle.expressions().constant(StrictMath.cos(angle.value()));
+      return angle.expressions().constant(SinCos.cosine(angle.value()));
     }
     if (angle.is(NEGATE)) {
       return cosine(angle.first());
     }
     return isSimple(angle)
         ? angle.expressions().unary(COSINE, angle)
-        : function(MathFunction.COS, List.of(angle));
+        : angle.expressions().call(MathFunction.COS, List.of(angle));
   }
 
   /**

@@ -10,6 +10,9 @@
  * org.mechservice.solver.symbol.ReverseDifferentiation} by all inputs at once and {@link
  * org.mechservice.solver.symbol.Substitution} make new expressions from old ones.
  *
+ * <p>{@link org.mechservice.solver.symbol.MathFunction} is the catalogue of functions: value,
+ * slopes, rule of units, bounds, corners and jumps, and what generated Java and C call.
+ *
  * <p>Mechanics written over scalars are recorded as a {@link
  * org.mechservice.solver.symbol.Program}: outputs in sections, with guards. A program is printed as
  * source or byte code, or evaluated in doubles.

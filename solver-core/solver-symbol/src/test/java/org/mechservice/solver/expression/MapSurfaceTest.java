@@ -20,7 +20,7 @@ class MapSurfaceTest {
   private static final List<Double> X = List.of(-1.0, 0.3, 0.5, 1.7, 2.0, 3.1);
   private static final List<Double> Y = List.of(10.0, 12.0, 13.5, 14.0, 17.0);
 
-  private final LocalDerivatives scratch = new LocalDerivatives();
+  private final LocalDerivatives scratch = new LocalDerivatives(new Tape(List.of()));
 
   private static TableMap map(
       List<Double> x, List<Double> y, DoubleBinaryOperator z, Method method, Extrapolation out) {
@@ -34,7 +34,7 @@ class MapSurfaceTest {
   }
 
   private double at(MapSurface surface, double x, double y) {
-    return surface.value(x, y, scratch);
+    return surface.value(x, y);
   }
 
   @Test
@@ -109,7 +109,7 @@ class MapSurfaceTest {
         double byX = (at(surface, x + h, y) - at(surface, x - h, y)) / (2 * h);
         double byY = (at(surface, x, y + h) - at(surface, x, y - h)) / (2 * h);
         surface.differentiate(x, y, scratch);
-        LocalDerivatives d = new LocalDerivatives();
+        LocalDerivatives d = new LocalDerivatives(new Tape(List.of()));
         d.all(scratch.byA, scratch.byB, scratch.byAA, scratch.byAB, scratch.byBB);
         assertThat(d.byA).isCloseTo(byX, within(1e-8));
         assertThat(d.byB).isCloseTo(byY, within(1e-8));

@@ -11,18 +11,19 @@ import org.mechservice.solver.expression.Expression.Product;
 import org.mechservice.solver.expression.Expression.StateValue;
 import org.mechservice.solver.expression.Expression.Sum;
 import org.mechservice.solver.expression.Expression.Time;
+import org.mechservice.solver.symbol.MathFunction;
 
 /** Which choices of formulas are open over a box of their leaves, and which of them matter. */
 final class TapePiecesTest {
   private static final Expression X = new StateValue(0);
   private static final Expression Y = new StateValue(1);
 
-  private static Expression call(Function function, Expression... arguments) {
+  private static Expression call(MathFunction function, Expression... arguments) {
     return Expression.call(function, List.of(arguments));
   }
 
   private static Expression positive(Expression x) {
-    return call(Function.MAX, Expression.ZERO, x);
+    return call(MathFunction.MAX, Expression.ZERO, x);
   }
 
   /** Returns the number of open choices for x and y in intervals. */
@@ -40,24 +41,25 @@ final class TapePiecesTest {
 
   @Test
   void choiceIsOpenWhereItsBoundaryLiesInTheBox() {
-    for (Function function : List.of(Function.STEP, Function.SIGNUM, Function.ABS)) {
+    for (MathFunction function :
+        List.of(MathFunction.STEP, MathFunction.SIGNUM, MathFunction.ABS)) {
       assertThat(open(call(function, X), -1, 1, 0, 0)).as(function.symbol()).isOne();
       assertThat(open(call(function, X), 0.1, 1, 0, 0)).as(function.symbol()).isZero();
       assertThat(open(call(function, X), -1, -0.1, 0, 0)).as(function.symbol()).isZero();
     }
-    assertThat(open(call(Function.FLOOR, X), 1.1, 1.9, 0, 0)).isZero();
-    assertThat(open(call(Function.FLOOR, X), 1.9, 2.1, 0, 0)).isOne();
-    assertThat(open(call(Function.SMOOTH_STEP, X), -1, -0.1, 0, 0)).isZero();
-    assertThat(open(call(Function.SMOOTH_STEP, X), 0.1, 0.9, 0, 0)).isZero();
-    assertThat(open(call(Function.SMOOTH_STEP, X), 0.9, 1.1, 0, 0)).isOne();
-    assertThat(open(call(Function.MIN, X, Y), 0, 1, 2, 3)).isZero();
-    assertThat(open(call(Function.MIN, X, Y), 0, 2.5, 2, 3)).isOne();
+    assertThat(open(call(MathFunction.FLOOR, X), 1.1, 1.9, 0, 0)).isZero();
+    assertThat(open(call(MathFunction.FLOOR, X), 1.9, 2.1, 0, 0)).isOne();
+    assertThat(open(call(MathFunction.SMOOTH_STEP, X), -1, -0.1, 0, 0)).isZero();
+    assertThat(open(call(MathFunction.SMOOTH_STEP, X), 0.1, 0.9, 0, 0)).isZero();
+    assertThat(open(call(MathFunction.SMOOTH_STEP, X), 0.9, 1.1, 0, 0)).isOne();
+    assertThat(open(call(MathFunction.MIN, X, Y), 0, 1, 2, 3)).isZero();
+    assertThat(open(call(MathFunction.MIN, X, Y), 0, 2.5, 2, 3)).isOne();
   }
 
   @Test
   void factorOfZeroDoesNotMatter() {
     Expression touching = positive(Y);
-    Expression gated = new Product(touching, call(Function.ABS, X));
+    Expression gated = new Product(touching, call(MathFunction.ABS, X));
     assertThat(open(gated, -1, 1, -2, -1)).isZero();
     assertThat(open(gated, -1, 1, 1, 2)).isOne();
     assertThat(open(gated, -1, 1, -1, 2)).isEqualTo(2);
@@ -65,15 +67,15 @@ final class TapePiecesTest {
 
   @Test
   void argumentThatIsNotTakenDoesNotMatter() {
-    Expression outer = call(Function.MAX, call(Function.ABS, X), Y);
+    Expression outer = call(MathFunction.MAX, call(MathFunction.ABS, X), Y);
     assertThat(open(outer, -1, 1, 5, 6)).isZero();
     assertThat(open(outer, -1, 1, -6, -5)).isOne();
   }
 
   @Test
   void wholeArgumentOfAStepThatKeepsItsValueDoesNotMatter() {
-    Expression inner = new Sum(call(Function.ABS, X), Expression.of(1));
-    assertThat(open(call(Function.STEP, inner), -1, 1, 0, 0)).isZero();
+    Expression inner = new Sum(call(MathFunction.ABS, X), Expression.of(1));
+    assertThat(open(call(MathFunction.STEP, inner), -1, 1, 0, 0)).isZero();
   }
 
   @Test
@@ -86,7 +88,7 @@ final class TapePiecesTest {
 
   @Test
   void choicesOfTimeAreLeftToStepEnds() {
-    Tape tape = new Tape(List.of(call(Function.STEP, new Time())));
+    Tape tape = new Tape(List.of(call(MathFunction.STEP, new Time())));
     assertThat(new TapePieces(tape, 1).choiceCount()).isZero();
     assertThat(TapePieces.ofTime(tape).choiceCount()).isOne();
   }
@@ -116,8 +118,8 @@ final class TapePiecesTest {
     Expression power = new Expression.Power(X, Expression.of(9));
     for (Expression formula :
         List.of(
-            new Product(power, call(Function.ABS, Y)),
-            new Sum(call(Function.EXP, X), new Product(X, Y)),
+            new Product(power, call(MathFunction.ABS, Y)),
+            new Sum(call(MathFunction.EXP, X), new Product(X, Y)),
             new Product(positive(X), new Expression.Quotient(Y, new Sum(X, Y))))) {
       Tape tape = new Tape(List.of(formula));
       TapePieces used = new TapePieces(tape, 1);
@@ -137,7 +139,7 @@ final class TapePiecesTest {
     Expression formula =
         new Sum(
             new Product(new Sum(X, Expression.of(-0.3)), new Product(Y, Y)),
-            new Product(call(Function.COS, X), new Expression.Negation(Y)));
+            new Product(call(MathFunction.COS, X), new Expression.Negation(Y)));
     Tape tape = new Tape(List.of(formula));
     TapePieces pieces = new TapePieces(tape, 1);
     double[] point = pieces.newPoint();

@@ -72,6 +72,20 @@ class SinCosTest {
     assertThat(sc).containsExactly(7, 0, 1, 7);
   }
 
+  @Test
+  void eachAloneHasTheBitsOfBoth() {
+    Random random = new Random(5);
+    double[] both = new double[2];
+    for (int i = 0; i < 100_000; i++) {
+      double angle = Math.pow(10, random.nextInt(12) - 5) * random.nextGaussian();
+      SinCos.sinCos(angle, both, 0);
+      assertThat(SinCos.sine(angle)).isEqualTo(both[0]);
+      assertThat(SinCos.cosine(angle)).isEqualTo(both[1]);
+    }
+    assertThat(SinCos.sine(Double.NaN)).isNaN();
+    assertThat(SinCos.cosine(Double.NEGATIVE_INFINITY)).isNaN();
+  }
+
   private static double errorInUlps(double angle) {
     double[] sc = new double[2];
     SinCos.sinCos(angle, sc, 0);

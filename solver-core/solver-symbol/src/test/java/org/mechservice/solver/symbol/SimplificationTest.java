@@ -20,17 +20,27 @@ class SimplificationTest {
     assertThat(two).isSameAs(expressions.constant(2));
     assertThat(two.times(two).minus(one).over(two)).isSameAs(expressions.constant(1.5));
     assertThat(expressions.constant(9).squareRoot()).isSameAs(expressions.constant(3));
-    assertThat(x.times(3).times(2)).isSameAs(x.times(6));
   }
 
   @Test
-  void constantsOfOneSumAreAddedUp() {
+  void constantsOfDifferentOperationsStayApart() {
     Scalar two = expressions.constant(2);
-    assertThat(two.plus(x.plus(one))).isSameAs(x.plus(expressions.constant(3)));
-    assertThat(two.plus(one.minus(x))).isSameAs(expressions.constant(3).minus(x));
-    assertThat(two.minus(x.plus(one))).isSameAs(one.minus(x));
-    assertThat(two.minus(one.minus(x))).isSameAs(one.plus(x));
+    Scalar three = expressions.constant(3);
+    assertThat(two.plus(x.plus(one)).operands()).containsExactly(two, x.plus(one));
+    assertThat(two.plus(one.minus(x)).operands()).containsExactly(two, one.minus(x));
+    assertThat(two.minus(x.plus(one)).operands()).containsExactly(two, x.plus(one));
+    assertThat(two.minus(one.minus(x)).operands()).containsExactly(two, one.minus(x));
+    assertThat(x.times(3).times(2).operands()).containsExactly(two, x.times(three));
+  }
+
+  @Test
+  void aConstantCancelsItself() {
+    Scalar two = expressions.constant(2);
     assertThat(x.plus(two).minus(two)).isSameAs(x);
+    assertThat(x.minus(two).plus(two)).isSameAs(x);
+    assertThat(two.minus(x.plus(two))).isSameAs(x.negated());
+    assertThat(two.minus(two.minus(x))).isSameAs(x);
+    assertThat(two.minus(x).plus(x)).isSameAs(two);
   }
 
   @Test

@@ -2,7 +2,6 @@ package org.mechservice.sim.emit.c;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Set;
 import java.util.regex.Pattern;
 import org.mechservice.sim.emit.method.ConstantTable;
@@ -118,7 +117,7 @@ final class CSyntax implements Syntax {
 
   @Override
   public String function(MathFunction function) {
-    return PREFIX + function.name().toLowerCase(Locale.ROOT);
+    return PREFIX + function.cName();
   }
 
   @Override

@@ -22,7 +22,6 @@ import org.mechservice.solver.expression.Expression.ParameterValue;
 import org.mechservice.solver.expression.Expression.PointVelocity;
 import org.mechservice.solver.expression.Expression.RelativeMotion;
 import org.mechservice.solver.expression.Expression.Time;
-import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.Tape;
 import org.mechservice.solver.expression.TapeEvaluation;
 import org.mechservice.solver.force.formula.FormulaText;
@@ -30,6 +29,7 @@ import org.mechservice.solver.mechanism.FurtherState;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.PrescribedMotion;
 import org.mechservice.solver.mechanism.force.ForceElement;
+import org.mechservice.solver.symbol.MathFunction;
 import org.mechservice.solver.text.Origin;
 
 /**
@@ -101,35 +101,14 @@ final class FormulaForecast {
     }
   }
 
-  private static Shape shape(Function function) {
-    return switch (function) {
-      case SIN, COS, FLOOR -> Shape.REPEATING;
-      case SIGNUM, STEP -> Shape.SWITCHING;
-      case SQRT,
-          ABS,
-          TAN,
-          ASIN,
-          ACOS,
-          ATAN,
-          ATAN2,
-          EXP,
-          LOG,
-          POW,
-          MIN,
-          MAX,
-          SINH,
-          COSH,
-          TANH,
-          HYPOT,
-          SMOOTH_STEP ->
-          Shape.PLAIN;
-    };
+  private static Shape shape(MathFunction function) {
+    return function.repeats() ? Shape.REPEATING : function.jumps() ? Shape.SWITCHING : Shape.PLAIN;
   }
 
   private void fast(Call call, Expression argument, String part, Origin origin) {
     double rate = Math.abs(rate(argument).orElse(0));
     double steps = rate * (settings.tEnd() - settings.tStart());
-    boolean jumps = call.function() == Function.FLOOR;
+    boolean jumps = call.function() == MathFunction.FLOOR;
     boolean skipped = !jumps && rate * settings.maxStep() > Math.PI && rate > 0;
     boolean given = Double.isFinite(settings.maxStep());
     if (steps >= MANY || (given && skipped)) {
@@ -203,7 +182,7 @@ final class FormulaForecast {
     return OptionalDouble.of(evaluation.rate(0));
   }
 
-  private void chatter(Function function, Expression argument, String part, Origin origin) {
+  private void chatter(MathFunction function, Expression argument, String part, Origin origin) {
     if (dependsOnVelocity(argument)) {
       add(
           MessageCode.FORCE_JUMPS_WITH_VELOCITY,

@@ -1199,44 +1199,61 @@ double mech_closest(const double *row, int count, double x, double z) {
  * Reduction by the nearest multiple of pi/2 in three parts (Cody and Waite), exact to twice the
  * working precision up to 1e4 rad, and two minimax polynomials on [-pi/4, pi/4].
  */
-void mech_sin_cos(double angle, double *out) {
-  static const double TWO_OVER_PI = 0x1.45f306dc9c883p-1;
+/* Angle less n quarters of a turn, with the tail that rounding leaves. */
+static double turned_back(double angle, double n, double *tail) {
   static const double PI_HALF_1 = 0x1.921fb544p0;
   static const double PI_HALF_2 = 0x1.0b4611a6p-34;
   static const double PI_HALF_3 = 0x1.3198a2e037073p-69;
+  double first = angle - n * PI_HALF_1;
+  double second = n * PI_HALF_2;
+  double partial = first - second;
+  double third = n * PI_HALF_3 - ((first - partial) - second);
+  double x = partial - third;
+  *tail = (partial - x) - third;
+  return x;
+}
+
+static double sine_of(double x, double tail) {
   static const double S1 = -0.16666666666666632;
   static const double S2 = 0.008333333333322398;
   static const double S3 = -0.0001984126982979409;
   static const double S4 = 2.755731368695442e-06;
   static const double S5 = -2.5050757308207942e-08;
   static const double S6 = 1.5896747244048834e-10;
+  double z = x * x;
+  double part = S1 + z * (S2 + z * (S3 + z * (S4 + z * (S5 + z * S6))));
+  return x + (z * x * part + tail * (1.0 - 0.5 * z));
+}
+
+static double cosine_of(double x, double tail) {
   static const double C1 = 0.0416666666666666;
   static const double C2 = -0.00138888888888741;
   static const double C3 = 2.4801587289467676e-05;
   static const double C4 = -2.755731434795667e-07;
   static const double C5 = 2.0875722654805672e-09;
   static const double C6 = -1.1359614629226544e-11;
-  double n, first, second, partial, third, x, tail, z, half, sin_part, cos_part, s, leading, c;
+  double z = x * x;
+  double half = 0.5 * z;
+  double part = C1 + z * (C2 + z * (C3 + z * (C4 + z * (C5 + z * C6))));
+  double leading = 1.0 - half;
+  return leading + (((1.0 - leading) - half) + (z * z * part - x * tail));
+}
+
+static const double TWO_OVER_PI = 0x1.45f306dc9c883p-1;
+static const double LARGEST_ANGLE = 1.0e4;
+
+void mech_sin_cos(double angle, double *out) {
+  double n, x, tail, s, c;
   int quadrant;
-  if (!(fabs(angle) <= 1.0e4)) {
+  if (!(fabs(angle) <= LARGEST_ANGLE)) {
     out[0] = mech_sin(angle);
     out[1] = mech_cos(angle);
     return;
   }
   n = rint(angle * TWO_OVER_PI);
-  first = angle - n * PI_HALF_1;
-  second = n * PI_HALF_2;
-  partial = first - second;
-  third = n * PI_HALF_3 - ((first - partial) - second);
-  x = partial - third;
-  tail = (partial - x) - third;
-  z = x * x;
-  half = 0.5 * z;
-  sin_part = S1 + z * (S2 + z * (S3 + z * (S4 + z * (S5 + z * S6))));
-  cos_part = C1 + z * (C2 + z * (C3 + z * (C4 + z * (C5 + z * C6))));
-  s = x + (z * x * sin_part + tail * (1.0 - half));
-  leading = 1.0 - half;
-  c = leading + (((1.0 - leading) - half) + (z * z * cos_part - x * tail));
+  x = turned_back(angle, n, &tail);
+  s = sine_of(x, tail);
+  c = cosine_of(x, tail);
   quadrant = (int)n & 3;
   if ((quadrant & 1) != 0) {
     double exchanged = s;
@@ -1245,6 +1262,23 @@ void mech_sin_cos(double angle, double *out) {
   }
   out[0] = quadrant >= 2 ? -s : s;
   out[1] = quadrant == 1 || quadrant == 2 ? -c : c;
+}
+
+/* Sine of an angle to which some quarters of a turn are added. */
+static double wave(double angle, int quarters) {
+  double n = rint(angle * TWO_OVER_PI);
+  double tail, x = turned_back(angle, n, &tail), size;
+  int quadrant = ((int)n + quarters) & 3;
+  size = (quadrant & 1) == 0 ? sine_of(x, tail) : cosine_of(x, tail);
+  return quadrant >= 2 ? -size : size;
+}
+
+double mech_sine(double angle) {
+  return fabs(angle) <= LARGEST_ANGLE ? wave(angle, 0) : mech_sin(angle);
+}
+
+double mech_cosine(double angle) {
+  return fabs(angle) <= LARGEST_ANGLE ? wave(angle, 1) : mech_cos(angle);
 }
 
 void mech_normalize(double *e) {

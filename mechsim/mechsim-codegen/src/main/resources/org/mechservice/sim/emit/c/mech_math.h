@@ -62,6 +62,10 @@ double mech_held(double x);
 /* Writes sine and cosine of one angle to out[0] and out[1], error below 1 ulp. */
 void mech_sin_cos(double angle, double *out);
 
+/* Each of them alone, with the same bits. */
+double mech_sine(double angle);
+double mech_cosine(double angle);
+
 /* Normalises a set of four Euler parameters. */
 void mech_normalize(double *e);
 

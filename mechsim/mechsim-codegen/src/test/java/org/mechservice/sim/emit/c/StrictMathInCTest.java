@@ -48,6 +48,8 @@ class StrictMathInCTest {
     UNARY.put("mech_abs", Math::abs);
     UNARY.put("mech_sin", StrictMath::sin);
     UNARY.put("mech_cos", StrictMath::cos);
+    UNARY.put("mech_sine", SinCos::sine);
+    UNARY.put("mech_cosine", SinCos::cosine);
     UNARY.put("mech_asin", StrictMath::asin);
     UNARY.put("mech_acos", StrictMath::acos);
     UNARY.put("mech_atan", StrictMath::atan);

@@ -3,8 +3,6 @@ package org.mechservice.solver.api.result;
 import java.util.EnumSet;
 import java.util.Locale;
 import java.util.Set;
-import org.mechservice.solver.api.capability.BodyPoses;
-import org.mechservice.solver.api.capability.MomentumBalance;
 
 /** Groups of result columns; time and the joints' positions and velocities always come first. */
 public enum ColumnGroup {
@@ -13,7 +11,7 @@ public enum ColumnGroup {
   /** Joint accelerations. */
   ACCELERATIONS,
   /**
-   * Pose and velocity of every body; the model must have been built with it ({@link BodyPoses}).
+   * Pose and velocity of every body; the model must have been built with it ({@code BodyPoses}).
    */
   BODIES,
   /** Kinetic and potential energy and the work of non-conservative forces. */
@@ -26,7 +24,7 @@ public enum ColumnGroup {
   FORCES,
   /** User-defined outputs, given by expressions ({@code ResultColumns}). */
   OUTPUTS,
-  /** Total momentum and the impulse that has acted on the mechanism ({@link MomentumBalance}). */
+  /** Total momentum and the impulse that has acted on the mechanism ({@code MomentumBalance}). */
   MOMENTUM,
   /** Motion and power of driven joints, which have no states ({@code ResultColumns}). */
   DRIVES;

@@ -11,7 +11,6 @@ import org.mechservice.solver.expression.Expression.CoordinateVelocity;
 import org.mechservice.solver.expression.Expression.PointPosition;
 import org.mechservice.solver.expression.Expression.PointVelocity;
 import org.mechservice.solver.expression.Expression.RelativeMotion;
-import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.expression.Tape;
 import org.mechservice.solver.expression.TapeListing;
@@ -20,6 +19,7 @@ import org.mechservice.solver.mechanism.Event;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Overlap;
 import org.mechservice.solver.mechanism.joint.Joint;
+import org.mechservice.solver.symbol.MathFunction;
 
 /**
  * What a run watches in its steps, as formulas: the tape of the watched formulas of forces, states,
@@ -60,7 +60,7 @@ public final class WatchedTape {
     List<Expression> results = new ArrayList<>(mechanism.watchedFormulas());
     int formulas = results.size();
     for (Event event : mechanism.events()) {
-      results.add(Expression.call(Function.STEP, List.of(event.trigger())));
+      results.add(Expression.call(MathFunction.STEP, List.of(event.trigger())));
     }
     Tape tape = new Tape(results);
     List<Expression> quantities = new ArrayList<>(tape.leaves());

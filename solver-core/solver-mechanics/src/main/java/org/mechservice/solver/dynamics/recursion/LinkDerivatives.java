@@ -2,7 +2,6 @@ package org.mechservice.solver.dynamics.recursion;
 
 import static org.mechservice.solver.spatial.Blocks.dot;
 
-import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.dynamics.tree.TreeSquare;
 import org.mechservice.solver.kinematics.LinkKind;
 import org.mechservice.solver.kinematics.TreeGeometry;
@@ -15,7 +14,7 @@ import org.mechservice.solver.kinematics.TreeMotion;
  * <p>A displacement δ of an ancestor joint j moves a link by the twist S_j δ, changes its velocity
  * by ψ'_j δ and its acceleration by (ψ''_j − V × ψ'_j) δ; a change of v_j changes its velocity by
  * S_j and its acceleration by ψ'_j + S'_j − V × S_j, all in link axes (the columns are those of
- * {@link ResidualJacobian}). A wrench w on a link acts on its ancestor joints as Sᵀ w.
+ * {@code ResidualJacobian}). A wrench w on a link acts on its ancestor joints as Sᵀ w.
  */
 public final class LinkDerivatives {
   private final TreeGeometry tree;
@@ -167,8 +166,8 @@ public final class LinkDerivatives {
 
   /**
    * Adds the derivative of a joint force by a coordinate, with all links held fixed. The velocities
-   * of a ball are in axes that do not turn with it, so this method subtracts in advance what {@link
-   * ResidualJacobian#finish} adds for turning axes.
+   * of a ball are in axes that do not turn with it, so this method subtracts in advance what {@code
+   * ResidualJacobian.finish} adds for turning axes.
    *
    * @param on velocity of the state
    * @param by velocity of the state

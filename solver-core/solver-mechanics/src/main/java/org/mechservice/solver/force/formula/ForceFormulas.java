@@ -81,7 +81,7 @@ public final class ForceFormulas {
     if (!seen.add(formula) || lines.length() > MOST_TEXT) {
       return;
     }
-    List<Expression> arguments = arguments(formula);
+    List<Expression> arguments = Expression.operands(formula);
     arguments.forEach(argument -> parts(head, argument, seen));
     if (mayFail(formula)) {
       canFail = true;
@@ -104,25 +104,6 @@ public final class ForceFormulas {
     return text.beginning(formula, LONGEST_TEXT);
   }
 
-  private static List<Expression> arguments(Expression formula) {
-    if (formula instanceof Expression.Sum sum) {
-      return List.of(sum.left(), sum.right());
-    } else if (formula instanceof Expression.Product product) {
-      return List.of(product.left(), product.right());
-    } else if (formula instanceof Expression.Quotient quotient) {
-      return List.of(quotient.dividend(), quotient.divisor());
-    } else if (formula instanceof Expression.Power power) {
-      return List.of(power.base(), power.exponent());
-    } else if (formula instanceof Expression.Negation negation) {
-      return List.of(negation.operand());
-    } else if (formula instanceof Expression.Call call) {
-      return call.arguments();
-    } else if (formula instanceof Expression.TableValue value) {
-      return value.arguments();
-    }
-    return List.of();
-  }
-
   /** Returns whether a subexpression can be not finite for moderate operands, or can jump. */
   private static boolean mayFail(Expression part) {
     if (part instanceof Expression.Quotient quotient) {
@@ -133,8 +114,8 @@ public final class ForceFormulas {
       return value.table().outside() == Table.Extrapolation.ERROR;
     } else if (part instanceof Expression.Call call) {
       return switch (call.function()) {
-        case SQRT, LOG, ASIN, ACOS, TAN, EXP, POW, SINH, COSH, SIGNUM, STEP, FLOOR -> true;
-        case ABS, SIN, COS, ATAN, ATAN2, MIN, MAX, TANH, HYPOT, SMOOTH_STEP -> false;
+        case SQRT, LOG, ASIN, ACOS, TAN, EXP, POWER, SINH, COSH, SIGNUM, STEP, FLOOR -> true;
+        default -> false;
       };
     }
     return false;

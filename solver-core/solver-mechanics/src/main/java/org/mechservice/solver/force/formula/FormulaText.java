@@ -79,6 +79,8 @@ public final class FormulaText {
         writeInside(negation.operand(), SIGN);
       } else if (formula instanceof Expression.Call call) {
         write(call.function().symbol(), call.arguments());
+      } else if (formula instanceof Expression.Composed call) {
+        write(call.function().symbol(), call.arguments());
       } else if (formula instanceof Expression.TableValue value) {
         write(value.table().name(), value.arguments());
       } else {

@@ -13,12 +13,12 @@ import org.mechservice.solver.expression.Expression.Negation;
 import org.mechservice.solver.expression.Expression.Product;
 import org.mechservice.solver.expression.Expression.StateValue;
 import org.mechservice.solver.expression.Expression.Sum;
-import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.mechanism.FurtherState;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Root;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.symbol.MathFunction;
 import org.mechservice.solver.text.Origin;
 
 /**
@@ -29,7 +29,7 @@ final class StepSearchTest {
   private static final Expression X = new StateValue(0);
   private static final Expression Y = new StateValue(1);
 
-  private static Expression call(Function function, Expression... arguments) {
+  private static Expression call(MathFunction function, Expression... arguments) {
     return Expression.call(function, List.of(arguments));
   }
 
@@ -79,14 +79,14 @@ final class StepSearchTest {
 
   @Test
   void stepWithoutChangeStands() {
-    Expression gap = call(Function.MAX, Expression.ZERO, X);
+    Expression gap = call(MathFunction.MAX, Expression.ZERO, X);
     assertThat(seen(gap, 2, t -> -1 + 0.4 * t, t -> 0)).isNaN();
   }
 
   /** One search sees many steps: what it knows of one must not stand for another. */
   @Test
   void stepAfterCalmOnesIsSearchedByItself() {
-    StateEvents events = events(call(Function.MAX, Expression.ZERO, new Negation(X)));
+    StateEvents events = events(call(MathFunction.MAX, Expression.ZERO, new Negation(X)));
     DoubleUnaryOperator x = t -> 1 - 2 * Math.max(0, 1 - 100 * (t - 4.5) * (t - 4.5));
     Way way = new Way(x, t -> 0);
     for (int step = 0; step < 4; step++) {
@@ -106,7 +106,7 @@ final class StepSearchTest {
       Expression way = minus(X, speed * at);
       Expression inside =
           call(
-              Function.STEP,
+              MathFunction.STEP,
               new Sum(
                   Expression.of(speed * speed * width * width),
                   new Negation(new Product(way, way))));
@@ -123,7 +123,7 @@ final class StepSearchTest {
     for (int i = 0; i < 500; i++) {
       double depth = Math.pow(10, -2 - 9 * random.nextDouble());
       double at = 0.2 + 0.6 * random.nextDouble();
-      Expression gap = call(Function.MAX, Expression.ZERO, new Negation(X));
+      Expression gap = call(MathFunction.MAX, Expression.ZERO, new Negation(X));
       double found = seen(gap, 1, t -> (t - at) * (t - at) - depth, t -> 0);
       // the touch lies sqrt(depth) before the lowest point; its place is rounded by ulp / slope
       assertThat(found).as("depth %s", depth).isCloseTo(at - Math.sqrt(depth), within(1e-9));
@@ -133,8 +133,8 @@ final class StepSearchTest {
   /** Where a step jumps because a floor does, the floor has to be off its boundary. */
   @Test
   void changeIsClearOfItsCause() {
-    Expression fraction = new Sum(X, new Negation(call(Function.FLOOR, X)));
-    Expression low = call(Function.STEP, minus(new Negation(fraction), -0.5));
+    Expression fraction = new Sum(X, new Negation(call(MathFunction.FLOOR, X)));
+    Expression low = call(MathFunction.STEP, minus(new Negation(fraction), -0.5));
     double found = seen(low, 0.9, t -> 11.6 + t, t -> 0);
     // x is rounded by 2e-15; 256 last places of time are 1.4e-14 s
     assertThat(11.6 + found - 12).isBetween(1e-14, 1e-13);
@@ -143,7 +143,7 @@ final class StepSearchTest {
   /** Strobe: many turns in one step. */
   @Test
   void noTurnIsSkipped() {
-    Expression strobe = call(Function.STEP, minus(call(Function.COS, X), 0.9998));
+    Expression strobe = call(MathFunction.STEP, minus(call(MathFunction.COS, X), 0.9998));
     double half = Math.acos(0.9998);
     double found = seen(strobe, 50, t -> 1 + t, t -> 0);
     assertThat(found).isCloseTo(2 * Math.PI - half - 1, within(1e-11));
@@ -157,7 +157,7 @@ final class StepSearchTest {
       double at = 0.1 + 0.8 * random.nextDouble();
       double width = Math.pow(10, -2 - 5 * random.nextDouble());
       Expression way = new Product(minus(X, at), Expression.of(1 / width));
-      Expression bump = call(Function.EXP, new Negation(new Product(way, way)));
+      Expression bump = call(MathFunction.EXP, new Negation(new Product(way, way)));
       StateEvents events = events(bump);
       double found = events.seenUntil(0, 1, new Way(t -> t, t -> 0));
       assertThat(found).as("at %s, width %s", at, width).isLessThan(at).isGreaterThan(0);
@@ -169,8 +169,8 @@ final class StepSearchTest {
   /** What happens to a factor of zero does not end a step. */
   @Test
   void changeThatHasNoEffectIsNone() {
-    Expression touching = call(Function.MAX, Expression.ZERO, Y);
-    Expression rate = new Product(touching, call(Function.ABS, X));
+    Expression touching = call(MathFunction.MAX, Expression.ZERO, Y);
+    Expression rate = new Product(touching, call(MathFunction.ABS, X));
     assertThat(seen(rate, 1, t -> t - 0.5, t -> -1)).isNaN();
     assertThat(seen(rate, 1, t -> t - 0.5, t -> 1)).isCloseTo(0.5, within(1e-12));
   }
@@ -178,7 +178,7 @@ final class StepSearchTest {
   /** A choice that hovers about its boundary is left to the error test after some steps. */
   @Test
   void hoveringChoiceDoesNotStopARun() {
-    StateEvents events = events(call(Function.ABS, X));
+    StateEvents events = events(call(MathFunction.ABS, X));
     int cut = 0;
     for (int step = 0; step < 100; step++) {
       double from = step;

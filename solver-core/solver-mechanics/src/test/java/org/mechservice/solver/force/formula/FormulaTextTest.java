@@ -10,11 +10,11 @@ import org.mechservice.solver.expression.Expression.Product;
 import org.mechservice.solver.expression.Expression.Quotient;
 import org.mechservice.solver.expression.Expression.Sum;
 import org.mechservice.solver.expression.Expression.Time;
-import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Root;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.symbol.MathFunction;
 
 /** Formulas as text. */
 final class FormulaTextTest {
@@ -37,7 +37,7 @@ final class FormulaTextTest {
     assertThat(text.of(new Quotient(T, new Product(T, T)))).isEqualTo("t/(t*t)");
     assertThat(text.of(new Expression.Power(new Negation(T), Expression.of(3))))
         .isEqualTo("(-t)^3");
-    assertThat(text.of(Expression.call(Function.MAX, List.of(Expression.ZERO, T))))
+    assertThat(text.of(Expression.call(MathFunction.MAX, List.of(Expression.ZERO, T))))
         .isEqualTo("max(0, t)");
   }
 

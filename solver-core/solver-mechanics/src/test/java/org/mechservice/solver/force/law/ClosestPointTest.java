@@ -11,8 +11,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.expression.Function;
 import org.mechservice.solver.force.law.printed.PrintedLaws;
+import org.mechservice.solver.symbol.MathFunction;
 
 /** The closest point of formulas against minimisation by brute force. */
 class ClosestPointTest {
@@ -28,13 +28,13 @@ class ClosestPointTest {
   }
 
   private static Expression wave(double high, double rate) {
-    return times(high, Expression.call(Function.SIN, List.of(times(rate, S))));
+    return times(high, Expression.call(MathFunction.SIN, List.of(times(rate, S))));
   }
 
   private static Expression bump(double high, double width) {
     Expression part = times(1 / width, S);
     Expression square = new Expression.Negation(new Expression.Product(part, part));
-    return times(high, Expression.call(Function.EXP, List.of(square)));
+    return times(high, Expression.call(MathFunction.EXP, List.of(square)));
   }
 
   private static double least(DoubleUnaryOperator h, double x, double z) {
@@ -114,7 +114,7 @@ class ClosestPointTest {
   @Test
   void cornerPushesTowardsTheCentre() {
     Expression roof =
-        new Expression.Negation(Expression.call(Function.ABS, List.of(times(0.8, S))));
+        new Expression.Negation(Expression.call(MathFunction.ABS, List.of(times(0.8, S))));
     Foot point = new Foot(roof);
     double x = 0.1;
     double z = 0.25;

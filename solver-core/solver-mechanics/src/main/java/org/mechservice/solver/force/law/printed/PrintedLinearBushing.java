@@ -289,97 +289,97 @@ final class PrintedLinearBushing implements PrintedLaw {
     double law_7 = (x[6] - x[4]) * law_4;
     double law_8 = law_5 * law_5 + law_6 * law_6 + law_7 * law_7;
     double law_9 = Math.sqrt(Piecewise.choose(law_8, 0.0, 1.0, law_8));
-    double law_10 = StrictMath.atan2(law_9, law_3);
-    double law_11 = 2.0 * law_10;
-    double law_12 = Piecewise.choose(law_8, 0.0, 2.0, law_11 / law_9);
-    double law_13 = law_5 * law_12;
-    double law_14 = r_x * law_13;
-    double law_15 = law_6 * law_12;
-    double law_16 = r_x * law_15;
-    double law_17 = law_7 * law_12;
-    double law_18 = r_x * law_17;
-    double law_19 = r_x * r_x * c[78] + law_1 * c[79] + law_2 * c[80] + law_14 * c[81]
-        + law_16 * c[82] + law_18 * c[83] - r_x * preload_0;
-    double law_20 = r_y * r_z;
-    double law_21 = r_y * law_13;
-    double law_22 = r_y * law_15;
-    double law_23 = r_y * law_17;
-    double law_24 = law_19 + law_1 * c[84] + r_y * r_y * c[85] + law_20 * c[86] + law_21 * c[87]
-        + law_22 * c[88] + law_23 * c[89] - r_y * preload_1;
-    double law_25 = r_z * law_13;
-    double law_26 = r_z * law_15;
-    double law_27 = r_z * law_17;
-    double law_28 = law_24 + law_2 * c[90] + law_20 * c[91] + r_z * r_z * c[92] + law_25 * c[93]
-        + law_26 * c[94] + law_27 * c[95] - r_z * preload_2;
-    double law_29 = law_13 * law_15;
-    double law_30 = law_13 * law_17;
-    double law_31 = law_28 + law_14 * c[96] + law_21 * c[97] + law_25 * c[98]
-        + law_13 * law_13 * c[99] + law_29 * c[100] + law_30 * c[101] - preload_3 * law_13;
-    double law_32 = law_15 * law_17;
-    double law_33 = law_31 + law_16 * c[102] + law_22 * c[103] + law_26 * c[104] + law_29 * c[105]
-        + law_15 * law_15 * c[106] + law_32 * c[107] - preload_4 * law_15;
-    double law_34 = law_33 + law_18 * c[108] + law_23 * c[109] + law_27 * c[110] + law_30 * c[111]
-        + law_32 * c[112] + law_17 * law_17 * c[113] - preload_5 * law_17;
-    double law_35 = preload_0 - r_x * c[0] - u_x * c[36] - r_y * c[1] - u_y * c[37] - r_z * c[2]
-        - u_z * c[38] - c[3] * law_13;
-    double law_36 = law_35 - omega_x * c[39] - c[4] * law_15 - omega_y * c[40] - c[5] * law_17
+    double law_10 = 2.0 * StrictMath.atan2(law_9, law_3);
+    double law_11 = Piecewise.choose(law_8, 0.0, 2.0, law_10 / law_9);
+    double law_12 = law_5 * law_11;
+    double law_13 = r_x * law_12;
+    double law_14 = law_6 * law_11;
+    double law_15 = r_x * law_14;
+    double law_16 = law_7 * law_11;
+    double law_17 = r_x * law_16;
+    double law_18 = r_x * r_x * c[78] + law_1 * c[79] + law_2 * c[80] + law_13 * c[81]
+        + law_15 * c[82] + law_17 * c[83] - r_x * preload_0;
+    double law_19 = r_y * r_z;
+    double law_20 = r_y * law_12;
+    double law_21 = r_y * law_14;
+    double law_22 = r_y * law_16;
+    double law_23 = law_18 + law_1 * c[84] + r_y * r_y * c[85] + law_19 * c[86] + law_20 * c[87]
+        + law_21 * c[88] + law_22 * c[89] - r_y * preload_1;
+    double law_24 = r_z * law_12;
+    double law_25 = r_z * law_14;
+    double law_26 = r_z * law_16;
+    double law_27 = law_23 + law_2 * c[90] + law_19 * c[91] + r_z * r_z * c[92] + law_24 * c[93]
+        + law_25 * c[94] + law_26 * c[95] - r_z * preload_2;
+    double law_28 = law_12 * law_14;
+    double law_29 = law_12 * law_16;
+    double law_30 = law_27 + law_13 * c[96] + law_20 * c[97] + law_24 * c[98]
+        + law_12 * law_12 * c[99] + law_28 * c[100] + law_29 * c[101] - preload_3 * law_12;
+    double law_31 = law_14 * law_16;
+    double law_32 = law_30 + law_15 * c[102] + law_21 * c[103] + law_25 * c[104] + law_28 * c[105]
+        + law_14 * law_14 * c[106] + law_31 * c[107] - preload_4 * law_14;
+    double law_33 = law_32 + law_17 * c[108] + law_22 * c[109] + law_26 * c[110] + law_29 * c[111]
+        + law_31 * c[112] + law_16 * law_16 * c[113] - preload_5 * law_16;
+    double law_34 = preload_0 - r_x * c[0] - u_x * c[36] - r_y * c[1] - u_y * c[37] - r_z * c[2]
+        - u_z * c[38] - c[3] * law_12;
+    double law_35 = law_34 - omega_x * c[39] - c[4] * law_14 - omega_y * c[40] - c[5] * law_16
         - omega_z * c[41];
-    double law_37 = preload_1 - r_x * c[6] - u_x * c[42] - r_y * c[7] - u_y * c[43] - r_z * c[8]
-        - u_z * c[44] - c[9] * law_13;
-    double law_38 = law_37 - omega_x * c[45] - c[10] * law_15 - omega_y * c[46] - c[11] * law_17
+    double law_36 = preload_1 - r_x * c[6] - u_x * c[42] - r_y * c[7] - u_y * c[43] - r_z * c[8]
+        - u_z * c[44] - c[9] * law_12;
+    double law_37 = law_36 - omega_x * c[45] - c[10] * law_14 - omega_y * c[46] - c[11] * law_16
         - omega_z * c[47];
-    double law_39 = preload_2 - r_x * c[12] - u_x * c[48] - r_y * c[13] - u_y * c[49] - r_z * c[14]
-        - u_z * c[50] - c[15] * law_13;
-    double law_40 = law_39 - omega_x * c[51] - c[16] * law_15 - omega_y * c[52] - c[17] * law_17
+    double law_38 = preload_2 - r_x * c[12] - u_x * c[48] - r_y * c[13] - u_y * c[49] - r_z * c[14]
+        - u_z * c[50] - c[15] * law_12;
+    double law_39 = law_38 - omega_x * c[51] - c[16] * law_14 - omega_y * c[52] - c[17] * law_16
         - omega_z * c[53];
-    double law_41 = preload_3 - r_x * c[18] - u_x * c[54] - r_y * c[19] - u_y * c[55] - r_z * c[20]
-        - u_z * c[56] - c[21] * law_13;
-    double law_42 = law_41 - omega_x * c[57] - c[22] * law_15 - omega_y * c[58] - c[23] * law_17
+    double law_40 = preload_3 - r_x * c[18] - u_x * c[54] - r_y * c[19] - u_y * c[55] - r_z * c[20]
+        - u_z * c[56] - c[21] * law_12;
+    double law_41 = law_40 - omega_x * c[57] - c[22] * law_14 - omega_y * c[58] - c[23] * law_16
         - omega_z * c[59];
-    double law_43 = preload_4 - r_x * c[24] - u_x * c[60] - r_y * c[25] - u_y * c[61] - r_z * c[26]
-        - u_z * c[62] - c[27] * law_13;
-    double law_44 = law_43 - omega_x * c[63] - c[28] * law_15 - omega_y * c[64] - c[29] * law_17
+    double law_42 = preload_4 - r_x * c[24] - u_x * c[60] - r_y * c[25] - u_y * c[61] - r_z * c[26]
+        - u_z * c[62] - c[27] * law_12;
+    double law_43 = law_42 - omega_x * c[63] - c[28] * law_14 - omega_y * c[64] - c[29] * law_16
         - omega_z * c[65];
-    double law_45 = preload_5 - r_x * c[30] - u_x * c[66] - r_y * c[31] - u_y * c[67] - r_z * c[32]
-        - u_z * c[68] - c[33] * law_13;
-    double law_46 = law_45 - omega_x * c[69] - c[34] * law_15 - omega_y * c[70] - c[35] * law_17
+    double law_44 = preload_5 - r_x * c[30] - u_x * c[66] - r_y * c[31] - u_y * c[67] - r_z * c[32]
+        - u_z * c[68] - c[33] * law_12;
+    double law_45 = law_44 - omega_x * c[69] - c[34] * law_14 - omega_y * c[70] - c[35] * law_16
         - omega_z * c[71];
-    double law_47 = u_x * law_36 + u_y * law_38 + u_z * law_40 + (omega_x * law_42
-        + omega_y * law_44 + omega_z * law_46) + u_x * (r_x * c[114] - preload_0 + r_y * settled_38
-        + r_z * settled_39 + law_13 * settled_40 + law_15 * settled_41 + law_17 * settled_42);
-    double law_48 = law_47 + u_y * (r_x * settled_38 - preload_1 + r_y * c[120] + r_z * settled_44
-        + law_13 * settled_45 + law_15 * settled_46 + law_17 * settled_47);
-    double law_49 = law_48 + u_z * (r_x * settled_39 - preload_2 + r_y * settled_44 + r_z * c[125]
-        + law_13 * settled_49 + law_15 * settled_50 + law_17 * settled_51);
-    double law_50 = omega_z * law_15 - omega_y * law_17;
-    double law_51 = Piecewise.choose(law_8, 0.0, 0.0, law_11);
-    double law_52 = law_51 * law_51;
-    double law_53 = Piecewise.choose(law_51, 0.05, 0.08333333333333333
-        + law_52 * (0.001388888888888889 + law_52 * (3.306878306878307e-5
-        + 8.267195767195768e-7 * law_52)), (1.0 - law_3 / law_9 * law_10) / (law_11 * law_11));
-    double law_54 = omega_y * law_13 - omega_x * law_15;
-    double law_55 = omega_x * law_17 - omega_z * law_13;
-    double law_56 = (omega_x - 0.5 * law_50 + law_53 * (law_15 * law_54
-        - law_17 * law_55)) * (r_x * settled_40 - preload_3 + r_y * settled_45 + r_z * settled_49
-        + law_13 * c[129] + law_15 * settled_53 + law_17 * settled_54);
-    double law_57 = (omega_y - 0.5 * law_55 + law_53 * (law_17 * law_50
-        - law_13 * law_54)) * (r_x * settled_41 - preload_4 + r_y * settled_46 + r_z * settled_50
-        + law_13 * settled_53 + law_15 * c[132] + law_17 * settled_56);
-    double law_58 = (omega_z - 0.5 * law_54 + law_53 * (law_13 * law_55
-        - law_15 * law_50)) * (r_x * settled_42 - preload_5 + r_y * settled_47 + r_z * settled_51
-        + law_13 * settled_54 + law_15 * settled_56 + law_17 * c[134]);
-    out[0] = law_34;
-    out[1] = law_49 + law_56 + law_57 + law_58;
+    double law_46 = u_x * law_35 + u_y * law_37 + u_z * law_39 + (omega_x * law_41
+        + omega_y * law_43 + omega_z * law_45) + u_x * (r_x * c[114] - preload_0 + r_y * settled_38
+        + r_z * settled_39 + law_12 * settled_40 + law_14 * settled_41 + law_16 * settled_42);
+    double law_47 = law_46 + u_y * (r_x * settled_38 - preload_1 + r_y * c[120] + r_z * settled_44
+        + law_12 * settled_45 + law_14 * settled_46 + law_16 * settled_47);
+    double law_48 = law_47 + u_z * (r_x * settled_39 - preload_2 + r_y * settled_44 + r_z * c[125]
+        + law_12 * settled_49 + law_14 * settled_50 + law_16 * settled_51);
+    double law_49 = omega_z * law_14 - omega_y * law_16;
+    double law_50 = Piecewise.choose(law_8, 0.0, 0.0, law_10);
+    double law_51 = law_50 * law_50;
+    double law_52 = Piecewise.choose(law_50, 0.05, 0.08333333333333333
+        + law_51 * (0.001388888888888889 + law_51 * (3.306878306878307e-5
+        + 8.267195767195768e-7 * law_51)), (1.0 - law_3 / law_9 * (0.5 * law_10)) / (law_10
+        * law_10));
+    double law_53 = omega_y * law_12 - omega_x * law_14;
+    double law_54 = omega_x * law_16 - omega_z * law_12;
+    double law_55 = (omega_x - 0.5 * law_49 + law_52 * (law_14 * law_53
+        - law_16 * law_54)) * (r_x * settled_40 - preload_3 + r_y * settled_45 + r_z * settled_49
+        + law_12 * c[129] + law_14 * settled_53 + law_16 * settled_54);
+    double law_56 = (omega_y - 0.5 * law_54 + law_52 * (law_16 * law_49
+        - law_12 * law_53)) * (r_x * settled_41 - preload_4 + r_y * settled_46 + r_z * settled_50
+        + law_12 * settled_53 + law_14 * c[132] + law_16 * settled_56);
+    double law_57 = (omega_z - 0.5 * law_53 + law_52 * (law_12 * law_54
+        - law_14 * law_49)) * (r_x * settled_42 - preload_5 + r_y * settled_47 + r_z * settled_51
+        + law_12 * settled_54 + law_14 * settled_56 + law_16 * c[134]);
+    out[0] = law_33;
+    out[1] = law_48 + law_55 + law_56 + law_57;
     System.arraycopy(x, 0, out, 2, 3);
-    out[5] = law_13;
-    out[6] = law_15;
-    out[7] = law_17;
-    out[8] = law_36;
-    out[9] = law_38;
-    out[10] = law_40;
-    out[11] = law_42;
-    out[12] = law_44;
-    out[13] = law_46;
+    out[5] = law_12;
+    out[6] = law_14;
+    out[7] = law_16;
+    out[8] = law_35;
+    out[9] = law_37;
+    out[10] = law_39;
+    out[11] = law_41;
+    out[12] = law_43;
+    out[13] = law_45;
   }
 
   @Override
