@@ -25,6 +25,7 @@ import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.PrescribedMotion;
 import org.mechservice.solver.mechanism.Root;
+import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.force.Bushing;
 import org.mechservice.solver.mechanism.force.Contact;
 import org.mechservice.solver.mechanism.force.CouplingSpringDamper;
@@ -155,7 +156,7 @@ class EverythingIsCodeTest {
     }
 
     /** Returns the groups of columns that data compute beside the code. */
-    Set<String> fromData() {
+    Set<String> fromData(Mechanism mechanism) {
       Set<String> groups = new TreeSet<>(Set.of("reactions", "momentum"));
       if (loop.isPresent()) {
         groups.add("constraints");
@@ -163,7 +164,10 @@ class EverythingIsCodeTest {
       if (loop.isPresent() || force.equals(UserForceElement.class)) {
         groups.add("forces");
       }
-      if (driven) {
+      boolean cutIsDriven =
+          mechanism.closures().stream()
+              .anyMatch(closure -> closure instanceof JointClosure cut && !cut.motion().isEmpty());
+      if (driven || cutIsDriven) {
         groups.add("drives");
       }
       return groups;
@@ -178,7 +182,7 @@ class EverythingIsCodeTest {
         .as("%s", combination)
         .allSatisfy(part -> assertThat(part.why()).isNotEmpty())
         .extracting(Omission::what)
-        .containsExactlyInAnyOrderElementsOf(combination.fromData());
+        .containsExactlyInAnyOrderElementsOf(combination.fromData(file.mechanism()));
     ClassLoader users = GeneratedUserForcesTest.class.getClassLoader();
     Model model = GeneratedUserForcesTest.loaded(generated, new TreeMap<>(), users);
     assertThat(model.description().formulation()).isEqualTo(combination.method().formulation);

@@ -55,6 +55,7 @@ public final class RandomMechmlForces {
     for (int round = 0; round < 2; round++) {
       forces.addOneOfEach();
     }
+    forces.addLaws();
     return new Mechanism(
         "forced" + seed,
         tree.root(),
@@ -120,6 +121,10 @@ public final class RandomMechmlForces {
               forces.add(new JointForce(name(), c, formula(), Origin.NONE));
             });
     forces.add(pairForce());
+  }
+
+  /** Adds the laws with numbers, behind the others, whose draws they leave alone. */
+  private void addLaws() {
     for (PairLaw law : PairLaw.values()) {
       law.row().ifPresent(row -> forces.add(law(law, row)));
     }
