@@ -48,7 +48,9 @@ final class FunctionTraits {
   final int arity;
   final Value value;
 
-  /** The same of one or two arguments. */
+  /** The same of one argument, if it has one, and of one or two. */
+  final DoubleUnaryOperator single;
+
   final DoubleBinaryOperator pair;
 
   String owner = STRICT_MATH;
@@ -73,9 +75,19 @@ final class FunctionTraits {
   boolean readsRow;
 
   private FunctionTraits(String symbol, int arity, Value value, DoubleBinaryOperator pair) {
+    this(symbol, arity, value, a -> pair.applyAsDouble(a, a), pair);
+  }
+
+  private FunctionTraits(
+      String symbol,
+      int arity,
+      Value value,
+      DoubleUnaryOperator single,
+      DoubleBinaryOperator pair) {
     this.symbol = symbol;
     this.arity = arity;
     this.value = value;
+    this.single = single;
     this.pair = pair;
     this.method = symbol;
     this.bound = (out, aLow, aHigh, bLow, bHigh) -> out.rising(this::value, aLow, aHigh);
@@ -87,7 +99,7 @@ final class FunctionTraits {
    */
   static FunctionTraits one(String symbol, DoubleUnaryOperator value) {
     return new FunctionTraits(
-        symbol, 1, (row, x) -> value.applyAsDouble(x[0]), (a, b) -> value.applyAsDouble(a));
+        symbol, 1, (row, x) -> value.applyAsDouble(x[0]), value, (a, b) -> value.applyAsDouble(a));
   }
 
   /** A function of two arguments; its method is that of StrictMath. */
@@ -128,7 +140,7 @@ final class FunctionTraits {
   }
 
   private double value(double a) {
-    return pair.applyAsDouble(a, a);
+    return single.applyAsDouble(a);
   }
 
   /** Generated code calls another method than that of StrictMath. */

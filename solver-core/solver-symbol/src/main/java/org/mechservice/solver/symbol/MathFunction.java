@@ -315,7 +315,7 @@ public enum MathFunction {
 
   /** Returns the value of a function of one or two arguments; of one it ignores the second. */
   public double value(double a, double b) {
-    return traits.pair.applyAsDouble(a, b);
+    return traits.arity == 1 ? traits.single.applyAsDouble(a) : traits.pair.applyAsDouble(a, b);
   }
 
   /**

@@ -15,6 +15,7 @@ final class ProgramEvaluation {
   private final Scalar[] nodes;
 
   private final ScalarOperation[] operations;
+  private final int[] target;
   private final int[] first;
   private final int[] last;
 
@@ -36,11 +37,13 @@ final class ProgramEvaluation {
     used.stream().filter(Scalar::isConstant).forEach(node -> values[node.id()] = node.value());
     nodes = used.stream().filter(node -> !node.isConstant()).toArray(Scalar[]::new);
     operations = new ScalarOperation[nodes.length];
+    target = new int[nodes.length];
     first = new int[nodes.length];
     last = new int[nodes.length];
     for (int i = 0; i < nodes.length; i++) {
       List<Scalar> operands = nodes[i].operands();
       operations[i] = nodes[i].operation();
+      target[i] = nodes[i].id();
       first[i] = operands.isEmpty() ? nodes[i].index() : operands.get(0).id();
       last[i] = operands.isEmpty() ? 0 : operands.get(operands.size() - 1).id();
     }
@@ -67,7 +70,7 @@ final class ProgramEvaluation {
     for (int i = 0; i < nodes.length; i++) {
       int a = first[i];
       int b = last[i];
-      values[nodes[i].id()] =
+      values[target[i]] =
           switch (operations[i]) {
             case ADD -> values[a] + values[b];
             case SUBTRACT -> values[a] - values[b];
@@ -78,7 +81,7 @@ final class ProgramEvaluation {
             case SINE -> SinCos.sine(values[a]);
             case COSINE -> SinCos.cosine(values[a]);
             case INPUT -> a == Program.TIME ? time : inputs[a];
-            case CONSTANT -> values[nodes[i].id()];
+            case CONSTANT -> values[target[i]];
             case FUNCTION -> function(nodes[i], a, b);
           };
     }
