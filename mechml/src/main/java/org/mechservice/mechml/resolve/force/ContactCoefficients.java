@@ -2,24 +2,20 @@ package org.mechservice.mechml.resolve.force;
 
 import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.call;
 import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.isZero;
-import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.larger;
-import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.minus;
-import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.power;
-import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.product;
 import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.quotient;
-import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.root;
-import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.smaller;
-import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.square;
 import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.sum;
-import static org.mechservice.mechml.resolve.force.ExpressionAlgebra.times;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.ScalarFormulas;
+import org.mechservice.solver.force.law.PushLaw;
+import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.MathFunction;
+import org.mechservice.solver.symbol.Scalar;
 
 /**
- * Coefficients of a contact: the push at the depth d, which is the law of {@code
- * solver.force.law.PushLaw}, N = max(0, E + c d′ pos′(d) + χ d′ E) with E = k pos(d)ⁿ, and
- * friction.
+ * Coefficients of a contact: the push at the depth d, which is a {@link PushLaw}, and friction.
  *
  * @param stiffness k, N/mⁿ
  * @param damping c, N·s/m
@@ -41,9 +37,6 @@ record ContactCoefficients(
     Expression slidingSpeed,
     Expression stickLength,
     Expression stickTime) {
-  /** Keeps the share of a push defined where it is zero, N. */
-  private static final Expression TINY = Expression.of(1e-300);
-
   boolean rubs() {
     return !isZero(friction);
   }
@@ -52,85 +45,61 @@ record ContactCoefficients(
     return rubs() && !isZero(stickLength);
   }
 
-  /** The smooth positive part of a depth. */
-  final class Positive {
+  /** The push at a place of contact. */
+  final class Push {
     private final Expression depth;
-    private final Expression root;
+    private final Expressions e = new Expressions();
+    private final List<Expression> inputs = new ArrayList<>();
+    private final PushLaw law;
+    private final Scalar x;
+    private final Scalar rate;
+    private final ScalarFormulas formulas;
 
-    /** pos(d), without cancellation: max(d, 0) + pos(−|d|), pos(−|d|) = ε² / (2 (|d| + root)). */
-    final Expression value;
-
-    /** pos′(d) = pos(d) / root. */
-    final Expression slope;
-
-    Positive(Expression depth) {
+    /**
+     * @param depth d, m
+     * @param depthRate d′, m/s
+     */
+    Push(Expression depth, Expression depthRate) {
       this.depth = depth;
-      Expression above = larger(Expression.ZERO, depth);
-      if (isZero(smoothing)) {
-        root = Expression.ZERO;
-        value = above;
-        slope = call(MathFunction.STEP, depth);
-        return;
+      x = scalar(depth);
+      rate = scalar(depthRate);
+      law =
+          new PushLaw(
+              scalar(stiffness),
+              e.constant(exponent),
+              scalar(damping),
+              scalar(dissipation),
+              scalar(smoothing));
+      formulas = new ScalarFormulas(inputs);
+    }
+
+    private Scalar scalar(Expression value) {
+      if (value instanceof Expression.Constant constant) {
+        return e.constant(constant.value());
       }
-      root = root(sum(square(depth), square(smoothing)));
-      Expression size = call(MathFunction.ABS, depth);
-      value = sum(above, quotient(times(0.5, square(smoothing)), sum(size, root)));
-      slope = quotient(value, root);
+      inputs.add(value);
+      return e.input(inputs.size() - 1);
     }
 
     /** Returns the elastic part of the push, N. */
     Expression elastic() {
-      return product(stiffness, power(value, exponent));
+      return formulas.of(law.elastic(x));
     }
 
     /** Returns the push, never negative, N. */
-    Expression push(Expression rate) {
-      Expression elastic = elastic();
-      Expression damper =
-          sum(product(product(damping, rate), slope), product(product(dissipation, rate), elastic));
-      return isZero(damper) ? elastic : bounded(elastic, sum(elastic, damper));
+    Expression force() {
+      return formulas.of(law.force(x, rate));
     }
 
-    private Expression bounded(Expression elastic, Expression sum) {
-      if (isZero(smoothing)) {
-        return larger(Expression.ZERO, sum);
-      }
-      // beyond ±1 of the share r the rounded part is constant: its slope there is 0
-      Expression half = times(0.5, elastic);
-      Expression share = quotient(sum, sum(half, TINY));
-      Expression r = larger(Expression.of(-1), smaller(Expression.of(1), share));
-      Expression above = sum(r, Expression.of(1));
-      Expression cube = product(square(above), above);
-      Expression factor = Expression.of(7);
-      for (int coefficient : new int[] {-42, 102, -122, 63}) {
-        factor = sum(product(r, factor), Expression.of(coefficient));
-      }
-      Expression rounded = product(half, times(1.0 / 512, product(square(cube), factor)));
-      return sum(rounded, larger(Expression.ZERO, minus(sum, half)));
-    }
-
-    /** Returns k ∫ posⁿ, J: from d = 0 for n = 1, else from d = −∞. */
+    /** Returns the potential energy, J. */
     Expression potential() {
-      Expression quarter = times(0.25, square(smoothing));
-      if (exponent == 1) {
-        Expression half = times(0.5, square(value));
-        Expression log =
-            isZero(smoothing)
-                ? Expression.ZERO
-                : call(MathFunction.LOG, quotient(times(2, value), smoothing));
-        return product(stiffness, sum(half, product(quarter, sum(log, Expression.of(-0.5)))));
-      }
-      Expression rest =
-          isZero(quarter)
-              ? Expression.ZERO
-              : product(times(1 / (exponent - 1), quarter), power(value, exponent - 1));
-      return product(stiffness, sum(times(1 / (exponent + 1), power(value, exponent + 1)), rest));
+      return formulas.of(law.potential(x));
     }
 
     /** Returns how far the bodies touch: 1 from first touch on, 0 when they are ε apart. */
     Expression touch() {
       return isZero(smoothing)
-          ? slope
+          ? call(MathFunction.STEP, depth)
           : call(MathFunction.SMOOTH_STEP, sum(Expression.of(1), quotient(depth, smoothing)));
     }
   }

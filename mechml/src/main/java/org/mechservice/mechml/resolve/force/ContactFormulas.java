@@ -81,22 +81,22 @@ final class ContactFormulas {
    * @param arm the place on body 2, from the origin of frame 2, m
    */
   void add(Expression depth, ExpressionVector n, ExpressionVector arm) {
-    ContactCoefficients.Positive positive = law.new Positive(depth);
     ExpressionVector velocity = frames.velocityAt(arm);
     Expression rate = negated(velocity.dot(n));
-    Expression push = positive.push(rate);
+    ContactCoefficients.Push pushed = law.new Push(depth, rate);
+    Expression push = pushed.force();
     ExpressionVector rubbing = ExpressionVector.ZERO;
     if (law.rubs()) {
       ExpressionVector sliding = velocity.normalTo(n);
-      rubbing = law.sticks() ? sticking(positive, push, sliding, n) : slipping(push, sliding);
+      rubbing = law.sticks() ? sticking(pushed, push, sliding, n) : slipping(push, sliding);
     }
     ExpressionVector all = n.times(push).plus(rubbing);
     force = force.plus(all);
     moment = moment.plus(arm.cross(all));
     friction = friction.plus(rubbing);
     normal = sum(normal, push);
-    potential = sum(potential, positive.potential());
-    potentialRate = sum(potentialRate, product(positive.elastic(), rate));
+    potential = sum(potential, pushed.potential());
+    potentialRate = sum(potentialRate, product(pushed.elastic(), rate));
     depths.add(depth);
   }
 
@@ -106,7 +106,7 @@ final class ContactFormulas {
   }
 
   private ExpressionVector sticking(
-      ContactCoefficients.Positive positive,
+      ContactCoefficients.Push pushed,
       Expression push,
       ExpressionVector sliding,
       ExpressionVector n) {
@@ -125,7 +125,7 @@ final class ContactFormulas {
     Expression share = larger(Expression.ZERO, over);
     Expression outwards = larger(Expression.ZERO, sliding.dot(z));
     ExpressionVector yielding = z.times(quotient(product(share, outwards), square));
-    Expression touch = positive.touch();
+    Expression touch = pushed.touch();
     ExpressionVector strain = sliding.less(yielding).times(quotient(touch, law.stickLength()));
     ExpressionVector decay = z.times(quotient(minus(Expression.of(1), touch), law.stickTime()));
     ExpressionVector rate = strain.less(decay);

@@ -188,8 +188,7 @@ final class TyreFormulas {
             ONE,
             Expression.ZERO,
             ONE);
-    ContactCoefficients.Positive positive = law.new Positive(deflection);
-    Expression fz = positive.push(rate);
+    Expression fz = law.new Push(deflection, rate).force();
     Expression share = quotient(fz, load);
 
     // velocities of the contact, the rotation about the axle left out

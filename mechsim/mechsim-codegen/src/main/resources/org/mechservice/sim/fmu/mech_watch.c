@@ -190,6 +190,10 @@ static double value(const mech_watch_step *step, double a, double b) {
       return a < 0 ? 0 : a >= 0 ? 1 : a;
     case WATCH_SMOOTH_STEP:
       return smooth_step(a);
+    case WATCH_BELOW:
+      return a <= 0 ? b : 0;
+    case WATCH_ABOVE:
+      return a <= 0 ? 0 : b;
     case WATCH_POWER:
       return mech_power(a, b);
     case WATCH_CURVE:
@@ -212,6 +216,8 @@ static double piece_of(const mech_watch_step *step, double a, double b) {
   switch (step->operation) {
     case WATCH_ABS:
     case WATCH_STEP:
+    case WATCH_BELOW:
+    case WATCH_ABOVE:
       return a < 0 ? 0 : 1;
     case WATCH_SIGNUM:
       return mech_signum(a);
@@ -465,6 +471,14 @@ static bounds map_bounds(const mech_watch_table *table, bounds a, bounds b) {
   return result;
 }
 
+/* What counts on one side only; 0 stands on the other. */
+static bounds part(int taken, int left, bounds x) {
+  if (!taken) {
+    return between(0, 0);
+  }
+  return left ? between(mech_min(0, x.low), mech_max(0, x.high)) : x;
+}
+
 static bounds exact_bounds(const mech_watch_step *step, bounds a, bounds b) {
   bounds one, other;
   switch (step->operation) {
@@ -521,6 +535,10 @@ static bounds exact_bounds(const mech_watch_step *step, bounds a, bounds b) {
       return between(a.low < 0 ? 0 : 1, a.high < 0 ? 0 : 1);
     case WATCH_SMOOTH_STEP:
       return between(smooth_step(a.low), smooth_step(a.high));
+    case WATCH_BELOW:
+      return part(a.low <= 0, a.high > 0, b);
+    case WATCH_ABOVE:
+      return part(a.high > 0, a.low <= 0, b);
     case WATCH_POWER:
       return power(a, b);
     case WATCH_CURVE:
@@ -541,6 +559,8 @@ static int rounds(const mech_watch_step *step) {
     case WATCH_SIGNUM:
     case WATCH_FLOOR:
     case WATCH_STEP:
+    case WATCH_BELOW:
+    case WATCH_ABOVE:
       return 0;
     default:
       return 1;
@@ -692,6 +712,11 @@ static void pass_on(mech_watch_work *w, const mech_watch_step *step) {
       matters[a] |= w->high[a] >= w->low[b];
       matters[b] |= w->high[b] >= w->low[a];
       break;
+    case WATCH_BELOW:
+    case WATCH_ABOVE:
+      matters[a] |= open;
+      matters[b] |= !is_zero(w, step->target);
+      break;
     case WATCH_STEP:
     case WATCH_SIGNUM:
     case WATCH_FLOOR:
@@ -758,6 +783,8 @@ static double excursion(const mech_watch_work *w, int choice) {
     case WATCH_MAX:
       return mech_min(w->high[a] - w->low[b], w->high[b] - w->low[a]);
     case WATCH_ABS:
+    case WATCH_BELOW:
+    case WATCH_ABOVE:
       return mech_min(-w->low[a], w->high[a]);
     case WATCH_SMOOTH_STEP:
     case WATCH_CURVE:

@@ -13,8 +13,6 @@ import org.mechservice.solver.symbol.Scalar;
 
 /** Scalars as expressions: the way back from {@link Formulas}. */
 public final class ScalarFormulas {
-  private static final Expression ONE = Expression.of(1);
-
   private final List<Expression> inputs;
   private final Map<Scalar, Expression> known = new HashMap<>();
 
@@ -51,17 +49,30 @@ public final class ScalarFormulas {
     };
   }
 
-  private static Expression difference(Expression a, Expression b) {
-    return new Sum(a, new Negation(b));
-  }
-
-  /** A choice becomes a sum with a step, so what is not chosen must be finite too. */
+  /** A choice becomes the sum of its parts, one of which is 0. */
   private static Expression function(MathFunction function, List<Expression> x) {
     if (function != MathFunction.CHOOSE) {
       return Expression.call(function, x);
     }
-    Expression second = Expression.call(MathFunction.STEP, List.of(difference(x.get(0), x.get(1))));
-    Expression first = difference(ONE, second);
-    return new Sum(new Product(first, x.get(2)), new Product(second, x.get(3)));
+    Expression side = difference(x.get(0), x.get(1));
+    Expression below = Expression.call(MathFunction.BELOW, List.of(side, x.get(2)));
+    Expression above = Expression.call(MathFunction.ABOVE, List.of(side, x.get(3)));
+    return total(below, above);
+  }
+
+  private static Expression total(Expression a, Expression b) {
+    return isZero(a) ? b : isZero(b) ? a : new Sum(a, b);
+  }
+
+  private static boolean isZero(Expression x) {
+    return x instanceof Call call
+        && call.function().isPart()
+        && call.arguments().get(1).equals(Expression.ZERO);
+  }
+
+  private static Expression difference(Expression a, Expression b) {
+    return b.equals(Expression.ZERO)
+        ? a
+        : a.equals(Expression.ZERO) ? new Negation(b) : new Sum(a, new Negation(b));
   }
 }

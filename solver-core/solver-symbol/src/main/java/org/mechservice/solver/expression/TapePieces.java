@@ -274,31 +274,34 @@ public final class TapePieces {
       if (open) {
         undecided[undecidedCount++] = choiceAt[i];
       }
-      passOn(tape.operation[i], a, b, open);
+      passOn(tape.operation[i], tape.target[i], open, a, b);
     } else {
       matters[a] = true;
       matters[b] = true;
     }
   }
 
-  private void passOn(TapeStep step, int a, int b, boolean open) {
+  private void passOn(TapeStep step, int target, boolean open, int a, int b) {
     if (step == Operation.DIVIDE) {
       matters[a] = true;
       matters[b] |= !bounds.isZero(a);
     } else if (step instanceof FunctionStep call) {
-      passOn(call.function(), a, b, open);
+      passOn(call.function(), target, open, a, b);
     } else {
       matters[a] = true;
       matters[b] = true;
     }
   }
 
-  private void passOn(MathFunction function, int a, int b, boolean open) {
+  private void passOn(MathFunction function, int target, boolean open, int a, int b) {
     if (function.isChoice()) {
       int least = function.choice().get(0) == 0 ? a : b;
       int most = least == a ? b : a;
       matters[a] |= low[least] <= high[most];
       matters[b] |= low[most] <= high[least];
+    } else if (function.isPart()) {
+      matters[a] |= open;
+      matters[b] |= !bounds.isZero(target);
     } else if (function.jumps()) {
       matters[a] |= open;
     } else if (function.corners() == Corners.BORDERS) {

@@ -76,6 +76,22 @@ public final class Enclosure {
     high = highest;
   }
 
+  /**
+   * Sets the bounds of a value that counts on one side only.
+   *
+   * @param taken whether the side of the value is met
+   * @param left whether the other side is met, where 0 stands
+   */
+  void part(boolean taken, boolean left, double lowest, double highest) {
+    if (!taken) {
+      set(0, 0);
+    } else if (!left) {
+      set(lowest, highest);
+    } else {
+      set(Math.min(0, lowest), Math.max(0, highest));
+    }
+  }
+
   /** Widens the bounds to include a value. */
   public void include(double value) {
     low = Math.min(low, value);

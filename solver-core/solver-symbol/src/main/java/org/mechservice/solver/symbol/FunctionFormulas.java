@@ -78,6 +78,18 @@ final class FunctionFormulas {
     return node.times(e.function(MathFunction.LOG, base));
   }
 
+  /** x where a ≤ 0, else 0. */
+  static Scalar below(Scalar a, Scalar x) {
+    Expressions e = x.expressions();
+    return of(MathFunction.CHOOSE, a, e.zero(), x, e.zero());
+  }
+
+  /** 0 where a ≤ 0, else x. */
+  static Scalar above(Scalar a, Scalar x) {
+    Expressions e = x.expressions();
+    return of(MathFunction.CHOOSE, a, e.zero(), e.zero(), x);
+  }
+
   /** 1 from zero on, else 0. */
   static Scalar step(Scalar x) {
     Expressions e = x.expressions();

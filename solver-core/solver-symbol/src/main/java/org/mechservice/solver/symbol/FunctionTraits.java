@@ -66,6 +66,7 @@ final class FunctionTraits {
   boolean evenByValue;
   Corners corners = Corners.NONE;
   boolean jumps;
+  boolean part;
   boolean steep;
   boolean narrow;
   boolean exact;
@@ -260,6 +261,13 @@ final class FunctionTraits {
     jumps = true;
     exact = true;
     return corners(where);
+  }
+
+  /** It is 0 to one side of 0 of its first argument, else the second. */
+  FunctionTraits part() {
+    part = true;
+    exact = true;
+    return corners(Corners.SIDES);
   }
 
   /** It may be infinite, or have no value or an unbounded slope, for finite arguments. */

@@ -197,6 +197,20 @@ public enum MathFunction {
           .corners(Corners.BORDERS)
           .smooth()),
 
+  /** {@code below(a, x)}: x where a ≤ 0, else 0 whatever x is; a part of a choice on a tape. */
+  BELOW(
+      two("", Piecewise::below)
+          .by(SPATIAL + "Piecewise", "below")
+          .formula(x -> FunctionFormulas.below(x.get(0), x.get(1)))
+          .bound((out, aLow, aHigh, bLow, bHigh) -> out.part(aLow <= 0, aHigh > 0, bLow, bHigh))
+          .part()),
+  /** {@code above(a, x)}: 0 where a ≤ 0 whatever x is, else x; the other part. */
+  ABOVE(
+      two("", Piecewise::above)
+          .by(SPATIAL + "Piecewise", "above")
+          .formula(x -> FunctionFormulas.above(x.get(0), x.get(1)))
+          .bound((out, aLow, aHigh, bLow, bHigh) -> out.part(aHigh > 0, aLow <= 0, bLow, bHigh))
+          .part()),
   /** {@code choose(a, b, x, y)}: x where a ≤ b, else y. */
   CHOOSE(
       inner("Piecewise", "choose", 4, (row, x) -> Piecewise.choose(x[0], x[1], x[2], x[3]))
@@ -371,6 +385,11 @@ public enum MathFunction {
   /** Returns where it is made of pieces. */
   public Corners corners() {
     return traits.corners;
+  }
+
+  /** Returns whether it is 0 to one side of 0 of its first argument, else the second. */
+  public boolean isPart() {
+    return traits.part;
   }
 
   /** Returns whether it jumps between its pieces, which are constant. */

@@ -32,12 +32,12 @@ public record PushLaw(Scalar k, Scalar n, Scalar c, Scalar chi, Scalar eps) {
   private static final double TINY = 1e-300;
 
   /** Returns the part with potential energy at the overlap x. */
-  Scalar elastic(Scalar x) {
+  public Scalar elastic(Scalar x) {
     return k.isZero() ? k : new SmoothPart(x, eps).power(n).times(k);
   }
 
   /** Returns the force at the overlap x with the rate x′, never negative. */
-  Scalar force(Scalar x, Scalar rate) {
+  public Scalar force(Scalar x, Scalar rate) {
     if (!isDamped()) {
       return elastic(x);
     } else if (eps.isZero()) {
@@ -113,7 +113,7 @@ public record PushLaw(Scalar k, Scalar n, Scalar c, Scalar chi, Scalar eps) {
   }
 
   /** Returns the potential energy at the overlap x, J. */
-  Scalar potential(Scalar x) {
+  public Scalar potential(Scalar x) {
     return k.isZero() ? k : new SmoothPart(x, eps).integral(n).times(k);
   }
 }

@@ -28,14 +28,15 @@ final class SmoothPart {
     return e.function(MathFunction.CHOOSE, a, b, first, second);
   }
 
-  /** Returns pos(x), without cancellation where x is negative. */
+  /** Returns pos(x) = (x + |x|)/2 + pos(−|x|), pos(−|x|) = ε² / (2 (|x| + √(x² + ε²))). */
   Scalar value() {
     Scalar hard = choose(e.zero(), x, x, e.zero());
     if (eps.isZero()) {
       return hard;
     }
-    Scalar below = eps.over(root.minus(x)).times(eps.times(0.5));
-    return choose(eps, e.zero(), hard, choose(e.zero(), x, x.plus(root).times(0.5), below));
+    Scalar size = e.function(MathFunction.ABS, x);
+    Scalar soft = eps.squared().times(0.5).over(size.plus(root));
+    return choose(eps, e.zero(), hard, x.plus(size).times(0.5).plus(soft));
   }
 
   /** Returns pos′(x), between 0 and 1, for ε &gt; 0. */

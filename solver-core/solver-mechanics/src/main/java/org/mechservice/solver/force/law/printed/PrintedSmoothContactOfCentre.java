@@ -33,32 +33,32 @@ final class PrintedSmoothContactOfCentre implements PrintedLaw {
     double law_8 = Math.sqrt(1.0 + law_7 * law_7);
     double law_9 = 1.0 / law_8;
     double law_10 = (r_z - (height - slope * law_6) - law_7 * (r_x - (s - law_6))) / law_8;
-    double law_11 = Math.sqrt(law_10 * law_10 + c[13]);
-    double law_12 = Piecewise.choose(0.0, -law_10, 0.5 * (law_11 - law_10), c[5] / (law_10
-        + law_11) * c[14]);
-    double law_13 = c[1] * Powers.power(law_12, c[4]);
-    double law_14 = 0.5 * law_13;
-    double law_15 = law_7 / law_8;
-    double law_16 = u_x * law_15 - u_z * law_9;
-    double law_17 = law_12 / law_11 * (c[2] * law_16) + c[3] * law_16 * law_13 + law_13;
-    double law_18 = Math.max(-1.0, Math.min(1.0, law_17 / (1e-300 + law_14)));
-    double law_19 = 1.0 + law_18;
-    double law_20 = law_19 * law_19 * law_19;
-    double law_21 = (63.0 + law_18 * (law_18 * (102.0 + law_18 * (7.0 * law_18 - 42.0))
-        - 122.0)) * (law_20 * law_20) * 0.001953125 * law_14 + Math.max(0.0, law_17 - law_14);
-    double law_22 = friction * law_21;
-    double law_23 = x[16] + radius * (x[12] * law_9 + x[14] * law_15);
-    double law_24 = u_x * law_9 + u_z * law_15 - x[13] * radius;
-    double law_25 = Math.sqrt(law_24 * law_24 + law_23 * law_23 + c[15]);
-    double law_26 = Piecewise.choose(friction, 0.0, 0.0, -(law_23 / law_25 * law_22));
-    double law_27 = radius * law_26;
-    double law_28 = Piecewise.choose(friction, 0.0, 0.0, -(law_24 / law_25 * law_22));
-    out[0] = law_9 * law_27;
-    out[1] = -(radius * law_28);
-    out[2] = law_15 * law_27;
-    out[3] = law_9 * law_28 - law_15 * law_21;
-    out[4] = law_26;
-    out[5] = law_15 * law_28 + law_9 * law_21;
+    double law_11 = Math.sqrt(law_10 * law_10 + c[14]);
+    double law_12 = Math.abs(-law_10);
+    double law_13 = c[13] / (law_11 + law_12) + 0.5 * (law_12 - law_10);
+    double law_14 = c[1] * Powers.power(law_13, c[4]);
+    double law_15 = 0.5 * law_14;
+    double law_16 = law_7 / law_8;
+    double law_17 = u_x * law_16 - u_z * law_9;
+    double law_18 = law_13 / law_11 * (c[2] * law_17) + c[3] * law_17 * law_14 + law_14;
+    double law_19 = Math.max(-1.0, Math.min(1.0, law_18 / (1e-300 + law_15)));
+    double law_20 = 1.0 + law_19;
+    double law_21 = law_20 * law_20 * law_20;
+    double law_22 = (63.0 + law_19 * (law_19 * (102.0 + law_19 * (7.0 * law_19 - 42.0))
+        - 122.0)) * (law_21 * law_21) * 0.001953125 * law_15 + Math.max(0.0, law_18 - law_15);
+    double law_23 = friction * law_22;
+    double law_24 = x[16] + radius * (x[12] * law_9 + x[14] * law_16);
+    double law_25 = u_x * law_9 + u_z * law_16 - x[13] * radius;
+    double law_26 = Math.sqrt(law_25 * law_25 + law_24 * law_24 + c[15]);
+    double law_27 = Piecewise.choose(friction, 0.0, 0.0, -(law_24 / law_26 * law_23));
+    double law_28 = radius * law_27;
+    double law_29 = Piecewise.choose(friction, 0.0, 0.0, -(law_25 / law_26 * law_23));
+    out[0] = law_9 * law_28;
+    out[1] = -(radius * law_29);
+    out[2] = law_16 * law_28;
+    out[3] = law_9 * law_29 - law_16 * law_22;
+    out[4] = law_27;
+    out[5] = law_16 * law_29 + law_9 * law_22;
     out[6] = 1.0;
   }
 
@@ -78,7 +78,6 @@ final class PrintedSmoothContactOfCentre implements PrintedLaw {
     double u_x = x[15];
     double u_z = x[17];
     double stiffness = c[1];
-    double settled_2 = c[14];
     double exponent = c[4];
     double damping = c[2];
     double chi = c[3];
@@ -99,79 +98,81 @@ final class PrintedSmoothContactOfCentre implements PrintedLaw {
     double by4_15 = by4_12 / by4_14;
     double by4_16 = r_x - (s - by4_7);
     double by4_17 = (r_z - (height - slope * by4_7) - by4_8 * by4_16) / by4_9;
-    double by4_18 = Math.sqrt(by4_17 * by4_17 + c[13]);
-    double by4_19 = by4_17 + by4_18;
-    double by4_20 = c[5] / by4_19;
-    double by4_21 = Piecewise.choose(0.0, -by4_17, 0.5 * (by4_18 - by4_17), by4_20 * settled_2);
-    double by4_22 = stiffness * Powers.power(by4_21, exponent);
-    double by4_23 = by4_21 / by4_18;
-    double by4_24 = u_x * by4_11 - u_z * by4_10;
-    double by4_25 = damping * by4_24;
-    double by4_26 = chi * by4_24;
-    double by4_27 = by4_23 * by4_25 + by4_22 * by4_26 + by4_22;
-    double by4_28 = 0.5 * by4_22;
-    double by4_29 = by4_27 - by4_28;
-    double by4_30 = 1.0 / by4_6;
-    double by4_31 = bend * by4_30;
-    double by4_32 = by4_8 * by4_31;
-    double by4_33 = 0.5 * (by4_32 + by4_32) / by4_9;
-    double by4_34 = (by4_16 * by4_31 + by4_8 * (1.0 - by4_30) + slope * by4_30
-        + by4_17 * by4_33) / by4_9;
-    double by4_35 = by4_17 * by4_34;
-    double by4_36 = 0.5 * (by4_35 + by4_35) / by4_18;
-    double by4_37 = Piecewise.choose(0.0, -by4_17, 0.5 * (by4_34 - by4_36), by4_20 * (by4_34
-        + by4_36) / by4_19 * settled_2);
-    double by4_38 = Piecewise.product(exponent, Powers.power(by4_21, c[16]));
-    double by4_39 = by4_37 * by4_38 * stiffness;
-    double by4_40 = by4_10 * by4_33 / by4_9;
-    double by4_41 = (by4_31 - by4_11 * by4_33) / by4_9;
-    double by4_42 = u_z * by4_40 + u_x * by4_41;
-    double by4_43 = by4_26 * by4_39 + chi * by4_42 * by4_22 + ((by4_37
-        + by4_23 * by4_36) / by4_18 * by4_25 + damping * by4_42 * by4_23) + by4_39;
-    double by4_44 = 0.5 * by4_39;
-    double by4_45 = 1e-300 + by4_28;
-    double by4_46 = by4_27 / by4_45;
-    double by4_47 = Math.min(1.0, by4_46);
-    double by4_48 = Math.max(-1.0, by4_47);
-    double by4_49 = 7.0 * by4_48 - 42.0;
-    double by4_50 = 102.0 + by4_48 * by4_49;
-    double by4_51 = by4_48 * by4_50 - 122.0;
-    double by4_52 = 63.0 + by4_48 * by4_51;
-    double by4_53 = 1.0 + by4_48;
-    double by4_54 = by4_53 * by4_53;
-    double by4_55 = by4_53 * by4_54;
-    double by4_56 = by4_55 * by4_55;
-    double by4_57 = by4_52 * by4_56 * 0.001953125;
-    double by4_58 = Piecewise.choose(by4_47, -1.0, 0.0, Piecewise.choose(1.0, by4_46, 0.0, (by4_43
-        - by4_46 * by4_44) / by4_45));
-    double by4_59 = by4_53 * by4_58;
-    double by4_60 = by4_55 * (by4_54 * by4_58 + by4_53 * (by4_59 + by4_59));
-    double by4_61 = by4_56 * (by4_51 * by4_58 + by4_48 * (by4_50 * by4_58
-        + by4_48 * (by4_49 * by4_58 + 7.0 * by4_58 * by4_48))) + by4_52 * (by4_60 + by4_60);
-    double by4_62 = by4_57 * by4_44 + 0.001953125 * by4_61 * by4_28
-        + Piecewise.choose(by4_29, 0.0, 0.0, by4_43 - by4_44);
-    double by4_63 = friction * by4_62;
-    double by4_64 = by4_28 * by4_57 + Math.max(0.0, by4_29);
-    double by4_65 = friction * by4_64;
-    double by4_66 = radius * (omega_z * by4_41 - omega_x * by4_40);
-    double by4_67 = by4_12 * by4_66;
-    double by4_68 = u_z * by4_41 - u_x * by4_40;
-    double by4_69 = by4_13 * by4_68;
-    double by4_70 = 0.5 * (by4_67 + by4_67 + (by4_69 + by4_69)) / by4_14;
-    double by4_71 = Piecewise.choose(friction, 0.0, 0.0, -(by4_15 * by4_63 + (by4_66
-        - by4_15 * by4_70) / by4_14 * by4_65));
-    double by4_72 = radius * by4_71;
-    double by4_73 = radius * Piecewise.choose(friction, 0.0, 0.0, -(by4_65 * by4_15));
-    double by4_74 = by4_13 / by4_14;
-    double by4_75 = Piecewise.choose(friction, 0.0, 0.0, -(by4_74 * by4_63 + (by4_68
-        - by4_74 * by4_70) / by4_14 * by4_65));
-    double by4_76 = Piecewise.choose(friction, 0.0, 0.0, -(by4_65 * by4_74));
-    out[3] = by4_10 * by4_72 - by4_73 * by4_40;
-    out[9] = -(radius * by4_75);
-    out[15] = by4_73 * by4_41 + by4_11 * by4_72;
-    out[21] = by4_10 * by4_75 - by4_76 * by4_40 - (by4_64 * by4_41 + by4_11 * by4_62);
-    out[27] = by4_71;
-    out[33] = by4_10 * by4_62 - by4_64 * by4_40 + (by4_76 * by4_41 + by4_11 * by4_75);
+    double by4_18 = Math.sqrt(by4_17 * by4_17 + c[14]);
+    double by4_19 = Math.abs(-by4_17);
+    double by4_20 = by4_18 + by4_19;
+    double by4_21 = c[13] / by4_20;
+    double by4_22 = by4_21 + 0.5 * (by4_19 - by4_17);
+    double by4_23 = stiffness * Powers.power(by4_22, exponent);
+    double by4_24 = by4_22 / by4_18;
+    double by4_25 = u_x * by4_11 - u_z * by4_10;
+    double by4_26 = damping * by4_25;
+    double by4_27 = chi * by4_25;
+    double by4_28 = by4_24 * by4_26 + by4_23 * by4_27 + by4_23;
+    double by4_29 = 0.5 * by4_23;
+    double by4_30 = by4_28 - by4_29;
+    double by4_31 = 1.0 / by4_6;
+    double by4_32 = bend * by4_31;
+    double by4_33 = by4_8 * by4_32;
+    double by4_34 = 0.5 * (by4_33 + by4_33) / by4_9;
+    double by4_35 = (by4_16 * by4_32 + by4_8 * (1.0 - by4_31) + slope * by4_31
+        + by4_17 * by4_34) / by4_9;
+    double by4_36 = Math.signum(-by4_17);
+    double by4_37 = by4_35 * by4_36;
+    double by4_38 = by4_17 * by4_35;
+    double by4_39 = 0.5 * (by4_38 + by4_38) / by4_18;
+    double by4_40 = 0.5 * (by4_35 + by4_37) - by4_21 * (by4_37 - by4_39) / by4_20;
+    double by4_41 = Piecewise.product(exponent, Powers.power(by4_22, c[16]));
+    double by4_42 = by4_40 * by4_41 * stiffness;
+    double by4_43 = by4_10 * by4_34 / by4_9;
+    double by4_44 = (by4_32 - by4_11 * by4_34) / by4_9;
+    double by4_45 = u_z * by4_43 + u_x * by4_44;
+    double by4_46 = by4_27 * by4_42 + chi * by4_45 * by4_23 + ((by4_40
+        + by4_24 * by4_39) / by4_18 * by4_26 + damping * by4_45 * by4_24) + by4_42;
+    double by4_47 = 0.5 * by4_42;
+    double by4_48 = 1e-300 + by4_29;
+    double by4_49 = by4_28 / by4_48;
+    double by4_50 = Math.min(1.0, by4_49);
+    double by4_51 = Math.max(-1.0, by4_50);
+    double by4_52 = 7.0 * by4_51 - 42.0;
+    double by4_53 = 102.0 + by4_51 * by4_52;
+    double by4_54 = by4_51 * by4_53 - 122.0;
+    double by4_55 = 63.0 + by4_51 * by4_54;
+    double by4_56 = 1.0 + by4_51;
+    double by4_57 = by4_56 * by4_56;
+    double by4_58 = by4_56 * by4_57;
+    double by4_59 = by4_58 * by4_58;
+    double by4_60 = by4_55 * by4_59 * 0.001953125;
+    double by4_61 = Piecewise.choose(by4_50, -1.0, 0.0, Piecewise.choose(1.0, by4_49, 0.0, (by4_46
+        - by4_49 * by4_47) / by4_48));
+    double by4_62 = by4_56 * by4_61;
+    double by4_63 = by4_58 * (by4_57 * by4_61 + by4_56 * (by4_62 + by4_62));
+    double by4_64 = by4_59 * (by4_54 * by4_61 + by4_51 * (by4_53 * by4_61
+        + by4_51 * (by4_52 * by4_61 + 7.0 * by4_61 * by4_51))) + by4_55 * (by4_63 + by4_63);
+    double by4_65 = by4_60 * by4_47 + 0.001953125 * by4_64 * by4_29
+        + Piecewise.choose(by4_30, 0.0, 0.0, by4_46 - by4_47);
+    double by4_66 = friction * by4_65;
+    double by4_67 = by4_29 * by4_60 + Math.max(0.0, by4_30);
+    double by4_68 = friction * by4_67;
+    double by4_69 = radius * (omega_z * by4_44 - omega_x * by4_43);
+    double by4_70 = by4_12 * by4_69;
+    double by4_71 = u_z * by4_44 - u_x * by4_43;
+    double by4_72 = by4_13 * by4_71;
+    double by4_73 = 0.5 * (by4_70 + by4_70 + (by4_72 + by4_72)) / by4_14;
+    double by4_74 = Piecewise.choose(friction, 0.0, 0.0, -(by4_15 * by4_66 + (by4_69
+        - by4_15 * by4_73) / by4_14 * by4_68));
+    double by4_75 = radius * by4_74;
+    double by4_76 = radius * Piecewise.choose(friction, 0.0, 0.0, -(by4_68 * by4_15));
+    double by4_77 = by4_13 / by4_14;
+    double by4_78 = Piecewise.choose(friction, 0.0, 0.0, -(by4_77 * by4_66 + (by4_71
+        - by4_77 * by4_73) / by4_14 * by4_68));
+    double by4_79 = Piecewise.choose(friction, 0.0, 0.0, -(by4_68 * by4_77));
+    out[3] = by4_10 * by4_75 - by4_76 * by4_43;
+    out[9] = -(radius * by4_78);
+    out[15] = by4_76 * by4_44 + by4_11 * by4_75;
+    out[21] = by4_10 * by4_78 - by4_79 * by4_43 - (by4_67 * by4_44 + by4_11 * by4_65);
+    out[27] = by4_74;
+    out[33] = by4_10 * by4_65 - by4_67 * by4_43 + (by4_79 * by4_44 + by4_11 * by4_78);
 
     // Derivatives by motion 6.
     double by6_1 = slope / by4_6;
@@ -180,51 +181,51 @@ final class PrintedSmoothContactOfCentre implements PrintedLaw {
     double by6_4 = 0.5 * (by6_3 + by6_3) / by4_9;
     double by6_5 = (1.0 - slope * by6_1 - (by4_16 * by6_2 - by4_8 * by6_1)
         - by4_17 * by6_4) / by4_9;
-    double by6_6 = by4_17 * by6_5;
-    double by6_7 = 0.5 * (by6_6 + by6_6) / by4_18;
-    double by6_8 = Piecewise.choose(0.0, -by4_17, 0.5 * (by6_7 - by6_5), -(by4_20 * (by6_5
-        + by6_7) / by4_19 * settled_2));
-    double by6_9 = by4_38 * by6_8 * stiffness;
-    double by6_10 = by4_10 * by6_4 / by4_9;
-    double by6_11 = (by6_2 - by4_11 * by6_4) / by4_9;
-    double by6_12 = u_z * by6_10 + u_x * by6_11;
-    double by6_13 = by4_26 * by6_9 + chi * by6_12 * by4_22 + ((by6_8
-        - by4_23 * by6_7) / by4_18 * by4_25 + damping * by6_12 * by4_23) + by6_9;
-    double by6_14 = 0.5 * by6_9;
-    double by6_15 = Piecewise.choose(by4_47, -1.0, 0.0, Piecewise.choose(1.0, by4_46, 0.0, (by6_13
-        - by4_46 * by6_14) / by4_45));
-    double by6_16 = by4_53 * by6_15;
-    double by6_17 = by4_55 * (by4_54 * by6_15 + by4_53 * (by6_16 + by6_16));
-    double by6_18 = by4_56 * (by4_51 * by6_15 + by4_48 * (by4_50 * by6_15
-        + by4_48 * (by4_49 * by6_15 + 7.0 * by6_15 * by4_48))) + by4_52 * (by6_17 + by6_17);
-    double by6_19 = by4_57 * by6_14 + 0.001953125 * by6_18 * by4_28
-        + Piecewise.choose(by4_29, 0.0, 0.0, by6_13 - by6_14);
-    double by6_20 = friction * by6_19;
-    double by6_21 = radius * (omega_z * by6_11 - omega_x * by6_10);
-    double by6_22 = by4_12 * by6_21;
-    double by6_23 = u_z * by6_11 - u_x * by6_10;
-    double by6_24 = by4_13 * by6_23;
-    double by6_25 = 0.5 * (by6_22 + by6_22 + (by6_24 + by6_24)) / by4_14;
-    double by6_26 = Piecewise.choose(friction, 0.0, 0.0, -(by4_15 * by6_20 + (by6_21
-        - by4_15 * by6_25) / by4_14 * by4_65));
-    double by6_27 = radius * by6_26;
-    double by6_28 = Piecewise.choose(friction, 0.0, 0.0, -(by4_74 * by6_20 + (by6_23
-        - by4_74 * by6_25) / by4_14 * by4_65));
-    out[5] = by4_10 * by6_27 - by4_73 * by6_10;
-    out[11] = -(radius * by6_28);
-    out[17] = by4_73 * by6_11 + by4_11 * by6_27;
-    out[23] = by4_10 * by6_28 - by4_76 * by6_10 - (by4_64 * by6_11 + by4_11 * by6_19);
-    out[29] = by6_26;
-    out[35] = by4_10 * by6_19 - by4_64 * by6_10 + (by4_76 * by6_11 + by4_11 * by6_28);
+    double by6_6 = by4_36 * by6_5;
+    double by6_7 = by4_17 * by6_5;
+    double by6_8 = 0.5 * (by6_7 + by6_7) / by4_18;
+    double by6_9 = 0.5 * (by6_5 + by6_6) + by4_21 * (by6_8 - by6_6) / by4_20;
+    double by6_10 = by4_41 * by6_9 * stiffness;
+    double by6_11 = 0.5 * by6_10;
+    double by6_12 = by4_10 * by6_4 / by4_9;
+    double by6_13 = (by6_2 - by4_11 * by6_4) / by4_9;
+    double by6_14 = u_z * by6_12 + u_x * by6_13;
+    double by6_15 = chi * by6_14 * by4_23 - by4_27 * by6_10 + (damping * by6_14 * by4_24 - (by6_9
+        + by4_24 * by6_8) / by4_18 * by4_26) - by6_10;
+    double by6_16 = Piecewise.choose(by4_50, -1.0, 0.0, Piecewise.choose(1.0, by4_49, 0.0, (by6_15
+        + by4_49 * by6_11) / by4_48));
+    double by6_17 = by4_56 * by6_16;
+    double by6_18 = by4_58 * (by4_57 * by6_16 + by4_56 * (by6_17 + by6_17));
+    double by6_19 = by4_59 * (by4_54 * by6_16 + by4_51 * (by4_53 * by6_16
+        + by4_51 * (by4_52 * by6_16 + 7.0 * by6_16 * by4_51))) + by4_55 * (by6_18 + by6_18);
+    double by6_20 = 0.001953125 * by6_19 * by4_29 - by4_60 * by6_11
+        + Piecewise.choose(by4_30, 0.0, 0.0, by6_11 + by6_15);
+    double by6_21 = friction * by6_20;
+    double by6_22 = radius * (omega_z * by6_13 - omega_x * by6_12);
+    double by6_23 = by4_12 * by6_22;
+    double by6_24 = u_z * by6_13 - u_x * by6_12;
+    double by6_25 = by4_13 * by6_24;
+    double by6_26 = 0.5 * (by6_23 + by6_23 + (by6_25 + by6_25)) / by4_14;
+    double by6_27 = Piecewise.choose(friction, 0.0, 0.0, -(by4_15 * by6_21 + (by6_22
+        - by4_15 * by6_26) / by4_14 * by4_68));
+    double by6_28 = radius * by6_27;
+    double by6_29 = Piecewise.choose(friction, 0.0, 0.0, -(by4_77 * by6_21 + (by6_24
+        - by4_77 * by6_26) / by4_14 * by4_68));
+    out[5] = by4_10 * by6_28 - by4_76 * by6_12;
+    out[11] = -(radius * by6_29);
+    out[17] = by4_76 * by6_13 + by4_11 * by6_28;
+    out[23] = by4_10 * by6_29 - by4_79 * by6_12 - (by4_67 * by6_13 + by4_11 * by6_20);
+    out[29] = by6_27;
+    out[35] = by4_10 * by6_20 - by4_67 * by6_12 + (by4_79 * by6_13 + by4_11 * by6_29);
 
     // Derivatives by motion 7.
     double by7_1 = radius * by4_10;
     double by7_2 = by4_12 * by7_1;
     double by7_3 = 0.5 * (by7_2 + by7_2) / by4_14;
     double by7_4 = Piecewise.choose(friction, 0.0, 0.0, -((by7_1
-        - by4_15 * by7_3) / by4_14 * by4_65));
+        - by4_15 * by7_3) / by4_14 * by4_68));
     double by7_5 = radius * by7_4;
-    double by7_6 = Piecewise.choose(friction, 0.0, 0.0, by4_74 * by7_3 / by4_14 * by4_65);
+    double by7_6 = Piecewise.choose(friction, 0.0, 0.0, by4_77 * by7_3 / by4_14 * by4_68);
     out[36] = by4_10 * by7_5;
     out[42] = -(radius * by7_6);
     out[48] = by4_11 * by7_5;
@@ -235,10 +236,10 @@ final class PrintedSmoothContactOfCentre implements PrintedLaw {
     // Derivatives by motion 8.
     double by8_1 = radius * by4_13;
     double by8_2 = 0.5 * (by8_1 + by8_1) / by4_14;
-    double by8_3 = Piecewise.choose(friction, 0.0, 0.0, -(by4_15 * by8_2 / by4_14 * by4_65));
+    double by8_3 = Piecewise.choose(friction, 0.0, 0.0, -(by4_15 * by8_2 / by4_14 * by4_68));
     double by8_4 = radius * by8_3;
-    double by8_5 = Piecewise.choose(friction, 0.0, 0.0, -((by4_74 * by8_2
-        - radius) / by4_14 * by4_65));
+    double by8_5 = Piecewise.choose(friction, 0.0, 0.0, -((by4_77 * by8_2
+        - radius) / by4_14 * by4_68));
     out[37] = by4_10 * by8_4;
     out[43] = -(radius * by8_5);
     out[49] = by4_11 * by8_4;
@@ -251,9 +252,9 @@ final class PrintedSmoothContactOfCentre implements PrintedLaw {
     double by9_2 = by4_12 * by9_1;
     double by9_3 = 0.5 * (by9_2 + by9_2) / by4_14;
     double by9_4 = Piecewise.choose(friction, 0.0, 0.0, -((by9_1
-        - by4_15 * by9_3) / by4_14 * by4_65));
+        - by4_15 * by9_3) / by4_14 * by4_68));
     double by9_5 = radius * by9_4;
-    double by9_6 = Piecewise.choose(friction, 0.0, 0.0, by4_74 * by9_3 / by4_14 * by4_65);
+    double by9_6 = Piecewise.choose(friction, 0.0, 0.0, by4_77 * by9_3 / by4_14 * by4_68);
     out[38] = by4_10 * by9_5;
     out[44] = -(radius * by9_6);
     out[50] = by4_11 * by9_5;
@@ -262,22 +263,22 @@ final class PrintedSmoothContactOfCentre implements PrintedLaw {
     out[68] = by4_11 * by9_6;
 
     // Derivatives by motion 10.
-    double by10_1 = chi * by4_11 * by4_22 + damping * by4_11 * by4_23;
-    double by10_2 = Piecewise.choose(by4_47, -1.0, 0.0, Piecewise.choose(1.0, by4_46, 0.0, by10_1
-        / by4_45));
-    double by10_3 = by4_53 * by10_2;
-    double by10_4 = by4_55 * (by4_54 * by10_2 + by4_53 * (by10_3 + by10_3));
-    double by10_5 = by4_56 * (by4_51 * by10_2 + by4_48 * (by4_50 * by10_2
-        + by4_48 * (by4_49 * by10_2 + 7.0 * by10_2 * by4_48))) + by4_52 * (by10_4 + by10_4);
-    double by10_6 = Piecewise.choose(by4_29, 0.0, 0.0, by10_1) + 0.001953125 * by10_5 * by4_28;
+    double by10_1 = chi * by4_11 * by4_23 + damping * by4_11 * by4_24;
+    double by10_2 = Piecewise.choose(by4_50, -1.0, 0.0, Piecewise.choose(1.0, by4_49, 0.0, by10_1
+        / by4_48));
+    double by10_3 = by4_56 * by10_2;
+    double by10_4 = by4_58 * (by4_57 * by10_2 + by4_56 * (by10_3 + by10_3));
+    double by10_5 = by4_59 * (by4_54 * by10_2 + by4_51 * (by4_53 * by10_2
+        + by4_51 * (by4_52 * by10_2 + 7.0 * by10_2 * by4_51))) + by4_55 * (by10_4 + by10_4);
+    double by10_6 = Piecewise.choose(by4_30, 0.0, 0.0, by10_1) + 0.001953125 * by10_5 * by4_29;
     double by10_7 = friction * by10_6;
     double by10_8 = by4_10 * by4_13;
     double by10_9 = 0.5 * (by10_8 + by10_8) / by4_14;
-    double by10_10 = Piecewise.choose(friction, 0.0, 0.0, by4_15 * by10_9 / by4_14 * by4_65
+    double by10_10 = Piecewise.choose(friction, 0.0, 0.0, by4_15 * by10_9 / by4_14 * by4_68
         - by4_15 * by10_7);
     double by10_11 = radius * by10_10;
-    double by10_12 = Piecewise.choose(friction, 0.0, 0.0, -(by4_74 * by10_7 + (by4_10
-        - by4_74 * by10_9) / by4_14 * by4_65));
+    double by10_12 = Piecewise.choose(friction, 0.0, 0.0, -(by4_77 * by10_7 + (by4_10
+        - by4_77 * by10_9) / by4_14 * by4_68));
     out[39] = by4_10 * by10_11;
     out[45] = -(radius * by10_12);
     out[51] = by4_11 * by10_11;
@@ -288,9 +289,9 @@ final class PrintedSmoothContactOfCentre implements PrintedLaw {
     // Derivatives by motion 11.
     double by11_1 = 0.5 * (by4_12 + by4_12) / by4_14;
     double by11_2 = Piecewise.choose(friction, 0.0, 0.0, -((1.0
-        - by4_15 * by11_1) / by4_14 * by4_65));
+        - by4_15 * by11_1) / by4_14 * by4_68));
     double by11_3 = radius * by11_2;
-    double by11_4 = Piecewise.choose(friction, 0.0, 0.0, by4_74 * by11_1 / by4_14 * by4_65);
+    double by11_4 = Piecewise.choose(friction, 0.0, 0.0, by4_77 * by11_1 / by4_14 * by4_68);
     out[40] = by4_10 * by11_3;
     out[46] = -(radius * by11_4);
     out[52] = by4_11 * by11_3;
@@ -299,22 +300,22 @@ final class PrintedSmoothContactOfCentre implements PrintedLaw {
     out[70] = by4_11 * by11_4;
 
     // Derivatives by motion 12.
-    double by12_1 = chi * by4_10 * by4_22 + damping * by4_10 * by4_23;
-    double by12_2 = Piecewise.choose(by4_47, -1.0, 0.0, Piecewise.choose(1.0, by4_46, 0.0,
-        -(by12_1 / by4_45)));
-    double by12_3 = by4_53 * by12_2;
-    double by12_4 = by4_55 * (by4_54 * by12_2 + by4_53 * (by12_3 + by12_3));
-    double by12_5 = by4_56 * (by4_51 * by12_2 + by4_48 * (by4_50 * by12_2
-        + by4_48 * (by4_49 * by12_2 + 7.0 * by12_2 * by4_48))) + by4_52 * (by12_4 + by12_4);
-    double by12_6 = Piecewise.choose(by4_29, 0.0, 0.0, -by12_1) + 0.001953125 * by12_5 * by4_28;
+    double by12_1 = chi * by4_10 * by4_23 + damping * by4_10 * by4_24;
+    double by12_2 = Piecewise.choose(by4_50, -1.0, 0.0, Piecewise.choose(1.0, by4_49, 0.0,
+        -(by12_1 / by4_48)));
+    double by12_3 = by4_56 * by12_2;
+    double by12_4 = by4_58 * (by4_57 * by12_2 + by4_56 * (by12_3 + by12_3));
+    double by12_5 = by4_59 * (by4_54 * by12_2 + by4_51 * (by4_53 * by12_2
+        + by4_51 * (by4_52 * by12_2 + 7.0 * by12_2 * by4_51))) + by4_55 * (by12_4 + by12_4);
+    double by12_6 = Piecewise.choose(by4_30, 0.0, 0.0, -by12_1) + 0.001953125 * by12_5 * by4_29;
     double by12_7 = friction * by12_6;
     double by12_8 = by4_11 * by4_13;
     double by12_9 = 0.5 * (by12_8 + by12_8) / by4_14;
-    double by12_10 = Piecewise.choose(friction, 0.0, 0.0, by4_15 * by12_9 / by4_14 * by4_65
+    double by12_10 = Piecewise.choose(friction, 0.0, 0.0, by4_15 * by12_9 / by4_14 * by4_68
         - by4_15 * by12_7);
     double by12_11 = radius * by12_10;
-    double by12_12 = Piecewise.choose(friction, 0.0, 0.0, -(by4_74 * by12_7 + (by4_11
-        - by4_74 * by12_9) / by4_14 * by4_65));
+    double by12_12 = Piecewise.choose(friction, 0.0, 0.0, -(by4_77 * by12_7 + (by4_11
+        - by4_77 * by12_9) / by4_14 * by4_68));
     out[41] = by4_10 * by12_11;
     out[47] = -(radius * by12_12);
     out[53] = by4_11 * by12_11;
@@ -347,35 +348,35 @@ final class PrintedSmoothContactOfCentre implements PrintedLaw {
     double law_7 = slope - bend * law_6;
     double law_8 = Math.sqrt(1.0 + law_7 * law_7);
     double law_9 = (r_z - (height - slope * law_6) - law_7 * (r_x - (s - law_6))) / law_8;
-    double law_10 = Math.sqrt(law_9 * law_9 + c[13]);
-    double law_11 = Piecewise.choose(0.0, -law_9, 0.5 * (law_10 - law_9), c[5] / (law_9
-        + law_10) * c[14]);
-    double law_12 = law_11 * law_11;
-    double law_13 = Powers.power(law_11, c[16]);
-    double law_14 = 1.0 / law_8;
-    double law_15 = law_7 / law_8;
-    double law_16 = u_x * law_14 + u_z * law_15 - x[13] * radius;
-    double law_17 = stiffness * Powers.power(law_11, exponent);
-    double law_18 = 0.5 * law_17;
-    double law_19 = u_x * law_15 - u_z * law_14;
-    double law_20 = law_11 / law_10 * (c[2] * law_19) + c[3] * law_19 * law_17 + law_17;
-    double law_21 = Math.max(-1.0, Math.min(1.0, law_20 / (1e-300 + law_18)));
-    double law_22 = 1.0 + law_21;
-    double law_23 = law_22 * law_22 * law_22;
-    double law_24 = (63.0 + law_21 * (law_21 * (102.0 + law_21 * (7.0 * law_21 - 42.0))
-        - 122.0)) * (law_23 * law_23) * 0.001953125 * law_18 + Math.max(0.0, law_20 - law_18);
-    double law_25 = friction * law_24;
-    double law_26 = x[16] + radius * (x[12] * law_14 + x[14] * law_15);
-    double law_27 = Math.sqrt(law_16 * law_16 + law_26 * law_26 + c[15]);
-    double law_28 = Piecewise.choose(friction, 0.0, 0.0, -(law_16 / law_27 * law_25));
-    double law_29 = Piecewise.choose(friction, 0.0, 0.0, -(law_26 / law_27 * law_25));
-    out[0] = stiffness * Piecewise.choose(exponent, 1.0, 0.5 * law_12
-        + (StrictMath.log(law_11 * c[17]) - 0.5) * c[18], law_13 * c[19] + law_12 * law_13 * c[20]);
-    out[1] = law_16 * law_28 + law_26 * law_29 - law_19 * (law_24 - law_17);
+    double law_10 = Math.sqrt(law_9 * law_9 + c[14]);
+    double law_11 = Math.abs(-law_9);
+    double law_12 = c[13] / (law_10 + law_11) + 0.5 * (law_11 - law_9);
+    double law_13 = law_12 * law_12;
+    double law_14 = Powers.power(law_12, c[16]);
+    double law_15 = 1.0 / law_8;
+    double law_16 = law_7 / law_8;
+    double law_17 = u_x * law_15 + u_z * law_16 - x[13] * radius;
+    double law_18 = stiffness * Powers.power(law_12, exponent);
+    double law_19 = 0.5 * law_18;
+    double law_20 = u_x * law_16 - u_z * law_15;
+    double law_21 = law_12 / law_10 * (c[2] * law_20) + c[3] * law_20 * law_18 + law_18;
+    double law_22 = Math.max(-1.0, Math.min(1.0, law_21 / (1e-300 + law_19)));
+    double law_23 = 1.0 + law_22;
+    double law_24 = law_23 * law_23 * law_23;
+    double law_25 = (63.0 + law_22 * (law_22 * (102.0 + law_22 * (7.0 * law_22 - 42.0))
+        - 122.0)) * (law_24 * law_24) * 0.001953125 * law_19 + Math.max(0.0, law_21 - law_19);
+    double law_26 = friction * law_25;
+    double law_27 = x[16] + radius * (x[12] * law_15 + x[14] * law_16);
+    double law_28 = Math.sqrt(law_17 * law_17 + law_27 * law_27 + c[15]);
+    double law_29 = Piecewise.choose(friction, 0.0, 0.0, -(law_17 / law_28 * law_26));
+    double law_30 = Piecewise.choose(friction, 0.0, 0.0, -(law_27 / law_28 * law_26));
+    out[0] = stiffness * Piecewise.choose(exponent, 1.0, 0.5 * law_13
+        + (StrictMath.log(law_12 * c[17]) - 0.5) * c[18], law_14 * c[19] + law_13 * law_14 * c[20]);
+    out[1] = law_17 * law_29 + law_27 * law_30 - law_20 * (law_25 - law_18);
     out[2] = -law_9;
-    out[3] = law_24;
-    out[4] = law_28;
-    out[5] = law_29;
+    out[3] = law_25;
+    out[4] = law_29;
+    out[5] = law_30;
   }
 
   @Override
@@ -387,8 +388,8 @@ final class PrintedSmoothContactOfCentre implements PrintedLaw {
     double c_1 = c_5 * c_5;
     double c_2 = c_4 - 1.0;
     double c_3 = 0.25 * c_1;
-    out[13] = c_1;
-    out[14] = 0.5 * c_5;
+    out[13] = 0.5 * c_1;
+    out[14] = c_1;
     out[15] = c_7 * c_7;
     out[16] = c_2;
     out[17] = 2.0 / c_5;
