@@ -190,10 +190,10 @@ static double value(const mech_watch_step *step, double a, double b) {
       return a < 0 ? 0 : a >= 0 ? 1 : a;
     case WATCH_SMOOTH_STEP:
       return smooth_step(a);
-    case WATCH_BELOW:
-      return a <= 0 ? b : 0;
-    case WATCH_ABOVE:
-      return a <= 0 ? 0 : b;
+    case WATCH_WHERE:
+      return a >= 0 ? b : 0;
+    case WATCH_ELSEWHERE:
+      return a >= 0 ? 0 : b;
     case WATCH_POWER:
       return mech_power(a, b);
     case WATCH_CURVE:
@@ -216,8 +216,8 @@ static double piece_of(const mech_watch_step *step, double a, double b) {
   switch (step->operation) {
     case WATCH_ABS:
     case WATCH_STEP:
-    case WATCH_BELOW:
-    case WATCH_ABOVE:
+    case WATCH_WHERE:
+    case WATCH_ELSEWHERE:
       return a < 0 ? 0 : 1;
     case WATCH_SIGNUM:
       return mech_signum(a);
@@ -535,10 +535,10 @@ static bounds exact_bounds(const mech_watch_step *step, bounds a, bounds b) {
       return between(a.low < 0 ? 0 : 1, a.high < 0 ? 0 : 1);
     case WATCH_SMOOTH_STEP:
       return between(smooth_step(a.low), smooth_step(a.high));
-    case WATCH_BELOW:
-      return part(a.low <= 0, a.high > 0, b);
-    case WATCH_ABOVE:
-      return part(a.high > 0, a.low <= 0, b);
+    case WATCH_WHERE:
+      return part(a.high >= 0, a.low < 0, b);
+    case WATCH_ELSEWHERE:
+      return part(a.low < 0, a.high >= 0, b);
     case WATCH_POWER:
       return power(a, b);
     case WATCH_CURVE:
@@ -559,8 +559,8 @@ static int rounds(const mech_watch_step *step) {
     case WATCH_SIGNUM:
     case WATCH_FLOOR:
     case WATCH_STEP:
-    case WATCH_BELOW:
-    case WATCH_ABOVE:
+    case WATCH_WHERE:
+    case WATCH_ELSEWHERE:
       return 0;
     default:
       return 1;
@@ -712,8 +712,8 @@ static void pass_on(mech_watch_work *w, const mech_watch_step *step) {
       matters[a] |= w->high[a] >= w->low[b];
       matters[b] |= w->high[b] >= w->low[a];
       break;
-    case WATCH_BELOW:
-    case WATCH_ABOVE:
+    case WATCH_WHERE:
+    case WATCH_ELSEWHERE:
       matters[a] |= open;
       matters[b] |= !is_zero(w, step->target);
       break;
@@ -783,8 +783,6 @@ static double excursion(const mech_watch_work *w, int choice) {
     case WATCH_MAX:
       return mech_min(w->high[a] - w->low[b], w->high[b] - w->low[a]);
     case WATCH_ABS:
-    case WATCH_BELOW:
-    case WATCH_ABOVE:
       return mech_min(-w->low[a], w->high[a]);
     case WATCH_SMOOTH_STEP:
     case WATCH_CURVE:
@@ -1180,7 +1178,8 @@ static double search_all(mech_watch_work *w, double from, double to) {
 /* Whether the value of a choice jumps where its piece changes. */
 static int jumps(int choice) {
   mech_watch_operation operation = WATCH_STEP_OF[WATCH_CHOICE_OF[choice].step].operation;
-  return operation == WATCH_STEP || operation == WATCH_SIGNUM || operation == WATCH_FLOOR;
+  return operation == WATCH_STEP || operation == WATCH_SIGNUM || operation == WATCH_FLOOR ||
+         operation == WATCH_WHERE || operation == WATCH_ELSEWHERE;
 }
 
 /* Looks, at the end of each row of steps, for a choice that jumps, has changed in them and has

@@ -54,10 +54,10 @@ public final class ScalarFormulas {
     if (function != MathFunction.CHOOSE) {
       return Expression.call(function, x);
     }
-    Expression side = difference(x.get(0), x.get(1));
-    Expression below = Expression.call(MathFunction.BELOW, List.of(side, x.get(2)));
-    Expression above = Expression.call(MathFunction.ABOVE, List.of(side, x.get(3)));
-    return total(below, above);
+    Expression side = difference(x.get(1), x.get(0));
+    Expression first = Expression.call(MathFunction.WHERE, List.of(side, x.get(2)));
+    Expression second = Expression.call(MathFunction.ELSEWHERE, List.of(side, x.get(3)));
+    return total(first, second);
   }
 
   private static Expression total(Expression a, Expression b) {

@@ -9,14 +9,14 @@ public final class Piecewise {
     return a <= b ? first : second;
   }
 
-  /** Returns x if a ≤ 0, otherwise 0. */
-  public static double below(double a, double x) {
-    return a <= 0 ? x : 0;
+  /** Returns x if a ≥ 0, otherwise 0. */
+  public static double where(double a, double x) {
+    return a >= 0 ? x : 0;
   }
 
-  /** Returns x if a &gt; 0 or NaN, otherwise 0. */
-  public static double above(double a, double x) {
-    return a <= 0 ? 0 : x;
+  /** Returns 0 if a ≥ 0, otherwise x. */
+  public static double elsewhere(double a, double x) {
+    return a >= 0 ? 0 : x;
   }
 
   /** Returns a · b, and 0 if one of them is 0, even if the other is infinite or NaN. */

@@ -78,16 +78,16 @@ final class FunctionFormulas {
     return node.times(e.function(MathFunction.LOG, base));
   }
 
-  /** x where a ≤ 0, else 0. */
-  static Scalar below(Scalar a, Scalar x) {
+  /** x where a ≥ 0, else 0. */
+  static Scalar where(Scalar a, Scalar x) {
     Expressions e = x.expressions();
-    return of(MathFunction.CHOOSE, a, e.zero(), x, e.zero());
+    return of(MathFunction.CHOOSE, e.zero(), a, x, e.zero());
   }
 
-  /** 0 where a ≤ 0, else x. */
-  static Scalar above(Scalar a, Scalar x) {
+  /** 0 where a ≥ 0, else x. */
+  static Scalar elsewhere(Scalar a, Scalar x) {
     Expressions e = x.expressions();
-    return of(MathFunction.CHOOSE, a, e.zero(), e.zero(), x);
+    return of(MathFunction.CHOOSE, e.zero(), a, e.zero(), x);
   }
 
   /** 1 from zero on, else 0. */

@@ -266,8 +266,7 @@ final class FunctionTraits {
   /** It is 0 to one side of 0 of its first argument, else the second. */
   FunctionTraits part() {
     part = true;
-    exact = true;
-    return corners(Corners.SIDES);
+    return jumps(Corners.SIDES);
   }
 
   /** It may be infinite, or have no value or an unbounded slope, for finite arguments. */

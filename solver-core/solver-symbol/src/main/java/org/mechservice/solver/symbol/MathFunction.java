@@ -197,19 +197,19 @@ public enum MathFunction {
           .corners(Corners.BORDERS)
           .smooth()),
 
-  /** {@code below(a, x)}: x where a ≤ 0, else 0 whatever x is; a part of a choice on a tape. */
-  BELOW(
-      two("", Piecewise::below)
-          .by(SPATIAL + "Piecewise", "below")
-          .formula(x -> FunctionFormulas.below(x.get(0), x.get(1)))
-          .bound((out, aLow, aHigh, bLow, bHigh) -> out.part(aLow <= 0, aHigh > 0, bLow, bHigh))
+  /** {@code where(a, x)}: x where a ≥ 0, else 0 whatever x is; a part of a choice on a tape. */
+  WHERE(
+      two("", Piecewise::where)
+          .by(SPATIAL + "Piecewise", "where")
+          .formula(x -> FunctionFormulas.where(x.get(0), x.get(1)))
+          .bound((out, aLow, aHigh, bLow, bHigh) -> out.part(aHigh >= 0, aLow < 0, bLow, bHigh))
           .part()),
-  /** {@code above(a, x)}: 0 where a ≤ 0 whatever x is, else x; the other part. */
-  ABOVE(
-      two("", Piecewise::above)
-          .by(SPATIAL + "Piecewise", "above")
-          .formula(x -> FunctionFormulas.above(x.get(0), x.get(1)))
-          .bound((out, aLow, aHigh, bLow, bHigh) -> out.part(aHigh > 0, aLow <= 0, bLow, bHigh))
+  /** {@code elsewhere(a, x)}: 0 where a ≥ 0 whatever x is, else x; the other part. */
+  ELSEWHERE(
+      two("", Piecewise::elsewhere)
+          .by(SPATIAL + "Piecewise", "elsewhere")
+          .formula(x -> FunctionFormulas.elsewhere(x.get(0), x.get(1)))
+          .bound((out, aLow, aHigh, bLow, bHigh) -> out.part(aLow < 0, aHigh >= 0, bLow, bHigh))
           .part()),
   /** {@code choose(a, b, x, y)}: x where a ≤ b, else y. */
   CHOOSE(
@@ -392,7 +392,7 @@ public enum MathFunction {
     return traits.part;
   }
 
-  /** Returns whether it jumps between its pieces, which are constant. */
+  /** Returns whether it jumps between its pieces, which are constant unless it is a part. */
   public boolean jumps() {
     return traits.jumps;
   }
