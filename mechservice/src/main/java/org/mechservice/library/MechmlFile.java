@@ -15,7 +15,7 @@ import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.document.DocumentWriter;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.resolve.ValidatedFile;
-import org.mechservice.mechml.robot.RobotImport;
+import org.mechservice.robot.RobotImport;
 import org.mechservice.sim.user.UserClasses;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.text.ModelFiles;

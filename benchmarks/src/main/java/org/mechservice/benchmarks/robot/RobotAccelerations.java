@@ -10,7 +10,7 @@ import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.mechservice.mechml.diagnosis.MechmlException;
-import org.mechservice.mechml.robot.RobotImport;
+import org.mechservice.robot.RobotImport;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.dynamics.DataDrivenModel;
 import org.mechservice.solver.mechanism.Mechanism;

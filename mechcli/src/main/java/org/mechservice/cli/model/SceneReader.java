@@ -12,7 +12,7 @@ import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.ReadOptions;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.resolve.MechmlReader;
-import org.mechservice.mechml.robot.RobotImport;
+import org.mechservice.robot.RobotImport;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.text.ModelFiles;
 import org.mechservice.view.model.ModelScene;
