@@ -25,12 +25,14 @@ final class MechmlRobot {
   private final RobotTree tree;
   private final String fileName;
   private final RobotJoints joints;
+  private final RobotActions actions;
 
   MechmlRobot(String fileName, Robot robot, RobotTree tree) {
     this.fileName = fileName;
     this.robot = robot;
     this.tree = tree;
     joints = new RobotJoints(robot, tree);
+    actions = new RobotActions(robot);
   }
 
   Document document() {
@@ -67,6 +69,10 @@ final class MechmlRobot {
     TagBuilder all = new TagBuilder("Joints");
     TagBuilder couplings = new TagBuilder("Constraints");
     TagBuilder start = new TagBuilder("relCoorVals");
+    TagBuilder forces = new TagBuilder("Forces");
+    TagBuilder states = new TagBuilder("States");
+    actions.addConstraints(couplings);
+    actions.addForces(forces, states);
     robot.links().forEach(link -> bodies.add(body(link)));
     for (Joint joint : robot.joints()) {
       all.add(joints.joint(joint));
@@ -81,13 +87,13 @@ final class MechmlRobot {
     model.addUnlessEmpty(joints.parameters()).add(bodies).add(all);
     return model
         .addUnlessEmpty(couplings)
+        .addUnlessEmpty(states)
         .add(
-            new TagBuilder("Forces")
-                .add(
-                    new TagBuilder("gravity")
-                        .set("gx", gravity.x())
-                        .set("gy", gravity.y())
-                        .set("gz", gravity.z())))
+            forces.add(
+                new TagBuilder("gravity")
+                    .set("gx", gravity.x())
+                    .set("gy", gravity.y())
+                    .set("gz", gravity.z())))
         .add(
             new TagBuilder("topology")
                 .add(new TagBuilder("root").set("name", tree.root()))
@@ -99,6 +105,7 @@ final class MechmlRobot {
     TagBuilder body = TagBuilder.of("body", link.element()).set("name", link.name());
     link.mesh().ifPresent(mesh -> body.set("graphSrc", mesh));
     joints.frames(link.name()).forEach(body::add);
+    actions.frames(link.name()).forEach(body::add);
     link.inertial().ifPresent(inertial -> inertia(body, inertial));
     return body.element();
   }
@@ -121,7 +128,7 @@ final class MechmlRobot {
   }
 
   /** Returns R I Rᵀ: the tensor in the axes of the link. */
-  private static double[] turned(Rotation turn, List<Double> moments) {
+  static double[] turned(Rotation turn, List<Double> moments) {
     double[] i = moments.stream().mapToDouble(Double::doubleValue).toArray();
     if (turn.equals(Rotation.IDENTITY)) {
       return i;

@@ -2,7 +2,6 @@ package org.mechservice.robot;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Function;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.robot.Robot.Frame;
 import org.mechservice.solver.spatial.EulerParameters;
@@ -17,25 +16,76 @@ import org.mechservice.solver.spatial.Vector3;
 final class MjcfCompiler {
   private static final Vector3 Z = new Vector3(0, 0, 1);
 
+  /** What settles the inertia of bodies. */
+  enum InertiaSource {
+    /** Shapes, where a body has no inertial. */
+    AUTO,
+    /** Shapes, always. */
+    SHAPES,
+    /** The element inertial alone. */
+    INERTIAL
+  }
+
+  private final Element mujoco;
   private final RobotNumbers numbers;
   private final double angle;
   private final String eulerSequence;
-  private final boolean autolimits;
-  private final String inertiaFromGeometry;
 
-  /** Reads the elements {@code compiler} of a file. */
+  /** Reads the elements {@code compiler} of a file; a later one overrides an earlier one. */
   MjcfCompiler(Element mujoco, RobotNumbers numbers) {
+    this.mujoco = mujoco;
     this.numbers = numbers;
-    angle = setting(mujoco, "angle").filter("radian"::equals).isPresent() ? 1 : Math.PI / 180;
-    eulerSequence = setting(mujoco, "eulerseq").orElse("xyz");
-    autolimits = setting(mujoco, "autolimits").filter("false"::equals).isEmpty();
-    inertiaFromGeometry = setting(mujoco, "inertiafromgeom").orElse("auto");
+    angle = setting("angle").filter("radian"::equals).isPresent() ? 1 : Math.PI / 180;
+    String sequence = setting("eulerseq").orElse("xyz");
+    boolean known = sequence.matches("[xyzXYZ]{3}");
+    if (!known) {
+      numbers.contradiction(
+          mujoco, "eulerseq is " + sequence + "; it is three of x, y, z, X, Y, Z");
+    }
+    eulerSequence = known ? sequence : "xyz";
   }
 
-  private static Optional<String> setting(Element mujoco, String name) {
+  /** Returns a setting; empty if no element has it. */
+  Optional<String> setting(String name) {
     return mujoco.children("compiler").stream()
         .flatMap(compiler -> compiler.attribute(name).stream())
         .reduce((earlier, later) -> later);
+  }
+
+  /** Returns a numeric setting. */
+  double number(String name, double otherwise) {
+    double value = otherwise;
+    for (Element compiler : mujoco.children("compiler")) {
+      value = numbers.optional(compiler, name, value);
+    }
+    return value;
+  }
+
+  /** Returns what settles the inertia of bodies. */
+  InertiaSource inertiaSource() {
+    return switch (setting("inertiafromgeom").orElse("auto")) {
+      case "true" -> InertiaSource.SHAPES;
+      case "false" -> InertiaSource.INERTIAL;
+      default -> InertiaSource.AUTO;
+    };
+  }
+
+  /** Returns the first and last group of shapes that have inertia. */
+  int[] inertiaGroups() {
+    for (int i = mujoco.children("compiler").size() - 1; i >= 0; i--) {
+      Element compiler = mujoco.children("compiler").get(i);
+      Optional<String> text = compiler.attribute("inertiagrouprange");
+      if (text.isPresent()) {
+        List<Double> ends = numbers.read(compiler, "inertiagrouprange", text.get(), 2, 2);
+        return new int[] {ends.get(0).intValue(), ends.get(1).intValue()};
+      }
+    }
+    return new int[] {0, Integer.MAX_VALUE};
+  }
+
+  /** Returns whether a joint is limited that gives a range and does not say whether it holds. */
+  boolean autolimits() {
+    return setting("autolimits").filter("false"::equals).isEmpty();
   }
 
   /** Returns the size of the file's unit of angles, rad. */
@@ -43,45 +93,29 @@ final class MjcfCompiler {
     return angle;
   }
 
-  /** Returns whether a joint is limited that gives a range and does not say whether it holds. */
-  boolean autolimits() {
-    return autolimits;
-  }
-
-  /**
-   * Returns whether the inertia of a body comes from its shapes.
-   *
-   * @param given whether the body has an inertial
-   */
-  boolean takesInertiaOfShapes(boolean given) {
-    return inertiaFromGeometry.equals("true") || (!inertiaFromGeometry.equals("false") && !given);
-  }
-
   /**
    * Returns the frame that {@code pos} and one of {@code quat}, {@code axisangle}, {@code euler},
    * {@code xyaxes}, {@code zaxis} give.
-   *
-   * @param attribute gives the text of an attribute, with its default
    */
-  Frame frame(Element element, Function<String, Optional<String>> attribute) {
+  Frame frame(Element element) {
     Vector3 at =
-        attribute
-            .apply("pos")
+        element
+            .attribute("pos")
             .map(text -> vector(numbers.read(element, "pos", text, 3, 3), 0))
             .orElse(Vector3.ZERO);
-    return new Frame(at, turn(element, attribute));
+    return new Frame(at, turn(element));
   }
 
   private static Vector3 vector(List<Double> numbers, int from) {
     return new Vector3(numbers.get(from), numbers.get(from + 1), numbers.get(from + 2));
   }
 
-  private Rotation turn(Element element, Function<String, Optional<String>> attribute) {
-    Optional<String> quaternion = attribute.apply("quat");
-    Optional<String> axisAngle = attribute.apply("axisangle");
-    Optional<String> euler = attribute.apply("euler");
-    Optional<String> axes = attribute.apply("xyaxes");
-    Optional<String> zAxis = attribute.apply("zaxis");
+  private Rotation turn(Element element) {
+    Optional<String> quaternion = element.attribute("quat");
+    Optional<String> axisAngle = element.attribute("axisangle");
+    Optional<String> euler = element.attribute("euler");
+    Optional<String> axes = element.attribute("xyaxes");
+    Optional<String> zAxis = element.attribute("zaxis");
     if (quaternion.isPresent()) {
       return ofQuaternion(element, numbers.read(element, "quat", quaternion.get(), 4, 4));
     }
@@ -117,7 +151,8 @@ final class MjcfCompiler {
     return Rotation.about(axis.times(1 / sine), StrictMath.atan2(sine, direction.z()));
   }
 
-  private Rotation ofQuaternion(Element element, List<Double> quaternion) {
+  /** Returns the rotation of a quaternion w x y z of any length but zero. */
+  Rotation ofQuaternion(Element element, List<Double> quaternion) {
     double[] e = quaternion.stream().mapToDouble(Double::doubleValue).toArray();
     if (!(EulerParameters.norm(e, 0) > 0)) {
       numbers.contradiction(element, "its quaternion is zero");
@@ -134,7 +169,7 @@ final class MjcfCompiler {
   private Rotation ofEulerAngles(List<Double> angles) {
     Rotation turn = Rotation.IDENTITY;
     for (int i = 0; i < 3; i++) {
-      char letter = eulerSequence.charAt(Math.min(i, eulerSequence.length() - 1));
+      char letter = eulerSequence.charAt(i);
       Vector3 axis =
           switch (Character.toLowerCase(letter)) {
             case 'x' -> new Vector3(1, 0, 0);

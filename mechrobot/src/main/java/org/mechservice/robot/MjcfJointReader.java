@@ -3,7 +3,6 @@ package org.mechservice.robot;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.function.Function;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
@@ -14,6 +13,7 @@ import org.mechservice.robot.Robot.Freedom;
 import org.mechservice.robot.Robot.Joint;
 import org.mechservice.robot.Robot.Place;
 import org.mechservice.robot.Robot.Range;
+import org.mechservice.robot.Robot.Stop;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.spatial.Vector3;
 
@@ -24,22 +24,23 @@ import org.mechservice.solver.spatial.Vector3;
 final class MjcfJointReader {
   private static final Vector3 Z = new Vector3(0, 0, 1);
 
-  /**
-   * A joint that stands in a body.
-   *
-   * @param frame the frame in the body that its pose is in
-   * @param attribute gives the text of an attribute, with its default
-   */
-  record Held(Element element, Frame frame, Function<String, Optional<String>> attribute) {}
+  /** MuJoCo's time constant and damping ratio of stops. */
+  private static final List<Double> SOLREF = List.of(0.02, 1.0);
 
   private final MjcfCompiler compiler;
+  private final MjcfOptions options;
   private final RobotNumbers numbers;
   private final Diagnostics diagnostics;
   private final ImportLosses losses;
 
   MjcfJointReader(
-      MjcfCompiler compiler, RobotNumbers numbers, Diagnostics diagnostics, ImportLosses losses) {
+      MjcfCompiler compiler,
+      MjcfOptions options,
+      RobotNumbers numbers,
+      Diagnostics diagnostics,
+      ImportLosses losses) {
     this.compiler = compiler;
+    this.options = options;
     this.numbers = numbers;
     this.diagnostics = diagnostics;
     this.losses = losses;
@@ -49,13 +50,12 @@ final class MjcfJointReader {
    * Returns a joint; one of an unknown type is reported and read as a hinge.
    *
    * @param name of the joint in the robot
+   * @param held the frame in the body that the joint's place is in
    * @param frame of the child in the parent, where the joint's coordinate is zero
    */
-  Joint read(Held held, String name, String parent, String child, Frame frame) {
-    Element element = held.element();
-    Function<String, Optional<String>> attribute = held.attribute();
+  Joint read(Element element, Frame held, String name, String parent, String child, Frame frame) {
     String type =
-        element.name().equals("freejoint") ? "free" : attribute.apply("type").orElse("hinge");
+        element.name().equals("freejoint") ? "free" : element.attribute("type").orElse("hinge");
     Freedom freedom =
         switch (type) {
           case "free" -> Freedom.FLOATING;
@@ -71,12 +71,11 @@ final class MjcfJointReader {
               "%s: type is %s; a joint of MJCF is free, ball, slide, hinge",
               element.label(), Quoted.of(type)));
     }
-    loseMotor(element, attribute, freedom);
     Vector3 point =
         freedom == Freedom.FLOATING
             ? Vector3.ZERO
-            : held.frame().times(compiler.frame(element, position(attribute))).at();
-    Vector3 axis = held.frame().turn().apply(axis(element, attribute));
+            : held.at().plus(held.turn().apply(numbers.vector(element, "pos", Vector3.ZERO)));
+    Vector3 axis = held.turn().apply(axis(element));
     return new Joint(
         element,
         name,
@@ -84,21 +83,11 @@ final class MjcfJointReader {
         parent,
         child,
         Place.along(frame, point, axis),
-        freedom.isSingle() ? coordinate(element, attribute, freedom) : Coordinate.FREE);
+        coordinate(element, freedom));
   }
 
-  private static Function<String, Optional<String>> position(
-      Function<String, Optional<String>> attribute) {
-    return name -> name.equals("pos") ? attribute.apply(name) : Optional.empty();
-  }
-
-  private Vector3 axis(Element element, Function<String, Optional<String>> attribute) {
-    List<Double> xyz =
-        attribute
-            .apply("axis")
-            .map(text -> numbers.read(element, "axis", text, 3, 3))
-            .orElse(List.of(0.0, 0.0, 1.0));
-    Vector3 axis = new Vector3(xyz.get(0), xyz.get(1), xyz.get(2));
+  private Vector3 axis(Element element) {
+    Vector3 axis = numbers.vector(element, "axis", Z);
     if (!(axis.norm() > 0)) {
       diagnostics.error(
           MessageCode.ZERO_VECTOR,
@@ -109,47 +98,63 @@ final class MjcfJointReader {
     return axis.normalized();
   }
 
-  private void loseMotor(
-      Element element, Function<String, Optional<String>> attribute, Freedom freedom) {
-    if (number(element, attribute, "armature", 0) != 0) {
-      losses.add(element, "armature, the inertia of its motor, is left out");
+  /** Returns a number, the first of a polynomial; higher powers are reported. */
+  private double first(Element element, String name) {
+    Optional<List<Double>> read =
+        element.attribute(name).map(text -> numbers.read(element, name, text, 1, 8));
+    if (read.isPresent() && read.get().stream().skip(1).anyMatch(x -> x != 0)) {
+      losses.motion(element, "the higher powers of " + name + " are left out");
+    }
+    return read.map(list -> list.get(0)).orElse(0.0);
+  }
+
+  private boolean isLimited(Element element) {
+    String limited = element.attribute("limited").orElse("auto");
+    return options.limits()
+        && (limited.equals("true")
+            || (limited.equals("auto")
+                && compiler.autolimits()
+                && element.attribute("range").isPresent()));
+  }
+
+  /** Returns the reference of a joint's position: what the file's pose counts as, rad or m. */
+  double reference(Element element, Freedom freedom) {
+    double unit = freedom == Freedom.PRISMATIC ? 1 : compiler.angle();
+    return freedom.isSingle() ? numbers.optional(element, "ref", 0) * unit : 0;
+  }
+
+  private Coordinate coordinate(Element element, Freedom freedom) {
+    double stiffness = options.springs() ? first(element, "stiffness") : 0;
+    double damping = options.dampers() ? first(element, "damping") : 0;
+    double friction = options.friction() ? numbers.optional(element, "frictionloss", 0) : 0;
+    if (friction < 0) {
+      numbers.contradiction(element, "frictionloss is " + friction + "; it must not be negative");
     }
     if (!freedom.isSingle()) {
-      for (String name : List.of("stiffness", "damping", "frictionloss")) {
-        if (number(element, attribute, name, 0) != 0) {
-          losses.add(element, name + " applies only to joints with one coordinate here");
-        }
+      if (friction != 0) {
+        losses.motion(element, "frictionloss of a " + name(freedom) + " joint is left out");
       }
+      if (isLimited(element)) {
+        losses.motion(element, "the range of a " + name(freedom) + " joint is left out");
+      }
+      if (freedom == Freedom.FLOATING && stiffness != 0) {
+        losses.motion(element, "stiffness of a free joint is left out");
+        return Coordinate.FREE.with(0, damping);
+      }
+      return Coordinate.FREE.with(stiffness, damping);
     }
-  }
-
-  private double number(
-      Element element,
-      Function<String, Optional<String>> attribute,
-      String name,
-      double otherwise) {
-    Optional<List<Double>> read =
-        attribute.apply(name).map(text -> numbers.read(element, name, text, 1, 3));
-    if (read.isPresent() && read.get().stream().skip(1).anyMatch(x -> x != 0)) {
-      losses.add(element, "the higher powers of " + name + " are left out");
-    }
-    return read.map(list -> list.get(0)).orElse(otherwise);
-  }
-
-  private Coordinate coordinate(
-      Element element, Function<String, Optional<String>> attribute, Freedom freedom) {
     double unit = freedom == Freedom.PRISMATIC ? 1 : compiler.angle();
-    double reference = number(element, attribute, "ref", 0) * unit;
+    double reference = reference(element, freedom);
     if (reference != 0) {
-      losses.add(element, "ref is left out: the position counts from the pose of the file");
+      losses.picture(element, "ref is left out: the position counts from the pose of the file");
     }
     Optional<Range> limits = Optional.empty();
-    Optional<String> range = attribute.apply("range");
-    String limited = attribute.apply("limited").orElse("auto");
-    if (limited.equals("true")
-        || (limited.equals("auto") && compiler.autolimits() && range.isPresent())) {
+    if (isLimited(element)) {
       List<Double> ends =
-          range.map(text -> numbers.read(element, "range", text, 2, 2)).orElse(List.of(0.0, 0.0));
+          element
+              .attribute("range")
+              .map(text -> numbers.read(element, "range", text, 2, 2))
+              .orElse(List.of(0.0, 0.0));
       if (ends.get(0) > ends.get(1)) {
         numbers.contradiction(element, "its range is reversed; write the lower end first");
       }
@@ -158,10 +163,33 @@ final class MjcfJointReader {
     }
     return new Coordinate(
         limits,
-        number(element, attribute, "stiffness", 0),
-        number(element, attribute, "springref", 0) * unit - reference,
-        number(element, attribute, "damping", 0),
-        number(element, attribute, "frictionloss", 0),
+        stop(element),
+        stiffness,
+        numbers.optional(element, "springref", 0) * unit - reference,
+        damping,
+        friction,
         Optional.empty());
+  }
+
+  private static String name(Freedom freedom) {
+    return freedom == Freedom.FLOATING ? "free" : "ball";
+  }
+
+  /** MuJoCo's stops have a time constant and a damping ratio, or stiffness and damping. */
+  private Stop stop(Element element) {
+    List<Double> given =
+        element
+            .attribute("solreflimit")
+            .map(text -> numbers.read(element, "solreflimit", text, 2, 2))
+            .orElse(SOLREF);
+    double time = given.get(0);
+    double ratio = given.get(1);
+    if (time > 0 && ratio > 0) {
+      return new Stop(time, ratio, 0, 0);
+    }
+    // Negative numbers are stiffness and damping for 1 kg or 1 kg·m².
+    double k = -time;
+    double b = -ratio;
+    return k > 0 && b > 0 ? new Stop(2 / b, b / (2 * Math.sqrt(k)), 0, 0) : Stop.ASSUMED;
   }
 }

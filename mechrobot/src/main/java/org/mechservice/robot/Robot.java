@@ -1,6 +1,7 @@
 package org.mechservice.robot;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.solver.spatial.EulerParameters;
@@ -15,13 +16,40 @@ import org.mechservice.solver.spatial.Vector3;
  * @param gravity acceleration of free fall, m/s²; empty if the format leaves it to the simulator
  * @param links in file order
  * @param joints in file order
+ * @param loops equations between two links, in file order
+ * @param couplings equations between coordinates, in file order
+ * @param forces in file order
+ * @param starts positions and velocities at the start by joint name, where the file gives them
  */
 record Robot(
     RobotFormat format,
     String name,
     Optional<Vector3> gravity,
     List<Link> links,
-    List<Joint> joints) {
+    List<Joint> joints,
+    List<Loop> loops,
+    List<Coupling> couplings,
+    List<Force> forces,
+    Map<String, Start> starts) {
+  Robot {
+    links = List.copyOf(links);
+    joints = List.copyOf(joints);
+    loops = List.copyOf(loops);
+    couplings = List.copyOf(couplings);
+    forces = List.copyOf(forces);
+    starts = Map.copyOf(starts);
+  }
+
+  /** A robot of links and joints alone. */
+  Robot(
+      RobotFormat format,
+      String name,
+      Optional<Vector3> gravity,
+      List<Link> links,
+      List<Joint> joints) {
+    this(format, name, gravity, links, joints, List.of(), List.of(), List.of(), Map.of());
+  }
+
   /**
    * A frame in another one.
    *
@@ -49,6 +77,17 @@ record Robot(
               : Rotation.about(Z, rpy.z())
                   .times(Rotation.about(Y, rpy.y()))
                   .times(Rotation.about(X, rpy.x())));
+    }
+
+    /** Returns the rotation of a quaternion of any length; none if the length is zero. */
+    static Rotation rotation(double w, double x, double y, double z) {
+      double[] e = {w, x, y, z};
+      if (!(EulerParameters.norm(e, 0) > 0)) {
+        return Rotation.IDENTITY;
+      }
+      double[] r = new double[9];
+      EulerParameters.rotation(e, 0, r, 0);
+      return new Rotation(r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8]);
     }
 
     /** Returns the frame that an inner frame of this one has in the other. */
@@ -83,7 +122,12 @@ record Robot(
    * @param inertial its inertia, if it has any
    * @param mesh file of its visual, if that is a mesh
    */
-  record Link(Element element, String name, Optional<Inertial> inertial, Optional<String> mesh) {}
+  record Link(Element element, String name, Optional<Inertial> inertial, Optional<String> mesh) {
+    /** Returns the same link with another inertia. */
+    Link with(Optional<Inertial> other) {
+      return new Link(element, name, other, mesh);
+    }
+  }
 
   /**
    * Mass and inertia of a link.
@@ -94,7 +138,13 @@ record Robot(
    * @param moments xx, yy, zz, xy, xz, yz of the tensor about the centre of mass in the axes of
    *     {@code frame}, kg·m²
    */
-  record Inertial(Element element, Frame frame, double mass, List<Double> moments) {}
+  record Inertial(Element element, Frame frame, double mass, List<Double> moments) {
+    /** Returns mass and moments times a factor. */
+    Inertial times(double factor) {
+      return new Inertial(
+          element, frame, factor * mass, moments.stream().map(m -> factor * m).toList());
+    }
+  }
 
   /** Type of a joint. */
   enum Freedom {
@@ -152,7 +202,12 @@ record Robot(
       String parent,
       String child,
       Place place,
-      Coordinate coordinate) {}
+      Coordinate coordinate) {
+    /** Returns the same joint with other things along its coordinate. */
+    Joint with(Coordinate other) {
+      return new Joint(element, name, type, parent, child, place, other);
+    }
+  }
 
   /**
    * The place of a joint.
@@ -196,8 +251,9 @@ record Robot(
   /**
    * Limits and forces along the coordinate of a joint, rad or m.
    *
-   * @param limits lowest and highest position
-   * @param stiffness of a spring, N/m or N·m/rad
+   * @param limits lowest and highest position; a side without a limit is infinite
+   * @param stop how the limits push
+   * @param stiffness of a spring, N/m or N·m/rad; negative ones push away
    * @param freePosition position at which the spring exerts nothing
    * @param damping N·s/m or N·m·s/rad
    * @param friction N or N·m
@@ -205,15 +261,40 @@ record Robot(
    */
   record Coordinate(
       Optional<Range> limits,
+      Stop stop,
       double stiffness,
       double freePosition,
       double damping,
       double friction,
       Optional<Mimic> mimic) {
-    static final Coordinate FREE = new Coordinate(Optional.empty(), 0, 0, 0, 0, Optional.empty());
+    static final Coordinate FREE =
+        new Coordinate(Optional.empty(), Stop.ASSUMED, 0, 0, 0, 0, Optional.empty());
+
+    /** Returns the same with another spring and damper. */
+    Coordinate with(double newStiffness, double newDamping) {
+      return new Coordinate(limits, stop, newStiffness, freePosition, newDamping, friction, mimic);
+    }
   }
 
-  /** Range of a coordinate. */
+  /**
+   * How a limit pushes: as a spring and a damper.
+   *
+   * @param time time constant of the spring, s; with the inertia m that it holds, its stiffness is
+   *     m/(time · ratio)² and its damping 2 m/time
+   * @param ratio damping ratio
+   * @param stiffness in place of them, N/m or N·m/rad; 0 if the time constant holds
+   * @param damping with the stiffness, N·s/m or N·m·s/rad
+   */
+  record Stop(double time, double ratio, double stiffness, double damping) {
+    /** What the import assumes where a format defines nothing. */
+    static final Stop ASSUMED = new Stop(0, 0, 0, 0);
+
+    boolean isAssumed() {
+      return time == 0 && stiffness == 0;
+    }
+  }
+
+  /** Range of a coordinate; an end that it lacks is infinite. */
   record Range(double lower, double upper) {
     double nearestToZero() {
       return Math.max(lower, Math.min(upper, 0));
@@ -227,4 +308,130 @@ record Robot(
    * @param joint name of the other
    */
   record Mimic(Element element, String joint, double multiplier, double offset) {}
+
+  /**
+   * Two links share a point, or move as one.
+   *
+   * @param element its element in the file
+   * @param name of the constraint
+   * @param rigid whether they move as one
+   * @param first a link
+   * @param inFirst the frame of the constraint in it
+   * @param second the other link
+   * @param inSecond the same frame in that one; only its origin counts unless {@code rigid}
+   */
+  record Loop(
+      Element element,
+      String name,
+      boolean rigid,
+      String first,
+      Frame inFirst,
+      String second,
+      Frame inSecond) {}
+
+  /**
+   * An equation between coordinates: a sum of them with factors, or an expression, plus a constant,
+   * is zero.
+   *
+   * @param element its element in the file
+   * @param name of the constraint
+   * @param terms factors by joint; empty if there is an expression
+   * @param expression in MechML
+   * @param constant of the sum, as MechML has it on its right side
+   */
+  record Coupling(
+      Element element,
+      String name,
+      Map<String, Double> terms,
+      Optional<String> expression,
+      double constant) {}
+
+  /** Something that acts on the robot. */
+  sealed interface Force {
+    /** Returns its element in the file. */
+    Element element();
+
+    /** Returns its name. */
+    String name();
+  }
+
+  /**
+   * A force along a coordinate.
+   *
+   * @param expression in MechML, N or N·m
+   */
+  record JointForce(Element element, String name, String joint, String expression)
+      implements Force {}
+
+  /**
+   * A constant force on a link.
+   *
+   * @param at where it acts, in the link's axes, m
+   * @param force in world axes, N
+   */
+  record BodyForce(Element element, String name, String link, Vector3 at, Vector3 force)
+      implements Force {}
+
+  /**
+   * A spring and damper along a sum of coordinates.
+   *
+   * @param angle whether the sum is an angle, or else a length
+   * @param terms factors by joint
+   * @param rest the sum at which the spring exerts nothing
+   * @param side {@code both}, {@code tension} above rest only, or {@code compression} below it only
+   */
+  record CouplingSpring(
+      Element element,
+      String name,
+      boolean angle,
+      Map<String, Double> terms,
+      double stiffness,
+      double damping,
+      double rest,
+      String side)
+      implements Force {}
+
+  /**
+   * A spring that turns one link back into its place in another.
+   *
+   * @param frame of the second in the first, where the spring exerts nothing
+   * @param at where both meet, in the second's axes from its origin, m
+   * @param stiffness about every axis, N·m/rad
+   */
+  record TurningSpring(
+      Element element,
+      String name,
+      String first,
+      String second,
+      Frame frame,
+      Vector3 at,
+      double stiffness)
+      implements Force {}
+
+  /**
+   * A spring and damper between points of two links.
+   *
+   * @param rest length at which the spring exerts nothing, m
+   */
+  record PointSpring(
+      Element element,
+      String name,
+      String first,
+      Vector3 inFirst,
+      String second,
+      Vector3 inSecond,
+      double stiffness,
+      double damping,
+      double rest)
+      implements Force {}
+
+  /**
+   * A signal from outside, zero until somebody sets it.
+   *
+   * @param unit of its value, a label
+   */
+  record Input(Element element, String name, String unit) implements Force {}
+
+  /** Positions and velocities of a joint at the start, in the order of MechML. */
+  record Start(List<Double> positions, List<Double> velocities) {}
 }

@@ -38,7 +38,8 @@ public record RobotExport(String text, List<Diagnostic> losses) {
       throws MechmlException {
     Diagnostics refused = new Diagnostics(fileName);
     ExportLosses losses = new ExportLosses(fileName, refused);
-    Element robot = new UrdfWriter(model, new UrdfShapes(model, file, losses), losses).robot();
+    Element robot =
+        new UrdfWriter(model, file, new UrdfShapes(model, file, losses), losses).robot();
     refused.throwIfErrors();
     Comment origin =
         new Comment(" Made from " + fileName.replaceAll("-{2,}|\\p{Cntrl}", "_") + ". ");

@@ -39,10 +39,13 @@ public enum RobotFormat {
     return Arrays.stream(values()).filter(f -> f.root.equals(outermost.name())).findFirst();
   }
 
+  /** Returns the outermost element of a file, for messages: {@code <robot> (URDF)}. */
+  String outermost() {
+    return "<" + root + "> (" + title + ")";
+  }
+
   /** Returns the outermost elements of all formats, for messages. */
   static String roots() {
-    return Arrays.stream(values())
-        .map(format -> "<" + format.root + "> (" + format.title + ")")
-        .collect(Collectors.joining(", "));
+    return Arrays.stream(values()).map(RobotFormat::outermost).collect(Collectors.joining(", "));
   }
 }

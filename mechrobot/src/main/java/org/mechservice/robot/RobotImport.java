@@ -1,6 +1,11 @@
 package org.mechservice.robot;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.ReadOptions;
@@ -20,17 +25,21 @@ import org.mechservice.solver.catalogue.MessageCode;
  * A robot translated to MechML.
  *
  * @param document the model file
- * @param losses the parts of the robot's file that are not in it, in file order: warnings M-085
+ * @param losses the parts of the robot's file that are not in it, in file order, each with the code
+ *     of its {@link LossGrade}
+ * @param notes what the import has chosen where the format leaves a choice: M-097
  * @param model what the model file says; its places are those of the robot's file
  */
-public record RobotImport(Document document, List<Diagnostic> losses, MechmlModel model) {
+public record RobotImport(
+    Document document, List<Diagnostic> losses, List<Diagnostic> notes, MechmlModel model) {
   public RobotImport {
     losses = List.copyOf(losses);
+    notes = List.copyOf(notes);
   }
 
   /**
-   * Translates a robot; its outermost element tells the format. Only the given bytes are read;
-   * meshes keep their file names.
+   * Translates a robot; its outermost element tells the format. Only the given bytes are read:
+   * included files are refused, and masses that come from meshes are losses.
    *
    * @param fileName name for messages
    * @param content bytes of a file in URDF, SDF or MJCF; not modified
@@ -38,16 +47,59 @@ public record RobotImport(Document document, List<Diagnostic> losses, MechmlMode
    *     are those of the robot's file
    */
   public static RobotImport of(String fileName, byte[] content) throws MechmlException {
+    return of(fileName, content, RobotFiles.none(), ImportOptions.NONE);
+  }
+
+  /**
+   * Translates a robot with the files that it names.
+   *
+   * @param file in URDF, SDF or MJCF
+   * @throws IOException if the file cannot be read
+   * @throws MechmlException if it is no robot, contradicts itself, names a file that does not
+   *     exist, or is no mechanism
+   */
+  public static RobotImport read(Path file, ImportOptions options)
+      throws IOException, MechmlException {
+    Path folder = file.toAbsolutePath().normalize().getParent();
+    return read(
+        file.toString(),
+        Files.readAllBytes(file),
+        Objects.requireNonNullElse(folder, Path.of("")),
+        options);
+  }
+
+  /**
+   * Translates a robot whose bytes are known, with the files that it names.
+   *
+   * @param fileName name for messages
+   * @param content bytes of the file; not modified
+   * @param folder in which the files lie that it names
+   * @throws MechmlException as {@link #read(Path, ImportOptions)}
+   */
+  public static RobotImport read(
+      String fileName, byte[] content, Path folder, ImportOptions options) throws MechmlException {
+    return of(fileName, content, RobotFiles.in(folder, options.paths()), options);
+  }
+
+  private static RobotImport of(
+      String fileName, byte[] content, RobotFiles files, ImportOptions options)
+      throws MechmlException {
     Diagnostics diagnostics = new Diagnostics(fileName);
     Element robot = DocumentReader.readForeign(content, diagnostics);
-    RobotFormat format = format(robot, diagnostics);
+    RobotFormat format = format(robot, options, diagnostics);
     ImportLosses losses = new ImportLosses(fileName);
     Robot read =
         switch (format) {
           case URDF -> new UrdfReader(diagnostics, losses).read(robot);
-          case SDF -> new SdfReader(diagnostics, losses).read(robot);
-          case MJCF -> new MjcfReader(diagnostics, losses).read(robot);
+          case SDF -> new SdfReader(files, diagnostics, losses).read(robot);
+          case MJCF -> new MjcfReader(files, diagnostics, losses).read(robot, options.keyframe());
         };
+    if (format != RobotFormat.MJCF && options.keyframe().isPresent()) {
+      diagnostics.error(
+          MessageCode.UNKNOWN_NAME,
+          robot.position(),
+          "a robot in " + format.title() + " has no keyframes; leave out --keyframe");
+    }
     if (read.links().size() > Limits.BODIES) {
       diagnostics.error(
           MessageCode.MODEL_FILE_TOO_LARGE,
@@ -55,51 +107,47 @@ public record RobotImport(Document document, List<Diagnostic> losses, MechmlMode
           Phrase.of("the robot has %d links; %d are allowed", read.links().size(), Limits.BODIES));
     }
     diagnostics.throwIfErrors();
-    RobotTree tree = RobotTree.of(read, diagnostics);
+    List<Diagnostic> notes = new ArrayList<>();
+    Robot rooted = RobotRoot.of(read, options.floating(), fileName, notes);
+    RobotTree tree = RobotTree.of(rooted, diagnostics);
     diagnostics.throwIfErrors();
-    Document document = new MechmlRobot(fileName, read, tree).document();
+    Document document = new MechmlRobot(fileName, rooted, tree).document();
     // The elements keep the positions of the robot's elements, so messages point into the robot's
     // file.
     MechmlModel model = ModelResolver.resolve(document.root(), ReadOptions.NONE, diagnostics);
-    return new RobotImport(document, losses.inFileOrder(), model);
+    return new RobotImport(document, losses.inFileOrder(), notes, model);
   }
 
-  private static RobotFormat format(Element robot, Diagnostics diagnostics) throws MechmlException {
+  private static RobotFormat format(Element robot, ImportOptions options, Diagnostics diagnostics)
+      throws MechmlException {
     Optional<RobotFormat> format = RobotFormat.of(robot);
-    if (format.isEmpty()) {
+    if (format.isEmpty() || options.format().filter(asked -> asked != format.get()).isPresent()) {
       diagnostics.error(
           MessageCode.NOT_A_ROBOT,
           robot.position(),
           Phrase.of(
               "the outermost element is <%s>; that of a robot is one of %s",
-              Quoted.plain(robot.name()), RobotFormat.roots()));
+              Quoted.plain(robot.name()),
+              options.format().map(RobotFormat::outermost).orElseGet(RobotFormat::roots)));
     }
-    requireWhole(robot, diagnostics);
+    refuseMacros(robot, diagnostics);
     diagnostics.throwIfErrors();
     return format.orElseThrow();
   }
 
-  /** Reports elements that stand for text elsewhere: only the given bytes are read. */
-  private static void requireWhole(Element element, Diagnostics diagnostics) {
+  private static void refuseMacros(Element element, Diagnostics diagnostics) {
     for (Element child : element.children()) {
       if (child.name().startsWith("xacro:")) {
         diagnostics.error(
             MessageCode.NOT_A_ROBOT,
             child.position(),
             Phrase.of(
-                "<%s> is a macro; convert the file to URDF with xacro first",
+                "<%s> is a macro; convert the file to URDF with xacro first, or pipe it: xacro"
+                    + " ROBOT.xacro | mech import - -o MODEL.xml",
                 Quoted.plain(child.name())));
         return;
       }
-      if (child.name().equals("include")) {
-        diagnostics.error(
-            MessageCode.NOT_A_ROBOT,
-            child.position(),
-            "<include> names another file, and only this one is read; write the robot as one file"
-                + " first (SDF: gz sdf -p; MJCF: save it from MuJoCo)");
-        return;
-      }
-      requireWhole(child, diagnostics);
+      refuseMacros(child, diagnostics);
     }
   }
 }

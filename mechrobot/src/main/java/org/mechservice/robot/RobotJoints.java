@@ -1,5 +1,7 @@
 package org.mechservice.robot;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -8,24 +10,29 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.mechservice.mechml.document.Element;
+import org.mechservice.robot.Robot.Coordinate;
 import org.mechservice.robot.Robot.Freedom;
 import org.mechservice.robot.Robot.Joint;
 import org.mechservice.robot.Robot.Place;
+import org.mechservice.robot.Robot.Range;
+import org.mechservice.robot.Robot.Start;
+import org.mechservice.robot.Robot.Stop;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
-import org.mechservice.solver.text.ShortestDecimal;
 
 /**
  * The joints of a robot in MechML. Two vectors define the child's frame at zero: the axis and a
  * vector normal to it, each in the axes of both bodies.
  */
 final class RobotJoints {
-  /** Assumed values of quantities that URDF does not define. */
+  /**
+   * Assumed values of quantities that a format does not define. Stops take their stiffness from the
+   * inertia that they hold and this time: 5 ms are short beside the swing of a fingertip, and long
+   * beside the steps of an integrator.
+   */
   private enum Assumption {
-    ANGLE_STOP_STIFFNESS("angleStopStiffness", "1e4", "N*m/rad"),
-    ANGLE_STOP_DAMPING("angleStopDamping", "10", "N*m*s/rad"),
-    LENGTH_STOP_STIFFNESS("lengthStopStiffness", "1e6", "N/m"),
-    LENGTH_STOP_DAMPING("lengthStopDamping", "1e3", "N*s/m"),
+    STOP_TIME("stopTime", "0.005", "s"),
+    STOP_DAMPING_RATIO("stopDampingRatio", "1", "1"),
     ANGLE_FRICTION_SPEED("angleFrictionSpeed", "0.01", "rad/s"),
     LENGTH_FRICTION_SPEED("lengthFrictionSpeed", "0.001", "m/s");
 
@@ -43,6 +50,7 @@ final class RobotJoints {
   private final Robot robot;
   private final RobotTree tree;
   private final String origin;
+  private final RobotInertia inertia;
 
   /** The joints of each link, of which it is the parent or the child, in the robot's order. */
   private final Map<String, List<Joint>> ofLink = new HashMap<>();
@@ -50,6 +58,7 @@ final class RobotJoints {
   RobotJoints(Robot robot, RobotTree tree) {
     this.robot = robot;
     this.tree = tree;
+    inertia = new RobotInertia(robot.links(), robot.joints());
     String free = "origin";
     while (isJoint(free)) {
       free += "_";
@@ -84,10 +93,8 @@ final class RobotJoints {
   private static boolean needs(Joint joint, Assumption assumption) {
     boolean slides = joint.type() == Freedom.PRISMATIC;
     return switch (assumption) {
-      case ANGLE_STOP_STIFFNESS, ANGLE_STOP_DAMPING ->
-          joint.coordinate().limits().isPresent() && !slides;
-      case LENGTH_STOP_STIFFNESS, LENGTH_STOP_DAMPING ->
-          joint.coordinate().limits().isPresent() && slides;
+      case STOP_TIME, STOP_DAMPING_RATIO ->
+          joint.coordinate().limits().isPresent() && joint.coordinate().stop().isAssumed();
       case ANGLE_FRICTION_SPEED -> joint.coordinate().friction() > 0 && !slides;
       case LENGTH_FRICTION_SPEED -> joint.coordinate().friction() > 0 && slides;
     };
@@ -150,30 +157,52 @@ final class RobotJoints {
     if (joint.place().lead() != 0) {
       tag.set("lead", joint.place().lead());
     }
-    if (joint.coordinate().stiffness() > 0) {
-      tag.set("stiffness", joint.coordinate().stiffness());
-      tag.set("freePosition", joint.coordinate().freePosition());
+    Coordinate coordinate = joint.coordinate();
+    if (coordinate.stiffness() > 0) {
+      tag.set("stiffness", coordinate.stiffness());
+      tag.set("freePosition", coordinate.freePosition());
     }
-    if (joint.coordinate().damping() > 0) {
-      tag.set("damping", joint.coordinate().damping());
+    if (coordinate.damping() > 0 && joint.type().isSingle()) {
+      tag.set("damping", coordinate.damping());
     }
     boolean slides = joint.type() == Freedom.PRISMATIC;
-    if (joint.coordinate().friction() > 0) {
-      tag.set("friction", joint.coordinate().friction());
+    if (coordinate.friction() > 0) {
+      tag.set("friction", coordinate.friction());
       tag.set("frictionSpeed", slides ? "lengthFrictionSpeed" : "angleFrictionSpeed");
     }
-    joint
-        .coordinate()
-        .limits()
-        .ifPresent(
-            range -> {
-              tag.set("lower", range.lower()).set("upper", range.upper());
-              tag.set("stopStiffness", slides ? "lengthStopStiffness" : "angleStopStiffness");
-              tag.set("stopDamping", slides ? "lengthStopDamping" : "angleStopDamping");
-            });
+    coordinate.limits().ifPresent(range -> addStops(tag, joint, range));
     return tag.add(end(tag, joint, "body1", joint.parent(), joint.name()))
         .add(end(tag, joint, "body2", joint.child(), childPoint(joint)))
         .element();
+  }
+
+  private void addStops(TagBuilder tag, Joint joint, Range range) {
+    if (Double.isFinite(range.lower())) {
+      tag.set("lower", range.lower());
+    }
+    if (Double.isFinite(range.upper())) {
+      tag.set("upper", range.upper());
+    }
+    Stop stop = joint.coordinate().stop();
+    if (stop.stiffness() > 0) {
+      tag.set("stopStiffness", stop.stiffness()).set("stopDamping", stop.damping());
+      return;
+    }
+    double held = inertia.free(joint.name());
+    double m = held > 0 ? rounded(held) : 1;
+    if (stop.isAssumed()) {
+      String number = MechmlText.number(m);
+      tag.set("stopStiffness", number + "/(stopTime*stopDampingRatio)^2");
+      tag.set("stopDamping", "2*" + number + "/stopTime");
+    } else {
+      tag.set("stopStiffness", rounded(m / Math.pow(stop.time() * stop.ratio(), 2)));
+      tag.set("stopDamping", rounded(2 * m / stop.time()));
+    }
+  }
+
+  /** Returns a number with three digits: more of them say nothing about a stop. */
+  private static double rounded(double value) {
+    return new BigDecimal(value).round(new MathContext(3)).doubleValue();
   }
 
   private static TagBuilder end(
@@ -185,21 +214,30 @@ final class RobotJoints {
         : end;
   }
 
-  /** Returns the start position of a joint; empty if it is zero. */
+  /** Returns the start of a joint; empty if it is zero. */
   Optional<TagBuilder> start(Joint joint) {
+    if (tree.closes(joint)) {
+      return Optional.empty();
+    }
+    Start given = robot.starts().get(joint.name());
+    if (given != null) {
+      TagBuilder start = value(joint).set("posVals", list(given.positions()));
+      return Optional.of(
+          given.velocities().stream().allMatch(v -> v == 0)
+              ? start
+              : start.set("velVals", list(given.velocities())));
+    }
     if (joint.type().turnsFreely()) {
-      if (tree.closes(joint)) {
-        return Optional.empty();
-      }
-      String turn =
-          joint.place().frame().eulerParameters().stream()
-              .map(value -> ShortestDecimal.format(value + 0.0))
-              .collect(Collectors.joining(";"));
+      String turn = list(joint.place().frame().eulerParameters());
       return Optional.of(
           value(joint).set("posVals", joint.type() == Freedom.FLOATING ? turn + ";0;0;0" : turn));
     }
     double position = tree.start().getOrDefault(joint.name(), 0.0);
     return position == 0 ? Optional.empty() : Optional.of(value(joint).set("posVals", position));
+  }
+
+  private static String list(List<Double> values) {
+    return values.stream().map(MechmlText::number).collect(Collectors.joining(";"));
   }
 
   private static TagBuilder value(Joint joint) {

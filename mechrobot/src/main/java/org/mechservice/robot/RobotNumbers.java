@@ -1,6 +1,7 @@
 package org.mechservice.robot;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
@@ -49,6 +50,23 @@ final class RobotNumbers {
     diagnostics.error(MessageCode.ROBOT_JOINT, element.position(), element.label() + ": " + what);
   }
 
+  /** Reports the second and further children of a name where the format has one. */
+  void requireOnce(Element element, Collection<String> names) {
+    for (String name : names) {
+      element.children(name).stream()
+          .skip(1)
+          .findFirst()
+          .ifPresent(
+              second ->
+                  diagnostics.error(
+                      MessageCode.WRONG_CONTENT,
+                      second.position(),
+                      Phrase.of(
+                          "%s: it is the second of its name there; leave one out",
+                          second.label())));
+    }
+  }
+
   /** Returns a number, or its default if it is missing. */
   double optional(Element element, String attribute, double otherwise) {
     return element.attribute(attribute).isEmpty() ? otherwise : list(element, attribute, 1).get(0);
@@ -69,8 +87,19 @@ final class RobotNumbers {
     if (origin.isEmpty()) {
       return Frame.SAME;
     }
-    return Frame.ofRollPitchYaw(
-        vector(origin.get(), "xyz", Vector3.ZERO), vector(origin.get(), "rpy", Vector3.ZERO));
+    Vector3 at = vector(origin.get(), "xyz", Vector3.ZERO);
+    Optional<String> quaternion = origin.get().attribute("quat_xyzw");
+    if (quaternion.isPresent()) {
+      if (origin.get().attribute("rpy").isPresent()) {
+        contradiction(origin.get(), "it has rpy and quat_xyzw; leave one out");
+      }
+      List<Double> e = read(origin.get(), "quat_xyzw", quaternion.get(), 4, 4);
+      if (e.stream().allMatch(x -> x == 0)) {
+        contradiction(origin.get(), "its quaternion is zero");
+      }
+      return new Frame(at, Frame.rotation(e.get(3), e.get(0), e.get(1), e.get(2)));
+    }
+    return Frame.ofRollPitchYaw(at, vector(origin.get(), "rpy", Vector3.ZERO));
   }
 
   private List<Double> list(Element element, String attribute, int count) {

@@ -161,10 +161,11 @@ record RobotTree(String root, Set<String> closing, Map<String, Double> start) {
             MessageCode.ROBOT_JOINT,
             mimic.element(),
             Phrase.of(
-                "joint %s %s%s",
+                other == null
+                    ? "joint %s does not exist%s"
+                    : "joint %s is fixed or has several coordinates, so there is none to follow%s",
                 Quoted.of(mimic.joint()),
-                other == null ? "does not exist" : "has no coordinate to follow",
-                NearestName.suggestion(mimic.joint(), joints.keySet())));
+                other == null ? NearestName.suggestion(mimic.joint(), joints.keySet()) : ""));
         return 0;
       } else if (!asked.add(joint.name())) {
         error(

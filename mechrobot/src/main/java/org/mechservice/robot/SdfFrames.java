@@ -101,6 +101,20 @@ final class SdfFrames {
     }
   }
 
+  /** Adds the frames and joints that stand in a world itself. */
+  void addWorld(Element world) {
+    for (Element part : world.children()) {
+      String name = part.attribute("name").orElse("");
+      if (part.name().equals("frame")) {
+        String attached = part.attribute("attached_to").orElse(WORLD);
+        add(name, part, relativeTo(part).orElse(attached), attached);
+      } else if (part.name().equals("joint")) {
+        String child = part.child("child").map(Element::text).orElse("");
+        add(name, part, relativeTo(part).orElse(child), child);
+      }
+    }
+  }
+
   private static String canonical(Element model, String scope) {
     return scope
         + model
@@ -181,7 +195,31 @@ final class SdfFrames {
       return Frame.SAME;
     }
     Frame found = inWorld(frame.base(), asked).times(pose(frame.element().child("pose")));
+    Optional<String> placed =
+        frame.element().attribute("placement_frame").filter(one -> !one.isEmpty());
+    if (placed.isPresent() && name.endsWith(MODEL)) {
+      // The pose of a model is that of its placement frame.
+      String scope = name.substring(0, name.length() - MODEL.length());
+      found = found.times(within(name, scope + placed.get(), frame.element()).inverse());
+    }
     known.put(name, found);
+    return found;
+  }
+
+  /** Returns a frame of a model in the model's own frame. */
+  private Frame within(String model, String name, Element asking) {
+    Frame found = Frame.SAME;
+    String at = name;
+    Set<String> asked = new HashSet<>();
+    while (!at.equals(model)) {
+      Named frame = named.get(at);
+      if (frame == null || !asked.add(at)) {
+        unknown(asking, name);
+        return Frame.SAME;
+      }
+      found = pose(frame.element().child("pose")).times(found);
+      at = frame.base();
+    }
     return found;
   }
 

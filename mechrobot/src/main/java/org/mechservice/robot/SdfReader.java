@@ -1,21 +1,28 @@
 package org.mechservice.robot;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
+import org.mechservice.robot.Robot.BodyForce;
 import org.mechservice.robot.Robot.Coordinate;
+import org.mechservice.robot.Robot.Force;
 import org.mechservice.robot.Robot.Frame;
 import org.mechservice.robot.Robot.Freedom;
 import org.mechservice.robot.Robot.Inertial;
 import org.mechservice.robot.Robot.Joint;
 import org.mechservice.robot.Robot.Link;
+import org.mechservice.robot.Robot.Mimic;
 import org.mechservice.robot.Robot.Place;
+import org.mechservice.robot.Robot.Start;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.spatial.Vector3;
 
@@ -27,10 +34,13 @@ import org.mechservice.solver.spatial.Vector3;
  */
 final class SdfReader {
   private static final List<String> MOMENTS = List.of("ixx", "iyy", "izz", "ixy", "ixz", "iyz");
-  private static final Set<String> OF_MODEL =
-      Set.of("link", "joint", "frame", "model", "pose", "static");
-  private static final Set<String> OF_LINK =
-      Set.of("inertial", "visual", "collision", "pose", "gravity", "self_collide");
+  private static final double WATER = 1000;
+
+  /** SDF's gravity of a world that gives none, m/s². */
+  private static final Vector3 WORLD_GRAVITY = new Vector3(0, 0, -9.8);
+
+  /** What the import takes for a model without a world, m/s². */
+  private static final Vector3 GRAVITY = new Vector3(0, 0, -9.81);
 
   /** SDF's value of what a file leaves out: a link without inertial has a mass of 1 kg. */
   private static final List<Double> UNIT_MOMENTS = List.of(1.0, 1.0, 1.0, 0.0, 0.0, 0.0);
@@ -42,13 +52,18 @@ final class SdfReader {
   private final List<Link> links = new ArrayList<>();
   private final List<Joint> joints = new ArrayList<>();
   private final Set<String> fixed = new HashSet<>();
+  private final List<Force> forces = new ArrayList<>();
+  private final Map<String, Start> starts = new HashMap<>();
+  private final RobotFiles files;
+  private Vector3 gravity = GRAVITY;
   private boolean axesOfModel;
 
   /**
    * @param diagnostics receives errors and warnings
    * @param losses receives the parts that MechML cannot express
    */
-  SdfReader(Diagnostics diagnostics, ImportLosses losses) {
+  SdfReader(RobotFiles files, Diagnostics diagnostics, ImportLosses losses) {
+    this.files = files;
     this.diagnostics = diagnostics;
     this.losses = losses;
     numbers = new RobotNumbers(diagnostics);
@@ -56,33 +71,56 @@ final class SdfReader {
   }
 
   /** Returns the robot without the elements in error. */
-  Robot read(Element sdf) {
+  Robot read(Element file) {
+    FormatTable table = FormatTable.of(RobotFormat.SDF);
+    table.checkNames(file, diagnostics, losses);
+    Element sdf = new SdfIncludes(files, diagnostics).put(file, files.folder().orElse(Path.of("")));
+    table.reportLosses(sdf, losses);
     axesOfModel = sdf.attribute("version").filter(v -> v.matches("1\\.[0-4]")).isPresent();
-    Element scene = sdf.child("world").orElse(sdf);
+    List<Element> worlds = sdf.children("world");
+    worlds.stream()
+        .skip(1)
+        .forEach(more -> losses.motion(more, "it is left out: the first world is read"));
+    Optional<Element> world = worlds.stream().findFirst();
+    Element scene = world.orElse(sdf);
+    if (world.isPresent()) {
+      gravity =
+          world.get().child("gravity").map(g -> vector(numbers.text(g, 3))).orElse(WORLD_GRAVITY);
+      sdf.children("model")
+          .forEach(more -> losses.motion(more, "it is left out: it stands beside a world"));
+    }
     List<Element> models = scene.children("model");
-    scene.children().stream()
-        .filter(child -> !Set.of("model", "gravity").contains(child.name()))
-        .forEach(child -> losses.add(child, "has no meaning in MechML and is left out"));
     if (models.isEmpty()) {
       numbers.missing(scene, "models");
     }
     links.add(new Link(sdf, SdfFrames.WORLD, Optional.empty(), Optional.empty()));
-    boolean several = models.size() > 1;
+    boolean several =
+        models.size() > 1 || scene.child("joint").isPresent() || scene.child("frame").isPresent();
     for (Element model : models) {
       String name = model.attribute("name").orElse("model");
       frames.addModel(several ? name + SdfFrames.SCOPE : "", "", model);
+    }
+    if (world.isPresent()) {
+      frames.addWorld(world.get());
     }
     for (Element model : models) {
       String name = model.attribute("name").orElse("model");
       readModel(several ? name + SdfFrames.SCOPE : "", model, false);
     }
+    for (Element joint : world.map(one -> one.children("joint")).orElse(List.of())) {
+      joint.attribute("name").ifPresent(name -> readJoint("", name, joint));
+    }
     attachFreeLinks();
     return new Robot(
         RobotFormat.SDF,
         models.stream().findFirst().flatMap(m -> m.attribute("name")).orElse("robot"),
-        scene.child("gravity").map(gravity -> vector(numbers.text(gravity, 3))),
+        world.isPresent() ? Optional.of(gravity) : Optional.empty(),
         links,
-        joints);
+        joints,
+        List.of(),
+        List.of(),
+        forces,
+        starts);
   }
 
   private static Vector3 vector(List<Double> xyz) {
@@ -91,9 +129,7 @@ final class SdfReader {
 
   private void readModel(String scope, Element model, boolean inStatic) {
     boolean rests = inStatic || isTrue(model.child("static"));
-    model.children().stream()
-        .filter(child -> !OF_MODEL.contains(child.name()))
-        .forEach(child -> losses.add(child, "has no meaning in MechML and is left out"));
+    numbers.requireOnce(model, List.of("pose", "static"));
     for (Element link : model.children("link")) {
       link.attribute("name").ifPresent(name -> readLink(scope + name, link, rests));
     }
@@ -112,14 +148,9 @@ final class SdfReader {
   }
 
   private void readLink(String name, Element link, boolean rests) {
-    link.children().stream()
-        .filter(child -> !OF_LINK.contains(child.name()))
-        .forEach(child -> losses.add(child, "has no meaning in MechML and is left out"));
-    link.child("gravity")
-        .filter(gravity -> !isTrue(Optional.of(gravity)))
-        .ifPresent(gravity -> losses.add(gravity, "in MechML gravity acts on every body"));
+    numbers.requireOnce(link, List.of("inertial", "pose", "gravity"));
     link.child("collision")
-        .ifPresent(collision -> losses.add(collision, "collision shapes are left out"));
+        .ifPresent(collision -> losses.contact(collision, "collision shapes are left out"));
     Optional<String> mesh =
         link.child("visual")
             .flatMap(visual -> visual.child("geometry"))
@@ -131,28 +162,37 @@ final class SdfReader {
         .filter(visual -> mesh.isEmpty() || visual.child("pose").isPresent())
         .ifPresent(
             visual ->
-                losses.add(
+                losses.picture(
                     visual,
                     mesh.isEmpty()
                         ? "a shape other than a mesh is left out"
                         : "its pose in the link is left out"));
-    links.add(new Link(link, name, Optional.of(inertial(link)), mesh));
+    Inertial inertial = inertial(link);
+    links.add(new Link(link, name, Optional.of(inertial), mesh));
     if (rests) {
       fixed.add(name);
+    } else if (link.child("gravity").isPresent() && !isTrue(link.child("gravity"))) {
+      forces.add(
+          new BodyForce(
+              link,
+              name + " without gravity",
+              name,
+              inertial.frame().at(),
+              gravity.times(-inertial.mass())));
     }
   }
 
   private Inertial inertial(Element link) {
     Optional<Element> found = link.child("inertial");
     if (found.isEmpty()) {
-      losses.add(link, "it has no <inertial>: SDF then means 1 kg and 1 kg·m² about each axis");
+      losses.picture(link, "it has no <inertial>: SDF then means 1 kg and 1 kg·m² about each axis");
       return new Inertial(link, Frame.SAME, 1, UNIT_MOMENTS);
     }
     Element inertial = found.get();
-    inertial
-        .attribute("auto")
-        .filter(auto -> auto.equals("true"))
-        .ifPresent(auto -> losses.add(inertial, "inertia of its shapes (auto) is not computed"));
+    numbers.requireOnce(inertial, List.of("mass", "inertia", "pose"));
+    if (inertial.attribute("auto").filter(a -> a.equals("true") || a.equals("1")).isPresent()) {
+      return automatic(link, inertial);
+    }
     Optional<Element> tensor = inertial.child("inertia");
     List<Double> moments = new ArrayList<>();
     for (int i = 0; i < MOMENTS.size(); i++) {
@@ -164,7 +204,88 @@ final class SdfReader {
         inertial, frames.pose(inertial.child("pose")), numbers.text(inertial, "mass", 1), moments);
   }
 
+  /** Returns the inertia of the collision shapes of a link. */
+  private Inertial automatic(Element link, Element inertial) {
+    ShapeMasses masses = new ShapeMasses();
+    double ofLink = numbers.text(inertial, "density", WATER);
+    for (Element collision : link.children("collision")) {
+      double density = numbers.text(collision, "density", ofLink);
+      Optional<UniformShape> shape =
+          collision.child("geometry").flatMap(geometry -> shape(collision, geometry));
+      if (collision.child("pose").flatMap(p -> p.attribute("relative_to")).isPresent()) {
+        losses.motion(collision, "its pose is taken in the link, though it names another frame");
+      }
+      Frame frame = frames.pose(collision.child("pose"));
+      shape.ifPresent(one -> masses.add(frame, density * one.volume(), one));
+    }
+    Optional<Inertial> sum = masses.inertial(inertial);
+    if (sum.isEmpty()) {
+      numbers.contradiction(inertial, "auto asks for the inertia of collision shapes; it has none");
+      return new Inertial(link, Frame.SAME, 1, UNIT_MOMENTS);
+    }
+    // A mass that is given holds; the shapes say how it is spread.
+    double mass = numbers.text(inertial, "mass", sum.get().mass());
+    return sum.get().times(mass / sum.get().mass());
+  }
+
+  private Optional<UniformShape> shape(Element collision, Element geometry) {
+    for (Element one : geometry.children()) {
+      double r = numbers.text(one, "radius", 0);
+      double length = numbers.text(one, "length", 0);
+      switch (one.name()) {
+        case "box" -> {
+          List<Double> e = numbers.text(one.child("size").orElse(one), 3);
+          return Optional.of(UniformShape.box(e.get(0) / 2, e.get(1) / 2, e.get(2) / 2));
+        }
+        case "sphere" -> {
+          return Optional.of(UniformShape.ellipsoid(r, r, r));
+        }
+        case "cylinder" -> {
+          return Optional.of(UniformShape.cylinder(r, length / 2));
+        }
+        case "capsule" -> {
+          return Optional.of(UniformShape.capsule(r, length / 2));
+        }
+        case "cone" -> {
+          return Optional.of(UniformShape.cone(r, length));
+        }
+        case "ellipsoid" -> {
+          List<Double> e = numbers.text(one.child("radii").orElse(one), 3);
+          return Optional.of(UniformShape.ellipsoid(e.get(0), e.get(1), e.get(2)));
+        }
+        default -> losses.motion(collision, "its mass is left out: it is a " + one.name());
+      }
+    }
+    return Optional.empty();
+  }
+
+  private Optional<Mimic> mimic(String scope, Element axis) {
+    return axis.child("mimic")
+        .flatMap(
+            mimic -> {
+              Optional<String> leader = mimic.attribute("joint");
+              if (leader.isEmpty()) {
+                numbers.missing(mimic, "attribute joint");
+              }
+              if (mimic.attribute("axis").filter(a -> !a.equals("axis")).isPresent()) {
+                losses.motion(mimic, "it follows the first axis instead of axis2");
+              }
+              double factor = numbers.text(mimic, "multiplier", 0);
+              double offset =
+                  numbers.text(mimic, "offset", 0) - factor * numbers.text(mimic, "reference", 0);
+              return leader.map(name -> new Mimic(mimic, scope + name, factor, offset));
+            });
+  }
+
+  private void noteStart(String name, Element axis) {
+    double position = numbers.text(axis, "initial_position", 0);
+    if (position != 0) {
+      starts.put(name, new Start(List.of(position), List.of(0.0)));
+    }
+  }
+
   private void readJoint(String scope, String name, Element element) {
+    numbers.requireOnce(element, List.of("parent", "child", "axis", "axis2", "pose"));
     Optional<String> parent = end(scope, element, "parent");
     Optional<String> child = end(scope, element, "child");
     String type = element.attribute("type").map(String::strip).orElse("");
@@ -205,7 +326,8 @@ final class SdfReader {
                   Coordinate.FREE));
       case "revolute", "continuous", "prismatic", "screw" -> {
         Element axis = axis(element, "axis");
-        SdfAxis read = new SdfAxis(axis, numbers, losses);
+        noteStart(scope + name, axis);
+        SdfAxis read = new SdfAxis(axis, numbers);
         Freedom freedom =
             switch (type) {
               case "prismatic" -> Freedom.PRISMATIC;
@@ -226,7 +348,7 @@ final class SdfReader {
                 parent.get(),
                 child.get(),
                 place,
-                read.coordinate(type.equals("continuous"))));
+                read.coordinate(type.equals("continuous"), mimic(scope, axis))));
       }
       case "universal", "revolute2" -> {
         // Two hinges with a cross without mass between them.
@@ -242,7 +364,7 @@ final class SdfReader {
                 parent.get(),
                 cross,
                 Place.along(childInParent, jointInChild.at(), direction(scope, name, first, below)),
-                new SdfAxis(first, numbers, losses).coordinate(false)));
+                new SdfAxis(first, numbers).coordinate(false, mimic(scope, first))));
         joints.add(
             new Joint(
                 element,
@@ -251,7 +373,7 @@ final class SdfReader {
                 cross,
                 child.get(),
                 Place.along(Frame.SAME, jointInChild.at(), direction(scope, name, second, below)),
-                new SdfAxis(second, numbers, losses).coordinate(false)));
+                new SdfAxis(second, numbers).coordinate(false, mimic(scope, second))));
       }
       default ->
           diagnostics.error(

@@ -1,6 +1,5 @@
 package org.mechservice.robot;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -16,13 +15,14 @@ import org.mechservice.robot.Robot.Joint;
 import org.mechservice.robot.Robot.Mimic;
 import org.mechservice.robot.Robot.Place;
 import org.mechservice.robot.Robot.Range;
+import org.mechservice.robot.Robot.Stop;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.spatial.Vector3;
 
 /** Reads a joint of a robot. */
 final class UrdfJointReader {
-  private static final Set<String> KNOWN =
-      Set.of("origin", "parent", "child", "axis", "limit", "dynamics", "mimic");
+  private static final List<String> ONCE =
+      List.of("origin", "parent", "child", "axis", "limit", "dynamics", "mimic");
   private static final List<String> TYPES =
       List.of("revolute", "continuous", "prismatic", "fixed", "floating", "planar");
   private static final Vector3 DEFAULT_AXIS = new Vector3(1, 0, 0);
@@ -45,14 +45,9 @@ final class UrdfJointReader {
     if (type.isEmpty() || parent.isEmpty() || child.isEmpty()) {
       return Optional.empty();
     }
-    element.children().stream()
-        .filter(part -> !KNOWN.contains(part.name()))
-        .forEach(part -> losses.add(part, "has no meaning in MechML and is left out"));
-    if (!type.get().isSingle()) {
-      loseAll(
-          element,
-          Set.of("limit", "dynamics", "mimic"),
-          "applies only to joints with one coordinate");
+    numbers.requireOnce(element, ONCE);
+    if (type.get() != Freedom.FIXED && !type.get().isSingle()) {
+      loseAll(element, Set.of("limit", "dynamics", "mimic"));
     }
     return Optional.of(
         new Joint(
@@ -69,6 +64,7 @@ final class UrdfJointReader {
     Element dynamics = element.child("dynamics").orElse(element);
     return new Coordinate(
         limits(element, type),
+        Stop.ASSUMED,
         0,
         0,
         notNegative(dynamics, "damping"),
@@ -76,10 +72,14 @@ final class UrdfJointReader {
         element.child("mimic").flatMap(this::mimic));
   }
 
-  private void loseAll(Element element, Set<String> names, String why) {
+  private void loseAll(Element element, Set<String> names) {
     element.children().stream()
         .filter(part -> names.contains(part.name()))
-        .forEach(part -> losses.add(part, why + " and is left out"));
+        .filter(part -> !part.attributes().stream().allMatch(a -> a.value().matches("[0. ]*")))
+        .forEach(
+            part ->
+                losses.motion(
+                    part, "it is left out, because the joint has more than one coordinate"));
   }
 
   private Optional<Freedom> type(Element element) {
@@ -152,7 +152,6 @@ final class UrdfJointReader {
       return Optional.empty();
     }
     Element limit = found.get();
-    loseDrives(limit);
     if (type == Freedom.CONTINUOUS) {
       return Optional.empty();
     }
@@ -167,20 +166,6 @@ final class UrdfJointReader {
               limit.label(), range.lower(), range.upper()));
     }
     return Optional.of(range);
-  }
-
-  /** Reports the limits of the motor as lost: a joint in MechML has none. */
-  private void loseDrives(Element limit) {
-    List<String> lost = new ArrayList<>();
-    for (String name : List.of("effort", "velocity")) {
-      limit.attribute(name).ifPresent(value -> lost.add(name + " " + Quoted.of(value)));
-    }
-    if (!lost.isEmpty()) {
-      losses.add(
-          limit,
-          String.join(" and ", lost)
-              + ", limits of the motor, have no meaning in MechML and are left out");
-    }
   }
 
   private Optional<Mimic> mimic(Element element) {

@@ -19,7 +19,6 @@ import org.mechservice.solver.catalogue.MessageCode;
 /** Reads the elements of a robot. */
 final class UrdfReader {
   private static final List<String> MOMENTS = List.of("ixx", "iyy", "izz", "ixy", "ixz", "iyz");
-  private static final Set<String> OF_LINK = Set.of("inertial", "visual", "collision");
 
   private final Diagnostics diagnostics;
   private final ImportLosses losses;
@@ -39,6 +38,9 @@ final class UrdfReader {
 
   /** Returns the robot without the elements in error. */
   Robot read(Element robot) {
+    FormatTable table = FormatTable.of(RobotFormat.URDF);
+    table.checkNames(robot, diagnostics, losses);
+    table.reportLosses(robot, losses);
     List<Link> links = new ArrayList<>();
     List<Joint> read = new ArrayList<>();
     Set<String> linkNames = new HashSet<>();
@@ -55,7 +57,9 @@ final class UrdfReader {
             joints.read(child).ifPresent(read::add);
           }
         }
-        default -> losses.add(child, "has no meaning in MechML and is left out");
+        default -> {
+          // The table of the format says what else there may be.
+        }
       }
     }
     if (links.isEmpty()) {
@@ -82,13 +86,7 @@ final class UrdfReader {
   }
 
   private Link link(Element element) {
-    element.children().stream()
-        .filter(child -> !OF_LINK.contains(child.name()))
-        .forEach(child -> losses.add(child, "has no meaning in MechML and is left out"));
-    List<Element> collisions = element.children("collision");
-    if (!collisions.isEmpty()) {
-      losses.add(collisions.get(0), "collision shapes are left out");
-    }
+    numbers.requireOnce(element, List.of("inertial"));
     return new Link(
         element,
         element.required("name"),
@@ -97,6 +95,7 @@ final class UrdfReader {
   }
 
   private Optional<Inertial> inertial(Element element) {
+    numbers.requireOnce(element, List.of("origin", "mass", "inertia"));
     Optional<Element> mass = element.child("mass");
     Optional<Element> inertia = element.child("inertia");
     if (mass.isEmpty()) {
@@ -140,7 +139,7 @@ final class UrdfReader {
       lost.add(visuals.size() - 1 + " further visual" + (visuals.size() > 2 ? "s" : ""));
     }
     if (!lost.isEmpty()) {
-      losses.add(
+      losses.picture(
           visual,
           lost.stream().collect(Collectors.joining(", "))
               + (lost.size() > 1 ? " are" : " is")

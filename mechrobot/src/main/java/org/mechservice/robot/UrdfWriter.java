@@ -43,6 +43,9 @@ import org.mechservice.solver.text.ShortestDecimal;
  * two joints with a link without mass between them.
  */
 final class UrdfWriter {
+  /** Half the damping over the stiffness of stops that the import makes, s. */
+  private static final double STOP_TIME = 0.005;
+
   /** Free fall as the import and most programs assume it: URDF does not say it, m/s². */
   private static final double GRAVITY = 9.81;
 
@@ -71,13 +74,18 @@ final class UrdfWriter {
   }
 
   private final MechmlModel model;
+  private final Element file;
   private final Mechanism mechanism;
   private final UrdfShapes shapes;
   private final ExportLosses losses;
   private final List<List<UrdfCoordinate>> along = new ArrayList<>();
 
-  UrdfWriter(MechmlModel model, UrdfShapes shapes, ExportLosses losses) {
+  /**
+   * @param file the outermost element of the model file
+   */
+  UrdfWriter(MechmlModel model, Element file, UrdfShapes shapes, ExportLosses losses) {
     this.model = model;
+    this.file = file;
     this.shapes = shapes;
     this.losses = losses;
     mechanism = model.mechanism();
@@ -105,6 +113,7 @@ final class UrdfWriter {
     TagBuilder robot = new TagBuilder("robot").set("name", mechanism.name());
     world().forEach(robot::add);
     TagBuilder root = new TagBuilder("link").set("name", mechanism.root().name());
+    new UrdfRoot(file, losses).inertial(mechanism.root().name()).ifPresent(root::add);
     shapes.of(mechanism.root().name(), Vector3.ZERO).forEach(root::add);
     robot.add(root);
     for (int b = 0; b < mechanism.bodies().size(); b++) {
@@ -423,7 +432,7 @@ final class UrdfWriter {
     if (spring.side() != Side.BOTH) {
       boolean taken = at.stop(spring.side(), position.get());
       if (taken) {
-        loseStop(spring, at);
+        loseStop(spring);
       }
       return taken;
     }
@@ -437,11 +446,11 @@ final class UrdfWriter {
   }
 
   /** Reports stops that the import would not give the joint again. */
-  private void loseStop(JointSpringDamper stop, UrdfCoordinate at) {
-    boolean turns = at.turns();
+  private void loseStop(JointSpringDamper stop) {
+    double stiffness = number(stop.stiffness()).orElse(Double.NaN);
+    double time = number(stop.damping()).orElse(Double.NaN) / (2 * stiffness);
     boolean same =
-        number(stop.stiffness()).orElse(Double.NaN) == (turns ? 1e4 : 1e6)
-            && number(stop.damping()).orElse(Double.NaN) == (turns ? 10 : 1e3)
+        Math.abs(time - STOP_TIME) < 1e-9 * STOP_TIME
             && number(stop.smoothing()).orElse(Double.NaN) == 0;
     if (!same) {
       losses.add(

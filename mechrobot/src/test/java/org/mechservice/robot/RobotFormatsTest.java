@@ -255,7 +255,7 @@ class RobotFormatsTest {
         "<xyz>1 2 2</xyz> | <xyz>0 0 0</xyz> | M-033",
         "<mass>2</mass> | <mass>two</mass> | M-082",
         "<frame name=\"along\" | <frame name=\"tip\"/><frame name=\"along\" | M-015",
-        "<link name=\"base\"/> | <include/><link name=\"base\"/> | M-080",
+        "<link name=\"base\"/> | <include/><link name=\"base\"/> | M-096",
         "<lower>-2</lower> | <lower>5</lower> | M-084"
       })
   void oneFaultInSdfIsOneMessage(String right, String wrong, String code) {
