@@ -151,6 +151,11 @@ final class FormatTable {
     return row(parent, name).isPresent();
   }
 
+  /** Returns whether the import looks into an element. */
+  boolean looksInto(String parent, String name) {
+    return row(parent, name).filter(row -> row.own.verdict == Verdict.READ).isPresent();
+  }
+
   /** Returns whether the table has an attribute, or the element is not looked into. */
   boolean knows(String parent, String name, String attribute) {
     return row(parent, name)
