@@ -26,8 +26,10 @@ final class MechmlRobot {
   private final String fileName;
   private final RobotJoints joints;
   private final RobotActions actions;
+  private final RobotLooks looks;
 
-  MechmlRobot(String fileName, Robot robot, RobotTree tree) {
+  MechmlRobot(String fileName, Robot robot, RobotTree tree, RobotLooks looks) {
+    this.looks = looks;
     this.fileName = fileName;
     this.robot = robot;
     this.tree = tree;
@@ -103,7 +105,7 @@ final class MechmlRobot {
 
   private Element body(Link link) {
     TagBuilder body = TagBuilder.of("body", link.element()).set("name", link.name());
-    link.mesh().ifPresent(mesh -> body.set("graphSrc", mesh));
+    looks.source(link).ifPresent(file -> body.set("graphSrc", file));
     joints.frames(link.name()).forEach(body::add);
     actions.frames(link.name()).forEach(body::add);
     link.inertial().ifPresent(inertial -> inertia(body, inertial));

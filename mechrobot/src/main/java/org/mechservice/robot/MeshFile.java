@@ -10,6 +10,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import org.mechservice.solver.spatial.Vector3;
 
 /** Reads the triangles of a mesh in STL (text or binary), OBJ, or MuJoCo's MSH. */
@@ -18,6 +19,29 @@ final class MeshFile {
   private static final int STL_TRIANGLE = 50;
 
   private MeshFile() {}
+
+  /**
+   * A surface of one colour.
+   *
+   * @param colour red, green, blue and opacity from 0 to 1; empty if the file leaves it open
+   */
+  record Part(TriangleMesh surface, Optional<List<Double>> colour) {}
+
+  /**
+   * Reads a mesh with its colours, for pictures; also one in COLLADA.
+   *
+   * @throws IOException as {@link #read}
+   */
+  static List<Part> parts(Path file) throws IOException {
+    if (String.valueOf(file.getFileName()).toLowerCase(Locale.ROOT).endsWith(".dae")) {
+      try {
+        return ColladaFile.read(RobotFiles.mesh(file));
+      } catch (RuntimeException e) {
+        throw new IOException("it is damaged", e);
+      }
+    }
+    return List.of(new Part(read(file), Optional.empty()));
+  }
 
   /**
    * Reads a mesh.
@@ -39,7 +63,7 @@ final class MeshFile {
     } catch (RuntimeException e) {
       throw new IOException("it is damaged", e);
     }
-    throw new IOException("it is no mesh in STL, OBJ or MSH");
+    throw new IOException("it is no mesh in STL, OBJ, MSH or COLLADA");
   }
 
   private static boolean isBinary(byte[] content) {

@@ -14,6 +14,8 @@ import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.robot.Robot.Frame;
 import org.mechservice.robot.Robot.Inertial;
+import org.mechservice.robot.Robot.OwnShape;
+import org.mechservice.robot.Robot.Visual;
 import org.mechservice.robot.TriangleMesh.Spread;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.spatial.Rotation;
@@ -27,6 +29,9 @@ import org.mechservice.solver.spatial.Vector3;
 final class MjcfGeometry {
   private static final double WATER = 1000;
 
+  /** Groups from this one on are hidden in MuJoCo's window at first. */
+  private static final double HIDDEN = 3;
+
   private final MjcfCompiler compiler;
   private final RobotNumbers numbers;
   private final Diagnostics diagnostics;
@@ -34,6 +39,7 @@ final class MjcfGeometry {
   private final RobotFiles files;
   private final Path folder;
   private final Map<String, Element> meshes = new HashMap<>();
+  private final Map<String, Element> materials = new HashMap<>();
   private final Map<String, Optional<TriangleMesh>> read = new HashMap<>();
   private final int[] groups;
 
@@ -54,6 +60,8 @@ final class MjcfGeometry {
     for (Element mesh : file.all("asset")) {
       if (mesh.name().equals("mesh")) {
         meshes.put(nameOf(mesh), mesh);
+      } else if (mesh.name().equals("material")) {
+        mesh.attribute("name").ifPresent(name -> materials.put(name, mesh));
       }
     }
   }
@@ -86,6 +94,93 @@ final class MjcfGeometry {
       }
     }
     return masses.inertial(body);
+  }
+
+  /**
+   * Returns what a body looks like: the groups of shapes that MuJoCo's window shows at first, or
+   * all where those are none.
+   */
+  List<Visual> visuals(List<Held> shapes) {
+    List<Held> shown =
+        shapes.stream()
+            .filter(held -> numbers.optional(held.element(), "group", 0) < HIDDEN)
+            .toList();
+    List<Visual> all = new ArrayList<>();
+    for (Held held : shown.isEmpty() ? shapes : shown) {
+      surface(held.element())
+          .ifPresent(
+              mesh ->
+                  all.add(
+                      new Visual(
+                          held.element(),
+                          held.frame().times(placed(held.element())),
+                          new OwnShape(mesh),
+                          colour(held.element()))));
+    }
+    return all;
+  }
+
+  private Frame placed(Element geometry) {
+    List<Double> e =
+        geometry
+            .attribute("fromto")
+            .map(text -> numbers.read(geometry, "fromto", text, 6, 6))
+            .orElse(List.of());
+    if (e.isEmpty()) {
+      return compiler.frame(geometry);
+    }
+    Vector3 from = new Vector3(e.get(0), e.get(1), e.get(2));
+    Vector3 to = new Vector3(e.get(3), e.get(4), e.get(5));
+    Vector3 along = from.minus(to);
+    return new Frame(
+        from.plus(to).times(0.5),
+        along.norm() > 0 ? MjcfCompiler.least(along.normalized()) : Rotation.IDENTITY);
+  }
+
+  private Optional<TriangleMesh> surface(Element geometry) {
+    String mesh = geometry.attribute("mesh").orElse("");
+    Element asset = meshes.get(mesh);
+    if (asset != null) {
+      return read.computeIfAbsent(mesh, key -> mesh(asset));
+    }
+    List<Double> size =
+        geometry
+            .attribute("size")
+            .map(text -> numbers.read(geometry, "size", text, 1, 3))
+            .orElse(List.of(0.0));
+    List<Double> e =
+        geometry
+            .attribute("fromto")
+            .map(text -> numbers.read(geometry, "fromto", text, 6, 6))
+            .orElse(List.of());
+    boolean ended = !e.isEmpty();
+    double half =
+        ended
+            ? new Vector3(e.get(0) - e.get(3), e.get(1) - e.get(4), e.get(2) - e.get(5)).norm() / 2
+            : size.get(Math.min(1, size.size() - 1));
+    double r = size.get(0);
+    Vector3 axes =
+        ended
+            ? new Vector3(r, r, half)
+            : new Vector3(r, size.get(Math.min(1, size.size() - 1)), size.get(size.size() - 1));
+    return switch (geometry.attribute("type").orElse("sphere")) {
+      case "sphere" -> Optional.of(Surfaces.ellipsoid(new Vector3(r, r, r)));
+      case "capsule" -> Optional.of(Surfaces.capsule(r, 2 * half));
+      case "cylinder" -> Optional.of(Surfaces.cylinder(r, 2 * half));
+      case "box" -> Optional.of(Surfaces.box(axes.times(2)));
+      case "ellipsoid" -> Optional.of(Surfaces.ellipsoid(axes));
+      default -> Optional.empty(); // planes have no end
+    };
+  }
+
+  /** The colour of a shape is its own, or that of its material. */
+  private Optional<List<Double>> colour(Element geometry) {
+    Element material = materials.get(geometry.attribute("material").orElse(""));
+    return rgba(geometry).or(() -> material == null ? Optional.empty() : rgba(material));
+  }
+
+  private Optional<List<Double>> rgba(Element element) {
+    return element.attribute("rgba").map(text -> numbers.read(element, "rgba", text, 4, 4));
   }
 
   private void add(ShapeMasses masses, Held held) {

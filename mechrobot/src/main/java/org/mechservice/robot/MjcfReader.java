@@ -25,6 +25,7 @@ import org.mechservice.robot.Robot.Joint;
 import org.mechservice.robot.Robot.Link;
 import org.mechservice.robot.Robot.Place;
 import org.mechservice.robot.Robot.TurningSpring;
+import org.mechservice.robot.Robot.Visual;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.spatial.Vector3;
 
@@ -47,6 +48,7 @@ final class MjcfReader {
   private final Diagnostics diagnostics;
   private final ImportLosses losses;
   private final RobotFiles files;
+  private final boolean seen;
   private final RobotNumbers numbers;
   private final List<Link> links = new ArrayList<>();
   private final List<Joint> joints = new ArrayList<>();
@@ -91,11 +93,13 @@ final class MjcfReader {
   }
 
   /**
+   * @param seen whether anybody will look at the bodies
    * @param diagnostics receives errors and warnings
    * @param losses receives the parts that are not in the model
    */
-  MjcfReader(RobotFiles files, Diagnostics diagnostics, ImportLosses losses) {
+  MjcfReader(RobotFiles files, boolean seen, Diagnostics diagnostics, ImportLosses losses) {
     this.files = files;
+    this.seen = seen;
     this.diagnostics = diagnostics;
     this.losses = losses;
     numbers = new RobotNumbers(diagnostics);
@@ -115,10 +119,12 @@ final class MjcfReader {
     refuseGlobal(root);
     FormatTable.of(RobotFormat.MJCF).reportLosses(root, losses);
     collectNames(root);
-    links.add(new Link(root, WORLD, Optional.empty(), Optional.empty()));
+    List<Element> worlds = root.children("worldbody");
+    List<MjcfGeometry.Held> ground = new ArrayList<>();
+    worlds.forEach(world -> collect(scope, world, Frame.SAME, new ArrayList<>(), ground));
+    links.add(new Link(root, WORLD, Optional.empty(), looks(scope, ground)));
     linkNames.add(WORLD);
     inWorld.put(WORLD, Frame.SAME);
-    List<Element> worlds = root.children("worldbody");
     if (worlds.isEmpty()) {
       numbers.missing(root, "worldbody");
     }
@@ -376,8 +382,12 @@ final class MjcfReader {
     List<MjcfGeometry.Held> shapes = new ArrayList<>();
     collect(scope, body, Frame.SAME, held, shapes);
     connect(scope, body, name, parent, frame, held);
-    links.add(new Link(body, name, inertia(scope, body, shapes), Optional.empty()));
+    links.add(new Link(body, name, inertia(scope, body, shapes), looks(scope, shapes)));
     readInside(scope, body, name, Frame.SAME);
+  }
+
+  private List<Visual> looks(Scope scope, List<MjcfGeometry.Held> shapes) {
+    return seen ? scope.geometry().visuals(shapes) : List.of();
   }
 
   private Optional<Inertial> inertia(Scope scope, Element body, List<MjcfGeometry.Held> shapes) {
@@ -493,7 +503,7 @@ final class MjcfReader {
       HeldJoint one = held.get(i);
       String below = last ? name : made(name + "_" + (i + 1), linkNames);
       if (!last) {
-        links.add(new Link(body, below, Optional.empty(), Optional.empty()));
+        links.add(new Link(body, below, Optional.empty()));
       }
       String unnamed = name + "_joint" + (i == 0 ? "" : i);
       String jointName =

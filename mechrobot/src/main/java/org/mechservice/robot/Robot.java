@@ -1,5 +1,6 @@
 package org.mechservice.robot;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -120,14 +121,49 @@ record Robot(
    * @param element its element in the file
    * @param name name of the body
    * @param inertial its inertia, if it has any
-   * @param mesh file of its visual, if that is a mesh
+   * @param visuals what it looks like
    */
-  record Link(Element element, String name, Optional<Inertial> inertial, Optional<String> mesh) {
+  record Link(Element element, String name, Optional<Inertial> inertial, List<Visual> visuals) {
+    Link {
+      visuals = List.copyOf(visuals);
+    }
+
+    /** A body that is not seen. */
+    Link(Element element, String name, Optional<Inertial> inertial) {
+      this(element, name, inertial, List.of());
+    }
+
     /** Returns the same link with another inertia. */
     Link with(Optional<Inertial> other) {
-      return new Link(element, name, other, mesh);
+      return new Link(element, name, other, visuals);
     }
   }
+
+  /**
+   * A part of what a body looks like.
+   *
+   * @param element its element in the file
+   * @param frame of the shape in the body
+   * @param shape its surface
+   * @param colour red, green, blue and opacity from 0 to 1, as screens take them; empty if the file
+   *     leaves it open
+   */
+  record Visual(Element element, Frame frame, Shape shape, Optional<List<Double>> colour) {}
+
+  /** The surface of a visual. */
+  sealed interface Shape {}
+
+  /** A surface that the file itself describes. */
+  record OwnShape(TriangleMesh surface) implements Shape {}
+
+  /**
+   * A surface in a file.
+   *
+   * @param name as the robot's file writes it
+   * @param file where it is; empty if it is not found
+   * @param scale factors along its axes
+   */
+  record FileShape(String name, Optional<Path> file, Vector3 scale) implements Shape {}
 
   /**
    * Mass and inertia of a link.

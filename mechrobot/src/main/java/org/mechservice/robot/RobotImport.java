@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import org.mechservice.mechml.MechmlModel;
@@ -28,13 +29,20 @@ import org.mechservice.solver.catalogue.MessageCode;
  * @param losses the parts of the robot's file that are not in it, in file order, each with the code
  *     of its {@link LossGrade}
  * @param notes what the import has chosen where the format leaves a choice: M-097
+ * @param looks the files of what bodies look like, by the names that the model has for them;
+ *     whoever writes the model writes them beside it
  * @param model what the model file says; its places are those of the robot's file
  */
 public record RobotImport(
-    Document document, List<Diagnostic> losses, List<Diagnostic> notes, MechmlModel model) {
+    Document document,
+    List<Diagnostic> losses,
+    List<Diagnostic> notes,
+    Map<String, byte[]> looks,
+    MechmlModel model) {
   public RobotImport {
     losses = List.copyOf(losses);
     notes = List.copyOf(notes);
+    looks = Map.copyOf(looks);
   }
 
   /**
@@ -90,9 +98,11 @@ public record RobotImport(
     ImportLosses losses = new ImportLosses(fileName);
     Robot read =
         switch (format) {
-          case URDF -> new UrdfReader(diagnostics, losses).read(robot);
+          case URDF -> new UrdfReader(files, diagnostics, losses).read(robot);
           case SDF -> new SdfReader(files, diagnostics, losses).read(robot);
-          case MJCF -> new MjcfReader(files, diagnostics, losses).read(robot, options.keyframe());
+          case MJCF ->
+              new MjcfReader(files, options.looks().isPresent(), diagnostics, losses)
+                  .read(robot, options.keyframe());
         };
     if (format != RobotFormat.MJCF && options.keyframe().isPresent()) {
       diagnostics.error(
@@ -111,11 +121,12 @@ public record RobotImport(
     Robot rooted = RobotRoot.of(read, options.floating(), fileName, notes);
     RobotTree tree = RobotTree.of(rooted, diagnostics);
     diagnostics.throwIfErrors();
-    Document document = new MechmlRobot(fileName, rooted, tree).document();
+    RobotLooks looks = new RobotLooks(options.looks(), losses);
+    Document document = new MechmlRobot(fileName, rooted, tree, looks).document();
     // The elements keep the positions of the robot's elements, so messages point into the robot's
     // file.
     MechmlModel model = ModelResolver.resolve(document.root(), ReadOptions.NONE, diagnostics);
-    return new RobotImport(document, losses.inFileOrder(), notes, model);
+    return new RobotImport(document, losses.inFileOrder(), notes, looks.files(), model);
   }
 
   private static RobotFormat format(Element robot, ImportOptions options, Diagnostics diagnostics)

@@ -74,7 +74,7 @@ final class RobotRoot {
     Set<String> joints = new HashSet<>();
     robot.joints().forEach(joint -> joints.add(joint.name()));
     List<Link> links = new ArrayList<>();
-    links.add(new Link(root.element(), world, Optional.empty(), Optional.empty()));
+    links.add(new Link(root.element(), world, Optional.empty()));
     links.addAll(robot.links());
     List<Joint> all = new ArrayList<>();
     all.add(

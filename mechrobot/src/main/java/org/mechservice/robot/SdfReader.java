@@ -6,6 +6,7 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import org.mechservice.mechml.diagnosis.Diagnostics;
@@ -14,6 +15,7 @@ import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.robot.Robot.BodyForce;
 import org.mechservice.robot.Robot.Coordinate;
+import org.mechservice.robot.Robot.FileShape;
 import org.mechservice.robot.Robot.Force;
 import org.mechservice.robot.Robot.Frame;
 import org.mechservice.robot.Robot.Freedom;
@@ -21,8 +23,11 @@ import org.mechservice.robot.Robot.Inertial;
 import org.mechservice.robot.Robot.Joint;
 import org.mechservice.robot.Robot.Link;
 import org.mechservice.robot.Robot.Mimic;
+import org.mechservice.robot.Robot.OwnShape;
 import org.mechservice.robot.Robot.Place;
+import org.mechservice.robot.Robot.Shape;
 import org.mechservice.robot.Robot.Start;
+import org.mechservice.robot.Robot.Visual;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.spatial.Vector3;
 
@@ -93,7 +98,7 @@ final class SdfReader {
     if (models.isEmpty()) {
       numbers.missing(scene, "models");
     }
-    links.add(new Link(sdf, SdfFrames.WORLD, Optional.empty(), Optional.empty()));
+    links.add(new Link(sdf, SdfFrames.WORLD, Optional.empty()));
     boolean several =
         models.size() > 1 || scene.child("joint").isPresent() || scene.child("frame").isPresent();
     for (Element model : models) {
@@ -151,24 +156,8 @@ final class SdfReader {
     numbers.requireOnce(link, List.of("inertial", "pose", "gravity"));
     link.child("collision")
         .ifPresent(collision -> losses.contact(collision, "collision shapes are left out"));
-    Optional<String> mesh =
-        link.child("visual")
-            .flatMap(visual -> visual.child("geometry"))
-            .flatMap(geometry -> geometry.child("mesh"))
-            .flatMap(geometry -> geometry.child("uri"))
-            .map(Element::text)
-            .filter(file -> !file.isEmpty());
-    link.child("visual")
-        .filter(visual -> mesh.isEmpty() || visual.child("pose").isPresent())
-        .ifPresent(
-            visual ->
-                losses.picture(
-                    visual,
-                    mesh.isEmpty()
-                        ? "a shape other than a mesh is left out"
-                        : "its pose in the link is left out"));
     Inertial inertial = inertial(link);
-    links.add(new Link(link, name, Optional.of(inertial), mesh));
+    links.add(new Link(link, name, Optional.of(inertial), visuals(link)));
     if (rests) {
       fixed.add(name);
     } else if (link.child("gravity").isPresent() && !isTrue(link.child("gravity"))) {
@@ -202,6 +191,66 @@ final class SdfReader {
     }
     return new Inertial(
         inertial, frames.pose(inertial.child("pose")), numbers.text(inertial, "mass", 1), moments);
+  }
+
+  /** Returns what a link looks like. */
+  private List<Visual> visuals(Element link) {
+    List<Visual> all = new ArrayList<>();
+    for (Element visual : link.children("visual")) {
+      Optional<Element> one =
+          visual.child("geometry").flatMap(g -> g.children().stream().findFirst());
+      Optional<Shape> shape = one.flatMap(this::look);
+      shape.ifPresent(
+          s -> all.add(new Visual(visual, frames.pose(visual.child("pose")), s, colour(visual))));
+    }
+    return all;
+  }
+
+  private Optional<Shape> look(Element one) {
+    double r = numbers.text(one, "radius", 0);
+    double length = numbers.text(one, "length", 0);
+    return switch (one.name()) {
+      case "box" ->
+          Optional.of(
+              new OwnShape(Surfaces.box(vector(numbers.text(one.child("size").orElse(one), 3)))));
+      case "sphere" -> Optional.of(new OwnShape(Surfaces.ellipsoid(new Vector3(r, r, r))));
+      case "cylinder" -> Optional.of(new OwnShape(Surfaces.cylinder(r, length)));
+      case "capsule" -> Optional.of(new OwnShape(Surfaces.capsule(r, length)));
+      case "cone" -> Optional.of(new OwnShape(Surfaces.cone(r, length)));
+      case "ellipsoid" ->
+          Optional.of(
+              new OwnShape(
+                  Surfaces.ellipsoid(vector(numbers.text(one.child("radii").orElse(one), 3)))));
+      case "mesh" -> {
+        String name = one.child("uri").map(Element::text).orElse("");
+        Path folder =
+            one.position().included().isEmpty()
+                ? files.folder().orElse(Path.of(""))
+                : Objects.requireNonNullElse(
+                    Path.of(one.position().included()).getParent(), Path.of(""));
+        yield Optional.of(
+            new FileShape(
+                name,
+                files.find(name, folder),
+                one.child("scale")
+                    .map(scale -> vector(numbers.text(scale, 3)))
+                    .orElse(new Vector3(1, 1, 1))));
+      }
+      default -> Optional.empty();
+    };
+  }
+
+  private Optional<List<Double>> colour(Element visual) {
+    double clear = numbers.text(visual, "transparency", 0);
+    return visual
+        .child("material")
+        .flatMap(material -> material.child("diffuse"))
+        .map(
+            diffuse -> {
+              List<Double> c = numbers.read(diffuse, "its text", diffuse.text(), 3, 4);
+              double opacity = (c.size() > 3 ? c.get(3) : 1) * (1 - clear);
+              return List.of(c.get(0), c.get(1), c.get(2), opacity);
+            });
   }
 
   /** Returns the inertia of the collision shapes of a link. */
@@ -355,7 +404,7 @@ final class SdfReader {
         String cross = scope + name + "_cross";
         Element first = axis(element, "axis");
         Element second = axis(element, "axis2");
-        links.add(new Link(element, cross, Optional.empty(), Optional.empty()));
+        links.add(new Link(element, cross, Optional.empty()));
         joints.add(
             new Joint(
                 element,

@@ -30,6 +30,18 @@ record TriangleMesh(List<Vector3> points, List<int[]> faces) {
     faces = List.copyOf(faces);
   }
 
+  /** Returns several meshes as one. */
+  static TriangleMesh together(List<TriangleMesh> meshes) {
+    List<Vector3> points = new ArrayList<>();
+    List<int[]> faces = new ArrayList<>();
+    for (TriangleMesh mesh : meshes) {
+      int from = points.size();
+      points.addAll(mesh.points);
+      mesh.faces.forEach(f -> faces.add(new int[] {f[0] + from, f[1] + from, f[2] + from}));
+    }
+    return new TriangleMesh(points, faces);
+  }
+
   /** Returns the mesh with each coordinate times a factor. */
   TriangleMesh scaled(Vector3 by) {
     List<Vector3> moved =

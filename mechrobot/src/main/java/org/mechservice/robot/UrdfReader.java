@@ -1,20 +1,25 @@
 package org.mechservice.robot;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.stream.Collectors;
 import org.mechservice.mechml.diagnosis.Diagnostics;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
-import org.mechservice.mechml.document.Attribute;
 import org.mechservice.mechml.document.Element;
+import org.mechservice.robot.Robot.FileShape;
 import org.mechservice.robot.Robot.Inertial;
 import org.mechservice.robot.Robot.Joint;
 import org.mechservice.robot.Robot.Link;
+import org.mechservice.robot.Robot.OwnShape;
+import org.mechservice.robot.Robot.Shape;
+import org.mechservice.robot.Robot.Visual;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.spatial.Vector3;
 
 /** Reads the elements of a robot. */
 final class UrdfReader {
@@ -24,12 +29,17 @@ final class UrdfReader {
   private final ImportLosses losses;
   private final RobotNumbers numbers;
   private final UrdfJointReader joints;
+  private final RobotFiles files;
+
+  /** Colours of the robot's materials, and of those that visuals define. */
+  private final Map<String, Element> materials = new HashMap<>();
 
   /**
    * @param diagnostics receives errors and warnings
    * @param losses receives the parts that MechML cannot express
    */
-  UrdfReader(Diagnostics diagnostics, ImportLosses losses) {
+  UrdfReader(RobotFiles files, Diagnostics diagnostics, ImportLosses losses) {
+    this.files = files;
     this.diagnostics = diagnostics;
     this.losses = losses;
     numbers = new RobotNumbers(diagnostics);
@@ -41,6 +51,7 @@ final class UrdfReader {
     FormatTable table = FormatTable.of(RobotFormat.URDF);
     table.checkNames(robot, diagnostics, losses);
     table.reportLosses(robot, losses);
+    noteMaterials(robot);
     List<Link> links = new ArrayList<>();
     List<Joint> read = new ArrayList<>();
     Set<String> linkNames = new HashSet<>();
@@ -69,6 +80,18 @@ final class UrdfReader {
         RobotFormat.URDF, robot.attribute("name").orElse("robot"), Optional.empty(), links, read);
   }
 
+  private void noteMaterials(Element around) {
+    for (Element child : around.children()) {
+      if (child.name().equals("material")) {
+        child
+            .child("color")
+            .ifPresent(c -> child.attribute("name").ifPresent(name -> materials.put(name, c)));
+      } else if (child.name().equals("link") || child.name().equals("visual")) {
+        noteMaterials(child);
+      }
+    }
+  }
+
   private boolean isNamedAnew(Element element, Set<String> taken) {
     Optional<String> name = element.attribute("name");
     if (name.isEmpty()) {
@@ -91,7 +114,7 @@ final class UrdfReader {
         element,
         element.required("name"),
         element.child("inertial").flatMap(this::inertial),
-        mesh(element));
+        visuals(element));
   }
 
   private Optional<Inertial> inertial(Element element) {
@@ -114,41 +137,48 @@ final class UrdfReader {
             element, numbers.origin(element), numbers.required(mass.get(), "value"), moments));
   }
 
-  /** Returns the mesh of a link; a picture of a body is one file, in the body's frame and size. */
-  private Optional<String> mesh(Element link) {
-    List<Element> visuals = link.children("visual");
-    if (visuals.isEmpty()) {
-      return Optional.empty();
+  /** Returns what a link looks like. */
+  private List<Visual> visuals(Element link) {
+    List<Visual> all = new ArrayList<>();
+    for (Element visual : link.children("visual")) {
+      Optional<Element> geometry = visual.child("geometry");
+      Optional<Shape> shape =
+          geometry.flatMap(one -> one.children().stream().findFirst()).map(this::shape);
+      shape.ifPresent(
+          one -> all.add(new Visual(visual, numbers.origin(visual), one, colour(visual))));
     }
-    Element visual = visuals.get(0);
-    Optional<Element> mesh = visual.child("geometry").flatMap(geometry -> geometry.child("mesh"));
-    Optional<String> file = mesh.flatMap(m -> m.attribute("filename")).map(String::strip);
-    List<String> lost = new ArrayList<>();
-    if (file.isEmpty()) {
-      lost.add("a shape other than a mesh");
-    } else if (mesh.flatMap(m -> m.attribute("scale")).isPresent()) {
-      lost.add("the mesh's scale");
-    }
-    if (visual.child("origin").map(Element::attributes).filter(a -> !isZero(a)).isPresent()) {
-      lost.add("its pose in the link");
-    }
-    if (visual.child("material").isPresent()) {
-      lost.add("its material");
-    }
-    if (visuals.size() > 1) {
-      lost.add(visuals.size() - 1 + " further visual" + (visuals.size() > 2 ? "s" : ""));
-    }
-    if (!lost.isEmpty()) {
-      losses.picture(
-          visual,
-          lost.stream().collect(Collectors.joining(", "))
-              + (lost.size() > 1 ? " are" : " is")
-              + " left out");
-    }
-    return file.filter(name -> !name.isEmpty());
+    return all;
   }
 
-  private static boolean isZero(List<Attribute> origin) {
-    return origin.stream().allMatch(a -> a.value().matches("[\\s+\\-0.]*"));
+  private Shape shape(Element one) {
+    double radius = numbers.optional(one, "radius", 0);
+    double length = numbers.optional(one, "length", 0);
+    return switch (one.name()) {
+      case "box" -> new OwnShape(Surfaces.box(numbers.vector(one, "size", Vector3.ZERO)));
+      case "sphere" -> new OwnShape(Surfaces.ellipsoid(new Vector3(radius, radius, radius)));
+      case "cylinder" -> new OwnShape(Surfaces.cylinder(radius, length));
+      case "capsule" -> new OwnShape(Surfaces.capsule(radius, length));
+      default -> {
+        String name = one.attribute("filename").map(String::strip).orElse("");
+        yield new FileShape(
+            name,
+            files.folder().flatMap(folder -> files.find(name, folder)),
+            numbers.vector(one, "scale", new Vector3(1, 1, 1)));
+      }
+    };
+  }
+
+  /** The colour of a visual is its own, or that of the robot's material of this name. */
+  private Optional<List<Double>> colour(Element visual) {
+    Optional<Element> material = visual.child("material");
+    Optional<Element> own = material.flatMap(one -> one.child("color"));
+    return own.or(
+            () ->
+                material
+                    .flatMap(one -> one.attribute("name"))
+                    .flatMap(name -> Optional.ofNullable(materials.get(name))))
+        .flatMap(
+            colour ->
+                colour.attribute("rgba").map(text -> numbers.read(colour, "rgba", text, 4, 4)));
   }
 }

@@ -77,7 +77,8 @@ class RobotFaultsTest {
   private RobotImport imported(Path file, String... paths) throws IOException, MechmlException {
     List<Path> sought = List.of(paths).stream().map(folder::resolve).toList();
     return RobotImport.read(
-        file, new ImportOptions(Optional.empty(), Optional.empty(), false, sought));
+        file,
+        new ImportOptions(Optional.empty(), Optional.empty(), false, sought, Optional.empty()));
   }
 
   // Files.
@@ -282,7 +283,8 @@ class RobotFaultsTest {
     RobotExport back =
         RobotExport.of("m", MechmlReader.read("m", bytes), MechmlReader.whole("m", bytes));
     assertThat(back.losses()).isEmpty();
-    ImportOptions floating = new ImportOptions(Optional.empty(), Optional.empty(), true, List.of());
+    ImportOptions floating =
+        new ImportOptions(Optional.empty(), Optional.empty(), true, List.of(), Optional.empty());
     MechmlModel there =
         RobotImport.read("r", urdf.getBytes(StandardCharsets.UTF_8), folder, floating).model();
     MechmlModel again =
@@ -423,7 +425,8 @@ class RobotFaultsTest {
             "r",
             bytes,
             folder,
-            new ImportOptions(Optional.empty(), Optional.of("home"), false, List.of()));
+            new ImportOptions(
+                Optional.empty(), Optional.of("home"), false, List.of(), Optional.empty()));
     // The angular velocity is in body axes there, in world axes here: x to y to z to x.
     assertThat(mechml(home))
         .contains(
@@ -436,7 +439,8 @@ class RobotFaultsTest {
                     "r",
                     bytes,
                     folder,
-                    new ImportOptions(Optional.empty(), Optional.of("hom"), false, List.of())))
+                    new ImportOptions(
+                        Optional.empty(), Optional.of("hom"), false, List.of(), Optional.empty())))
         .hasMessageContaining("did you mean \"home\"");
   }
 

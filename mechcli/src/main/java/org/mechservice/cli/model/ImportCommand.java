@@ -7,9 +7,11 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Stack;
 import java.util.concurrent.Callable;
@@ -76,10 +78,7 @@ public final class ImportCommand implements Callable<Integer> {
     @Override
     @SuppressWarnings("JdkObsolete") // the interface of picocli
     public boolean preprocess(
-        Stack<String> args,
-        CommandSpec commandSpec,
-        ArgSpec argSpec,
-        java.util.Map<String, Object> info) {
+        Stack<String> args, CommandSpec commandSpec, ArgSpec argSpec, Map<String, Object> info) {
       if (info.get("separator") == null || String.valueOf(info.get("separator")).isEmpty()) {
         args.push(Strictness.ANY.toString());
       }
@@ -171,9 +170,23 @@ public final class ImportCommand implements Callable<Integer> {
               + (strict == Strictness.MOTION ? " and change the motion" : "")
               + "; nothing was written. Leave out --strict to import the rest");
     }
+    writeLooks(imported);
     OutputFile.write(
         target, DocumentWriter.write(imported.document()).getBytes(StandardCharsets.UTF_8));
     return motion > 0 ? ExitStatus.MOTION_CHANGED : ExitStatus.DONE;
+  }
+
+  /** Returns the folder for what bodies look like: beside the model, with its name. */
+  private String looks() {
+    return String.valueOf(target.getFileName()).replaceFirst("\\.[^.]*$", "") + "-looks";
+  }
+
+  private void writeLooks(RobotImport imported) throws IOException {
+    for (Map.Entry<String, byte[]> look : imported.looks().entrySet()) {
+      Path file = target.resolveSibling(look.getKey());
+      Files.createDirectories(file.resolveSibling("."));
+      Files.write(file, look.getValue());
+    }
   }
 
   private String shown() {
@@ -183,7 +196,11 @@ public final class ImportCommand implements Callable<Integer> {
   private RobotImport translated() throws IOException {
     ImportOptions options =
         new ImportOptions(
-            Optional.ofNullable(format), Optional.ofNullable(keyframe), floating, paths);
+            Optional.ofNullable(format),
+            Optional.ofNullable(keyframe),
+            floating,
+            paths,
+            Optional.of(looks()));
     try {
       return robot.equals("-")
           ? RobotImport.read(shown(), standardInput(), Path.of("").toAbsolutePath(), options)
