@@ -28,8 +28,14 @@ final class ColladaFile {
   private ColladaFile() {}
 
   /** An affine map: three rows of four numbers. */
-  private record Affine(double[] m) {
+  private static final class Affine {
     static final Affine SAME = new Affine(new double[] {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});
+
+    private final double[] m;
+
+    Affine(double[] m) {
+      this.m = m;
+    }
 
     Affine times(Affine inner) {
       double[] product = new double[12];

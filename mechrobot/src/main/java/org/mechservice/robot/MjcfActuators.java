@@ -30,8 +30,22 @@ final class MjcfActuators {
   /** Force on a joint from all its motors. */
   private record Sum(Element element, List<String> parts) {}
 
-  /** The force of an actuator: its factor of the input, and a₀ + a₁ length + a₂ velocity. */
-  private record Law(double gain, List<Double> bias) {
+  /**
+   * The force of an actuator: its factor of the input, and a₀ + a₁ length + a₂ velocity.
+   *
+   * @param dampingRatio from which MuJoCo makes a₂; 0 if that is given
+   */
+  private record Law(double gain, List<Double> bias, double dampingRatio) {
+    Law(double gain, List<Double> bias) {
+      this(gain, bias, 0);
+    }
+
+    /** Returns the law with the damping for an inertia as the actuator sees it. */
+    Law damped(double inertia) {
+      double damping = 2 * dampingRatio * Math.sqrt(-bias.get(1) * inertia);
+      return new Law(gain, List.of(bias.get(0), bias.get(1), -damping));
+    }
+
     boolean actsAlone() {
       return bias.stream().anyMatch(x -> x != 0);
     }
@@ -39,6 +53,7 @@ final class MjcfActuators {
 
   private final Map<String, Joint> joints;
   private final Map<String, Double> references;
+  private final RobotInertia inertia;
   private final RobotNumbers numbers;
   private final ImportLosses losses;
   private final List<Force> inputs = new ArrayList<>();
@@ -48,10 +63,12 @@ final class MjcfActuators {
   MjcfActuators(
       Map<String, Joint> joints,
       Map<String, Double> references,
+      RobotInertia inertia,
       RobotNumbers numbers,
       ImportLosses losses) {
     this.joints = joints;
     this.references = references;
+    this.inertia = inertia;
     this.numbers = numbers;
     this.losses = losses;
   }
@@ -126,9 +143,16 @@ final class MjcfActuators {
           "it is left out: only motors of hinges, slides and fixed tendons are read");
       return;
     }
+    Law acting = law.get();
+    if (acting.dampingRatio() != 0 && single.isPresent()) {
+      double factor = gear.get(0);
+      acting = acting.damped(inertia.free(scope.named(single.get())) / (factor * factor));
+    } else if (acting.dampingRatio() != 0) {
+      losses.motion(actuator, "its damping ratio is left out: it is read at single joints");
+    }
     boolean turns =
         moments.keySet().stream().allMatch(name -> joint(name).type() != Freedom.PRISMATIC);
-    addForces(actuator, scope, law.get(), moments, turns);
+    addForces(actuator, scope, acting, moments, turns);
   }
 
   private void lose(Element actuator, boolean alone, String what) {
@@ -211,13 +235,11 @@ final class MjcfActuators {
       case "position" -> {
         double kp = numbers.optional(actuator, "kp", 1);
         double kv = numbers.optional(actuator, "kv", 0);
-        if (numbers.optional(actuator, "dampratio", 0) != 0) {
-          losses.motion(actuator, "its damping by dampratio is left out");
-        }
         if (numbers.optional(actuator, "timeconst", 0) != 0) {
           losses.contact(actuator, "the time constant of its input is left out");
         }
-        return Optional.of(new Law(kp, List.of(0.0, -kp, -kv)));
+        double ratio = numbers.optional(actuator, "dampratio", 0);
+        return Optional.of(new Law(kp, List.of(0.0, -kp, -kv), ratio));
       }
       case "velocity" -> {
         double kv = numbers.optional(actuator, "kv", 1);
@@ -250,10 +272,16 @@ final class MjcfActuators {
       prm.add(0.0);
     }
     List<Double> gains = list(actuator, "gainprm");
+    double factor = gains.isEmpty() ? 1 : gains.get(0);
+    if (!bias.equals("affine")) {
+      return Optional.of(new Law(factor, List.of(0.0, 0.0, 0.0)));
+    }
+    // In a servo, whose gain is minus its stiffness, a positive damping is a damping ratio.
+    boolean servo = factor == -prm.get(1) && prm.get(2) > 0;
     return Optional.of(
-        new Law(
-            gains.isEmpty() ? 1 : gains.get(0),
-            bias.equals("affine") ? prm.subList(0, 3) : List.of(0.0, 0.0, 0.0)));
+        servo
+            ? new Law(factor, List.of(prm.get(0), prm.get(1), 0.0), prm.get(2))
+            : new Law(factor, prm.subList(0, 3)));
   }
 
   private List<Double> list(Element actuator, String name) {

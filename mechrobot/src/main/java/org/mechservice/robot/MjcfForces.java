@@ -73,6 +73,7 @@ final class MjcfForces {
       Map<String, Frame> inWorld,
       Map<String, Site> sites,
       Map<String, Double> references,
+      RobotInertia inertia,
       MjcfOptions options,
       RobotNumbers numbers,
       Diagnostics diagnostics,
@@ -85,7 +86,7 @@ final class MjcfForces {
     this.numbers = numbers;
     this.diagnostics = diagnostics;
     this.losses = losses;
-    actuators = new MjcfActuators(this.joints, references, numbers, losses);
+    actuators = new MjcfActuators(this.joints, references, inertia, numbers, losses);
   }
 
   List<Loop> loops() {

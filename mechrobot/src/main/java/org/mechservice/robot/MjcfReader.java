@@ -154,7 +154,8 @@ final class MjcfReader {
     RobotInertia inertia = new RobotInertia(whole, joints);
     springDampers.forEach((joint, values) -> makeSpring(joint, values, inertia));
     MjcfForces more =
-        new MjcfForces(joints, inWorld, sites, references, options, numbers, diagnostics, losses);
+        new MjcfForces(
+            joints, inWorld, sites, references, inertia, options, numbers, diagnostics, losses);
     scopes.forEach(more::read);
     forces.addAll(more.forces());
     MjcfKeyframe start = new MjcfKeyframe(joints, references, numbers, diagnostics, losses);

@@ -145,11 +145,11 @@ final class RobotLooks {
     List<ByteBuffer> chunks = new ArrayList<>();
     int at = 0;
     for (Map.Entry<List<Double>, List<TriangleMesh>> one : byColour.entrySet()) {
-      TriangleMesh all = TriangleMesh.together(one.getValue());
-      ByteBuffer points = little(12 * all.points().size());
+      TriangleMesh whole = TriangleMesh.together(one.getValue());
+      ByteBuffer points = little(12 * whole.points().size());
       double[] low = {Double.MAX_VALUE, Double.MAX_VALUE, Double.MAX_VALUE};
       double[] high = {-Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE};
-      for (Vector3 p : all.points()) {
+      for (Vector3 p : whole.points()) {
         double[] xyz = {p.x(), p.y(), p.z()};
         for (int i = 0; i < 3; i++) {
           points.putFloat((float) xyz[i]);
@@ -157,8 +157,8 @@ final class RobotLooks {
           high[i] = Math.max(high[i], (float) xyz[i]);
         }
       }
-      ByteBuffer corners = little(12 * all.faces().size());
-      all.faces().forEach(face -> corners.putInt(face[0]).putInt(face[1]).putInt(face[2]));
+      ByteBuffer corners = little(12 * whole.faces().size());
+      whole.faces().forEach(face -> corners.putInt(face[0]).putInt(face[1]).putInt(face[2]));
       int k = accessors.size();
       primitives.add(
           "{\"attributes\":{\"POSITION\":%d},\"indices\":%d,\"material\":%d}"
@@ -166,10 +166,10 @@ final class RobotLooks {
       materials.add(material(one.getKey()));
       accessors.add(
           "{\"bufferView\":%d,\"componentType\":5126,\"count\":%d,\"type\":\"VEC3\",\"min\":%s,\"max\":%s}"
-              .formatted(k, all.points().size(), list(low), list(high)));
+              .formatted(k, whole.points().size(), list(low), list(high)));
       accessors.add(
           "{\"bufferView\":%d,\"componentType\":5125,\"count\":%d,\"type\":\"SCALAR\"}"
-              .formatted(k + 1, 3 * all.faces().size()));
+              .formatted(k + 1, 3 * whole.faces().size()));
       for (ByteBuffer chunk : List.of(points, corners)) {
         views.add(
             "{\"buffer\":0,\"byteOffset\":%d,\"byteLength\":%d}".formatted(at, chunk.capacity()));
@@ -192,12 +192,13 @@ final class RobotLooks {
             + "}]}";
     json += " ".repeat((4 - json.length() % 4) % 4);
     byte[] text = json.getBytes(StandardCharsets.UTF_8);
-    ByteBuffer file = little(12 + 8 + text.length + 8 + at);
-    file.putInt(0x46546c67).putInt(2).putInt(file.capacity());
+    byte[] all = new byte[12 + 8 + text.length + 8 + at];
+    ByteBuffer file = ByteBuffer.wrap(all).order(ByteOrder.LITTLE_ENDIAN);
+    file.putInt(0x46546c67).putInt(2).putInt(all.length);
     file.putInt(text.length).putInt(0x4e4f534a).put(text);
     file.putInt(at).putInt(0x004e4942);
-    chunks.forEach(chunk -> file.put(chunk.array()));
-    return file.array();
+    chunks.forEach(chunk -> file.put(chunk.flip()));
+    return all;
   }
 
   private static ByteBuffer little(int bytes) {
