@@ -289,7 +289,8 @@ def main():
             if result is not None and not math.isfinite(result[3]):
                 result, why = None, "a joint has no inertia beyond it, so no acceleration is defined"
             if result is None:
-                why = why.replace(f"{folder}/", "")
+                why = why.replace(f"{folder}/", "").replace(f"{file.parent}/", "")
+                why = why.replace(f"{packages}/", "").replace("_beside_peer.xml", file.name)
                 refused.append((label, why))
                 print(f"{label}: {why}", flush=True)
             else:

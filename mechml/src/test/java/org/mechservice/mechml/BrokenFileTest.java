@@ -29,6 +29,10 @@ class BrokenFileTest {
           MessageCode.ROBOT_TREE,
           MessageCode.ROBOT_JOINT,
           MessageCode.ROBOT_LOST,
+          MessageCode.ROBOT_LOST_CONTACT,
+          MessageCode.ROBOT_LOST_PICTURE,
+          MessageCode.ROBOT_FILE,
+          MessageCode.ROBOT_ROOT,
           MessageCode.URDF_CANNOT,
           MessageCode.URDF_LOST);
 

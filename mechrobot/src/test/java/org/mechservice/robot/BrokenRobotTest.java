@@ -51,7 +51,9 @@ class BrokenRobotTest {
             MessageCode.ROBOT_NUMBER,
             MessageCode.ROBOT_TREE,
             MessageCode.ROBOT_JOINT,
-            MessageCode.ROBOT_LOST);
+            MessageCode.ROBOT_LOST,
+            MessageCode.ROBOT_LOST_CONTACT,
+            MessageCode.ROBOT_LOST_PICTURE);
   }
 
   private static List<Diagnostic> ofRobot(String name) {
