@@ -178,7 +178,7 @@ class WholeWayTest {
   void strictImportThatWouldLoseSomethingWritesNothing() {
     String robot = Path.of("..", "examples", "robot", "arm.urdf").toString();
     assertThat(mech("import", robot, "-o", file("arm.xml"), "--strict")).isEqualTo(2);
-    assertThat(err.toString()).contains("S-127 " + robot + " has 7 things");
+    assertThat(err.toString()).contains("S-127 " + robot + " has 9 things");
     assertThat(folder.resolve("arm.xml")).doesNotExist();
   }
 
