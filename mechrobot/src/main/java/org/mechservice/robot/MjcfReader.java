@@ -14,6 +14,7 @@ import org.mechservice.mechml.diagnosis.NearestName;
 import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.mechml.diagnosis.Quoted;
 import org.mechservice.mechml.document.Element;
+import org.mechservice.mechml.document.Limits;
 import org.mechservice.robot.MjcfCompiler.InertiaSource;
 import org.mechservice.robot.Robot.BodyForce;
 import org.mechservice.robot.Robot.Coordinate;
@@ -65,9 +66,11 @@ final class MjcfReader {
   private final Map<String, List<Double>> springDampers = new LinkedHashMap<>();
 
   private final List<Scope> scopes = new ArrayList<>();
+  private final Set<String> uses = new HashSet<>();
   private Optional<Element> touching = Optional.empty();
   private MjcfOptions options = new MjcfOptions(Vector3.ZERO, true, true, true, true, true, true);
   private int attached;
+  private long replicas;
 
   /**
    * One use of a model: the file itself, an attached one, or a replica.
@@ -268,8 +271,16 @@ final class MjcfReader {
   private Map<Scope, Frame> replicas(Scope scope, Element replicate) {
     double wished = numbers.required(replicate, "count");
     int count = (int) wished;
-    if (count < 1 || count != wished || count > 10_000) {
+    if (count < 1 || count != wished) {
       numbers.contradiction(replicate, "count is " + wished + "; write a whole number from 1 on");
+      return Map.of();
+    }
+    replicas += count;
+    if (replicas > Limits.BODIES) {
+      diagnostics.error(
+          MessageCode.MODEL_FILE_TOO_LARGE,
+          replicate.position(),
+          "there are more than " + Limits.BODIES + " replicas");
       return Map.of();
     }
     Frame step =
@@ -283,7 +294,10 @@ final class MjcfReader {
     for (int i = 0; i < count; i++) {
       String number = "0".repeat(digits - String.valueOf(i).length()) + i;
       Scope replica = scope.with(scope.prefix(), separator + number + scope.suffix());
-      scopes.add(replica);
+      // Several replicates of a file share their suffixes, and what refers to them is read once.
+      if (uses.add(replica.prefix() + '\0' + replica.suffix())) {
+        scopes.add(replica);
+      }
       all.put(replica, frame);
       frame = frame.times(step);
     }
@@ -303,10 +317,6 @@ final class MjcfReader {
       unknown(attach, "model", name, Set.of());
       return;
     }
-    if (++attached > MOST_ATTACHED * 50) {
-      numbers.contradiction(attach, "more models are attached than the import takes");
-      return;
-    }
     String fileName = asset.get().attribute("file").orElse("");
     Optional<Element> root = files.read(asset.get(), fileName, scope.file().folder(), diagnostics);
     if (root.isEmpty()) {
@@ -321,14 +331,27 @@ final class MjcfReader {
     FormatTable.of(RobotFormat.MJCF).reportLosses(model.root(), losses);
     Scope inner =
         scope(model, scope.prefix() + attach.attribute("prefix").orElse(""), scope.suffix());
+    if (attached == MOST_ATTACHED) {
+      numbers.contradiction(
+          attach, "models are attached in each other more than " + MOST_ATTACHED + " deep");
+      return;
+    }
+    attached++;
+    attachPart(inner, attach, parent, outer);
+    attached--;
+  }
+
+  /** Attaches the body or frame that is asked for, or the whole world of the model. */
+  private void attachPart(Scope inner, Element attach, String parent, Frame outer) {
+    Element model = inner.file().root();
     Optional<String> wished = attach.attribute("body").or(() -> attach.attribute("frame"));
     String kind = attach.attribute("frame").isPresent() ? "frame" : "body";
     if (wished.isEmpty()) {
-      model.root().children("worldbody").forEach(w -> readInside(inner, w, parent, outer));
+      model.children("worldbody").forEach(w -> readInside(inner, w, parent, outer));
       return;
     }
     Optional<Element> found =
-        model.root().children("worldbody").stream()
+        model.children("worldbody").stream()
             .flatMap(world -> find(world, kind, wished.get()).stream())
             .findFirst();
     if (found.isEmpty()) {

@@ -154,6 +154,47 @@ class RobotFaultsTest {
   }
 
   @Test
+  void modelThatAttachesItselfIsRefused() throws IOException {
+    Path main =
+        write(
+            "main.xml",
+            "<mujoco><asset><model name='m' file='main.xml'/></asset><worldbody><body name='a'><joint/>"
+                + "<geom size='1'/><attach model='m' body='a' prefix='p_'/></body></worldbody></mujoco>");
+    assertThatThrownBy(() -> imported(main)).hasMessageContaining("20 deep");
+  }
+
+  /** Two replicates with the same suffixes, and shapes beside bodies in them. */
+  @Test
+  void motorOfReplicasIsReadOnceForEach() throws MechmlException {
+    String one =
+        "<replicate count='2' offset='0 1 0'><geom size='0.1'/><body name='%1$s'><joint name='j%1$s'"
+            + " axis='0 1 0'/><geom size='0.1' pos='0.3 0 0'/></body></replicate>";
+    String text =
+        mechml(
+            read(
+                "<mujoco><worldbody>"
+                    + one.formatted("a")
+                    + one.formatted("b")
+                    + "</worldbody><actuator><motor name='m' joint='ja'/><motor name='n' joint='jb'/>"
+                    + "</actuator></mujoco>"));
+    assertThat(text.lines().filter(line -> line.contains("<input ")))
+        .extracting(line -> line.replaceAll(".*name=\"([^\"]*)\".*", "$1"))
+        .containsExactlyInAnyOrder("m0", "m1", "n0", "n1");
+  }
+
+  @Test
+  void replicasWithoutEndAreRefused() {
+    String inner = "<replicate count='1000'><geom size='1'/></replicate>";
+    assertThatThrownBy(
+            () ->
+                read(
+                    "<mujoco><worldbody><replicate count='1000'><body><joint/>"
+                        + inner
+                        + "</body></replicate></worldbody></mujoco>"))
+        .hasMessageContaining("M-004");
+  }
+
+  @Test
   void meshesOfMjcfGiveMassesFromTheirFolder() throws IOException, MechmlException {
     write(
         "meshes/tetra.obj",
