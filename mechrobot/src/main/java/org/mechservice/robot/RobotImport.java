@@ -137,9 +137,12 @@ public record RobotImport(
           MessageCode.NOT_A_ROBOT,
           robot.position(),
           Phrase.of(
-              "the outermost element is <%s>; that of a robot is one of %s",
+              "the outermost element is <%s>; %s",
               Quoted.plain(robot.name()),
-              options.format().map(RobotFormat::outermost).orElseGet(RobotFormat::roots)));
+              options
+                  .format()
+                  .map(asked -> "that of the format asked for is " + asked.outermost())
+                  .orElseGet(() -> "that of a robot is one of " + RobotFormat.roots())));
     }
     refuseMacros(robot, diagnostics);
     diagnostics.throwIfErrors();
