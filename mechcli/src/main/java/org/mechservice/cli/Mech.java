@@ -52,6 +52,7 @@ import picocli.CommandLine.Command;
       "1:the simulation failed; results up to the failure are written",
       "2:bad usage or bad input",
       "3:server or network",
+      "4:a robot was imported, and moves otherwise than in its own engine",
       "130:interrupted by Ctrl-C; results so far are written",
       "143:ended by a termination signal; results so far are written"
     })

@@ -56,6 +56,7 @@ class ArchitectureTest {
                   "solver.standalone",
                   "solver.system")),
           entry("mechml", List.of("mechml")),
+          entry("mechrobot", List.of("robot")),
           entry("idl", List.of("idl", "orb")),
           entry(
               "mechsim-codegen",
@@ -99,18 +100,19 @@ class ArchitectureTest {
     "solver-mechanics, solver-api solver-ode solver-symbol",
     "solver-runtime, solver-api solver-ode solver-symbol solver-mechanics",
     "mechml, solver-api solver-ode solver-symbol solver-mechanics",
+    "mechrobot, mechml solver-api solver-ode solver-symbol solver-mechanics",
     "idl, solver-api",
     "mechsim-codegen, mechml solver-runtime solver-api solver-ode solver-symbol solver-mechanics",
     "mechsim-service,"
-        + " mechsim-codegen idl mechml solver-runtime solver-api solver-ode solver-symbol"
-        + " solver-mechanics",
+        + " mechsim-codegen idl mechrobot mechml solver-runtime solver-api solver-ode"
+        + " solver-symbol solver-mechanics",
     "mechserver, mechsim-service idl solver-api",
     "mechclient, idl mechreport solver-api solver-runtime",
     "mechadmin, idl solver-api",
     "mechreport, solver-runtime solver-api solver-ode",
     "mechresult, solver-api",
-    "mechservice, mechsim-codegen mechreport mechml solver-runtime solver-api solver-ode"
-        + " solver-symbol solver-mechanics",
+    "mechservice, mechsim-codegen mechreport mechrobot mechml solver-runtime solver-api"
+        + " solver-ode solver-symbol solver-mechanics",
     "mechstudy, mechservice mechresult mechsim-codegen mechml solver-runtime solver-api"
         + " solver-ode solver-symbol solver-mechanics",
     "mechstudy-spark, mechstudy mechml solver-api",

@@ -108,7 +108,7 @@ class WholeWayTest {
   void robotIsImportedWithItsLossesToldAndSimulated() throws Exception {
     String robot = Path.of("..", "examples", "robot", "arm.urdf").toString();
     assertThat(mech("import", robot, "-o", file("arm.xml"))).isZero();
-    assertThat(err.toString()).contains(robot + ":22:5: M-085 link \"upper\": collision");
+    assertThat(err.toString()).contains("left out: ", "--losses all lists them");
     err.getBuffer().setLength(0);
     assertThat(mech("simulate", file("arm.xml"), "--quiet", "--out", file("arm.csv"))).isZero();
     assertThat(err.toString()).isEmpty();
@@ -139,11 +139,46 @@ class WholeWayTest {
         .contains("odd.urdf:9: S-086 joint \"j2\" moves body \"tip\" and nothing beyond it");
   }
 
+  /** What changes the motion is printed and has a status of its own; the rest is counted. */
+  @Test
+  void lossesComeInGrades() throws Exception {
+    Path robot = folder.resolve("arm.mjcf");
+    Files.writeString(
+        robot,
+        """
+        <mujoco><worldbody><body name="a"><joint name="j" axis="0 1 0" armature="0.5"/>
+          <geom size="0.1" pos="0.3 0 0"/></body></worldbody><sensor><jointpos joint="j"/></sensor>
+        </mujoco>
+        """);
+    String file = robot.toString();
+    assertThat(mech("import", file, "-o", file("arm.xml"))).isEqualTo(4);
+    assertThat(err.toString())
+        .contains(
+            file
+                + ": left out: 1 changes the motion, 1 changes contacts or motors only, 1 is picture"
+                + " or metadata (--losses all lists them)",
+            "arm.mjcf:1:35: M-085 body \"a\": joint \"j\": armature \"0.5\" is left out")
+        .doesNotContain("M-088", "M-089");
+    err.getBuffer().setLength(0);
+    assertThat(mech("import", file, "--losses", "all", "-o", file("arm.xml"))).isEqualTo(4);
+    assertThat(err.toString()).contains("M-085", "M-088", "M-089");
+    assertThat(mech("import", "--strict=motion", file, "-o", file("none.xml"))).isEqualTo(2);
+    assertThat(folder.resolve("none.xml")).doesNotExist();
+    out.getBuffer().setLength(0);
+    assertThat(mech("import", file, "--losses", "json", "-o", file("arm.xml"))).isEqualTo(4);
+    assertThat(JsonParser.parseString(out.toString()).getAsJsonArray())
+        .extracting(one -> one.getAsJsonObject().get("grade").getAsString())
+        .containsExactly("motion", "contact", "picture");
+    Files.writeString(robot, Files.readString(robot).replace("armature=\"0.5\"", ""));
+    assertThat(mech("import", "--strict=motion", file, "-o", file("arm.xml"))).isZero();
+    assertThat(mech("import", "--strict", file, "-o", file("arm.xml"))).isEqualTo(2);
+  }
+
   @Test
   void strictImportThatWouldLoseSomethingWritesNothing() {
     String robot = Path.of("..", "examples", "robot", "arm.urdf").toString();
     assertThat(mech("import", robot, "-o", file("arm.xml"), "--strict")).isEqualTo(2);
-    assertThat(err.toString()).contains("S-127 " + robot + " has 4 things");
+    assertThat(err.toString()).contains("S-127 " + robot + " has 9 things");
     assertThat(folder.resolve("arm.xml")).doesNotExist();
   }
 

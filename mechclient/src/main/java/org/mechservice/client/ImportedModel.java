@@ -1,6 +1,7 @@
 package org.mechservice.client;
 
 import java.util.List;
+import java.util.Set;
 import org.mechservice.client.failure.ModelMessage;
 import org.mechservice.solver.catalogue.MessageCode;
 
@@ -12,7 +13,11 @@ import org.mechservice.solver.catalogue.MessageCode;
  *     the model
  */
 public record ImportedModel(String text, List<ModelMessage> messages) {
-  private static final String LOSS = MessageCode.ROBOT_LOST.code();
+  private static final Set<String> LOSSES =
+      Set.of(
+          MessageCode.ROBOT_LOST.code(),
+          MessageCode.ROBOT_LOST_CONTACT.code(),
+          MessageCode.ROBOT_LOST_PICTURE.code());
 
   public ImportedModel {
     messages = List.copyOf(messages);
@@ -20,6 +25,6 @@ public record ImportedModel(String text, List<ModelMessage> messages) {
 
   /** Returns the number of parts of the file that are not in the model. */
   public int lost() {
-    return (int) messages.stream().filter(message -> message.code().equals(LOSS)).count();
+    return (int) messages.stream().filter(message -> LOSSES.contains(message.code())).count();
   }
 }

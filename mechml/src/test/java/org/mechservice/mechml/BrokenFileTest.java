@@ -16,17 +16,25 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.mechservice.mechml.diagnosis.Diagnostic;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.resolve.MechmlReader;
-import org.mechservice.mechml.robot.RobotImport;
 import org.mechservice.solver.catalogue.MessageCode;
 
-/**
- * What is said about broken files, word for word: broken/NAME.xml gives broken/NAME.txt, and
- * broken-urdf/NAME.urdf broken-urdf/NAME.txt.
- */
+/** What is said about broken files, word for word: broken/NAME.xml gives broken/NAME.txt. */
 class BrokenFileTest {
-  /** What a good model cannot be written as; {@code RobotExportTest} has them. */
-  private static final Set<MessageCode> SAID_BY_WRITERS =
-      Set.of(MessageCode.URDF_CANNOT, MessageCode.URDF_LOST);
+  /** What is said of robots; the tests of the module mechrobot have them. */
+  private static final Set<MessageCode> SAID_OF_ROBOTS =
+      Set.of(
+          MessageCode.NOT_A_ROBOT,
+          MessageCode.ROBOT_MISSING,
+          MessageCode.ROBOT_NUMBER,
+          MessageCode.ROBOT_TREE,
+          MessageCode.ROBOT_JOINT,
+          MessageCode.ROBOT_LOST,
+          MessageCode.ROBOT_LOST_CONTACT,
+          MessageCode.ROBOT_LOST_PICTURE,
+          MessageCode.ROBOT_FILE,
+          MessageCode.ROBOT_ROOT,
+          MessageCode.URDF_CANNOT,
+          MessageCode.URDF_LOST);
 
   /** Files that are broken by what is asked of them. */
   private static final Map<String, ReadOptions> ASKED =
@@ -50,44 +58,18 @@ class BrokenFileTest {
     assertThat(messages).isEqualTo(Resources.text("broken/" + name + ".txt"));
   }
 
-  static Stream<String> robots() throws IOException {
-    return Resources.text("broken-urdf")
-        .lines()
-        .filter(f -> f.endsWith(".urdf"))
-        .map(f -> f.substring(0, f.length() - 5));
-  }
-
-  @ParameterizedTest
-  @MethodSource("robots")
-  void messagesAboutARobotAreThoseOfTheGoldenFile(String name) throws IOException {
-    String messages = ofRobot(name).stream().map(d -> d + "\n").collect(Collectors.joining());
-    assertThat(messages).isEqualTo(Resources.text("broken-urdf/" + name + ".txt"));
-  }
-
-  private static List<Diagnostic> ofRobot(String name) {
-    try {
-      byte[] content = Resources.bytes("broken-urdf/" + name + ".urdf");
-      return RobotImport.of(name + ".urdf", content).losses();
-    } catch (MechmlException e) {
-      return e.diagnostics();
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
-  }
-
   @Test
   void everyMessageOfTheCatalogueHasABrokenFile() throws IOException {
     Set<MessageCode> shown =
-        Stream.concat(
-                names().flatMap(name -> diagnostics(name).stream()),
-                robots().flatMap(name -> ofRobot(name).stream()))
+        names()
+            .flatMap(name -> diagnostics(name).stream())
             .map(Diagnostic::code)
             .collect(Collectors.toSet());
     assertThat(shown)
         .containsExactlyInAnyOrderElementsOf(
             Arrays.stream(MessageCode.values())
                 .filter(message -> message.code().startsWith("M-"))
-                .filter(message -> !SAID_BY_WRITERS.contains(message))
+                .filter(message -> !SAID_OF_ROBOTS.contains(message))
                 .toList());
   }
 

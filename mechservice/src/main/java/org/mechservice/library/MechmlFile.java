@@ -15,7 +15,8 @@ import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.document.DocumentWriter;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.mechml.resolve.ValidatedFile;
-import org.mechservice.mechml.robot.RobotImport;
+import org.mechservice.robot.ImportOptions;
+import org.mechservice.robot.RobotImport;
 import org.mechservice.sim.user.UserClasses;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.text.ModelFiles;
@@ -66,7 +67,7 @@ final class MechmlFile {
    */
   static MechmlFile ofRobot(Path robot) throws IOException, MechmlException {
     String name = robot.toString();
-    RobotImport translated = RobotImport.of(name, Files.readAllBytes(robot));
+    RobotImport translated = RobotImport.read(robot, ImportOptions.NONE);
     String mechml = DocumentWriter.write(translated.document());
     return new MechmlFile(name, mechml.getBytes(StandardCharsets.UTF_8), List.of(folder(robot)));
   }

@@ -17,7 +17,7 @@ import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.ReadOptions;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.resolve.MechmlReader;
-import org.mechservice.mechml.robot.RobotExport;
+import org.mechservice.robot.RobotExport;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.text.ModelFiles;
 import picocli.CommandLine.Command;

@@ -12,7 +12,8 @@ import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.ReadOptions;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.resolve.MechmlReader;
-import org.mechservice.mechml.robot.RobotImport;
+import org.mechservice.robot.ImportOptions;
+import org.mechservice.robot.RobotImport;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.text.ModelFiles;
 import org.mechservice.view.model.ModelScene;
@@ -47,7 +48,7 @@ public final class SceneReader {
                   + file
                   + " is a robot, which has no parameters and simulations to choose");
         }
-        RobotImport robot = RobotImport.of(fileName, content);
+        RobotImport robot = RobotImport.read(file, ImportOptions.NONE);
         return ModelScene.of(robot.model(), robot.document().root());
       }
       MechmlModel model = MechmlReader.read(fileName, content, options);

@@ -7,6 +7,9 @@ public final class ExitStatus {
   public static final int BAD_INPUT = 2;
   public static final int SERVER = 3;
 
+  /** A robot was imported, and moves otherwise than in its own engine. */
+  public static final int MOTION_CHANGED = 4;
+
   /** As a shell reports a program that was ended by Ctrl-C. */
   public static final int INTERRUPTED = 130;
 

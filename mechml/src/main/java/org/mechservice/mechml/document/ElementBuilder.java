@@ -127,8 +127,9 @@ final class ElementBuilder extends DefaultHandler2 {
     if (elements > Limits.ELEMENTS) {
       throw tooLarge(element, "the file has more than " + Limits.ELEMENTS + " elements");
     }
-    if (open.size() >= Limits.DEPTH) {
-      throw tooLarge(element, "elements are nested deeper than " + Limits.DEPTH + " levels");
+    int deepest = foreign ? Limits.FOREIGN_DEPTH : Limits.DEPTH;
+    if (open.size() >= deepest) {
+      throw tooLarge(element, "elements are nested deeper than " + deepest + " levels");
     }
     for (Attribute attribute : element.attributes()) {
       if (attribute.value().length() > Limits.ATTRIBUTE_LENGTH) {

@@ -14,6 +14,9 @@ public final class Limits {
   /** Depth of nesting; the language needs 6. */
   public static final int DEPTH = 32;
 
+  /** Depth of nesting in a file of another language, whose readers descend with it. */
+  static final int FOREIGN_DEPTH = 1000;
+
   /** Characters of an attribute. */
   public static final int ATTRIBUTE_LENGTH = 100_000;
 

@@ -3,6 +3,7 @@ package org.mechservice.solver.text;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
+import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
@@ -30,18 +31,23 @@ public final class ModelFiles {
       Pattern.compile(
           "<!--.*?-->|<!\\[CDATA\\[.*?]]>|<(?:table|map|mesh|include|included)\\s[^<>]*>",
           Pattern.DOTALL);
+  private static final Pattern ENCODING =
+      Pattern.compile(
+          "^(?:\u00ef\u00bb\u00bf)?<\\?xml[^>]*\\sencoding\\s*=\\s*[\"']([\\w.:-]+)[\"']");
   private static final Pattern OTHER_ENCODING =
       Pattern.compile("^<\\?xml[^>]*\\sencoding\\s*=\\s*[\"'](?!(?i:utf-8|us-ascii)[\"'])");
   private static final String END = "</MechML>";
   private static final String BYTE_ORDER_MARK = "\u00ef\u00bb\u00bf";
 
   private final Path model;
+  private final Charset charset;
   private final Set<String> included = new HashSet<>();
   private final Deque<String> toInclude = new ArrayDeque<>();
   private boolean changed;
 
-  private ModelFiles(Path model) {
+  private ModelFiles(Path model, Charset charset) {
     this.model = model;
+    this.charset = charset;
   }
 
   /**
@@ -52,14 +58,31 @@ public final class ModelFiles {
    * @throws IOException if a file cannot be read or cannot be used; the message says which and why
    */
   public static byte[] inlined(byte[] model, Path file) throws IOException {
-    ModelFiles files = new ModelFiles(file);
-    String text = files.filled(new String(model, StandardCharsets.ISO_8859_1));
+    String bytes = new String(model, StandardCharsets.ISO_8859_1);
+    ModelFiles files = new ModelFiles(file, charset(bytes));
+    String text = files.filled(bytes);
     int end = text.lastIndexOf(END);
     if (!files.toInclude.isEmpty() && end >= 0) {
       text = text.substring(0, end) + files.appended(text) + text.substring(end);
       files.changed = true;
     }
     return files.changed ? text.getBytes(StandardCharsets.ISO_8859_1) : model;
+  }
+
+  /** Returns the encoding that a model declares; UTF-8 if it declares none or an unknown one. */
+  private static Charset charset(String model) {
+    Matcher declared = ENCODING.matcher(model);
+    try {
+      return declared.find() ? Charset.forName(declared.group(1)) : StandardCharsets.UTF_8;
+    } catch (IllegalArgumentException e) {
+      return StandardCharsets.UTF_8; // the reader of the model refuses it
+    }
+  }
+
+  /** Returns an attribute of a tag in the model's encoding; the text holds its bytes. */
+  private Optional<String> decoded(String element, String name) {
+    return attribute(element, name)
+        .map(text -> new String(text.getBytes(StandardCharsets.ISO_8859_1), charset));
   }
 
   /** Returns a text with its tables and surfaces filled in; notes the files that it includes. */
@@ -93,11 +116,19 @@ public final class ModelFiles {
 
   private String attributes(String element, String name) throws IOException {
     if (element.startsWith("<map")) {
-      return attribute(element, "z").isEmpty() ? TableNumbers.ofMap(beside(name, "a map")) : "";
+      return attribute(element, "z").isEmpty()
+          ? TableNumbers.ofMap(beside(name, "a map"), charset)
+          : "";
     }
     if (element.startsWith("<table")) {
       boolean toFill = attribute(element, "x").isEmpty() && attribute(element, "y").isEmpty();
-      return toFill ? TableNumbers.attributes(element, beside(name, "a table")) : "";
+      return toFill
+          ? TableNumbers.attributes(
+              decoded(element, "xColumn"),
+              decoded(element, "yColumn"),
+              beside(name, "a table"),
+              charset)
+          : "";
     }
     return attribute(element, "volume").isEmpty()
         ? ClosedSurface.read(beside(name, "a mesh")).attributes()
@@ -149,7 +180,7 @@ public final class ModelFiles {
   }
 
   private Path beside(String name, String who) throws IOException {
-    String utf = new String(name.getBytes(StandardCharsets.ISO_8859_1), StandardCharsets.UTF_8);
+    String utf = new String(name.getBytes(StandardCharsets.ISO_8859_1), charset);
     Path folder = model.toAbsolutePath().normalize().getParent();
     Path file = folder == null ? Path.of(utf) : folder.resolve(utf).normalize();
     if (folder == null || !file.startsWith(folder) || Path.of(utf).isAbsolute()) {

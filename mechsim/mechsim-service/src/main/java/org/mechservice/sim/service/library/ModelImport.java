@@ -13,7 +13,7 @@ import org.mechservice.idl.NotAvailable;
 import org.mechservice.mechml.diagnosis.Diagnostic;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.document.DocumentWriter;
-import org.mechservice.mechml.robot.RobotImport;
+import org.mechservice.robot.RobotImport;
 import org.mechservice.sim.service.contract.ContractErrors;
 import org.mechservice.sim.service.contract.ContractTypes;
 import org.mechservice.sim.service.limits.HostLimit;

@@ -18,7 +18,7 @@ public final class ModelWarnings {
   private ModelWarnings() {}
 
   /** Returns the warnings of a run with the settings of the file. */
-  static List<Diagnostic> of(MechmlModel model) {
+  public static List<Diagnostic> of(MechmlModel model) {
     SimulationSettings settings = model.settings();
     return RunForecast.warnings(model, settings.formulation(), settings.closure(), settings.run());
   }

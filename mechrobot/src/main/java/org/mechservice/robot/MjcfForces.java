@@ -1,0 +1,510 @@
+package org.mechservice.robot;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import org.mechservice.mechml.diagnosis.Diagnostics;
+import org.mechservice.mechml.diagnosis.NearestName;
+import org.mechservice.mechml.diagnosis.Phrase;
+import org.mechservice.mechml.diagnosis.Quoted;
+import org.mechservice.mechml.document.Element;
+import org.mechservice.robot.Robot.Coupling;
+import org.mechservice.robot.Robot.CouplingSpring;
+import org.mechservice.robot.Robot.Force;
+import org.mechservice.robot.Robot.Frame;
+import org.mechservice.robot.Robot.Freedom;
+import org.mechservice.robot.Robot.Joint;
+import org.mechservice.robot.Robot.Loop;
+import org.mechservice.robot.Robot.PointSpring;
+import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.spatial.Rotation;
+import org.mechservice.solver.spatial.Vector3;
+
+/**
+ * Equations and tendons of an MJCF model, and its motors with {@link MjcfActuators}. MuJoCo's
+ * equations are soft; here they are exact. Source: MuJoCo documentation, XML reference, {@code
+ * equality} and {@code tendon}.
+ */
+final class MjcfForces {
+  /**
+   * A place with a name.
+   *
+   * @param link that has it
+   * @param frame in the link
+   */
+  record Site(String link, Frame frame) {}
+
+  /**
+   * A tendon over joints: its length is a sum of positions.
+   *
+   * @param terms factors by joint
+   * @param start its length where all coordinates are zero
+   * @param angle whether it is an angle
+   */
+  record Tendon(Map<String, Double> terms, double start, boolean angle) {}
+
+  /** MuJoCo's mark of a length that it takes itself. */
+  private static final double AUTOMATIC = -1;
+
+  private final Map<String, Joint> joints = new LinkedHashMap<>();
+  private final Map<String, Frame> inWorld;
+  private final Map<String, Site> sites;
+  private final Map<String, Double> references;
+  private final MjcfOptions options;
+  private final RobotNumbers numbers;
+  private final Diagnostics diagnostics;
+  private final ImportLosses losses;
+  private final MjcfActuators actuators;
+  private final List<Loop> loops = new ArrayList<>();
+  private final List<Coupling> couplings = new ArrayList<>();
+  private final List<Force> forces = new ArrayList<>();
+  private final Set<String> constraintNames = new HashSet<>();
+  private final Set<String> forceNames = new HashSet<>();
+  private final Set<Element> done = new HashSet<>();
+
+  MjcfForces(
+      List<Joint> joints,
+      Map<String, Frame> inWorld,
+      Map<String, Site> sites,
+      Map<String, Double> references,
+      RobotInertia inertia,
+      MjcfOptions options,
+      RobotNumbers numbers,
+      Diagnostics diagnostics,
+      ImportLosses losses) {
+    joints.forEach(joint -> this.joints.put(joint.name(), joint));
+    this.inWorld = inWorld;
+    this.sites = sites;
+    this.references = references;
+    this.options = options;
+    this.numbers = numbers;
+    this.diagnostics = diagnostics;
+    this.losses = losses;
+    actuators = new MjcfActuators(this.joints, references, inertia, numbers, losses);
+  }
+
+  List<Loop> loops() {
+    return loops;
+  }
+
+  List<Coupling> couplings() {
+    return couplings;
+  }
+
+  /** Returns the forces, those of motors last. */
+  List<Force> forces() {
+    List<Force> all = new ArrayList<>(forces);
+    all.addAll(actuators.forces());
+    return all;
+  }
+
+  /**
+   * Reads the equations, tendons and motors of one use of a model. A replica and an attached model
+   * have those whose names all exist in it.
+   */
+  void read(MjcfReader.Scope scope) {
+    boolean whole = scope.prefix().isEmpty() && scope.suffix().isEmpty();
+    Map<String, Tendon> tendons = new HashMap<>();
+    for (Element tendon : scope.file().all("tendon")) {
+      if (isPart(scope, tendon, whole)) {
+        readTendon(scope, tendon, tendons);
+      }
+    }
+    for (Element equality : scope.file().all("equality")) {
+      if (isPart(scope, equality, whole) && isActive(equality)) {
+        readEquality(scope, equality, tendons);
+      }
+    }
+    if (options.motors()) {
+      for (Element actuator : scope.file().all("actuator")) {
+        if (isPart(scope, actuator, whole)) {
+          actuators.read(scope, actuator, tendons);
+        }
+      }
+    }
+  }
+
+  /** Elements of the file itself whose names only its replicas have belong to these. */
+  private boolean isPart(MjcfReader.Scope scope, Element element, boolean whole) {
+    boolean all = names(element).stream().allMatch(name -> exists(scope.named(name)));
+    if (whole && !all) {
+      boolean replicated =
+          names(element).stream()
+              .anyMatch(
+                  name ->
+                      joints.keySet().stream().anyMatch(known -> isReplica(known, name))
+                          || inWorld.keySet().stream().anyMatch(known -> isReplica(known, name))
+                          || sites.keySet().stream().anyMatch(known -> isReplica(known, name)));
+      return !replicated && done.add(element);
+    }
+    return whole ? done.add(element) : all && !isShared(scope, element);
+  }
+
+  private static boolean isReplica(String known, String name) {
+    return known.startsWith(name) && known.substring(name.length()).matches(".*\\d+");
+  }
+
+  /** Returns whether an element of a replica has no name in it, so that it belongs to the file. */
+  private boolean isShared(MjcfReader.Scope scope, Element element) {
+    return !scope.suffix().isEmpty() && (names(element).isEmpty() || done.contains(element));
+  }
+
+  private boolean exists(String name) {
+    return joints.containsKey(name) || inWorld.containsKey(name) || sites.containsKey(name);
+  }
+
+  /** Returns the names of joints, bodies and sites that an element has. */
+  private static List<String> names(Element element) {
+    List<String> all = new ArrayList<>();
+    for (String attribute :
+        List.of("joint", "joint1", "joint2", "body1", "body2", "site1", "site2", "site", "body")) {
+      element.attribute(attribute).ifPresent(all::add);
+    }
+    element.children().forEach(child -> all.addAll(names(child)));
+    return all;
+  }
+
+  private boolean isActive(Element equality) {
+    return options.equalities() && !equality.attribute("active").orElse("true").equals("false");
+  }
+
+  private String made(Element element, String wished, Set<String> taken) {
+    String free = element.attribute("name").orElse(wished);
+    while (!taken.add(free)) {
+      free += "_";
+    }
+    return free;
+  }
+
+  private void unknown(Element asking, String kind, String name, Set<String> known) {
+    diagnostics.error(
+        MessageCode.UNKNOWN_NAME,
+        asking.position(),
+        Phrase.of(
+            "%s: %s %s does not exist%s",
+            asking.label(), kind, Quoted.of(name), NearestName.suggestion(name, known)));
+  }
+
+  private void readEquality(MjcfReader.Scope scope, Element equality, Map<String, Tendon> tendons) {
+    switch (equality.name()) {
+      case "connect", "weld" -> readLoop(scope, equality);
+      case "joint" -> readJoints(scope, equality);
+      case "tendon" -> readTendons(scope, equality, tendons);
+      default -> {
+        // Equations of deformable bodies are reported as lost.
+      }
+    }
+  }
+
+  private void readLoop(MjcfReader.Scope scope, Element equality) {
+    boolean rigid = equality.name().equals("weld");
+    Optional<Site> one = end(scope, equality, "1");
+    Optional<Site> two = end(scope, equality, "2");
+    if (one.isEmpty() || two.isEmpty()) {
+      return;
+    }
+    Frame first = one.get().frame();
+    Frame second = two.get().frame();
+    if (equality.attribute("site1").isEmpty()) {
+      Frame now = world(one.get()).inverse().times(world(two.get()));
+      if (rigid) {
+        List<Double> pose =
+            equality
+                .attribute("relpose")
+                .map(text -> numbers.read(equality, "relpose", text, 7, 7))
+                .orElse(List.of(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0));
+        boolean given = pose.subList(3, 7).stream().anyMatch(x -> x != 0);
+        first =
+            given
+                ? new Frame(
+                    new Vector3(pose.get(0), pose.get(1), pose.get(2)),
+                    Frame.rotation(pose.get(3), pose.get(4), pose.get(5), pose.get(6)))
+                : now;
+      } else {
+        if (equality.attribute("anchor").isEmpty()) {
+          numbers.missing(equality, "attribute anchor");
+        }
+        Vector3 anchor = numbers.vector(equality, "anchor", Vector3.ZERO);
+        first = new Frame(anchor, Rotation.IDENTITY);
+        second = now.inverse().times(first);
+      }
+    }
+    if (moves(one.get().link()).equals(moves(two.get().link()))) {
+      return; // both ends are one body
+    }
+    String name = made(equality, equality.name() + (loops.size() + 1), constraintNames);
+    loops.add(new Loop(equality, name, rigid, one.get().link(), first, two.get().link(), second));
+  }
+
+  /** Returns the last link on the way to the root that moves together with a link. */
+  private String moves(String link) {
+    String at = link;
+    for (Joint joint = above(at);
+        joint != null && joint.type() == Freedom.FIXED;
+        joint = above(at)) {
+      at = joint.parent();
+    }
+    return at;
+  }
+
+  private @Nullable Joint above(String link) {
+    return joints.values().stream().filter(j -> j.child().equals(link)).findFirst().orElse(null);
+  }
+
+  private Frame world(Site site) {
+    return inWorld.getOrDefault(site.link(), Frame.SAME).times(site.frame());
+  }
+
+  private Optional<Site> end(MjcfReader.Scope scope, Element equality, String number) {
+    Optional<String> site = equality.attribute("site" + number);
+    if (site.isPresent()) {
+      Optional<Site> found = Optional.ofNullable(sites.get(scope.named(site.get())));
+      if (found.isEmpty()) {
+        unknown(equality, "site", site.get(), sites.keySet());
+      }
+      return found;
+    }
+    String body = scope.named(equality.attribute("body" + number).orElse(MjcfReader.WORLD));
+    if (!inWorld.containsKey(body)) {
+      unknown(equality, "body", body, inWorld.keySet());
+      return Optional.empty();
+    }
+    return Optional.of(new Site(body, Frame.SAME));
+  }
+
+  private Optional<Joint> single(MjcfReader.Scope scope, Element asking, String name) {
+    Joint joint = joints.get(scope.named(name));
+    if (joint == null) {
+      unknown(asking, "joint", name, joints.keySet());
+      return Optional.empty();
+    }
+    if (!joint.type().isSingle()) {
+      numbers.contradiction(asking, "joint " + Quoted.of(name) + " is no hinge and no slide");
+      return Optional.empty();
+    }
+    return Optional.of(joint);
+  }
+
+  private List<Double> polynomial(Element equality) {
+    List<Double> c =
+        new ArrayList<>(
+            numbers.read(
+                equality, "polycoef", equality.attribute("polycoef").orElse("0 1 0 0 0"), 1, 5));
+    while (c.size() < 5) {
+      c.add(0.0);
+    }
+    return c;
+  }
+
+  /** MuJoCo's polynomial is of deviations from the references, as coordinates are here. */
+  private void readJoints(MjcfReader.Scope scope, Element equality) {
+    if (equality.attribute("joint1").isEmpty()) {
+      numbers.missing(equality, "attribute joint1");
+      return;
+    }
+    Optional<Joint> follower = single(scope, equality, equality.attribute("joint1").orElse(""));
+    Optional<Joint> other =
+        equality.attribute("joint2").flatMap(name -> single(scope, equality, name));
+    if (follower.isEmpty() || (other.isEmpty() && equality.attribute("joint2").isPresent())) {
+      return;
+    }
+    List<Double> c = polynomial(equality);
+    String name = follower.get().name();
+    if (other.isEmpty()) {
+      couplings.add(
+          new Coupling(
+              equality,
+              made(equality, name + " held", constraintNames),
+              Map.of(name, 1.0),
+              Optional.empty(),
+              c.get(0)));
+      return;
+    }
+    String leader = other.get().name();
+    addPolynomial(
+        equality,
+        made(equality, name + " follows " + leader, constraintNames),
+        Map.of(name, 1.0),
+        Map.of(leader, 1.0),
+        c);
+  }
+
+  private void readTendons(MjcfReader.Scope scope, Element equality, Map<String, Tendon> tendons) {
+    Optional<Tendon> follower = tendon(scope, equality, "tendon1", tendons);
+    Optional<Tendon> other = tendon(scope, equality, "tendon2", tendons);
+    if (follower.isEmpty() || (other.isEmpty() && equality.attribute("tendon2").isPresent())) {
+      losses.motion(equality, "it is left out: only tendons over joints are read");
+      return;
+    }
+    List<Double> c = polynomial(equality);
+    String name =
+        made(equality, equality.attribute("tendon1").orElse("") + " follows", constraintNames);
+    addPolynomial(
+        equality, name, follower.get().terms(), other.map(Tendon::terms).orElse(Map.of()), c);
+  }
+
+  private Optional<Tendon> tendon(
+      MjcfReader.Scope scope, Element asking, String attribute, Map<String, Tendon> tendons) {
+    return asking
+        .attribute(attribute)
+        .flatMap(name -> Optional.ofNullable(tendons.get(scope.named(name))));
+  }
+
+  /** Adds the equation x = c0 + c1 y + c2 y² + …. */
+  private void addPolynomial(
+      Element element, String name, Map<String, Double> x, Map<String, Double> y, List<Double> c) {
+    if (c.stream().skip(2).allMatch(k -> k == 0)) {
+      Map<String, Double> terms = new LinkedHashMap<>(x);
+      y.forEach((joint, factor) -> terms.merge(joint, -c.get(1) * factor, Double::sum));
+      terms.values().removeIf(factor -> factor == 0);
+      couplings.add(new Coupling(element, name, terms, Optional.empty(), c.get(0)));
+      return;
+    }
+    String argument = "(" + MechmlText.sum(y, ".q") + ")";
+    StringBuilder all = new StringBuilder(MechmlText.sum(x, ".q"));
+    all.append(" - (").append(MechmlText.number(c.get(0))).append(")");
+    for (int i = 1; i < c.size(); i++) {
+      if (c.get(i) != 0) {
+        all.append(" - (")
+            .append(MechmlText.number(c.get(i)))
+            .append(")*")
+            .append(argument)
+            .append(i == 1 ? "" : "^" + i);
+      }
+    }
+    couplings.add(new Coupling(element, name, Map.of(), Optional.of(all.toString()), 0));
+  }
+
+  private void readTendon(MjcfReader.Scope scope, Element tendon, Map<String, Tendon> tendons) {
+    boolean limited =
+        options.limits()
+            && !tendon.attribute("limited").orElse("auto").equals("false")
+            && tendon.attribute("range").isPresent();
+    if (limited) {
+      losses.motion(tendon, "its range is left out");
+    }
+    if (options.friction() && numbers.optional(tendon, "frictionloss", 0) != 0) {
+      losses.motion(tendon, "its frictionloss is left out");
+    }
+    double stiffness = options.springs() ? first(tendon, "stiffness") : 0;
+    double damping = options.dampers() ? first(tendon, "damping") : 0;
+    List<Double> rest =
+        tendon
+            .attribute("springlength")
+            .map(text -> numbers.read(tendon, "springlength", text, 1, 2))
+            .orElse(List.of(AUTOMATIC));
+    if (tendon.name().equals("fixed")) {
+      Map<String, Double> terms = new LinkedHashMap<>();
+      double start = 0;
+      boolean angle = true;
+      for (Element part : tendon.children("joint")) {
+        Optional<Joint> joint = single(scope, part, part.attribute("joint").orElse(""));
+        if (joint.isEmpty()) {
+          return;
+        }
+        double factor = numbers.required(part, "coef");
+        terms.merge(joint.get().name(), factor, Double::sum);
+        start += factor * references.getOrDefault(joint.get().name(), 0.0);
+        angle &= joint.get().type() != Freedom.PRISMATIC;
+      }
+      Tendon read = new Tendon(terms, start, angle);
+      tendon.attribute("name").ifPresent(name -> tendons.put(scope.named(name), read));
+      addSpring(tendon, read, stiffness, damping, rest);
+      return;
+    }
+    if (stiffness == 0 && damping == 0) {
+      return;
+    }
+    addPointSpring(scope, tendon, stiffness, damping, rest);
+  }
+
+  private double first(Element element, String name) {
+    List<Double> read =
+        element
+            .attribute(name)
+            .map(text -> numbers.read(element, name, text, 1, 8))
+            .orElse(List.of(0.0));
+    if (read.stream().skip(1).anyMatch(x -> x != 0)) {
+      losses.motion(element, "the higher powers of " + name + " are left out");
+    }
+    return read.get(0);
+  }
+
+  private void addSpring(
+      Element element, Tendon tendon, double stiffness, double damping, List<Double> lengths) {
+    // -1: the length where all joints are at springref.
+    double free = 0;
+    for (Map.Entry<String, Double> term : tendon.terms().entrySet()) {
+      Joint joint = joints.get(term.getKey());
+      free += joint == null ? 0 : term.getValue() * joint.coordinate().freePosition();
+    }
+    boolean given = lengths.get(0) != AUTOMATIC;
+    double low = given ? lengths.get(0) - tendon.start() : free;
+    double high = given && lengths.size() > 1 ? lengths.get(1) - tendon.start() : low;
+    boolean slack = high > low;
+    if ((slack || stiffness == 0) && damping != 0) {
+      add(element, tendon, "damper", 0, damping, 0, "both");
+    }
+    if (slack && stiffness != 0) {
+      add(element, tendon, "spring", stiffness, 0, high, "tension");
+      add(element, tendon, "spring", stiffness, 0, low, "compression");
+    } else if (stiffness != 0) {
+      add(element, tendon, "spring", stiffness, damping, low, "both");
+    }
+  }
+
+  private void add(
+      Element element,
+      Tendon tendon,
+      String what,
+      double stiffness,
+      double damping,
+      double rest,
+      String side) {
+    String name = made(element, "tendon " + what, forceNames);
+    forces.add(
+        new CouplingSpring(
+            element, name, tendon.angle(), tendon.terms(), stiffness, damping, rest, side));
+  }
+
+  private void addPointSpring(
+      MjcfReader.Scope scope,
+      Element tendon,
+      double stiffness,
+      double damping,
+      List<Double> given) {
+    List<Element> parts = tendon.children();
+    List<Site> ends =
+        parts.stream()
+            .filter(part -> part.name().equals("site"))
+            .flatMap(
+                part ->
+                    Optional.ofNullable(sites.get(scope.named(part.attribute("site").orElse(""))))
+                        .stream())
+            .toList();
+    if (parts.size() != 2 || ends.size() != 2 || given.size() > 1) {
+      losses.motion(
+          tendon,
+          "its spring and damper are left out: only straight tendons between two sites are read");
+      return;
+    }
+    double now = world(ends.get(0)).at().minus(world(ends.get(1)).at()).norm();
+    forces.add(
+        new PointSpring(
+            tendon,
+            made(tendon, "tendon", forceNames),
+            ends.get(0).link(),
+            ends.get(0).frame().at(),
+            ends.get(1).link(),
+            ends.get(1).frame().at(),
+            stiffness,
+            damping,
+            given.get(0) == AUTOMATIC ? now : given.get(0)));
+  }
+}

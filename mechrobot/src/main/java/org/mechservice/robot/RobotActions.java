@@ -1,0 +1,255 @@
+package org.mechservice.robot;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.mechservice.mechml.document.Element;
+import org.mechservice.robot.Robot.BodyForce;
+import org.mechservice.robot.Robot.Coordinate;
+import org.mechservice.robot.Robot.Coupling;
+import org.mechservice.robot.Robot.CouplingSpring;
+import org.mechservice.robot.Robot.Force;
+import org.mechservice.robot.Robot.Frame;
+import org.mechservice.robot.Robot.Freedom;
+import org.mechservice.robot.Robot.Input;
+import org.mechservice.robot.Robot.Joint;
+import org.mechservice.robot.Robot.JointForce;
+import org.mechservice.robot.Robot.Loop;
+import org.mechservice.robot.Robot.PointSpring;
+import org.mechservice.robot.Robot.TurningSpring;
+import org.mechservice.solver.spatial.Rotation;
+import org.mechservice.solver.spatial.Vector3;
+
+/**
+ * The loops, couplings, forces and inputs of a robot in MechML, with their points on the bodies.
+ */
+final class RobotActions {
+  private static final Vector3 X = new Vector3(1, 0, 0);
+  private static final Vector3 Z = new Vector3(0, 0, 1);
+
+  private final Robot robot;
+  private final Map<String, List<TagBuilder>> frames = new HashMap<>();
+
+  RobotActions(Robot robot) {
+    this.robot = robot;
+  }
+
+  /** Returns the points and vectors of a link that {@link #addForces} and the like have needed. */
+  List<TagBuilder> frames(String link) {
+    return frames.getOrDefault(link, List.of());
+  }
+
+  /** Adds the loops and couplings to the constraints. */
+  void addConstraints(TagBuilder constraints) {
+    robot.loops().forEach(loop -> constraints.add(loop(loop)));
+    robot.couplings().forEach(coupling -> constraints.add(coupling(coupling)));
+  }
+
+  private TagBuilder loop(Loop loop) {
+    TagBuilder tag =
+        TagBuilder.of("JointConstraint", loop.element())
+            .set("name", loop.name())
+            .set("type", loop.rigid() ? "W" : "S");
+    boolean turned = loop.rigid();
+    return tag.add(
+            end(tag, "body1", loop.element(), loop.name(), loop.first(), loop.inFirst(), turned))
+        .add(
+            end(tag, "body2", loop.element(), loop.name(), loop.second(), loop.inSecond(), turned));
+  }
+
+  /** Returns an end of a constraint or force, and notes its point and vectors on the body. */
+  private TagBuilder end(
+      TagBuilder owner,
+      String which,
+      Element from,
+      String name,
+      String link,
+      Frame frame,
+      boolean turned) {
+    String own = name + " " + which;
+    List<TagBuilder> all = frames.computeIfAbsent(link, key -> new ArrayList<>());
+    Vector3 at = frame.at();
+    all.add(
+        TagBuilder.of("point", from)
+            .set("name", own)
+            .set("x", at.x())
+            .set("y", at.y())
+            .set("z", at.z()));
+    TagBuilder end = TagBuilder.of(which, from, owner).set("name", link).set("point", own);
+    if (turned) {
+      all.add(vector(from, own + " z", frame.turn().apply(Z)));
+      all.add(vector(from, own + " x", frame.turn().apply(X)));
+      end.set("vector", own + " z").set("vector2", own + " x");
+    }
+    return end;
+  }
+
+  private static TagBuilder vector(Element from, String name, Vector3 v) {
+    return TagBuilder.of("vector", from)
+        .set("name", name)
+        .set("vx", v.x())
+        .set("vy", v.y())
+        .set("vz", v.z());
+  }
+
+  private static TagBuilder coupling(Coupling coupling) {
+    TagBuilder tag =
+        TagBuilder.of("CoordConstraint", coupling.element()).set("name", coupling.name());
+    coupling.expression().ifPresent(expression -> tag.set("expression", expression));
+    if (coupling.expression().isEmpty()) {
+      tag.set("constant", coupling.constant());
+    }
+    addTerms(tag, coupling.element(), coupling.terms());
+    return tag;
+  }
+
+  private static void addTerms(TagBuilder tag, Element from, Map<String, Double> terms) {
+    terms.forEach(
+        (joint, factor) ->
+            tag.add(TagBuilder.of("term", from, tag).set("joint", joint).set("factor", factor)));
+  }
+
+  /** Adds the forces, and the inputs to the states. */
+  void addForces(TagBuilder forces, TagBuilder states) {
+    for (Force force : robot.forces()) {
+      if (force instanceof Input input) {
+        states.add(
+            TagBuilder.of("input", input.element())
+                .set("name", input.name())
+                .set("unit", input.unit()));
+      } else {
+        forces.add(force(force));
+      }
+    }
+    robot.joints().forEach(joint -> damp(joint, forces));
+    // A spring of MechML has no negative stiffness and no negative damping.
+    for (Joint joint : robot.joints()) {
+      Coordinate own = joint.coordinate();
+      if (joint.type().isSingle() && (own.stiffness() < 0 || own.damping() < 0)) {
+        forces.add(
+            TagBuilder.of("jointForce", joint.element())
+                .set("name", joint.name() + " push")
+                .set("joint", joint.name())
+                .set("expression", push(joint)));
+      }
+    }
+  }
+
+  /** Adds the damping of a joint with several coordinates: the same along each of them. */
+  private static void damp(Joint joint, TagBuilder forces) {
+    double damping = joint.coordinate().damping();
+    int count = joint.type().turnsFreely() ? (joint.type() == Freedom.SPHERICAL ? 3 : 6) : 0;
+    for (int i = 0; i < count && damping != 0; i++) {
+      forces.add(
+          TagBuilder.of("jointForce", joint.element())
+              .set("name", joint.name() + " damping" + i)
+              .set("joint", joint.name())
+              .set("component", String.valueOf(i))
+              .set(
+                  "expression",
+                  MechmlText.number(-damping)
+                      + "*"
+                      + MechmlText.name(joint.name())
+                      + ".v["
+                      + i
+                      + "]"));
+    }
+  }
+
+  private static String push(Joint joint) {
+    Coordinate own = joint.coordinate();
+    String name = MechmlText.name(joint.name());
+    String spring =
+        own.stiffness() < 0
+            ? MechmlText.number(-own.stiffness())
+                + "*("
+                + name
+                + ".q - ("
+                + MechmlText.number(own.freePosition())
+                + "))"
+            : "0";
+    return own.damping() < 0
+        ? spring + " + " + MechmlText.number(-own.damping()) + "*" + name + ".v"
+        : spring;
+  }
+
+  private TagBuilder force(Force force) {
+    Element from = force.element();
+    if (force instanceof JointForce one) {
+      return TagBuilder.of("jointForce", from)
+          .set("name", one.name())
+          .set("joint", one.joint())
+          .set("expression", one.expression());
+    } else if (force instanceof CouplingSpring one) {
+      TagBuilder spring =
+          TagBuilder.of("couplingSpringDamper", from)
+              .set("name", one.name())
+              .set("quantity", one.angle() ? "angle" : "length")
+              .set("k", one.stiffness())
+              .set("c", one.damping())
+              .set("rest", one.rest())
+              .set("side", one.side());
+      addTerms(spring, from, one.terms());
+      return spring;
+    } else if (force instanceof TurningSpring one) {
+      TagBuilder bushing = TagBuilder.of("bushing", from).set("name", one.name());
+      String k = MechmlText.number(one.stiffness());
+      bushing.set("k", "0;0;0;" + k + ";" + k + ";" + k);
+      Frame inSecond = new Frame(one.at(), Rotation.IDENTITY);
+      return bushing
+          .add(
+              end(
+                  bushing,
+                  "body1",
+                  from,
+                  one.name(),
+                  one.first(),
+                  one.frame().times(inSecond),
+                  true))
+          .add(end(bushing, "body2", from, one.name(), one.second(), inSecond, true));
+    } else if (force instanceof PointSpring one) {
+      TagBuilder spring =
+          TagBuilder.of("springDamper", from)
+              .set("name", one.name())
+              .set("k", one.stiffness())
+              .set("c", one.damping())
+              .set("length0", one.rest());
+      return spring
+          .add(
+              end(
+                  spring,
+                  "body1",
+                  from,
+                  one.name(),
+                  one.first(),
+                  new Frame(one.inFirst(), Rotation.IDENTITY),
+                  false))
+          .add(
+              end(
+                  spring,
+                  "body2",
+                  from,
+                  one.name(),
+                  one.second(),
+                  new Frame(one.inSecond(), Rotation.IDENTITY),
+                  false));
+    }
+    BodyForce one = (BodyForce) force;
+    frames
+        .computeIfAbsent(one.link(), key -> new ArrayList<>())
+        .add(
+            TagBuilder.of("point", from)
+                .set("name", one.name())
+                .set("x", one.at().x())
+                .set("y", one.at().y())
+                .set("z", one.at().z()));
+    return TagBuilder.of("forceTorque", from)
+        .set("name", one.name())
+        .set("body", one.link())
+        .set("point", one.name())
+        .set("fx", one.force().x())
+        .set("fy", one.force().y())
+        .set("fz", one.force().z());
+  }
+}

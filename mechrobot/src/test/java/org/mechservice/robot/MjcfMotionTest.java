@@ -1,0 +1,80 @@
+package org.mechservice.robot;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Objects;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.mechservice.mechml.diagnosis.Diagnostic;
+import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.solver.dynamics.DataDrivenModel;
+import org.mechservice.solver.mechanism.Mechanism;
+
+/**
+ * Small MJCF files, each with one thing that the import could lose, accelerate as in MuJoCo: the
+ * comment before each of mjcf/NAME.xml has positions, velocities and the accelerations that MuJoCo
+ * 4.0.0 computes (mj_forward without contacts), in the order of MechML's coordinates.
+ */
+class MjcfMotionTest {
+  /**
+   * MuJoCo keeps its own meshes in single precision, and turns their axes to the principal ones:
+   * 1e-6 of the largest acceleration; everything else agrees to rounding.
+   */
+  private static final double MESH = 1e-6;
+
+  private static final double ROUNDING = 1e-12;
+
+  static Stream<String> names() throws IOException {
+    return text("mjcf").lines().filter(f -> f.endsWith(".xml"));
+  }
+
+  @ParameterizedTest
+  @MethodSource("names")
+  void fileAcceleratesAsInItsOwnEngine(String name) throws IOException, MechmlException {
+    String text = text("mjcf/" + name);
+    RobotImport robot = RobotImport.of(name, text.getBytes(StandardCharsets.UTF_8));
+    assertThat(robot.losses()).extracting(Diagnostic::code).doesNotContain(LossGrade.MOTION.code());
+    Mechanism mechanism = robot.model().mechanism();
+    DataDrivenModel model = new DataDrivenModel(mechanism, robot.model().settings().run());
+    double[] q = numbers(text, "q");
+    double[] v = numbers(text, "v");
+    double[] expected = numbers(text, "a");
+    double[] y = new double[mechanism.stateCount()];
+    assertThat(q).hasSize(mechanism.positionCount());
+    System.arraycopy(q, 0, y, 0, q.length);
+    System.arraycopy(v, 0, y, q.length, v.length);
+    double[] rate = new double[y.length];
+    model.derivative(0, y, rate);
+    double scale = Arrays.stream(expected).map(Math::abs).max().orElse(1);
+    double bound = (name.startsWith("mesh") ? MESH : ROUNDING) * scale;
+    for (int i = 0; i < expected.length; i++) {
+      assertThat(rate[q.length + i]).as(name).isCloseTo(expected[i], within(bound));
+    }
+  }
+
+  private static double[] numbers(String text, String what) {
+    Matcher found =
+        Pattern.compile("\\b" + what + ": ([^a-z]*?)\\s*(?:[va]:|-->)")
+            .matcher(text.replace("e-", "E-"));
+    assertThat(found.find()).isTrue();
+    return List.of(found.group(1).split(" ", -1)).stream()
+        .mapToDouble(Double::parseDouble)
+        .toArray();
+  }
+
+  private static String text(String name) throws IOException {
+    try (InputStream stream =
+        Objects.requireNonNull(MjcfMotionTest.class.getResourceAsStream(name), name)) {
+      return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
+    }
+  }
+}
