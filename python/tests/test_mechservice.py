@@ -170,7 +170,7 @@ def test_a_run_time_without_compiler_gives_the_same_bits(tmp_path):
         "tools = jpype.JClass('javax.tools.ToolProvider')\n"
         "print(tools.getSystemJavaCompiler() is None)\n"
         "try:\n"
-        "    mechservice.read('examples/elements/force.xml')\n"
+        "    mechservice.read('examples/elements/force.xml', user_code=['examples/elements'])\n"
         "except mechservice.ModelError as error:\n"
         "    print(error.code)\n"
     )

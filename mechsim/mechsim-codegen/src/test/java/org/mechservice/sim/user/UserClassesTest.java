@@ -1,6 +1,7 @@
 package org.mechservice.sim.user;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import java.nio.charset.StandardCharsets;
@@ -8,6 +9,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.mechservice.guard.UserCode;
 import org.mechservice.mechml.diagnosis.Diagnostic;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.resolve.MechmlReader;
@@ -44,7 +46,11 @@ class UserClassesTest {
   void sourceBecomesAClassThatImplementsTheForce() throws Exception {
     UserClasses classes =
         UserClasses.admit(CART, List.of(PushedCart.asSource(PushedCart.source())), true);
-    assertThat(classes.loader().loadClass("car.Push").getConstructor().newInstance())
+    assertThat(
+            UserClasses.loaderOf(classes.classFiles())
+                .loadClass("car.Push")
+                .getConstructor()
+                .newInstance())
         .isInstanceOf(UserForce.class);
   }
 
@@ -54,7 +60,7 @@ class UserClassesTest {
     UserClasses classes =
         UserClasses.admit(CART, List.of(PushedCart.asSource(PushedCart.source())), true);
     assertThat(System.getProperty(PushedCart.TRACE)).isNull();
-    classes.loader().loadClass("car.Push").getConstructor().newInstance();
+    UserClasses.loaderOf(classes.classFiles()).loadClass("car.Push").getConstructor().newInstance();
     assertThat(System.clearProperty(PushedCart.TRACE)).isEqualTo("yes");
   }
 
@@ -65,8 +71,21 @@ class UserClassesTest {
     assertThat(
             catchThrowableOfType(
                 ClassNotFoundException.class,
-                () -> classes.loader().loadClass("org.mechservice.solver.mechanism.Mechanism")))
+                () ->
+                    UserClasses.loaderOf(classes.classFiles())
+                        .loadClass("org.mechservice.solver.mechanism.Mechanism")))
         .isNotNull();
+  }
+
+  /** No path of the program leads to a class of a user in its own process. */
+  @Test
+  void admittedClassesRunInNoProcessBeforeTheyAreLetIn() throws Exception {
+    UserClasses classes =
+        UserClasses.admit(CART, List.of(PushedCart.asSource(PushedCart.source())), true);
+    assertThatThrownBy(classes::loader).isInstanceOf(IllegalStateException.class);
+    assertThatThrownBy(() -> classes.forThisProcess(UserCode.NONE))
+        .isInstanceOf(MechmlException.class)
+        .hasMessageContaining("S-156");
   }
 
   /** Reflection writes a class of its own for a constructor that is called often. */
@@ -74,7 +93,7 @@ class UserClassesTest {
   void forceIsMadeAsOftenAsRunsNeedIt() throws Exception {
     UserClasses classes =
         UserClasses.admit(CART, List.of(PushedCart.asSource(PushedCart.source())), true);
-    LoadedUserForces forces = new LoadedUserForces(classes.loader());
+    LoadedUserForces forces = new LoadedUserForces(UserClasses.loaderOf(classes.classFiles()));
     UserForceElement push =
         CART.forces().stream()
             .filter(UserForceElement.class::isInstance)

@@ -5,6 +5,8 @@ import java.util.List;
 import java.util.ServiceLoader;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.jspecify.annotations.Nullable;
+import org.mechservice.guard.Confinement;
+import org.mechservice.guard.UserCodePolicy;
 import org.mechservice.idl.HostInfo;
 import org.mechservice.idl.HostLoad;
 import org.mechservice.idl.IMechClient;
@@ -35,8 +37,6 @@ import org.mechservice.sim.service.contract.JournalEntry;
 import org.mechservice.sim.service.limits.CurrentLimits;
 import org.mechservice.sim.service.session.SessionTable;
 import org.mechservice.sim.service.session.WarmUp;
-import org.mechservice.sim.worker.Confinement;
-import org.mechservice.sim.worker.UserCodePolicy;
 import org.mechservice.solver.api.Solver;
 
 /**

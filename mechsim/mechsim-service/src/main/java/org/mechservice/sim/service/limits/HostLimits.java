@@ -5,10 +5,10 @@ import java.util.EnumMap;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
+import org.mechservice.guard.WorkerBounds;
 import org.mechservice.idl.InvalidOption;
 import org.mechservice.idl.Limit;
 import org.mechservice.idl.LimitExceeded;
-import org.mechservice.sim.worker.WorkerBounds;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /** The values of all limits of a host. Immutable. */

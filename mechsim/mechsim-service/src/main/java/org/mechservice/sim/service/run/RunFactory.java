@@ -1,10 +1,10 @@
 package org.mechservice.sim.service.run;
 
+import org.mechservice.guard.WorkerBounds;
 import org.mechservice.idl.LimitExceeded;
 import org.mechservice.sim.model.CompiledModel;
 import org.mechservice.sim.service.results.RunColumns;
 import org.mechservice.sim.service.results.RunStore;
-import org.mechservice.sim.worker.WorkerBounds;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.Solver;

@@ -1,4 +1,4 @@
-package org.mechservice.sim.worker;
+package org.mechservice.guard;
 
 import java.io.File;
 import java.io.IOException;
@@ -94,7 +94,7 @@ public final class Confinement {
   }
 
   /** Returns no wall: an ordinary process. */
-  static Confinement none(String reason) {
+  public static Confinement none(String reason) {
     return new Confinement(Optional.empty(), reason);
   }
 
@@ -106,6 +106,20 @@ public final class Confinement {
   /** Returns what the wall is, or why there is none. */
   public String text() {
     return text;
+  }
+
+  /**
+   * Returns why classes of users do not run and what to do about it.
+   *
+   * @param where the machine without a wall, in words
+   */
+  public String remedy(String where) {
+    return where
+        + " cannot confine classes of users, so it does not run them: "
+        + text
+        + "; make bubblewrap work there, or let them run unconfined if you trust them: with"
+        + " --unconfined of the command, UserCode.unconfined of a program, or"
+        + " --allow-user-code=unconfined of a server or host";
   }
 
   private static Confinement probe(String classPath) {
@@ -184,7 +198,7 @@ public final class Confinement {
    *
    * @throws IOException if the filter cannot be handed over
    */
-  ProcessBuilder command(WorkerBounds bounds, Class<?> main, List<String> arguments)
+  public ProcessBuilder command(WorkerBounds bounds, Class<?> main, List<String> arguments)
       throws IOException {
     List<String> command = new ArrayList<>();
     String launcher = Path.of(System.getProperty("java.home"), "bin", "java").toString();
