@@ -164,6 +164,25 @@ class ObservabilityTest {
     assertThat(done.get("text").getAsString()).contains("FiveBarPendulum");
   }
 
+  /** Nobody else loses events by it, and the figures tell. */
+  @Test
+  void clientNameThatIsNoTextLeavesTheAuditOfOthers() throws Exception {
+    Path file = folder.resolve("audit.jsonl");
+    try (MechServerProcess server =
+            MechServerProcess.start(watched(file), Farm.STEADY, HostFactory.INSTALLED);
+        ServiceOrb orb = ServiceOrb.client()) {
+      for (String name : List.of("\ud800 \u0000 \u202e", "bob")) {
+        try {
+          orb.connect(server.url()).createSession(name, "", null).destroy();
+        } catch (org.omg.CORBA.SystemException e) {
+          // Such a name may be no text of the wire either.
+        }
+      }
+      Eventually.holds(() -> Files.readString(file).contains("\"bob\""));
+      assertThat(get(server, "/metrics").body()).contains("mechservice_audit_waiting_events 0.0");
+    }
+  }
+
   @Test
   void auditThatCannotBeWrittenKeepsTheServerFromStarting() {
     assertThatThrownBy(() -> MechServerProcess.start(watched(folder.resolve("no/such/audit"))))

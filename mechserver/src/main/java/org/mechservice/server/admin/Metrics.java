@@ -26,15 +26,21 @@ public final class Metrics {
   private final HostDirectory directory;
   private final MechServerServant server;
   private final Optional<TlsIdentity> identity;
+  private final Optional<AuditLog> audit;
 
   /**
    * @param identity of the server; empty: without TLS
+   * @param audit of the server; empty: it writes none
    */
   public Metrics(
-      HostDirectory directory, MechServerServant server, Optional<TlsIdentity> identity) {
+      HostDirectory directory,
+      MechServerServant server,
+      Optional<TlsIdentity> identity,
+      Optional<AuditLog> audit) {
     this.directory = directory;
     this.server = server;
     this.identity = identity;
+    this.audit = audit;
   }
 
   /** Returns all figures. */
@@ -54,6 +60,13 @@ public final class Metrics {
         (System.currentTimeMillis() - server.getInfo().startedAt) * 1e-3);
     one(text, "heap_bytes", "heap in use", (double) machine.totalMemory() - machine.freeMemory());
     one(text, "threads", "live threads", ManagementFactory.getThreadMXBean().getThreadCount());
+    audit.ifPresent(
+        log ->
+            one(
+                text,
+                "audit_waiting_events",
+                "events that the audit log could not be written for",
+                log.waiting()));
     gauge(text, hosts, "sessions", "sessions", load -> load.sessions);
     gauge(text, hosts, "runs_running", "runs that compute or are paused", load -> load.running);
     gauge(text, hosts, "runs_queued", "runs that wait for a place", load -> load.queued);

@@ -26,11 +26,11 @@ import org.mechservice.idl.Progress;
 import org.mechservice.idl.SimState;
 import org.mechservice.idl.SimSummary;
 import org.mechservice.idl.StepTried;
-import org.mechservice.sim.service.contract.FileErrors;
 import org.mechservice.sim.service.limits.CurrentLimits;
 import org.mechservice.sim.service.limits.HostLimit;
 import org.mechservice.sim.service.limits.SpoolQuota;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.text.FileErrors;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 

@@ -2,11 +2,13 @@ package org.mechservice.sim.service.session;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import static org.mechservice.sim.service.session.HostedClient.ALL;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -78,6 +80,28 @@ class SpoolRestartTest {
           .usingElementComparator(Arrays::compare)
           .isEqualTo(rows);
       assertThatThrownBy(run::start).isInstanceOf(InvalidState.class);
+    }
+  }
+
+  /** Rows and records are what others computed; also where the folder was open before. */
+  @Test
+  void othersMayNotReadTheFolderOrAnythingInIt() throws Exception {
+    assumeTrue(
+        folder.getFileSystem().supportedFileAttributeViews().contains("posix"),
+        "no permissions on this system");
+    Files.setPosixFilePermissions(folder, PosixFilePermissions.fromString("rwxr-xr-x"));
+    try (HostedClient there = on(folder, SimHost.installedSolver())) {
+      IMechSimRemote run = there.simulation();
+      run.start();
+      CursorRows.toEnd(run.openResults(ALL), 0);
+      Eventually.holds(() -> Files.exists(folder.resolve(run.simId() + ".json")));
+      try (Stream<Path> files = Files.walk(folder)) {
+        for (Path file : files.toList()) {
+          assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(file)))
+              .as(file.toString())
+              .endsWith("------");
+        }
+      }
     }
   }
 
