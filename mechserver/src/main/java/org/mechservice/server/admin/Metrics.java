@@ -23,10 +23,14 @@ public final class Metrics {
           "failed", "runs_failed",
           "cancelled", "runs_cancelled");
 
+  private static final long ANSWER_NANOS = 1_000_000_000;
+
   private final HostDirectory directory;
   private final MechServerServant server;
   private final Optional<TlsIdentity> identity;
   private final Optional<AuditLog> audit;
+  private Optional<String> trouble = Optional.empty();
+  private long triedAt = System.nanoTime() - 2 * ANSWER_NANOS;
 
   /**
    * @param identity of the server; empty: without TLS
@@ -169,14 +173,16 @@ public final class Metrics {
     text.append("\"} ").append(value).append('\n');
   }
 
-  /** Returns whether sessions can be opened, and if not, why. */
-  public MetricsEndpoint.Health health() {
-    Optional<String> trouble = Optional.empty();
-    directory.refresh();
-    if (server.draining()) {
-      trouble = Optional.of("the server is being emptied");
-    } else if (directory.all().stream().noneMatch(RegisteredHost::open)) {
-      trouble = Optional.of("no host takes sessions");
+  /**
+   * Opens a session and ends it: returns whether that works, and if not, why. An answer is good for
+   * a second, however many ask.
+   */
+  public synchronized MetricsEndpoint.Health health() {
+    long now = System.nanoTime();
+    if (now - triedAt > ANSWER_NANOS || server.draining()) {
+      directory.refresh();
+      trouble = server.tryOut();
+      triedAt = now;
     }
     return new MetricsEndpoint.Health(trouble.isEmpty(), trouble.orElse("ok") + "\n");
   }

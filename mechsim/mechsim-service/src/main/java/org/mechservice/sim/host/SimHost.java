@@ -22,6 +22,7 @@ import org.mechservice.idl.NameValue;
 import org.mechservice.idl.NotAuthorized;
 import org.mechservice.idl.NotFound;
 import org.mechservice.idl.ServiceEvent;
+import org.mechservice.idl.SessionSummary;
 import org.mechservice.idl.Severity;
 import org.mechservice.idl.SimDetail;
 import org.mechservice.idl.SimState;
@@ -190,6 +191,16 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
   public IMechSimRemote findSimulation(String simId, String user)
       throws NotFound, NotAuthorized, LimitExceeded {
     return sessions.findSimulation(simId, user);
+  }
+
+  @Override
+  public SessionSummary[] listSessions() {
+    return sessions.sessionSummaries().toArray(SessionSummary[]::new);
+  }
+
+  @Override
+  public int endSessions(String owner, String sessionId, String reason) {
+    return sessions.endSessions(owner, sessionId, reason);
   }
 
   @Override

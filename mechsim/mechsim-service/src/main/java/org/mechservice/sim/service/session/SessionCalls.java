@@ -8,7 +8,10 @@ import java.util.HashSet;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
 import org.jspecify.annotations.Nullable;
+import org.mechservice.idl.LimitExceeded;
 import org.mechservice.idl.MechSimOperations;
+import org.mechservice.sim.service.limits.SetUpPlaces;
+import org.omg.CORBA.IMP_LIMIT;
 import org.omg.CORBA.OBJECT_NOT_EXIST;
 
 /**
@@ -19,12 +22,33 @@ import org.omg.CORBA.OBJECT_NOT_EXIST;
 final class SessionCalls implements InvocationHandler {
   private static final String END = "destroy";
 
+  /** Operations that read, check, generate or build a model. */
+  private static final Set<String> SET_UPS =
+      Set.of(
+          "loadModel",
+          "checkReport",
+          "checkReportWith",
+          "readWith",
+          "generatedSource",
+          "createSimulation",
+          "prepareSimulation",
+          "compileToJar",
+          "prepareJar");
+
   private final MechSimOperations servant;
   private final Set<Thread> threads = new HashSet<>();
+  private final String client;
+  private final SetUpPlaces places;
   private boolean ended;
 
-  SessionCalls(MechSimOperations servant) {
+  /**
+   * @param client owner of the session
+   * @param places of the set-ups of all clients
+   */
+  SessionCalls(MechSimOperations servant, String client, SetUpPlaces places) {
     this.servant = servant;
+    this.client = client;
+    this.places = places;
   }
 
   /** Returns the servant, whose calls are watched. */
@@ -44,7 +68,9 @@ final class SessionCalls implements InvocationHandler {
       begin();
     }
     try {
-      return operation.invoke(servant, arguments);
+      return SET_UPS.contains(operation.getName())
+          ? setUp(operation, arguments)
+          : operation.invoke(servant, arguments);
     } catch (InvocationTargetException e) {
       Throwable thrown = e.getCause() == null ? e : e.getCause();
       throw thrown instanceof CancellationException ? gone() : thrown;
@@ -52,6 +78,25 @@ final class SessionCalls implements InvocationHandler {
       if (stops) {
         done();
       }
+    }
+  }
+
+  private @Nullable Object setUp(Method operation, Object @Nullable [] arguments)
+      throws ReflectiveOperationException, IMP_LIMIT, LimitExceeded {
+    try {
+      places.enter(client);
+    } catch (LimitExceeded e) {
+      if (Set.of(operation.getExceptionTypes()).contains(LimitExceeded.class)) {
+        throw e;
+      }
+      throw new IMP_LIMIT(e.code + " " + e.text);
+    } catch (CancellationException e) {
+      throw gone();
+    }
+    try {
+      return operation.invoke(servant, arguments);
+    } finally {
+      places.leave(client);
     }
   }
 

@@ -124,7 +124,9 @@ public final class WarmUp implements AutoCloseable {
         RunFactory runs = new RunFactory(solver, queue, store);
         AdmissionControl admission = new AdmissionControl(limits, owner -> 0);
         return cancelled(
-            opened(session, new MechSimServant(session, library, runs, admission, session::end)));
+            opened(
+                session,
+                new MechSimServant(session, library, runs, admission, () -> 0, session::end)));
       } finally {
         session.end();
       }

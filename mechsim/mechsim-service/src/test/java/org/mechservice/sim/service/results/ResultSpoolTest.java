@@ -39,7 +39,7 @@ class ResultSpoolTest {
     return new ResultSpool(
         COLUMNS,
         RowFile.temporary(),
-        new SpoolQuota(new CurrentLimits(HostLimits.DEFAULT), () -> Long.MAX_VALUE));
+        new SpoolQuota(new CurrentLimits(HostLimits.DEFAULT), () -> Long.MAX_VALUE).of("ann"));
   }
 
   private static void assertRows(double[] values, long first, int count) {
@@ -53,9 +53,9 @@ class ResultSpoolTest {
   void runEndsBeforeTheDiskIsFullAndNewOnesAreRefused() throws Exception {
     AtomicLong free = new AtomicLong(3L << 30);
     SpoolQuota quota = new SpoolQuota(new CurrentLimits(HostLimits.DEFAULT), free::get);
-    quota.require(1 << 30, "");
-    quota.take(1 << 20, 1 << 20);
-    assertThatThrownBy(() -> quota.require(2.5 * (1L << 30), ""))
+    quota.require("ann", 1 << 30, "");
+    quota.of("ann").take(1 << 20, 1 << 20);
+    assertThatThrownBy(() -> quota.require("ann", 2.5 * (1L << 30), ""))
         .isInstanceOfSatisfying(
             LimitExceeded.class,
             refused -> {
@@ -63,7 +63,7 @@ class ResultSpoolTest {
               assertThat(refused.limitName).isEqualTo("freeDisk");
             });
     free.set(1L << 30);
-    assertThatThrownBy(() -> quota.take(1 << 20, 1 << 20))
+    assertThatThrownBy(() -> quota.of("ann").take(1 << 20, 1 << 20))
         .isInstanceOf(LimitReachedException.class)
         .hasMessageContaining("left");
     assertThat(quota.used()).isEqualTo(1 << 20);

@@ -13,6 +13,9 @@ import java.util.concurrent.Future;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.MechSimOperations;
+import org.mechservice.sim.service.limits.CurrentLimits;
+import org.mechservice.sim.service.limits.HostLimits;
+import org.mechservice.sim.service.limits.SetUpPlaces;
 import org.mechservice.solver.linear.Interruption;
 import org.omg.CORBA.OBJECT_NOT_EXIST;
 
@@ -20,7 +23,8 @@ import org.omg.CORBA.OBJECT_NOT_EXIST;
 class SessionCallsTest {
   private final CountDownLatch begun = new CountDownLatch(1);
   private final ExecutorService client = Executors.newSingleThreadExecutor();
-  private final SessionCalls calls = new SessionCalls(servant());
+  private final SessionCalls calls =
+      new SessionCalls(servant(), "ann", new SetUpPlaces(new CurrentLimits(HostLimits.DEFAULT)));
 
   private MechSimOperations servant() {
     return (MechSimOperations)

@@ -146,7 +146,7 @@ class SpoolRestartTest {
     RunIdentity identity =
         new RunIdentity("0a", "session", "here", "ann", "m", "m.xml", "", 0, List.of());
     RunColumns columns = new RunColumns(List.of(new Variable("t", "s")), List.of());
-    ResultSpool rows = store.newRows("0a", 1);
+    ResultSpool rows = store.newRows("0a", "ann", 1);
     rows.append(new double[] {1});
     Progress done = new Progress("0a", SimState.SIM_DONE, 0, 1, 0, 1, 1, 1, 1, 1, 1);
     RunRecord run =
