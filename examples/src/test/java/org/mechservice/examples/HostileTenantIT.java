@@ -89,6 +89,75 @@ class HostileTenantIT {
     }
   }
 
+  /** Bodies in a chain of free joints, each also tied to the ground: as many loops as bodies. */
+  private static String loops(int count) {
+    StringBuilder bodies = new StringBuilder();
+    StringBuilder joints = new StringBuilder();
+    for (int i = 0; i < count; i++) {
+      String before = i == 0 ? "Ground" : "b" + (i - 1);
+      bodies.append("<body name=\"b%d\"><sphere radius=\"0.1\" mass=\"1\"/></body>".formatted(i));
+      joints.append(
+          ("<joint name=\"k%1$d\" type=\"F\" body1=\"%2$s\" body2=\"b%1$d\"/>"
+                  + "<joint name=\"l%1$d\" type=\"S\" body1=\"Ground\" body2=\"b%1$d\"/>")
+              .formatted(i, before));
+    }
+    return "<MechML><MBSsimulation><dynamic><timeSet tini=\"0\" tend=\"1\" tstep=\"0.1\"/>"
+        + "</dynamic></MBSsimulation><MBSmodel name=\"big\" massUnits=\"kg\" lengthUnits=\"m\""
+        + " silence=\"no-gravity\"><Bodies><body name=\"Ground\"/>"
+        + bodies
+        + "</Bodies><Joints>"
+        + joints
+        + "</Joints><topology><root name=\"Ground\"/></topology></MBSmodel></MechML>";
+  }
+
+  /** A text of 0.7 MB whose set-up takes minutes and gigabytes; the operator gives it 5 s. */
+  @Test
+  void setUpWithoutEndIsRefusedByNameAndOthersGoOn() throws Exception {
+    Files.writeString(folder.resolve("loops.xml"), loops(4000));
+    int port = Service.freePort();
+    String url = Service.url(port);
+    Terminal terminal = new Terminal(folder);
+    try (Terminal.Running server = Service.startServer(folder, port, "--limit", "setUpTime=5");
+        Terminal.Running bomb = terminal.startMech("check", "loops.xml", "--server", url)) {
+      assertThat(server.stdout()).contains(url);
+      terminal
+          .mech("simulate", WorkingTree.PENDULUM.toString(), "--server", url, "--quiet")
+          .orFail();
+      Terminal.Ended ended = bomb.awaitEnd();
+      assertThat(ended.exitStatus()).as(ended.toString()).isNotZero();
+      assertThat(ended.stderr()).contains("S-230", "within the 5 s");
+      terminal
+          .mech("simulate", WorkingTree.PENDULUM.toString(), "--server", url, "--quiet")
+          .orFail();
+    }
+  }
+
+  /** Two kilobytes of source that the compiler turns into a text of half a terabyte. */
+  @Test
+  void sourceThatSwellsIsRefusedByNameAndTheServerGoesOn() throws Exception {
+    StringBuilder constants =
+        new StringBuilder("static final String a0=\"" + "x".repeat(60) + "\";");
+    for (int i = 1; i < 34; i++) {
+      constants.append("static final String a%d=a%d+a%d;".formatted(i, i - 1, i - 1));
+    }
+    Files.writeString(folder.resolve("m.xml"), DraggedBob.MODEL);
+    DraggedBob.writeSource(folder, constants.toString(), "", "int n=a33.length();");
+    int port = Service.freePort();
+    String url = Service.url(port);
+    Terminal terminal = new Terminal(folder);
+    try (Terminal.Running server =
+        Service.startServer(folder, port, "--allow-user-code=unconfined")) {
+      assertThat(server.stdout()).contains(url);
+      Terminal.Ended ended =
+          terminal.mech("simulate", "m.xml", "--server", url, "--user-code", ".");
+      assertThat(ended.exitStatus()).as(ended.toString()).isEqualTo(2);
+      assertThat(ended.stderr()).contains("S-123", "the compiler gives up", "MB of memory");
+      terminal
+          .mech("simulate", WorkingTree.PENDULUM.toString(), "--server", url, "--quiet")
+          .orFail();
+    }
+  }
+
   private static String read(Path file) {
     try {
       return Files.readString(file);

@@ -193,6 +193,28 @@ public final class Confinement {
   }
 
   /**
+   * Returns what starts a Java program of this product that runs no code of users, in an ordinary
+   * process with bounded memory, without environment. Without a choice of modules Java starts from
+   * its archive of classes, and with one compiler sooner.
+   */
+  public static ProcessBuilder ordinary(WorkerBounds bounds, Class<?> main) {
+    ProcessBuilder builder =
+        new ProcessBuilder(
+            Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+            "-Xmx" + bounds.heapBytes(),
+            "-XX:+UseSerialGC",
+            "-XX:TieredStopAtLevel=1",
+            "-XX:+ExitOnOutOfMemoryError",
+            "-XX:+SuppressFatalErrorMessage",
+            "-Xshare:auto",
+            "-cp",
+            System.getProperty("java.class.path"),
+            main.getName());
+    builder.environment().clear();
+    return builder;
+  }
+
+  /**
    * Returns what starts a Java program behind the wall, or in an ordinary process if there is none.
    * It has no environment.
    *

@@ -48,6 +48,11 @@ public final class UserCode {
     return new UserCode(folders, true);
   }
 
+  /** Returns whether no class may run. */
+  public boolean isNone() {
+    return folders.isEmpty();
+  }
+
   /** Returns whether they may run where they cannot be confined. */
   public boolean isUnconfined() {
     return unconfined;

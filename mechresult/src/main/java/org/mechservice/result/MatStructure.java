@@ -14,8 +14,8 @@ import java.util.zip.ZipException;
 
 /**
  * Makes sure that a MAT file has what its tags claim, before a reader reserves memory for it: each
- * element lies within the one around it, and no array has more elements than bytes (MAT-File
- * Format, MathWorks, chapter 1).
+ * element lies within the one around it, and no array has more elements than bytes (MathWorks,
+ * MAT-File Format, 2021, chapter 1).
  */
 final class MatStructure {
   private static final int HEADER = 128;

@@ -11,6 +11,7 @@ import org.mechservice.server.ServerSettings;
 import org.mechservice.sim.host.HostOptions;
 import org.mechservice.sim.service.limits.HostLimits;
 import org.mechservice.sim.service.session.WarmUp;
+import org.mechservice.sim.user.UserClasses;
 
 /** The service a command asks: one on the network, or one started for this command alone. */
 public final class ServiceConnection implements AutoCloseable {
@@ -61,6 +62,9 @@ public final class ServiceConnection implements AutoCloseable {
           MechConnection.open(asked.address(), JarCache.ofUser(), asked.identity()));
     }
     WarmUp.beginToBuild();
+    if (!userCode.isNone()) {
+      UserClasses.prepareCompiler();
+    }
     HostOptions embedded =
         new HostOptions(EMBEDDED_NAME, capacity, HostLimits.OWN, Optional.empty())
             .withUserCode(

@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.SortedMap;
+import javax.tools.ToolProvider;
 import org.mechservice.guard.BytecodeVerifier;
 import org.mechservice.guard.ForceRelay;
 import org.mechservice.guard.UserClassLoader;
@@ -81,6 +82,13 @@ public final class UserClasses {
                     0,
                     use.text()));
     findings.throwIfAny();
+  }
+
+  /** Starts a compiler ahead of the first source; without a compiler in this Java, does nothing. */
+  public static void prepareCompiler() {
+    if (ToolProvider.getSystemJavaCompiler() != null) {
+      CompilerProcess.prepare();
+    }
   }
 
   /**

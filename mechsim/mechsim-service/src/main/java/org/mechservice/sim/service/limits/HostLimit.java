@@ -32,6 +32,14 @@ public enum HostLimit {
       1,
       MessageCode.TOO_MANY_BUILDS,
       "models of one client that are read or built at once"),
+  /** Far above what the largest models take; somebody waits for the answer. */
+  SET_UP_TIME(
+      "setUpTime",
+      "s",
+      1800,
+      1,
+      MessageCode.SET_UP_TOO_LONG,
+      "time in which one model is read or built"),
   /** Ten of the largest. */
   CLIENT_MODEL_BYTES(
       "clientModelBytes",

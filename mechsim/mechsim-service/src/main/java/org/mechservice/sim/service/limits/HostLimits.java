@@ -31,6 +31,7 @@ public final class HostLimits {
           .with(HostLimit.RESULT_BYTES, UNLIMITED)
           .with(HostLimit.CLIENT_SESSIONS, UNLIMITED)
           .with(HostLimit.CLIENT_BUILDS, UNLIMITED)
+          .with(HostLimit.SET_UP_TIME, UNLIMITED)
           .with(HostLimit.CLIENT_MODEL_BYTES, UNLIMITED)
           .with(HostLimit.CLIENT_SPOOL_BYTES, UNLIMITED)
           .with(HostLimit.SPOOL_BYTES, UNLIMITED)

@@ -1,7 +1,9 @@
 package org.mechservice.sim.service.limits;
 
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.TimeUnit;
 import org.mechservice.idl.LimitExceeded;
@@ -22,8 +24,21 @@ public final class SetUpPlaces {
     private int waiting;
   }
 
+  /** A set-up that is under way, in the thread that has entered. */
+  public static final class Place {
+    private final String client;
+    private final Thread thread = Thread.currentThread();
+    private final long since = System.nanoTime();
+    private boolean late;
+
+    private Place(String client) {
+      this.client = client;
+    }
+  }
+
   private final CurrentLimits limits;
   private final Map<String, Use> clients = new HashMap<>();
+  private final Set<Place> taken = new HashSet<>();
 
   public SetUpPlaces(CurrentLimits limits) {
     this.limits = limits;
@@ -33,10 +48,11 @@ public final class SetUpPlaces {
    * Takes a place, waiting for one if need be; {@link #leave} gives it back.
    *
    * @param client owner of the session
+   * @return the place
    * @throws LimitExceeded if too many of its set-ups wait, or it has waited too long
    * @throws CancellationException if the thread is interrupted: its session has ended
    */
-  public synchronized void enter(String client) throws LimitExceeded {
+  public synchronized Place enter(String client) throws LimitExceeded {
     Use use = clients.computeIfAbsent(client, c -> new Use());
     if (use.running >= most() && use.waiting >= MOST_WAITING) {
       throw refusal(use);
@@ -52,6 +68,9 @@ public final class SetUpPlaces {
         TimeUnit.NANOSECONDS.timedWait(this, left);
       }
       use.running++;
+      Place place = new Place(client);
+      taken.add(place);
+      return place;
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new CancellationException("the session has ended");
@@ -77,14 +96,56 @@ public final class SetUpPlaces {
             + " wait; try again later");
   }
 
-  /** Gives a place back. */
-  public synchronized void leave(String client) {
-    Use use = clients.get(client);
+  /**
+   * Gives a place back.
+   *
+   * @return whether its thread was interrupted because the set-up has taken too long; the thread is
+   *     not interrupted any more
+   */
+  public synchronized boolean leave(Place place) {
+    taken.remove(place);
+    Use use = clients.get(place.client);
     if (use != null) {
       use.running--;
-      forget(client, use);
+      forget(place.client, use);
     }
     notifyAll();
+    return place.late && Thread.interrupted();
+  }
+
+  /** Interrupts set-ups that have taken too long. */
+  public synchronized void interruptLate() {
+    long most = limits.now().bound(HostLimit.SET_UP_TIME);
+    for (Place place : taken) {
+      if (!place.late && (System.nanoTime() - place.since) / 1_000_000_000 >= most) {
+        place.late = true;
+        place.thread.interrupt();
+      }
+    }
+  }
+
+  /** Returns the refusal of a set-up that has taken too long. */
+  public LimitExceeded tooLong() {
+    long most = limits.now().of(HostLimit.SET_UP_TIME);
+    return HostLimit.SET_UP_TIME.refusal(
+        most,
+        most,
+        "the model was not set up within the "
+            + most
+            + " s that this host gives one; leave out loops that repeat others, or divide the"
+            + " model");
+  }
+
+  /** Returns the refusal of a set-up for which the memory did not suffice. */
+  public LimitExceeded tooLarge() {
+    long most = Runtime.getRuntime().maxMemory();
+    return HostLimit.MEMORY.refusal(
+        most,
+        most,
+        "the set-up of the model needs more than the "
+            + (most >> 20)
+            + " MB of memory that this host has; leave out loops that repeat others, or divide the"
+            + " model");
   }
 
   private void forget(String client, Use use) {

@@ -111,12 +111,12 @@ public final class SpoolQuota {
   public void require(String client, double bytes, String whatToDo) throws LimitExceeded {
     HostLimits now = limits.now();
     long free = freeDisk();
-    long ofRun = Math.min(now.bound(HostLimit.RESULT_BYTES), free);
+    long ofRun = now.bound(HostLimit.RESULT_BYTES);
     if (bytes > ofRun) {
       throw HostLimit.RESULT_BYTES.refusal(ofRun, (long) bytes, whatToDo);
     }
     long least = leastFree();
-    if (least > 0 && free - bytes < least) {
+    if (free - bytes < least) {
       throw HostLimit.FREE_DISK.refusal(least, (long) bytes, nearlyFull(free, least));
     }
     AtomicLong own = usedByClient.get(client);

@@ -7,6 +7,7 @@ import java.lang.reflect.Proxy;
 import java.util.HashSet;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.CompletionException;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.idl.LimitExceeded;
 import org.mechservice.idl.MechSimOperations;
@@ -83,21 +84,44 @@ final class SessionCalls implements InvocationHandler {
 
   private @Nullable Object setUp(Method operation, Object @Nullable [] arguments)
       throws ReflectiveOperationException, IMP_LIMIT, LimitExceeded {
+    SetUpPlaces.@Nullable Place place;
     try {
-      places.enter(client);
+      place = places.enter(client);
     } catch (LimitExceeded e) {
-      if (Set.of(operation.getExceptionTypes()).contains(LimitExceeded.class)) {
-        throw e;
-      }
-      throw new IMP_LIMIT(e.code + " " + e.text);
+      throw asDeclared(operation, e);
     } catch (CancellationException e) {
       throw gone();
     }
     try {
       return operation.invoke(servant, arguments);
+    } catch (InvocationTargetException e) {
+      boolean late = places.leave(place);
+      place = null;
+      if (late) {
+        throw asDeclared(operation, places.tooLong());
+      } else if (isOutOfMemory(e.getCause())) {
+        throw asDeclared(operation, places.tooLarge());
+      }
+      throw e;
     } finally {
-      places.leave(client);
+      if (place != null) {
+        places.leave(place);
+      }
     }
+  }
+
+  private static boolean isOutOfMemory(@Nullable Throwable thrown) {
+    return thrown instanceof OutOfMemoryError
+        || (thrown instanceof CompletionException && thrown.getCause() instanceof OutOfMemoryError);
+  }
+
+  /** An operation whose contract has no such refusal gives the one that each operation has. */
+  private static IMP_LIMIT asDeclared(Method operation, LimitExceeded refusal)
+      throws LimitExceeded {
+    if (Set.of(operation.getExceptionTypes()).contains(LimitExceeded.class)) {
+      throw refusal;
+    }
+    return new IMP_LIMIT(refusal.code + " " + refusal.text);
   }
 
   private synchronized void begin() {

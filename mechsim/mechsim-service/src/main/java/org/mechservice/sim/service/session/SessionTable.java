@@ -443,6 +443,7 @@ public final class SessionTable implements AutoCloseable {
     try {
       HostLimits limits = host.limits().now();
       host.orb().allowConnections(limits.connectionsAtAll());
+      places.interruptLate();
       for (Session session : allSessions()) {
         if (session.leaseLeftMillis() < 0) {
           expire(session, "was not renewed and has ended");

@@ -38,15 +38,14 @@ class SetUpPlacesTest {
 
   @Test
   void furtherSetUpsOfAClientWaitAndOthersGoOn() throws Exception {
-    places.enter("ann");
+    SetUpPlaces.Place first = places.enter("ann");
     places.enter("ann");
     Thread third = entering("ann");
     Eventually.holds(() -> third.getState() == Thread.State.TIMED_WAITING);
-    places.enter("bob");
-    places.enter("bob");
-    places.leave("bob");
+    places.leave(places.enter("bob"));
+    places.leave(places.enter("bob"));
     assertThat(third.isAlive()).isTrue();
-    places.leave("ann");
+    assertThat(places.leave(first)).isFalse();
     third.join();
     assertThat(in.get()).isEqualTo(1);
   }

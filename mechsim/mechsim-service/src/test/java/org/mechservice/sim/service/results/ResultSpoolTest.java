@@ -15,6 +15,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.LimitExceeded;
 import org.mechservice.sim.service.limits.CurrentLimits;
+import org.mechservice.sim.service.limits.HostLimit;
 import org.mechservice.sim.service.limits.HostLimits;
 import org.mechservice.sim.service.limits.LimitReachedException;
 import org.mechservice.sim.service.limits.SpoolQuota;
@@ -62,6 +63,19 @@ class ResultSpoolTest {
               assertThat(refused.code).isEqualTo("S-174");
               assertThat(refused.limitName).isEqualTo("freeDisk");
             });
+    // More than the disk has at all, but not more than a run may have: the disk is the reason.
+    for (long most : new long[] {1L << 30, 0}) {
+      SpoolQuota small =
+          new SpoolQuota(
+              new CurrentLimits(HostLimits.DEFAULT.with(HostLimit.FREE_DISK, most)), free::get);
+      assertThatThrownBy(() -> small.require("ann", 3.5 * (1L << 30), "make t-step larger"))
+          .isInstanceOfSatisfying(
+              LimitExceeded.class,
+              refused -> {
+                assertThat(refused.code).isEqualTo("S-174");
+                assertThat(refused.text).doesNotContain("t-step");
+              });
+    }
     free.set(1L << 30);
     assertThatThrownBy(() -> quota.of("ann").take(1 << 20, 1 << 20))
         .isInstanceOf(LimitReachedException.class)
