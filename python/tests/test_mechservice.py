@@ -3,6 +3,7 @@
 import doctest
 import importlib.util
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -170,7 +171,7 @@ def test_a_run_time_without_compiler_gives_the_same_bits(tmp_path):
         "tools = jpype.JClass('javax.tools.ToolProvider')\n"
         "print(tools.getSystemJavaCompiler() is None)\n"
         "try:\n"
-        "    mechservice.read('examples/elements/force.xml')\n"
+        "    mechservice.read('examples/elements/force.xml', user_code=['examples/elements'])\n"
         "except mechservice.ModelError as error:\n"
         "    print(error.code)\n"
     )
@@ -218,3 +219,31 @@ def test_first_steps_say_what_happens(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     result = doctest.testfile(str(TOP / "docs" / "first-steps.md"), module_relative=False)
     assert result.attempted == 3 and result.failed == 0
+
+
+FORCE = """
+import org.mechservice.solver.api.*;
+public final class Thrust implements UserForce {
+  static { %s }
+  public void declare(ForceDeclaration model) { model.coordinate("slide", 0); }
+  public void apply(ForceState state, ForceLoads loads) { loads.addJointForce(0, 1); }
+}
+"""
+
+
+def test_code_beside_a_model_runs_after_consent_and_not_in_this_process(tmp_path):
+    model = tmp_path / "m.xml"
+    shutil.copy("examples/elements/force.xml", model)
+    escaped = tmp_path / "escaped"
+    escape = f'try {{ new java.io.FileOutputStream("{escaped}"); }} catch (Exception e) {{ }}'
+    (tmp_path / "Thrust.java").write_text(FORCE % escape)
+    with pytest.raises(mechservice.ModelError) as unasked:
+        mechservice.read(model)
+    assert unasked.value.code == "S-169"
+    with pytest.raises(mechservice.ModelError) as refused:
+        mechservice.read(model, user_code=[tmp_path], unconfined=True)
+    assert refused.value.code == "S-156"
+    assert not escaped.exists()
+    shutil.copy("examples/elements/Thrust.java", tmp_path / "Thrust.java")
+    run = mechservice.read(model, user_code=[tmp_path], unconfined=True).simulate()
+    assert len(run) > 1

@@ -492,18 +492,30 @@ def _interruptible(java: Any) -> Any:
     return rows
 
 
+def consent(user_code: Iterable[str], unconfined: bool) -> Any:
+    """Returns the Java object that says which classes of forces may run."""
+    trusted = java_class("org.mechservice.guard.UserCode")
+    named = getattr(trusted, "in_")([java_path(folder) for folder in user_code])
+    return named.unconfined() if unconfined else named
+
+
 def read(
-    path: "Union[str, os.PathLike[str]]", *, user_code: Iterable[str] = ()
+    path: "Union[str, os.PathLike[str]]",
+    *,
+    user_code: Iterable[str] = (),
+    unconfined: bool = False,
 ) -> Model:
     """Reads a MechML file, or imports a robot whose name ends in .urdf, .sdf or .mjcf.
 
-    user_code: further folders in which classes of forces are sought.
+    user_code: the folders whose classes of forces may run, in confined processes; no others run,
+    also if they lie beside the model.
+    unconfined: run them also where the operating system cannot confine them.
     """
     with python_errors():
         library = java_class("org.mechservice.library.MechModel")
         if os.fspath(path).lower().endswith((".urdf", ".sdf", ".mjcf")):
             return Model(library.importRobot(java_path(path)))
-        return Model(library.read(java_path(path), [java_path(folder) for folder in user_code]))
+        return Model(library.read(java_path(path), consent(user_code, unconfined)))
 
 
 def parse(mechml: str, name: str = "model") -> Model:

@@ -8,7 +8,7 @@ from typing import Any, Iterable, Optional, Type, Union
 
 from ._errors import python_errors
 from ._java import java_class, java_path
-from ._model import Model
+from ._model import Model, consent
 
 
 class Connection:
@@ -24,17 +24,23 @@ class Connection:
         return f"{service.name()} {service.version()}"
 
     def read(
-        self, path: "Union[str, os.PathLike[str]]", *, user_code: Iterable[str] = ()
+        self,
+        path: "Union[str, os.PathLike[str]]",
+        *,
+        user_code: Iterable[str] = (),
+        unconfined: bool = False,
     ) -> Model:
         """Sends a MechML file to the server; the model has the verbs of ``mechservice.read``.
 
-        user_code: further folders in which classes of forces are sought; they are sent too.
+        user_code: the folders whose classes of forces are sent; no others are, also if they lie
+        beside the model.
+        unconfined: run them also here, in steps, where the operating system cannot confine them.
         """
         with python_errors():
             file = java_path(path)
-            folders = [java_path(folder) for folder in user_code]
+            trusted = consent(user_code, unconfined)
             library = java_class("org.mechservice.library.MechModel")
-            return Model(self._java.read(file, folders), lambda: library.read(file, folders))
+            return Model(self._java.read(file, trusted), lambda: library.read(file, trusted))
 
     def parse(self, mechml: str, name: str = "model") -> Model:
         """Sends MechML text to the server."""

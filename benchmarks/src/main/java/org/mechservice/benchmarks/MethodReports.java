@@ -13,12 +13,12 @@ import org.mechservice.benchmarks.study.StudyContext;
 import org.mechservice.benchmarks.suite.EqualErrorRatios;
 import org.mechservice.benchmarks.suite.SuiteReport;
 import org.mechservice.client.MechConnection;
+import org.mechservice.guard.UserCodePolicy;
 import org.mechservice.report.ProgressLine;
 import org.mechservice.report.stability.ExtremeCase;
 import org.mechservice.server.MechServerProcess;
 import org.mechservice.server.ServerSettings;
 import org.mechservice.sim.host.HostOptions;
-import org.mechservice.sim.worker.UserCodePolicy;
 
 /**
  * Writes the pages that are evidence about the methods: the integrator suite with its peers, the

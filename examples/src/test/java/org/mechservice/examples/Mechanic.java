@@ -40,15 +40,27 @@ final class Mechanic {
     return new Done(status, out.toString(), err.toString());
   }
 
-  /** Checks a model. */
+  /** Checks a model; classes of forces beside it are trusted. */
   static Done check(Path model) {
-    return mech("check", model.toString());
+    return mech("check", model.toString(), "--user-code", folderOf(model), "--unconfined");
   }
 
-  /** Simulates a model, with its rows in a file. */
+  private static String folderOf(Path model) {
+    return model.resolveSibling(".").normalize().toString();
+  }
+
+  /** Simulates a model, with its rows in a file; classes of forces beside it are trusted. */
   static Done simulate(Path model, Path rows, String... options) {
     List<String> words =
-        new ArrayList<>(List.of("simulate", model.toString(), "--out", rows.toString()));
+        new ArrayList<>(
+            List.of(
+                "simulate",
+                model.toString(),
+                "--user-code",
+                folderOf(model),
+                "--unconfined",
+                "--out",
+                rows.toString()));
     words.addAll(Arrays.asList(options));
     return mech(words.toArray(String[]::new));
   }

@@ -94,7 +94,10 @@ class ReleaseArchiveIT {
   @Test
   void onlySourcesOfForcesNeedACompiler() {
     Terminal.Ended refused =
-        terminal.shell(mech + "simulate examples/driver/driver-c0.xml --out d.csv");
+        terminal.shell(
+            mech
+                + "simulate examples/driver/driver-c0.xml --user-code examples/driver --unconfined"
+                + " --out d.csv");
     assertThat(refused.exitStatus()).isNotZero();
     assertThat(refused.stderr()).contains("S-084").contains("give the class file instead");
   }

@@ -5,6 +5,8 @@ import java.net.BindException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.ThreadLocalRandom;
 
 /** Processes of the service on this machine, started with {@code ./mech}. */
@@ -31,9 +33,10 @@ final class Service {
   }
 
   /** Starts {@code ./mech server} and waits until it prints its URL. */
-  static Terminal.Running startServer(Path directory, int port) {
-    return ready(
-        new Terminal(directory).startMech("server", "--port", Integer.toString(port)), url(port));
+  static Terminal.Running startServer(Path directory, int port, String... options) {
+    List<String> words = new ArrayList<>(List.of("server", "--port", Integer.toString(port)));
+    words.addAll(List.of(options));
+    return ready(new Terminal(directory).startMech(words.toArray(String[]::new)), url(port));
   }
 
   /** Starts {@code ./mech simhost} and waits until it has registered and prints its address. */

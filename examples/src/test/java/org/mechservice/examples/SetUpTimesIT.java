@@ -143,7 +143,15 @@ class SetUpTimesIT {
   }
 
   private long built(Path scene, String... options) throws IOException {
-    List<String> command = new ArrayList<>(List.of("build", scene.toString(), "-o", "p.jar"));
+    List<String> command =
+        new ArrayList<>(
+            List.of(
+                "build",
+                scene.toString(),
+                "--user-code",
+                scene.resolveSibling(".").toString(),
+                "-o",
+                "p.jar"));
     command.addAll(List.of(options));
     new Terminal(directory).mech(command.toArray(String[]::new)).orFail();
     return Files.size(directory.resolve("p.jar"));

@@ -3,7 +3,8 @@ package org.mechservice.examples;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
-import java.util.Arrays;
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -21,14 +22,11 @@ class UserForcesIT {
   @TempDir private Path directory;
 
   private void simulate(Path model, String file, String... options) {
-    String[] command = Arrays.copyOf(options, options.length + 5);
-    System.arraycopy(options, 0, command, 2, options.length);
-    command[0] = "simulate";
-    command[1] = model.toString();
-    command[options.length + 2] = "--quiet";
-    command[options.length + 3] = "--out";
-    command[options.length + 4] = file;
-    new Terminal(directory).mech(command).orFail();
+    List<String> command = new ArrayList<>(List.of("simulate", model.toString()));
+    command.addAll(List.of("--user-code", model.resolveSibling(".").toString(), "--unconfined"));
+    command.addAll(List.of("--quiet", "--out", file));
+    command.addAll(List.of(options));
+    new Terminal(directory).mech(command.toArray(String[]::new)).orFail();
   }
 
   @CsvSource({
@@ -61,7 +59,10 @@ class UserForcesIT {
   void classesTravelWithTheModel(@TempDir Path empty) {
     simulate(Path.of(SUSPENSION), "remote.csv");
     simulate(Path.of(SUSPENSION), "local.csv", "--mode", "local");
-    new Terminal(directory).mech("build", SUSPENSION, "-o", "s.jar", "--standalone").orFail();
+    String trusted = Path.of(SUSPENSION).resolveSibling(".").toString();
+    new Terminal(directory)
+        .mech("build", SUSPENSION, "--user-code", trusted, "-o", "s.jar", "--standalone")
+        .orFail();
     new Terminal(empty)
         .run("java", "-jar", directory.resolve("s.jar").toString(), "--out", "alone.csv")
         .orFail();

@@ -69,6 +69,33 @@ public sealed interface AdminAction {
   }
 
   /**
+   * Ends sessions with their runs.
+   *
+   * @param owner whose; empty: the one of the id
+   * @param sessionId its full id; empty: all of the owner
+   * @param reason the reason that the owner receives
+   */
+  record EndSessions(String owner, String sessionId, String reason) implements AdminAction {
+    @Override
+    public void perform(MechAdmin admin) throws UserException {
+      var unused = admin.endSessions(owner, sessionId, reason);
+    }
+
+    @Override
+    public String summary() {
+      String which = sessionId.isEmpty() ? "the sessions of " + owner : "session " + sessionId;
+      return "end " + which + " (" + reason + ")";
+    }
+
+    @Override
+    public List<String> words() {
+      return sessionId.isEmpty()
+          ? List.of("end", "--user", owner, "--reason", reason)
+          : List.of("end", sessionId, "--reason", reason);
+    }
+  }
+
+  /**
    * Admits no new simulation; running ones continue.
    *
    * @param host which host; empty: the whole server

@@ -15,6 +15,7 @@ import org.mechservice.idl.MechAdmin;
 import org.mechservice.idl.NotAuthorized;
 import org.mechservice.idl.ServerStatus;
 import org.mechservice.idl.ServiceEvent;
+import org.mechservice.idl.SessionSummary;
 import org.mechservice.idl.SimDetail;
 import org.mechservice.idl.SimSummary;
 import org.mechservice.orb.tls.TlsIdentity;
@@ -119,6 +120,15 @@ public final class AdminConsole implements AutoCloseable {
    */
   public SimDetail show(String server, String simId) {
     return calls.begin(require(server), admin -> admin.showSimulation(simId)).await();
+  }
+
+  /**
+   * Returns the sessions at a server and its hosts, the oldest first.
+   *
+   * @throws AdminFailure if the server does not answer or refuses
+   */
+  public List<SessionSummary> sessions(String server) {
+    return Arrays.asList(calls.begin(require(server), MechAdmin::listSessions).await());
   }
 
   /**

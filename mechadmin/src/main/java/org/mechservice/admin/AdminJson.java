@@ -17,6 +17,7 @@ import org.mechservice.idl.NameValue;
 import org.mechservice.idl.Progress;
 import org.mechservice.idl.ServerStatus;
 import org.mechservice.idl.ServiceEvent;
+import org.mechservice.idl.SessionSummary;
 import org.mechservice.idl.Severity;
 import org.mechservice.idl.SimSummary;
 
@@ -165,6 +166,20 @@ public final class AdminJson {
     simulation.addProperty("startedAt", QuantityText.instant(summary.startedAt));
     simulation.addProperty("endedAt", QuantityText.instant(summary.endedAt));
     return simulation;
+  }
+
+  /** Returns a session. */
+  public static JsonObject session(SessionSummary session) {
+    JsonObject json = new JsonObject();
+    json.addProperty("id", session.sessionId);
+    json.addProperty("owner", session.owner);
+    json.addProperty("host", session.hostName);
+    json.addProperty("openedAt", QuantityText.instant(session.openedAt));
+    json.addProperty("leaseEndsAt", QuantityText.instant(session.leaseEndsAt));
+    json.addProperty("active", session.active);
+    json.addProperty("runs", session.runs);
+    json.addProperty("modelBytes", session.modelBytes);
+    return json;
   }
 
   private static void addProgress(JsonObject simulation, Progress info) {

@@ -6,6 +6,7 @@ import java.util.stream.Stream;
 import org.mechservice.idl.HostLoad;
 import org.mechservice.idl.HostStatus;
 import org.mechservice.idl.ServerStatus;
+import org.mechservice.idl.SessionSummary;
 import org.mechservice.idl.SimSummary;
 
 /** Shows servers, their hosts and simulations as tables. */
@@ -121,6 +122,23 @@ public final class StatusText {
         .map(statistic -> statistic.text.split(":", 2)[0])
         .findFirst()
         .orElse("");
+  }
+
+  /** Returns sessions with what they hold. */
+  public TextTable sessions(List<SessionSummary> sessions) {
+    TextTable table =
+        new TextTable("SESSION", "HOST", "OWNER", "AGE", "ACTIVE", "RUNS", "MODEL BYTES");
+    for (SessionSummary session : sessions) {
+      table.add(
+          session.sessionId,
+          session.hostName,
+          session.owner,
+          QuantityText.age(session.openedAt, now),
+          Integer.toString(session.active),
+          Integer.toString(session.runs),
+          Long.toString(session.modelBytes));
+    }
+    return table;
   }
 
   /** Returns simulations, in the order given. */

@@ -36,6 +36,8 @@ class AdminConsoleTest {
     for (AdminAction action :
         List.of(
             new AdminAction.StopSimulation("sim-1", "maintenance"),
+            new AdminAction.EndSessions("ann", "", "too many"),
+            new AdminAction.EndSessions("", "3f2a-1", "too many"),
             new AdminAction.Drain("big"),
             new AdminAction.Undrain(""),
             new AdminAction.SetLimits("", Map.of("queue", 7L)),
@@ -46,6 +48,8 @@ class AdminConsoleTest {
     assertThat(server.calls())
         .containsExactly(
             "kill sim-1 maintenance",
+            "endSessions ann too many",
+            "endSessions 3f2a-1 too many",
             "drain big",
             "undrain ",
             "limit  queue=7",

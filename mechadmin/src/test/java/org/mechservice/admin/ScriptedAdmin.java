@@ -31,6 +31,7 @@ import org.mechservice.idl.Progress;
 import org.mechservice.idl.ServerInfo;
 import org.mechservice.idl.ServerStatus;
 import org.mechservice.idl.ServiceEvent;
+import org.mechservice.idl.SessionSummary;
 import org.mechservice.idl.Severity;
 import org.mechservice.idl.SimDetail;
 import org.mechservice.idl.SimEvent;
@@ -321,6 +322,20 @@ public final class ScriptedAdmin implements MechAdminOperations, AutoCloseable {
   @Override
   public synchronized HostStatus[] listHosts() {
     return hosts.values().toArray(HostStatus[]::new);
+  }
+
+  @Override
+  public SessionSummary[] listSessions() {
+    return new SessionSummary[] {
+      new SessionSummary("3f2a-1", "ann", "h1", 0, 0, 1, 2, 300),
+      new SessionSummary("77aa-2", "bob", "h1", 0, 0, 0, 0, 0)
+    };
+  }
+
+  @Override
+  public int endSessions(String owner, String sessionId, String reason) {
+    calls.add("endSessions " + owner + sessionId + " " + reason);
+    return 1;
   }
 
   @Override

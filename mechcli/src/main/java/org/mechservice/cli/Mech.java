@@ -97,6 +97,8 @@ public final class Mech {
   /** Runs a command and ends the process with its exit status. */
   public static void main(String[] arguments) {
     StandardOutput out = StandardOutput.ofProcess();
+    Thread.setDefaultUncaughtExceptionHandler(
+        (thread, failure) -> FailureReport.ofThread(failure, new SafeWriter(System.err)));
     int status = run(new SafeWriter(out), new SafeWriter(System.err), arguments);
     System.exit(out.failure().map(why -> unwritten(why, status)).orElse(status));
   }
@@ -119,13 +121,17 @@ public final class Mech {
     CommandLine line = new CommandLine(new Mech());
     commandsNamed(words[0]).forEach(line::addSubcommand);
     HelpSections.addTo(line);
-    int status =
-        line.setOut(out)
-            .setErr(err)
-            .setCaseInsensitiveEnumValuesAllowed(true)
-            .setParameterExceptionHandler(UsageReport::badUsage)
-            .setExecutionExceptionHandler(FailureReport::failed)
-            .execute(words);
+    line.setOut(out)
+        .setErr(err)
+        .setCaseInsensitiveEnumValuesAllowed(true)
+        .setParameterExceptionHandler(UsageReport::badUsage)
+        .setExecutionExceptionHandler(FailureReport::failed);
+    int status;
+    try {
+      status = line.execute(words);
+    } catch (OutOfMemoryError | StackOverflowError | LinkageError | AssertionError failure) {
+      status = FailureReport.failed(failure, err);
+    }
     out.flush();
     err.flush();
     return status;

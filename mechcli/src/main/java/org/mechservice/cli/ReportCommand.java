@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import org.mechservice.cli.model.UserCodeOption;
 import org.mechservice.cli.shell.ExitStatus;
 import org.mechservice.cli.shell.MechVersion;
 import org.mechservice.cli.shell.ServerOption;
@@ -13,6 +14,7 @@ import org.mechservice.cli.shell.ServiceConnection;
 import org.mechservice.cli.shell.UsageException;
 import org.mechservice.client.MechSession;
 import org.mechservice.client.SessionBuilds;
+import org.mechservice.guard.Confinement;
 import org.mechservice.report.ModelReport;
 import org.mechservice.report.ProgressLine;
 import org.mechservice.report.measure.Effort;
@@ -65,6 +67,8 @@ final class ReportCommand implements Callable<Integer> {
       description = "Compare the runs of two reports of one scene: is the second within noise?")
   private List<Path> compared = List.of();
 
+  @Mixin private UserCodeOption userCode = new UserCodeOption();
+
   @Mixin private ServerOption server = new ServerOption();
 
   @Spec private CommandSpec spec = CommandSpec.create();
@@ -109,7 +113,13 @@ final class ReportCommand implements Callable<Integer> {
   }
 
   private void reportModels(Path folder) throws IOException, InterruptedException {
-    try (ServiceConnection service = ServiceConnection.open(server)) {
+    userCode
+        .consent()
+        .warning(Confinement.ofThisMachine())
+        .ifPresent(
+            why ->
+                spec.commandLine().getErr().println(MessageCode.USER_CODE_UNCONFINED + " " + why));
+    try (ServiceConnection service = ServiceConnection.open(server, userCode.consent())) {
       for (Path model : models) {
         report(service, model, folder);
       }
@@ -123,7 +133,7 @@ final class ReportCommand implements Callable<Integer> {
     Effort effort = budget.map(usual::withBudget).orElse(usual);
     try (MechSession session = service.connection().openSession();
         ProgressLine line = new ProgressLine(err)) {
-      session.loadModel(model).forEach(err::println);
+      session.loadModel(model, userCode.consent()).forEach(err::println);
       print(new ModelReport(new SessionBuilds(session), folder, effort, line).write(model));
     }
   }

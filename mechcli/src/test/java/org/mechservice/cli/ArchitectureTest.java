@@ -55,6 +55,7 @@ class ArchitectureTest {
                   "solver.simulation",
                   "solver.standalone",
                   "solver.system")),
+          entry("mechguard", List.of("guard")),
           entry("mechml", List.of("mechml")),
           entry("mechrobot", List.of("robot")),
           entry("idl", List.of("idl", "orb")),
@@ -99,23 +100,24 @@ class ArchitectureTest {
     "solver-symbol, ''",
     "solver-mechanics, solver-api solver-ode solver-symbol",
     "solver-runtime, solver-api solver-ode solver-symbol solver-mechanics",
+    "mechguard, solver-api",
     "mechml, solver-api solver-ode solver-symbol solver-mechanics",
     "mechrobot, mechml solver-api solver-ode solver-symbol solver-mechanics",
     "idl, solver-api",
-    "mechsim-codegen, mechml solver-runtime solver-api solver-ode solver-symbol solver-mechanics",
+    "mechsim-codegen, mechguard mechml solver-runtime solver-api solver-ode solver-symbol solver-mechanics",
     "mechsim-service,"
-        + " mechsim-codegen idl mechrobot mechml solver-runtime solver-api solver-ode"
+        + " mechsim-codegen mechguard idl mechrobot mechml solver-runtime solver-api solver-ode"
         + " solver-symbol solver-mechanics",
     "mechserver, mechsim-service idl solver-api",
-    "mechclient, idl mechreport solver-api solver-runtime",
+    "mechclient, mechguard idl mechreport solver-api solver-runtime",
     "mechadmin, idl solver-api",
     "mechreport, solver-runtime solver-api solver-ode",
     "mechresult, solver-api",
-    "mechservice, mechsim-codegen mechreport mechrobot mechml solver-runtime solver-api"
+    "mechservice, mechsim-codegen mechguard mechreport mechrobot mechml solver-runtime solver-api"
         + " solver-ode solver-symbol solver-mechanics",
-    "mechstudy, mechservice mechresult mechsim-codegen mechml solver-runtime solver-api"
+    "mechstudy, mechservice mechguard mechresult mechsim-codegen mechml solver-runtime solver-api"
         + " solver-ode solver-symbol solver-mechanics",
-    "mechstudy-spark, mechstudy mechml solver-api",
+    "mechstudy-spark, mechstudy mechguard mechml solver-api",
     "mechview, mechclient mechresult mechservice mechsim-codegen mechml solver-runtime idl"
         + " solver-api solver-ode solver-symbol solver-mechanics",
   })

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.mechservice.cli.shell.ServerOption;
 import org.mechservice.cli.shell.ServiceConnection;
@@ -24,7 +23,7 @@ class ForecastTest {
     SimulationOptions explicit = asInFile.integrator("ode113").endTime(100);
     try (ServiceConnection service = ServiceConnection.open(new ServerOption());
         MechSession session = service.connection().openSession("")) {
-      assertThat(session.loadModel(STIFF, Optional.empty())).isEmpty();
+      assertThat(session.loadModel(STIFF)).isEmpty();
       session.prepareRemoteRun(explicit).close();
       List<ModelMessage> remote = session.warnings();
       session.prepareLocalRun(asInFile).close();
@@ -38,7 +37,7 @@ class ForecastTest {
   void forecastNamesTheJointTheIntegratorAndTheEndOfTheRun() throws IOException {
     try (ServiceConnection service = ServiceConnection.open(new ServerOption());
         MechSession session = service.connection().openSession("")) {
-      session.loadModel(STIFF, Optional.empty());
+      session.loadModel(STIFF);
       session
           .prepareRemoteRun(SimulationOptions.asInFile().integrator("ode113").endTime(100))
           .close();
@@ -54,7 +53,7 @@ class ForecastTest {
         SimulationOptions.asInFile().integrator("ode113").endTime(100).silence("very-many-steps");
     try (ServiceConnection service = ServiceConnection.open(new ServerOption());
         MechSession session = service.connection().openSession("")) {
-      session.loadModel(STIFF, Optional.empty());
+      session.loadModel(STIFF);
       session.prepareRemoteRun(silent).close();
       assertThat(session.warnings()).isEmpty();
       session.prepareLocalRun(silent).close();

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.guard.UserCode;
 import org.mechservice.library.MechModel;
 
 /** The library in process and {@code mech simulate} write the same bytes. */
@@ -31,10 +32,21 @@ class LibraryBitsTest {
     Path byLibrary = folder.resolve("library.csv");
     StringWriter said = new StringWriter();
     PrintWriter err = new PrintWriter(said);
+    Path trusted = model.resolveSibling(".");
     int status =
-        Mech.run(err, err, "simulate", model.toString(), "--out", byCommand.toString(), "--quiet");
+        Mech.run(
+            err,
+            err,
+            "simulate",
+            model.toString(),
+            "--user-code",
+            trusted.toString(),
+            "--unconfined",
+            "--out",
+            byCommand.toString(),
+            "--quiet");
     assertThat(status).as(said.toString()).isZero();
-    MechModel.read(model).simulate(byLibrary);
+    MechModel.read(model, UserCode.in(trusted).unconfined()).simulate(byLibrary);
     assertThat(byLibrary).hasSameBinaryContentAs(byCommand);
     assertThat(folder.resolve("library.units.json"))
         .hasSameBinaryContentAs(folder.resolve("command.units.json"));

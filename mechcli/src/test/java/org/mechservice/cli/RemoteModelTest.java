@@ -57,7 +57,16 @@ class RemoteModelTest {
 
   /** Verbs that only a model in process has, because they give or read what only it has. */
   private static final Set<String> HERE =
-      Set.of("content", "file", "folder", "userClasses", "request", "columns", "urdf");
+      Set.of(
+          "content",
+          "file",
+          "folder",
+          "userClasses",
+          "request",
+          "columns",
+          "urdf",
+          "userCode",
+          "userCodeWarning");
 
   /** With and without arguments: what writes files beside the model, and code in this process. */
   private static final Set<String> ONLY_HERE = Set.of("writeUrdf", "instances");

@@ -52,7 +52,19 @@ class WholeWayTest {
   void remoteAndLocalRunsWriteTheSameBytes(String model) {
     for (String mode : new String[] {"remote", "local"}) {
       String rows = file(mode + ".csv");
-      mech("simulate", model, "--quiet", "--columns", "all", "--out", rows, "--mode", mode);
+      mech(
+          "simulate",
+          model,
+          "--user-code",
+          Path.of(model).resolveSibling(".").toString(),
+          "--unconfined",
+          "--quiet",
+          "--columns",
+          "all",
+          "--out",
+          rows,
+          "--mode",
+          mode);
     }
     assertThat(err.toString()).isEmpty();
     assertThat(out.toString()).isEmpty();

@@ -19,6 +19,7 @@ import org.mechservice.client.SimulationOptions;
 import org.mechservice.client.failure.RunState;
 import org.mechservice.client.jar.JarCache;
 import org.mechservice.client.run.RemoteRun;
+import org.mechservice.guard.UserCode;
 import org.mechservice.idl.FailureRecord;
 import org.mechservice.idl.IMechSimRemote;
 import org.mechservice.idl.MechAdmin;
@@ -181,7 +182,7 @@ final class Killing implements AutoCloseable {
   void worker() throws Exception {
     try (MechConnection connection = MechConnection.open(server.address(), JarCache.ofUser());
         MechSession session = connection.openSession(VICTIM)) {
-      session.loadModel(USER_CODE);
+      session.loadModel(USER_CODE, UserCode.in(USER_CODE.resolveSibling(".")));
       try (RemoteRun run =
           session.prepareRemoteRun(SimulationOptions.asInFile().endTime(1e5).outputStep(1e-2))) {
         run.start();

@@ -20,6 +20,8 @@ import org.mechservice.client.failure.ModelMessage;
 import org.mechservice.client.run.RemoteRun;
 import org.mechservice.client.run.RunListener;
 import org.mechservice.client.run.RunResult;
+import org.mechservice.guard.UserCode;
+import org.mechservice.guard.UserCodePolicy;
 import org.mechservice.idl.MechAdmin;
 import org.mechservice.idl.SimState;
 import org.mechservice.idl.SimSummary;
@@ -28,7 +30,6 @@ import org.mechservice.server.MechServerProcess;
 import org.mechservice.server.ServerSettings;
 import org.mechservice.sim.host.HostOptions;
 import org.mechservice.sim.service.limits.HostLimits;
-import org.mechservice.sim.worker.UserCodePolicy;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.Outcome;
@@ -121,7 +122,7 @@ class LostHostTest {
             MechServerProcess.start(new ServerSettings("127.0.0.1", 0, host));
         MechConnection connection = MechConnection.open(server.url());
         MechSession session = connection.openSession()) {
-      session.loadModel(USER_FORCES);
+      session.loadModel(USER_FORCES, UserCode.in(USER_FORCES.resolveSibling(".")));
       Taker undisturbed = new Taker(() -> {});
       try (RemoteRun run = session.prepareRemoteRun(options)) {
         run.toEnd(undisturbed);

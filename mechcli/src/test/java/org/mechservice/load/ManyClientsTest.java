@@ -81,7 +81,16 @@ class ManyClientsTest {
   }
 
   private List<Work> work(int clients) throws Exception {
-    String[] limits = {"--capacity", "2", "--limit", "clientRuns=-1"};
+    String[] limits = {
+      "--capacity",
+      "2",
+      "--limit",
+      "clientRuns=-1",
+      "--limit",
+      "clientSessions=-1",
+      "--limit",
+      "clientBuilds=-1"
+    };
     ExecutorService threads = Executors.newFixedThreadPool(clients);
     try (ServiceJvm server = ServiceJvm.server(256, limits);
         ServiceJvm host = ServiceJvm.host(server.address(), "second", limits)) {

@@ -91,7 +91,13 @@ class PlainRunsKilledTest {
   private static final Scene USER_CODE =
       new Scene(
           "../examples/five-point-suspension/five-point-suspension.xml",
-          List.of("--t-end", "40", "--t-step", "0.01"));
+          List.of(
+              "--user-code",
+              "../examples/five-point-suspension",
+              "--t-end",
+              "40",
+              "--t-step",
+              "0.01"));
 
   private final Random random = new Random(SEED);
   private final ExecutorService users = Executors.newCachedThreadPool();

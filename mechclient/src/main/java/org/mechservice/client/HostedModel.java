@@ -6,7 +6,6 @@ import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Map;
-import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import org.mechservice.client.failure.InvalidModelException;
 import org.mechservice.client.failure.InvalidOptionException;
@@ -16,6 +15,7 @@ import org.mechservice.client.failure.ServerLostException;
 import org.mechservice.client.failure.ServiceException;
 import org.mechservice.client.run.RemoteRun;
 import org.mechservice.client.run.RunResult;
+import org.mechservice.guard.UserCode;
 import org.mechservice.solver.api.result.ResultSink;
 
 /**
@@ -34,7 +34,7 @@ public final class HostedModel implements AutoCloseable {
 
   private final MechConnection connection;
   private final Path model;
-  private final Optional<Path> userCode;
+  private final UserCode userCode;
   private final SimulationOptions options;
   private final Deque<MechSession> idle = new ArrayDeque<>();
 
@@ -45,11 +45,11 @@ public final class HostedModel implements AutoCloseable {
 
   /**
    * @param model MechML file
-   * @param userCode folder of classes that are not beside the file
+   * @param userCode the folders whose classes are sent
    * @param options of every run; parameters that runs set as inputs are tunable in it
    */
   public HostedModel(
-      MechConnection connection, Path model, Optional<Path> userCode, SimulationOptions options) {
+      MechConnection connection, Path model, UserCode userCode, SimulationOptions options) {
     this.connection = connection;
     this.model = model;
     this.userCode = userCode;

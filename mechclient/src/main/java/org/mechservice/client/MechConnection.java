@@ -25,6 +25,7 @@ import org.mechservice.client.run.LeaseRenewal;
 import org.mechservice.client.run.ListenerCallbacks;
 import org.mechservice.client.run.ReattachedRun;
 import org.mechservice.client.run.RemoteRun;
+import org.mechservice.guard.UserCode;
 import org.mechservice.idl.DiagnosticSeqHolder;
 import org.mechservice.idl.IMechClient;
 import org.mechservice.idl.IMechSimRemote;
@@ -165,19 +166,28 @@ public final class MechConnection implements AutoCloseable {
   }
 
   /**
+   * Sends a model without classes of users to the server and returns it.
+   *
+   * @see #read(Path, UserCode)
+   */
+  public RemoteModel read(Path file) throws IOException {
+    return read(file, UserCode.NONE);
+  }
+
+  /**
    * Sends a model to the server and returns it with the verbs of the library in process.
    *
-   * @param file MechML file; classes that its forces name are sought beside it and sent too
-   * @param userCode further folders in which they are sought
+   * @param file MechML file
+   * @param consent the folders whose classes of forces are sent, and run there or here
    * @throws IOException if a file cannot be read
    * @throws InvalidModelException if the model cannot be used; says what, where and what to write
    *     instead
    * @throws LimitExceededException if the server takes no more sessions
    */
-  public RemoteModel read(Path file, Path... userCode) throws IOException {
+  public RemoteModel read(Path file, UserCode consent) throws IOException {
     MechSession session = openSession();
     models.add(session);
-    session.loadModel(file, List.of(userCode));
+    session.loadModel(file, consent);
     return new RemoteModel(session, file.toString());
   }
 

@@ -31,6 +31,7 @@ import org.mechservice.client.run.LocalRun;
 import org.mechservice.client.run.RemoteRun;
 import org.mechservice.client.run.RowCursor;
 import org.mechservice.client.run.RunListener;
+import org.mechservice.guard.UserCode;
 import org.mechservice.idl.IMechClient;
 import org.mechservice.idl.LimitExceeded;
 import org.mechservice.idl.MAX_MECHML_BYTES;
@@ -68,6 +69,7 @@ public final class MechSession implements AutoCloseable {
   private ModelFile[] classesLoaded = {};
   private UnaryOperator<ModelMessage> locating = UnaryOperator.identity();
   private List<ModelMessage> warningsOfFile = List.of();
+  private UserCode consent = UserCode.NONE;
   private List<ModelMessage> warnings = List.of();
 
   /** Server times of the session at the last set-up of a run. */
@@ -103,38 +105,28 @@ public final class MechSession implements AutoCloseable {
   }
 
   /**
-   * Sends a model to the server, which reads and checks it. User force classes are searched for in
-   * the model's folder and sent too.
+   * Sends a model without classes of users to the server, which reads and checks it.
    *
-   * @see #loadModel(Path, Optional)
+   * @see #loadModel(Path, UserCode)
    */
   public List<ModelMessage> loadModel(Path file) throws IOException {
-    return loadModel(file, Optional.empty());
+    return loadModel(file, UserCode.NONE);
   }
 
   /**
    * Sends a model to the server, which reads and checks it, and its user force classes.
    *
    * @param file MechML file
-   * @param userCode folder of classes that are not beside the file
+   * @param consent the folders whose classes may be sent, and run there or here
    * @return warnings, in the order of the file
    * @throws IOException if the file cannot be read
    * @throws InvalidModelException if the model cannot be used; the messages name the places
    */
-  public List<ModelMessage> loadModel(Path file, Optional<Path> userCode) throws IOException {
-    return loadModel(file, userCode.stream().toList());
-  }
-
-  /**
-   * Sends a model to the server, which reads and checks it, and its user force classes.
-   *
-   * @param userCode folders of classes that are not beside the file
-   * @see #loadModel(Path, Optional)
-   */
-  List<ModelMessage> loadModel(Path file, List<Path> userCode) throws IOException {
+  public List<ModelMessage> loadModel(Path file, UserCode consent) throws IOException {
     byte[] content = ModelFiles.inlined(NamedFile.of(file), file);
     String name = String.valueOf(file.getFileName());
-    UserFiles classes = new UserFiles(file, userCode);
+    this.consent = consent;
+    UserFiles classes = new UserFiles(file, consent);
     while (true) {
       try {
         List<ModelMessage> said = load(new ModelFile(name, content), classes.files());
@@ -425,7 +417,7 @@ public final class MechSession implements AutoCloseable {
     keepWarnings(said);
     byte[] runtimeJar = jars.runtime(modelJar);
     double fetchSeconds = watch.lap();
-    FetchedModel fetched = FetchedModel.load(modelJar, runtimeJar);
+    FetchedModel fetched = FetchedModel.load(modelJar, runtimeJar, consent);
     double total = openSeconds + loadSeconds + fetchSeconds + watch.lap();
     Map<String, Object> facts = new LinkedHashMap<>();
     facts.put("where", "local, compiled by host " + said.hostName());
@@ -453,7 +445,7 @@ public final class MechSession implements AutoCloseable {
     BuiltJar modelJar =
         jars.model(options.toNameValues(), new NameValueSeqHolder(new NameValue[0]));
     byte[] runtimeJar = jars.runtime(modelJar);
-    return new LocalModel(modelJar, FetchedModel.load(modelJar, runtimeJar));
+    return new LocalModel(modelJar, FetchedModel.load(modelJar, runtimeJar, consent));
   }
 
   /**

@@ -31,6 +31,7 @@ public final class SessionBuilds implements MethodBuilds {
   private final MechSession session;
   private final SimulationOptions settings;
   private boolean hasBuilt;
+  private boolean userClasses;
 
   /**
    * @param session with the model loaded
@@ -63,7 +64,9 @@ public final class SessionBuilds implements MethodBuilds {
 
   private LocalModel fetched(SimulationOptions options) {
     synchronized (session) {
-      return session.fetchModel(options);
+      LocalModel model = session.fetchModel(options);
+      userClasses |= model.hasUserClasses();
+      return model;
     }
   }
 
@@ -115,6 +118,11 @@ public final class SessionBuilds implements MethodBuilds {
     return jar.runtimeSha256().substring(0, SHOWN_DIGITS)
         + " "
         + jar.sha256().substring(0, SHOWN_DIGITS);
+  }
+
+  @Override
+  public boolean hasUserClasses() {
+    return userClasses;
   }
 
   @Override

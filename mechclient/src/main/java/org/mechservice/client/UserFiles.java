@@ -3,21 +3,21 @@ package org.mechservice.client;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Pattern;
 import org.mechservice.client.failure.InvalidModelException;
 import org.mechservice.client.failure.ModelMessage;
+import org.mechservice.guard.UserCode;
 import org.mechservice.idl.ModelFile;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /**
- * Files of user force classes. Only classes that the server requests are searched for, beside the
- * model and in the folders that the user names.
+ * Files of user force classes. Only classes that the server requests are searched for, in the
+ * folders to whose code the user consents.
  */
 final class UserFiles {
   /** Code of a message that names a file of a class which the server needs. */
@@ -26,19 +26,16 @@ final class UserFiles {
   private static final String CLASS = ".class";
   private static final Pattern CLASS_FILE = Pattern.compile("(?:[\\w$]+/)*[\\w$]+\\.class");
 
-  private final List<Path> folders = new ArrayList<>();
+  private final Path model;
+  private final UserCode consent;
   private final Map<String, ModelFile> found = new LinkedHashMap<>();
 
   /**
-   * @param model the model's file; its folder is searched
-   * @param userCode other folders to search
-   * @throws IOException if a folder cannot be read
+   * @param model the model's file
    */
-  UserFiles(Path model, List<Path> userCode) throws IOException {
-    folders.add(model.toRealPath().resolveSibling(".").normalize());
-    for (Path folder : userCode) {
-      folders.add(folder.toRealPath());
-    }
+  UserFiles(Path model, UserCode consent) {
+    this.model = model;
+    this.consent = consent;
   }
 
   /** Returns the files found so far. */
@@ -50,54 +47,45 @@ final class UserFiles {
    * Searches for the files that the server misses.
    *
    * @return whether a file was found that the server does not have
-   * @throws InvalidModelException S-122 if a class is in several files
+   * @throws InvalidModelException S-122 if a class is in several files, S-169 if it lies beside the
+   *     model and there is no consent to it
    * @throws IOException if a file cannot be read
    */
   boolean seek(List<ModelMessage> said) throws IOException {
     int before = found.size();
+    Optional<String> refusal = Optional.empty();
     for (ModelMessage message : said) {
       String name = message.fileName();
       if (message.code().equals(MISSING) && CLASS_FILE.matcher(name).matches()) {
-        seek(name.substring(0, name.length() - CLASS.length()));
+        String className = name.substring(0, name.length() - CLASS.length());
+        seek(className);
+        refusal = refusal.or(() -> refusal(className));
       }
+    }
+    if (found.size() == before && refusal.isPresent()) {
+      throw new InvalidModelException(
+          MessageCode.USER_CODE_NEEDS_CONSENT.code(), refusal.get(), List.of());
     }
     return found.size() > before;
   }
 
-  private void seek(String className) throws IOException {
-    String simple = className.substring(className.lastIndexOf('/') + 1);
-    Set<Path> hits = new LinkedHashSet<>();
-    for (Path folder : folders) {
-      for (String place : List.of(simple, className)) {
-        for (String end : List.of(".java", CLASS)) {
-          addHit(folder, place + end, hits);
-        }
-      }
+  private Optional<String> refusal(String className) {
+    try {
+      return UserCode.refusal(model, className);
+    } catch (IOException e) {
+      return Optional.empty(); // what cannot be read is not beside the model
     }
+  }
+
+  private void seek(String className) throws IOException {
+    Set<Path> hits = consent.files(className);
     if (hits.size() > 1) {
       throw new InvalidModelException(
-          MessageCode.USER_CLASS_DUPLICATE.code(),
-          "the class "
-              + className.replace('/', '.')
-              + " is in several files: "
-              + String.join(", ", hits.stream().map(Path::toString).toList())
-              + "; keep one of them",
-          List.of());
+          MessageCode.USER_CLASS_DUPLICATE.code(), UserCode.duplicate(className, hits), List.of());
     }
     for (Path hit : hits) {
       String end = hit.toString().endsWith(CLASS) ? CLASS : ".java";
       found.putIfAbsent(hit.toString(), new ModelFile(className + end, Files.readAllBytes(hit)));
-    }
-  }
-
-  /** Adds a file that was found; a link that leads out of the folder is ignored. */
-  private static void addHit(Path folder, String name, Set<Path> hits) throws IOException {
-    Path file = folder.resolve(name);
-    if (Files.isRegularFile(file)) {
-      Path real = file.toRealPath();
-      if (real.startsWith(folder)) {
-        hits.add(real);
-      }
     }
   }
 }

@@ -7,13 +7,13 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.client.failure.InvalidModelException;
 import org.mechservice.client.jar.JarCache;
+import org.mechservice.guard.UserCode;
 
 /**
  * Which files of users the client sends.
@@ -70,7 +70,7 @@ class UserFilesTest {
   }
 
   private void load() throws IOException {
-    session.loadModel(model, Optional.of(code));
+    session.loadModel(model, UserCode.in(folder(), code));
   }
 
   @Test
@@ -86,6 +86,20 @@ class UserFilesTest {
     server.missing = List.of("car/Road.class");
     load();
     assertThat(sent()).containsExactly("user file car/Road.java");
+  }
+
+  /** Also where the folder of another class was named. */
+  @Test
+  void classBesideTheModelIsNotSentWithoutConsentAndTheMessageSaysHow() throws IOException {
+    write(folder(), "Road.java");
+    server.missing = List.of("car/Road.class");
+    for (UserCode consent : List.of(UserCode.NONE, UserCode.in(code))) {
+      assertThatThrownBy(() -> session.loadModel(model, consent))
+          .isInstanceOf(InvalidModelException.class)
+          .hasMessageStartingWith("S-169")
+          .hasMessageContaining("--user-code " + folder());
+    }
+    assertThat(sent()).isEmpty();
   }
 
   @Test

@@ -18,6 +18,7 @@ final class JavaReference {
       List.of(
           Path.of("solver-core", "solver-api"),
           Path.of("solver-core", "solver-ode"),
+          Path.of("mechguard"),
           Path.of("mechservice"),
           Path.of("mechclient"));
 

@@ -335,6 +335,12 @@ public final class ModelReport {
   private Map<String, ColdRunTimes> freshStarts(
       List<Candidate> candidates, List<Point> points, Judge judge, ReportBudget budget)
       throws IOException, InterruptedException {
+    if (builds.hasUserClasses()) {
+      budget.saves(
+          "First runs in a fresh JVM were left out: there, nothing would confine the classes of"
+              + " the model's forces.");
+      return Map.of();
+    }
     double end = judge.grid().start() + judge.grid().step() * (judge.grid().rows() - 1);
     try (ColdRunTiming fresh = new ColdRunTiming()) {
       double after = budget.left() / 2;

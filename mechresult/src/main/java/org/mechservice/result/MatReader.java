@@ -15,6 +15,7 @@ final class MatReader {
   private MatReader() {}
 
   static SignalTable read(Path file) throws IOException {
+    MatStructure.require(file);
     Mat5File mat = Mat5.readFromFile(file.toFile());
     Cell names = mat.getCell("names");
     Cell units = mat.getCell("units");

@@ -51,6 +51,9 @@ final class ParquetReader {
       columns.add(column(struct(element), units));
     }
     int rows = Math.toIntExact(number(footer, 3));
+    if (rows < 0 || (double) rows * columns.size() * Double.BYTES > file.size()) {
+      throw new EOFException("it ends too early");
+    }
     List<double[]> values = new ArrayList<>();
     for (int i = 0; i < columns.size(); i++) {
       values.add(column(footer, i, rows));

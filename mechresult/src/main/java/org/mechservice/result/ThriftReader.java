@@ -59,11 +59,14 @@ final class ThriftReader {
   }
 
   private List<Object> list(int depth) throws IOException {
+    if (depth > DEEPEST) {
+      throw new IOException("its lists are nested too deeply");
+    }
     int head = bytes.get() & 0xFF;
     long size = head >> 4 == 15 ? varint() : head >> 4;
     List<Object> elements = new ArrayList<>();
     for (long i = 0; i < size; i++) {
-      elements.add(value(head & 15, depth));
+      elements.add(value(head & 15, depth + 1));
     }
     return elements;
   }

@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Random;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -62,6 +63,37 @@ class ResultFormatTest {
     assertThat(Arrays.equals(table.values().get(1), second)).isTrue();
     double[] last = IntStream.range(0, rows).mapToDouble(i -> 2.0 * i).toArray();
     assertThat(Arrays.equals(table.values().get(3), last)).isTrue();
+  }
+
+  /**
+   * Of a small file with any of its bytes changed, memory of the file's own kind is taken: with the
+   * heap of these tests, an array that a tag or a footer claims would be an OutOfMemoryError.
+   */
+  @ParameterizedTest
+  @EnumSource(ResultFormat.class)
+  void damagedFileIsReadOrRefused(ResultFormat format) throws IOException {
+    ExampleRows.write(file(format), ExampleRows.rows());
+    byte[] whole = Files.readAllBytes(file(format));
+    Random random = new Random(20240611);
+    byte[][] claims = {
+      {-1, -1, -1, 127}, {127, -1, -1, -1}, {0, 0, 0, 64}, {-1, -1, -1, -1}, {0, 0, 0, 0}
+    };
+    for (int i = 0; i < 1000; i++) {
+      byte[] damaged = whole.clone();
+      int changes = 1 + random.nextInt(3);
+      for (int k = 0; k < changes; k++) {
+        byte[] claim = claims[random.nextInt(claims.length)];
+        int at = random.nextInt(damaged.length - claim.length) & -(1 + 3 * random.nextInt(2));
+        System.arraycopy(claim, 0, damaged, at, random.nextInt(claim.length + 1));
+        damaged[random.nextInt(damaged.length)] ^= (byte) (1 << random.nextInt(8));
+      }
+      Files.write(file(format), damaged);
+      try {
+        assertThat(SignalTable.read(file(format)).rows()).isLessThan(whole.length);
+      } catch (IOException refused) {
+        assertThat(refused).hasMessageStartingWith("S-177");
+      }
+    }
   }
 
   @ParameterizedTest

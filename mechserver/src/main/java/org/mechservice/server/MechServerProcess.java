@@ -76,7 +76,7 @@ public final class MechServerProcess implements AutoCloseable {
             server, directory, placement, farmLimits, journal, orb.identity(), this::shutDown),
         new HostRegistryServant(orb, directory, farmLimits, denials),
         denials);
-    Metrics figures = new Metrics(directory, server, orb.identity());
+    Metrics figures = new Metrics(directory, server, orb.identity(), audit);
     metrics =
         settings
             .metrics()

@@ -9,8 +9,8 @@ import java.util.Optional;
 import org.mechservice.orb.ServiceKey;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.orb.ServiceUnreachableException;
-import org.mechservice.sim.service.contract.FileErrors;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.text.FileErrors;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 

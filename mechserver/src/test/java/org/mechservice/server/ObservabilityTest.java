@@ -9,6 +9,7 @@ import com.google.gson.JsonParser;
 import java.io.File;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.net.Socket;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
@@ -26,6 +27,8 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.mechservice.idl.IMechSimRemote;
+import org.mechservice.idl.Limit;
+import org.mechservice.idl.MechSim;
 import org.mechservice.idl.SimState;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.orb.testing.Eventually;
@@ -133,6 +136,53 @@ class ObservabilityTest {
     }
   }
 
+  /** Somebody who has all sessions: nobody else gets one, and the monitoring system learns it. */
+  @Test
+  void healthOpensASessionAndTellsWhenThatFails() throws Exception {
+    Path audit = folder.resolve("audit");
+    try (MechServerProcess server = MechServerProcess.start(watched(audit));
+        ServiceOrb orb = ServiceOrb.client()) {
+      orb.connectAdmin(server.url()).setLimits("", new Limit[] {new Limit("sessions", "", 1, "")});
+      for (int i = 0; i < 3; i++) {
+        assertThat(get(server, "/health").statusCode()).isEqualTo(200);
+        Thread.sleep(1100); // an answer is good for a second
+      }
+      MechSim taken = orb.connect(server.url()).createSession("ann", "", null);
+      HttpResponse<String> full = get(server, "/health");
+      assertThat(full.statusCode()).isEqualTo(503);
+      assertThat(full.body()).contains("S-100", "no more than 1 sessions");
+      taken.destroy();
+      Eventually.holds(() -> get(server, "/health").statusCode() == 200);
+      assertThat(orb.connectAdmin(server.url()).listSessions()).isEmpty();
+    }
+    assertThat(Files.readString(audit)).contains("ann").doesNotContain("(health)");
+  }
+
+  /** What a browser sends for a page of a site that has given its name our address. */
+  @Test
+  void figuresAreForThoseWhoAskForThisMachine() throws Exception {
+    try (MechServerProcess server = MechServerProcess.start(watched(folder.resolve("audit")))) {
+      int port = server.metricsPort().orElseThrow();
+      for (String path : List.of("/metrics", "/health")) {
+        assertThat(status(port, path, "evil.example:" + port)).isEqualTo(403);
+        assertThat(status(port, path, "127.0.0.1.evil.example")).isEqualTo(403);
+        assertThat(status(port, path, "127.0.0.1:" + port)).isEqualTo(200);
+        assertThat(status(port, path, "LOCALHOST:" + port)).isEqualTo(200);
+        assertThat(status(port, path, "[::1]:" + port)).isEqualTo(200);
+      }
+    }
+  }
+
+  private static int status(int port, String path, String host) throws Exception {
+    try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), port)) {
+      String request =
+          "GET " + path + " HTTP/1.1\r\nHost: " + host + "\r\nConnection: close\r\n\r\n";
+      socket.getOutputStream().write(request.getBytes(StandardCharsets.US_ASCII));
+      String answer = new String(socket.getInputStream().readAllBytes(), StandardCharsets.US_ASCII);
+      return Integer.parseInt(answer.split(" ", 3)[1]);
+    }
+  }
+
   @Test
   void auditTellsWhoRanWhat() throws Exception {
     Path file = folder.resolve("audit.jsonl");
@@ -162,6 +212,25 @@ class ObservabilityTest {
     assertThat(done.get("owner").getAsString()).isEqualTo("ann");
     assertThat(done.get("simulation").getAsString()).isEqualTo(simId);
     assertThat(done.get("text").getAsString()).contains("FiveBarPendulum");
+  }
+
+  /** Nobody else loses events by it, and the figures tell. */
+  @Test
+  void clientNameThatIsNoTextLeavesTheAuditOfOthers() throws Exception {
+    Path file = folder.resolve("audit.jsonl");
+    try (MechServerProcess server =
+            MechServerProcess.start(watched(file), Farm.STEADY, HostFactory.INSTALLED);
+        ServiceOrb orb = ServiceOrb.client()) {
+      for (String name : List.of("\ud800 \u0000 \u202e", "bob")) {
+        try {
+          orb.connect(server.url()).createSession(name, "", null).destroy();
+        } catch (org.omg.CORBA.SystemException e) {
+          // Such a name may be no text of the wire either.
+        }
+      }
+      Eventually.holds(() -> Files.readString(file).contains("\"bob\""));
+      assertThat(get(server, "/metrics").body()).contains("mechservice_audit_waiting_events 0.0");
+    }
   }
 
   @Test

@@ -56,6 +56,7 @@ class RightsTest {
           "listHosts", MechAdmin::listHosts,
           "listSimulations", admin -> admin.listSimulations(0, 10, new IntHolder()),
           "showSimulation", admin -> admin.showSimulation("none"),
+          "listSessions", MechAdmin::listSessions,
           "events", admin -> admin.events(0, 1, 0),
           "logs", admin -> admin.logs("", 0, 1),
           "getLimits", admin -> admin.getLimits(""),
@@ -63,6 +64,7 @@ class RightsTest {
   private static final Map<String, Call> ACTING =
       Map.of(
           "killSimulation", admin -> admin.killSimulation("none", "no reason"),
+          "endSessions", admin -> admin.endSessions("nobody", "", "no reason"),
           "setLimits", admin -> admin.setLimits("", new Limit[] {new Limit("cursors", "", 9, "")}),
           "setPlacement", admin -> admin.setPlacement("order"),
           "drain", admin -> admin.drain("none"),

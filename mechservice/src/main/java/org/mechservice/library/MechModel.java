@@ -20,6 +20,8 @@ import java.util.TreeSet;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.mechservice.guard.Confinement;
+import org.mechservice.guard.UserCode;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.ReadOptions;
 import org.mechservice.mechml.SimulationSettings;
@@ -51,6 +53,7 @@ import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.Checkpoints;
 import org.mechservice.solver.api.run.RunControl;
+import org.mechservice.solver.api.run.RunNotes;
 import org.mechservice.solver.api.run.RunReport;
 import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.api.run.RunSettings;
@@ -142,15 +145,27 @@ public final class MechModel {
   }
 
   /**
-   * Reads a model.
+   * Reads a model without classes of users.
    *
-   * @param file MechML file; classes that its forces name are sought beside it
-   * @param userCode further folders in which they are sought
+   * @param file MechML file
    * @throws IOException if a file cannot be read
    * @throws MechmlException if the model cannot be used; says what, where and what to write instead
    */
-  public static MechModel read(Path file, Path... userCode) throws IOException, MechmlException {
-    return read(file.toString(), file, userCode);
+  public static MechModel read(Path file) throws IOException, MechmlException {
+    return read(file, UserCode.NONE);
+  }
+
+  /**
+   * Reads a model whose forces may be classes of users. They are verified, and run in confined
+   * processes.
+   *
+   * @param file MechML file
+   * @param consent the folders whose classes may run; code beside the file does not run unasked
+   * @throws IOException if a file cannot be read
+   * @throws MechmlException if the model cannot be used; says what, where and what to write instead
+   */
+  public static MechModel read(Path file, UserCode consent) throws IOException, MechmlException {
+    return read(file.toString(), file, consent);
   }
 
   /**
@@ -158,14 +173,14 @@ public final class MechModel {
    *
    * @param name of the file in messages and in the generated code, whose bytes then do not depend
    *     on the folder
-   * @param file MechML file; classes that its forces name are sought beside it
-   * @param userCode further folders in which they are sought
+   * @param file MechML file
+   * @param consent the folders whose classes of forces may run
    * @throws IOException if a file cannot be read
    * @throws MechmlException if the model cannot be used; says what, where and what to write instead
    */
-  public static MechModel read(String name, Path file, Path... userCode)
+  public static MechModel read(String name, Path file, UserCode consent)
       throws IOException, MechmlException {
-    return read(MechmlFile.of(name, file, List.of(userCode)));
+    return read(MechmlFile.of(name, file, consent));
   }
 
   /**
@@ -403,6 +418,11 @@ public final class MechModel {
     return reread(choices.reading.silencing(all));
   }
 
+  /** Returns the consent to classes of forces with which the model was read. */
+  public UserCode userCode() {
+    return file.consent();
+  }
+
   /**
    * Returns the class files of the classes that forces need, by binary name; not to be modified.
    */
@@ -556,8 +576,30 @@ public final class MechModel {
   private RunReport run(ResultSink sink, RunControl control, Checkpoints checkpoints)
       throws IOException {
     requireNoWarningsIfStrict();
-    return new RuntimeSolver()
-        .run(code.compiled().newInstance(), request(), sink, control, checkpoints);
+    return noting(
+        new RuntimeSolver()
+            .run(code.compiled().newInstance(), request(), sink, control, checkpoints));
+  }
+
+  /** A run with classes that nothing confines says so. */
+  private RunReport noting(RunReport report) {
+    return unconfined().map(note -> report.with(note)).orElse(report);
+  }
+
+  private Optional<RunNotes.Note> unconfined() {
+    return userClasses.isEmpty()
+        ? Optional.empty()
+        : file.consent()
+            .warning(Confinement.ofThisMachine())
+            .map(why -> new RunNotes.Note(MessageCode.USER_CODE_UNCONFINED, 0, true, why));
+  }
+
+  /**
+   * Returns the warning that the classes of forces run unconfined, because the consent says so and
+   * this machine cannot confine them; empty if they do not.
+   */
+  public Optional<String> userCodeWarning() {
+    return unconfined().map(note -> note.code() + " " + note.text());
   }
 
   /** Returns what {@link #simulate} asks of the solver. */
@@ -713,6 +755,7 @@ public final class MechModel {
     return new ModelBuilds(
         content + " " + Sha256.of(asked.getBytes(StandardCharsets.UTF_8)),
         content,
+        !userClasses.isEmpty(),
         method -> with(method).code.built(),
         method -> with(method).columns(ColumnGroup.CONSTRAINTS).code.built());
   }

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Optional;
 import java.util.function.Consumer;
+import org.mechservice.guard.UserCode;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.document.Document;
 import org.mechservice.mechml.document.DocumentWriter;
@@ -402,7 +403,7 @@ public final class MechanismBuilder extends BuiltElement<MechanismBuilder> {
 
   /**
    * Writes the model to a file as canonical MechML text and reads it from there: files that it
-   * names, with a table, a mesh or a class of a force, are sought beside it.
+   * names, with a table or a mesh, are sought beside it.
    *
    * @return the model
    * @throws IOException if the file cannot be written, or another one not be read
@@ -410,8 +411,22 @@ public final class MechanismBuilder extends BuiltElement<MechanismBuilder> {
    *     lines
    */
   public MechModel writeMechml(Path file) throws IOException, MechmlException {
+    return writeMechml(file, UserCode.NONE);
+  }
+
+  /**
+   * Writes the model to a file as canonical MechML text and reads it from there, with classes of
+   * forces.
+   *
+   * @param consent the folders whose classes of forces may run
+   * @return the model
+   * @throws IOException if the file cannot be written, or another one not be read
+   * @throws MechmlException if the model is not whole or not right; the file is there, for its
+   *     lines
+   */
+  public MechModel writeMechml(Path file, UserCode consent) throws IOException, MechmlException {
     Files.writeString(file, toString());
-    return MechModel.read(file);
+    return MechModel.read(file, consent);
   }
 
   /**

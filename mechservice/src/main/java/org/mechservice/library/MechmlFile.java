@@ -5,10 +5,9 @@ import java.lang.ref.SoftReference;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
+import org.mechservice.guard.UserCode;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.ReadOptions;
 import org.mechservice.mechml.diagnosis.MechmlException;
@@ -29,34 +28,35 @@ import org.mechservice.solver.text.Sha256;
 final class MechmlFile {
   private final String name;
   private final byte[] content;
-  private final List<Path> folders;
+  private final Optional<Path> file;
+  private final UserCode consent;
 
   /** The validated content, kept as long as memory suffices. */
   private final AtomicReference<SoftReference<ValidatedFile>> validated = new AtomicReference<>();
 
-  private MechmlFile(String name, byte[] content, List<Path> folders) {
+  private MechmlFile(String name, byte[] content, Optional<Path> file, UserCode consent) {
     this.name = name;
     this.content = content;
-    this.folders = List.copyOf(folders);
+    this.file = file;
+    this.consent = consent;
   }
 
   /**
    * Takes a file with the files that it includes.
    *
    * @param name of the file in messages
-   * @param userCode folders beside the file's own in which classes of forces are sought
+   * @param consent to classes of forces
    * @throws IOException if a file cannot be read
    */
-  static MechmlFile of(String name, Path file, List<Path> userCode) throws IOException {
-    List<Path> folders = new ArrayList<>();
-    folders.add(folder(file));
-    folders.addAll(userCode);
-    return new MechmlFile(name, ModelFiles.inlined(Files.readAllBytes(file), file), folders);
+  static MechmlFile of(String name, Path file, UserCode consent) throws IOException {
+    byte[] content = ModelFiles.inlined(Files.readAllBytes(file), file);
+    return new MechmlFile(name, content, Optional.of(file.toRealPath()), consent);
   }
 
   /** Takes a text that is no file and names no classes of forces. */
   static MechmlFile of(String name, String mechml) {
-    return new MechmlFile(name, mechml.getBytes(StandardCharsets.UTF_8), List.of());
+    byte[] content = mechml.getBytes(StandardCharsets.UTF_8);
+    return new MechmlFile(name, content, Optional.empty(), UserCode.NONE);
   }
 
   /**
@@ -69,11 +69,8 @@ final class MechmlFile {
     String name = robot.toString();
     RobotImport translated = RobotImport.read(robot, ImportOptions.NONE);
     String mechml = DocumentWriter.write(translated.document());
-    return new MechmlFile(name, mechml.getBytes(StandardCharsets.UTF_8), List.of(folder(robot)));
-  }
-
-  private static Path folder(Path file) throws IOException {
-    return file.toRealPath().resolveSibling(".");
+    byte[] content = mechml.getBytes(StandardCharsets.UTF_8);
+    return new MechmlFile(name, content, Optional.of(robot.toRealPath()), UserCode.NONE);
   }
 
   /** Returns its name in messages. */
@@ -83,7 +80,7 @@ final class MechmlFile {
 
   /** Returns the folder of the file; empty if it is no file. */
   Optional<Path> folder() {
-    return folders.stream().findFirst();
+    return file.map(path -> path.resolveSibling("."));
   }
 
   /** Returns the SHA-256 of its bytes. */
@@ -119,6 +116,11 @@ final class MechmlFile {
     return known;
   }
 
+  /** Returns the consent to classes of forces. */
+  UserCode consent() {
+    return consent;
+  }
+
   /**
    * Returns the classes that the forces of its mechanism name.
    *
@@ -126,6 +128,6 @@ final class MechmlFile {
    * @throws MechmlException if a class is not found, or cannot be used
    */
   UserClasses userClasses(Mechanism mechanism) throws IOException, MechmlException {
-    return ForceFiles.sought(mechanism, folders);
+    return ForceFiles.sought(mechanism, name, file, consent);
   }
 }

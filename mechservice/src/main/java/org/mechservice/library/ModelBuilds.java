@@ -21,22 +21,26 @@ final class ModelBuilds implements MethodBuilds {
 
   private final String identity;
   private final String sourceSha256;
+  private final boolean userClasses;
   private final Function<SimulationMethod, CompiledModel> compiler;
   private final Function<SimulationMethod, CompiledModel> constrained;
 
   /**
    * @param identity of the model with its settings
    * @param sourceSha256 of what was read
+   * @param userClasses whether forces are classes of users
    * @param compiler builds with a method
    * @param constrained builds with a method and the columns of the constraints
    */
   ModelBuilds(
       String identity,
       String sourceSha256,
+      boolean userClasses,
       Function<SimulationMethod, CompiledModel> compiler,
       Function<SimulationMethod, CompiledModel> constrained) {
     this.identity = identity;
     this.sourceSha256 = sourceSha256;
+    this.userClasses = userClasses;
     this.compiler = compiler;
     this.constrained = constrained;
   }
@@ -76,6 +80,11 @@ final class ModelBuilds implements MethodBuilds {
   public String code(SimulationMethod method) {
     String model = ModelJars.model(compiler.apply(method), sourceSha256).sha256();
     return RuntimeJar.sha256().substring(0, SHOWN_DIGITS) + " " + model.substring(0, SHOWN_DIGITS);
+  }
+
+  @Override
+  public boolean hasUserClasses() {
+    return userClasses;
   }
 
   @Override

@@ -1,11 +1,15 @@
 package org.mechservice.spark;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.apache.spark.SparkConf;
 import org.apache.spark.api.java.JavaSparkContext;
+import org.mechservice.guard.UserCode;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.study.run.StudyForecast;
@@ -28,17 +32,24 @@ public final class SparkStudy {
    * @param study on the driver's machine
    * @param table in a file system that driver and executors share
    * @param quiet whether nothing but errors is printed
+   * @param userCode the folders whose classes of forces may run
    */
-  private record Arguments(Path study, String table, boolean quiet) {
+  private record Arguments(Path study, String table, boolean quiet, UserCode userCode) {
     static Arguments of(String... words) {
       Optional<String> study = Optional.empty();
       Optional<String> table = Optional.empty();
       boolean quiet = false;
+      boolean unconfined = false;
+      List<Path> trusted = new ArrayList<>();
       for (int i = 0; i < words.length; i++) {
         if (words[i].equals("-o") && i + 1 < words.length) {
           table = Optional.of(words[++i]);
         } else if (words[i].equals("--quiet")) {
           quiet = true;
+        } else if (words[i].equals("--user-code") && i + 1 < words.length) {
+          trusted.add(Path.of(words[++i]));
+        } else if (words[i].equals("--unconfined")) {
+          unconfined = true;
         } else if (study.isEmpty() && !words[i].startsWith("-")) {
           study = Optional.of(words[i]);
         } else {
@@ -47,7 +58,9 @@ public final class SparkStudy {
       }
       Path file = Path.of(study.orElseThrow(() -> refused("no study is named; " + USAGE)));
       String name = String.valueOf(file.getFileName()).replaceFirst("\\.[^.]*$", "") + ".csv";
-      Arguments arguments = new Arguments(file, table.orElse(name), quiet);
+      UserCode named = UserCode.in(trusted.toArray(Path[]::new));
+      Arguments arguments =
+          new Arguments(file, table.orElse(name), quiet, unconfined ? named.unconfined() : named);
       String ending = arguments.table.toLowerCase(Locale.ROOT);
       if (!ending.endsWith(".csv") && !ending.endsWith(".parquet")) {
         throw refused(
@@ -66,7 +79,8 @@ public final class SparkStudy {
   /**
    * Runs a study; ends the process with status 1 or 2 if it cannot.
    *
-   * @param words the study's file, {@code -o} with the table, {@code --quiet}
+   * @param words the study's file, {@code -o} with the table, {@code --quiet}, {@code --user-code}
+   *     with a folder, {@code --unconfined}
    */
   public static void main(String... words) throws InterruptedException {
     try {
@@ -88,7 +102,9 @@ public final class SparkStudy {
   private static void run(String... words)
       throws IOException, MechmlException, InterruptedException {
     Arguments arguments = Arguments.of(words);
-    StudyPlan plan = StudyReader.read(arguments.study);
+    StudyPlan plan =
+        StudyReader.read(arguments.study, Files.readAllBytes(arguments.study), arguments.userCode);
+    plan.userCodeWarning().ifPresent(System.err::println);
     SparkConf settings = new SparkConf();
     if (!settings.contains("spark.app.name")) {
       settings.setAppName("mech study " + arguments.study.getFileName());

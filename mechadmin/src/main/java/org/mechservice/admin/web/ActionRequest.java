@@ -32,6 +32,8 @@ record ActionRequest(String server, AdminAction action) {
     String name = text(json, "action");
     return switch (name) {
       case "stop" -> new AdminAction.StopSimulation(text(json, "id"), text(json, "reason"));
+      case "end" ->
+          new AdminAction.EndSessions(text(json, "user"), text(json, "id"), text(json, "reason"));
       case "drain" -> new AdminAction.Drain(text(json, "host"));
       case "undrain" -> new AdminAction.Undrain(text(json, "host"));
       case "shutdown" ->

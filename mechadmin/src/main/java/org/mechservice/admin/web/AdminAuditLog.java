@@ -2,17 +2,14 @@ package org.mechservice.admin.web;
 
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
-import java.io.BufferedWriter;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Optional;
 import org.mechservice.admin.PlainText;
+import org.mechservice.orb.AuditFile;
 import org.mechservice.orb.http.Request;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.slf4j.Logger;
@@ -28,7 +25,7 @@ final class AdminAuditLog implements AutoCloseable {
   private static final int KEPT = 500;
 
   private final Deque<JsonObject> latest = new ArrayDeque<>();
-  private final Optional<BufferedWriter> file;
+  private final Optional<AuditFile> file;
 
   /**
    * Opens the log.
@@ -39,12 +36,7 @@ final class AdminAuditLog implements AutoCloseable {
   AdminAuditLog(Optional<Path> file) throws IOException {
     this.file =
         file.isPresent()
-            ? Optional.of(
-                Files.newBufferedWriter(
-                    file.get(),
-                    StandardCharsets.UTF_8,
-                    StandardOpenOption.CREATE,
-                    StandardOpenOption.APPEND))
+            ? Optional.of(new AuditFile(MessageCode.CONSOLE_AUDIT_LOG, file.get()))
             : Optional.empty();
   }
 
@@ -82,17 +74,7 @@ final class AdminAuditLog implements AutoCloseable {
     if (latest.size() > KEPT) {
       latest.removeFirst();
     }
-    file.ifPresent(out -> write(out, entry));
-  }
-
-  private static void write(BufferedWriter out, JsonObject entry) {
-    try {
-      out.write(entry + "\n");
-      out.flush();
-    } catch (IOException e) {
-      LOG.error(
-          MessageCode.CONSOLE_AUDIT_LOG + " the audit log cannot be written: {}", e.toString());
-    }
+    file.ifPresent(out -> out.write(entry.toString()));
   }
 
   /** Returns the latest entries, oldest first. */
@@ -103,9 +85,7 @@ final class AdminAuditLog implements AutoCloseable {
   }
 
   @Override
-  public void close() throws IOException {
-    if (file.isPresent()) {
-      file.get().close();
-    }
+  public void close() {
+    file.ifPresent(AuditFile::close);
   }
 }

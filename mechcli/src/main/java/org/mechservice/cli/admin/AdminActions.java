@@ -2,6 +2,8 @@ package org.mechservice.cli.admin;
 
 import com.google.gson.JsonArray;
 import com.google.gson.JsonObject;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -95,6 +97,91 @@ final class AdminActions {
                     known.server(),
                     new AdminAction.StopSimulation(known.summary().simId, reason));
               });
+    }
+  }
+
+  /** {@code mech admin end}. */
+  @Command(
+      name = "end",
+      description = "Ends a session, or all sessions of a user, with their simulations.",
+      footer = {"mech admin end 3f2a", "mech admin end --user ann --reason 'too many models'"})
+  static final class End extends Acting {
+    /** Fewer characters would mean too many sessions by accident. */
+    private static final int FEWEST_CHARACTERS = 4;
+
+    @Parameters(
+        arity = "0..1",
+        paramLabel = "ID",
+        description = "Id of the session, or its first characters (at least four).")
+    private String id = "";
+
+    @Option(names = "--user", paramLabel = "NAME", description = "End all sessions of this user.")
+    private String user = "";
+
+    @Option(
+        names = "--reason",
+        paramLabel = "TEXT",
+        description = "What the owner is told (default: ${DEFAULT-VALUE}).")
+    private String reason = "ended by the operator";
+
+    @Override
+    public Integer call() throws Exception {
+      if (id.isEmpty() == user.isEmpty()) {
+        throw new UsageException(
+            MessageCode.OPTION_UNUSABLE
+                + " end: name a session, or a user with --user; mech admin sessions lists them");
+      }
+      return admin()
+          .console(
+              (console, out) -> {
+                if (!user.isEmpty()) {
+                  return endOfUser(console);
+                }
+                Map<String, String> meant = new LinkedHashMap<>();
+                for (String server : console.servers()) {
+                  console.sessions(server).stream()
+                      .filter(session -> session.sessionId.startsWith(id))
+                      .forEach(session -> meant.put(session.sessionId, server));
+                }
+                if (meant.size() != 1 || id.length() < FEWEST_CHARACTERS) {
+                  throw new AdminFailure(
+                      Reason.NOT_USABLE,
+                      MessageCode.NOTHING_OF_THAT_NAME
+                          + " "
+                          + meant.size()
+                          + " sessions begin with \""
+                          + id
+                          + "\"; mech admin sessions lists them");
+                }
+                Map.Entry<String, String> one = meant.entrySet().iterator().next();
+                return perform(
+                    console, one.getValue(), new AdminAction.EndSessions("", one.getKey(), reason));
+              });
+    }
+
+    /** A user may have sessions at some of the servers. */
+    private int endOfUser(AdminConsole console) throws Exception {
+      List<String> there = new ArrayList<>();
+      for (String server : console.servers()) {
+        if (console.sessions(server).stream().anyMatch(session -> session.owner.equals(user))) {
+          there.add(server);
+        }
+      }
+      if (there.isEmpty()) {
+        throw new AdminFailure(
+            Reason.NOT_USABLE,
+            MessageCode.NOTHING_OF_THAT_NAME
+                + " \""
+                + user
+                + "\" has no session; mech admin sessions lists them");
+      }
+      int status = ExitStatus.DONE;
+      for (String server : there) {
+        status =
+            Math.max(
+                status, perform(console, server, new AdminAction.EndSessions(user, "", reason)));
+      }
+      return status;
     }
   }
 

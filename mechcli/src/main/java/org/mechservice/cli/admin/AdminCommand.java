@@ -26,6 +26,7 @@ import org.mechservice.cli.shell.MechVersion;
 import org.mechservice.cli.shell.TlsOption;
 import org.mechservice.cli.shell.UsageException;
 import org.mechservice.idl.LogLine;
+import org.mechservice.idl.SessionSummary;
 import org.mechservice.idl.SimDetail;
 import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine;
@@ -46,6 +47,7 @@ import picocli.CommandLine.Spec;
     description = "Shows servers, their hosts and simulations, and controls them.",
     subcommands = {
       AdminActions.Stop.class,
+      AdminActions.End.class,
       AdminActions.Drain.class,
       AdminActions.Undrain.class,
       AdminActions.Shutdown.class,
@@ -234,6 +236,31 @@ public final class AdminCommand implements Callable<Integer> {
             AdminJson.named(
                 "simulations", AdminJson.list(chosen.apply(readings), AdminJson::simulation)),
         readings -> text().simulations(chosen.apply(readings)));
+  }
+
+  /** Prints sessions. */
+  @Command(
+      name = "sessions",
+      description = "Lists the sessions of clients with what they hold.",
+      footer = {"mech admin sessions", "mech admin sessions --user ann"})
+  int listSessions(
+      @Option(names = "--user", paramLabel = "NAME", description = "Those of this user.")
+          @Nullable String user)
+      throws Exception {
+    return console(
+        (console, out) -> {
+          List<SessionSummary> found = new ArrayList<>();
+          for (String server : console.servers()) {
+            found.addAll(console.sessions(server));
+          }
+          found.removeIf(session -> user != null && !session.owner.equals(user));
+          if (json) {
+            print(AdminJson.named("sessions", AdminJson.list(found, AdminJson::session)));
+          } else {
+            out.print(text().sessions(found));
+          }
+          return ExitStatus.DONE;
+        });
   }
 
   /** Prints one simulation in full. */

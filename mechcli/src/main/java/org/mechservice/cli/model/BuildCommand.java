@@ -147,9 +147,9 @@ public final class BuildCommand implements Callable<Integer> {
     SimulationOptions asInFile = parameters.addTo(SimulationOptions.asInFile());
     SimulationOptions laidOut = code.isEmpty() ? asInFile : asInFile.code(code);
     SimulationOptions options = method.addTo(compact ? laidOut.compact() : laidOut);
-    try (ServiceConnection service = ServiceConnection.open(server);
+    try (ServiceConnection service = ServiceConnection.open(server, userCode.consent());
         MechSession session = service.connection().openSession(host)) {
-      session.loadModel(model, userCode.folder()).forEach(spec.commandLine().getErr()::println);
+      session.loadModel(model, userCode.consent()).forEach(spec.commandLine().getErr()::println);
       Optional<BuiltJar> jar =
           target.isPresent() ? Optional.of(session.build(options, standalone)) : Optional.empty();
       if (sourceFolder.isPresent()) {

@@ -48,9 +48,9 @@ public final class CheckCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException {
-    try (ServiceConnection service = ServiceConnection.open(server);
+    try (ServiceConnection service = ServiceConnection.open(server, userCode.consent());
         MechSession session = service.connection().openSession()) {
-      session.loadModel(model, userCode.folder());
+      session.loadModel(model, userCode.consent());
       SimulationOptions options = silence.addTo(SimulationOptions.asInFile());
       String report = session.checkReport(options, json);
       spec.commandLine().getOut().println(report.stripTrailing());

@@ -15,6 +15,7 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.cli.model.ParameterOption;
+import org.mechservice.cli.model.UserCodeOption;
 import org.mechservice.cli.shell.ExitStatus;
 import org.mechservice.cli.shell.MechVersion;
 import org.mechservice.cli.shell.OutputFile;
@@ -123,6 +124,8 @@ public final class GradientCommand implements Callable<Integer> {
   @Option(names = "--json", description = "Print one JSON object.")
   private boolean json;
 
+  @Mixin private UserCodeOption userCode = new UserCodeOption();
+
   @Mixin private ParameterOption settings = new ParameterOption();
 
   @Spec private CommandSpec spec = CommandSpec.create();
@@ -182,7 +185,7 @@ public final class GradientCommand implements Callable<Integer> {
   }
 
   private MechModel model() throws IOException, MechmlException {
-    MechModel model = MechModel.read(file);
+    MechModel model = MechModel.read(file, userCode.consent());
     if (simulation.isPresent()) {
       model = model.simulation(simulation.get());
     }

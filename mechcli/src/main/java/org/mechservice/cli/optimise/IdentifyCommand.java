@@ -113,7 +113,7 @@ public final class IdentifyCommand implements Callable<Integer> {
     if (report != null) {
       OutputFile.requireUsable(report);
     }
-    MechModel model = design.model();
+    MechModel model = design.model(spec.commandLine().getErr());
     Measurements measured = measurements(SignalTable.read(data));
     Identification found;
     List<Profile> profiles = new ArrayList<>();

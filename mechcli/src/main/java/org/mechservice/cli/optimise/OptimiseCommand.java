@@ -177,7 +177,7 @@ public final class OptimiseCommand implements Callable<Integer> {
     Optimum optimum;
     try {
       settings = settings();
-      problem = problem(design.model(), settings.method());
+      problem = problem(design.model(spec.commandLine().getErr()), settings.method());
       if (minimise.size() + maximise.size() == 2) {
         return print(Front.of(problem, settings, front == null ? FRONT : front));
       }

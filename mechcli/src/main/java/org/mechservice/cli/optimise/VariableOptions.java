@@ -1,6 +1,7 @@
 package org.mechservice.cli.optimise;
 
 import java.io.IOException;
+import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -8,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.mechservice.cli.model.ParameterOption;
+import org.mechservice.cli.model.UserCodeOption;
 import org.mechservice.cli.shell.UsageException;
 import org.mechservice.library.MechModel;
 import org.mechservice.mechml.diagnosis.MechmlException;
@@ -58,6 +60,8 @@ final class VariableOptions {
               + " runs; auto: exact where the model has them and they take less time (default:"
               + " ${DEFAULT-VALUE}).")
   private String gradient = "auto";
+
+  @Mixin private UserCodeOption userCode = new UserCodeOption();
 
   @Mixin private ParameterOption settings = new ParameterOption();
 
@@ -124,17 +128,19 @@ final class VariableOptions {
   /**
    * Reads the model, with the parameters that have been set.
    *
+   * @param err is told of classes of forces that run unconfined
    * @throws UsageException if it cannot be used
    */
-  MechModel model() throws IOException {
+  MechModel model(PrintWriter err) throws IOException {
     try {
-      MechModel model = MechModel.read(file);
+      MechModel model = MechModel.read(file, userCode.consent());
       if (simulation.isPresent()) {
         model = model.simulation(simulation.get());
       }
       for (Map.Entry<String, String> value : settings.values().entrySet()) {
         model = model.set(value.getKey(), value.getValue());
       }
+      model.userCodeWarning().ifPresent(err::println);
       return model;
     } catch (MechmlException e) {
       throw new UsageException(String.valueOf(e.getMessage()));

@@ -246,9 +246,9 @@ public final class ViewCommand implements Callable<Integer> {
   /** Runs the model. */
   private RunFacts run(Recording recording) throws IOException {
     try (CancelOnInterrupt interrupt = new CancelOnInterrupt();
-        ServiceConnection service = ServiceConnection.open(server);
+        ServiceConnection service = ServiceConnection.open(server, userCode.consent());
         MechSession session = service.connection().openSession()) {
-      session.loadModel(input, userCode.folder());
+      session.loadModel(input, userCode.consent());
       try (PreparedRun run = session.prepareRemoteRun(options())) {
         interrupt.cancels(run::cancel);
         RunResult result = run.toEnd(recording);

@@ -14,6 +14,7 @@ import org.mechservice.cli.shell.ExitStatus;
 import org.mechservice.cli.shell.MechVersion;
 import org.mechservice.cli.shell.ServerOption;
 import org.mechservice.cli.shell.ServiceConnection;
+import org.mechservice.guard.UserCode;
 import org.mechservice.mechml.document.Document;
 import org.mechservice.view.web.UserWeb;
 import picocli.CommandLine.Command;
@@ -48,7 +49,7 @@ public final class WebCommand implements Callable<Integer> {
   public Integer call() throws Exception {
     ListenOptions.usable(port);
     int atOnce = Math.max(2, Runtime.getRuntime().availableProcessors());
-    try (ServiceConnection service = ServiceConnection.open(server, atOnce);
+    try (ServiceConnection service = ServiceConnection.open(server, atOnce, UserCode.NONE);
         UserWeb web =
             new UserWeb(
                 service.connection(),

@@ -4,9 +4,9 @@ import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
 import org.mechservice.cli.shell.UsageException;
+import org.mechservice.guard.UserCodePolicy;
 import org.mechservice.sim.host.HostOptions;
 import org.mechservice.sim.service.limits.HostLimits;
-import org.mechservice.sim.worker.UserCodePolicy;
 import org.mechservice.solver.catalogue.MessageCode;
 import picocli.CommandLine.Option;
 

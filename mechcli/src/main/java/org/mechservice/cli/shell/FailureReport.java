@@ -32,6 +32,20 @@ public final class FailureReport {
     return print(failure, command.getErr());
   }
 
+  /** Prints the message of an error of the virtual machine and returns the exit status. */
+  public static int failed(Error failure, PrintWriter err) {
+    if (failure instanceof OutOfMemoryError) {
+      err.println(
+          MessageCode.OUT_OF_MEMORY
+              + " this needs more than the "
+              + (Runtime.getRuntime().maxMemory() >> 20)
+              + " MB of memory that Java takes here; give it more, such as JDK_JAVA_OPTIONS=-Xmx8g,"
+              + " or use a smaller file or model");
+      return ExitStatus.SIMULATION_FAILED;
+    }
+    return internal(failure, err);
+  }
+
   /** Prints the message of a failure and returns its exit status. */
   static int print(Exception failure, PrintWriter err) {
     String text = String.valueOf(failure.getMessage());
@@ -55,6 +69,20 @@ public final class FailureReport {
       err.println(text);
       return ExitStatus.BAD_INPUT;
     }
+    return internal(failure, err);
+  }
+
+  /** Prints one line about what has ended a thread that nobody waits for. */
+  public static void ofThread(Throwable failure, PrintWriter err) {
+    if (failure instanceof Error error) {
+      failed(error, err);
+    } else {
+      internal(failure, err);
+    }
+    err.flush();
+  }
+
+  private static int internal(Throwable failure, PrintWriter err) {
     INCIDENTS.error("internal error", failure);
     err.println(
         MessageCode.INTERNAL_ERROR

@@ -4,12 +4,14 @@ import java.util.Optional;
 import org.mechservice.client.MechConnection;
 import org.mechservice.client.failure.ServiceException;
 import org.mechservice.client.jar.JarCache;
+import org.mechservice.guard.UserCode;
+import org.mechservice.guard.UserCodePolicy;
 import org.mechservice.server.MechServerProcess;
 import org.mechservice.server.ServerSettings;
 import org.mechservice.sim.host.HostOptions;
 import org.mechservice.sim.service.limits.HostLimits;
 import org.mechservice.sim.service.session.WarmUp;
-import org.mechservice.sim.worker.UserCodePolicy;
+import org.mechservice.sim.user.UserClasses;
 
 /** The service a command asks: one on the network, or one started for this command alone. */
 public final class ServiceConnection implements AutoCloseable {
@@ -31,7 +33,18 @@ public final class ServiceConnection implements AutoCloseable {
    * @throws org.mechservice.client.failure.ServerLostException if no server answers there
    */
   public static ServiceConnection open(ServerOption asked) {
-    return open(asked, 1);
+    return open(asked, UserCode.NONE);
+  }
+
+  /**
+   * Connects to a service.
+   *
+   * @param asked the server; none: an embedded server on a free loopback port
+   * @param userCode whether an embedded server runs classes of forces that it cannot confine
+   * @throws org.mechservice.client.failure.ServerLostException if no server answers there
+   */
+  public static ServiceConnection open(ServerOption asked, UserCode userCode) {
+    return open(asked, 1, userCode);
   }
 
   /**
@@ -39,19 +52,23 @@ public final class ServiceConnection implements AutoCloseable {
    *
    * @param asked the server; none: an embedded server on a free loopback port
    * @param capacity simulations that an embedded server runs at once
+   * @param userCode whether an embedded server runs classes of forces that it cannot confine
    * @throws org.mechservice.client.failure.ServerLostException if no server answers there
    */
-  public static ServiceConnection open(ServerOption asked, int capacity) {
+  public static ServiceConnection open(ServerOption asked, int capacity, UserCode userCode) {
     if (!asked.address().isEmpty()) {
       return new ServiceConnection(
           Optional.empty(),
           MechConnection.open(asked.address(), JarCache.ofUser(), asked.identity()));
     }
-    // The user's own force classes run as the user, confined where the machine can.
     WarmUp.beginToBuild();
+    if (!userCode.isNone()) {
+      UserClasses.prepareCompiler();
+    }
     HostOptions embedded =
         new HostOptions(EMBEDDED_NAME, capacity, HostLimits.OWN, Optional.empty())
-            .withUserCode(UserCodePolicy.UNCONFINED);
+            .withUserCode(
+                userCode.isUnconfined() ? UserCodePolicy.UNCONFINED : UserCodePolicy.CONFINED);
     MechServerProcess server =
         MechServerProcess.start(new ServerSettings("127.0.0.1", 0, embedded));
     try {

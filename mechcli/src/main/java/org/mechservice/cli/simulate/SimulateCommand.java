@@ -104,7 +104,7 @@ public final class SimulateCommand implements Callable<Integer> {
     SimulationOptions options = options();
     List<AnimationFile> animations = animations();
     try (CancelOnInterrupt interrupt = new CancelOnInterrupt();
-        ServiceConnection service = ServiceConnection.open(server);
+        ServiceConnection service = ServiceConnection.open(server, userCode.consent());
         MechSession session = service.connection().openSession(host)) {
       interrupt.cancels(session::close);
       RunFollower news = new RunFollower(this::printNews);
@@ -128,7 +128,7 @@ public final class SimulateCommand implements Callable<Integer> {
       throws IOException {
     ProgressDisplay display = ProgressDisplay.ofSetUp(results.talks());
     try {
-      session.loadModel(model, userCode.folder());
+      session.loadModel(model, userCode.consent());
       return prepare(session, options, news, display);
     } finally {
       display.close();

@@ -1,9 +1,7 @@
 package org.mechservice.cli.sweep;
 
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.Map;
-import java.util.Optional;
 import java.util.TreeMap;
 import org.mechservice.client.HostedModel;
 import org.mechservice.client.MechConnection;
@@ -11,6 +9,7 @@ import org.mechservice.client.SimulationOptions;
 import org.mechservice.client.failure.InvalidModelException;
 import org.mechservice.client.failure.InvalidOptionException;
 import org.mechservice.client.run.RunResult;
+import org.mechservice.guard.UserCode;
 import org.mechservice.solver.api.run.Failure;
 import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.study.PointEvaluation;
@@ -29,9 +28,9 @@ final class HostsEvaluation implements PointEvaluation, AutoCloseable {
   private final ThreadLocal<Reducer> reducers;
 
   /**
-   * @param userCode folder of classes that are not beside the model
+   * @param userCode the folders whose classes of forces are sent
    */
-  HostsEvaluation(StudyPlan plan, MechConnection connection, Optional<Path> userCode) {
+  HostsEvaluation(StudyPlan plan, MechConnection connection, UserCode userCode) {
     model = plan.model();
     SimulationOptions options = SimulationOptions.asInFile();
     for (Map.Entry<String, String> option : plan.runOptions().entrySet()) {

@@ -131,7 +131,7 @@ public final class StudyCommand implements Callable<Integer> {
     OutputFile.requireUsable(table);
     StudyPlan plan;
     try {
-      plan = StudyReader.read(file, Files.readAllBytes(file), userCode.folder());
+      plan = StudyReader.read(file, Files.readAllBytes(file), userCode.consent());
     } catch (MechmlException e) {
       throw new UsageException(String.valueOf(e.getMessage()));
     }
@@ -144,7 +144,9 @@ public final class StudyCommand implements Callable<Integer> {
             spec.commandLine().getErr(),
             quiet,
             false);
-    return engine == Engine.hosts ? run.onHosts(table, server, userCode.folder()) : run.here(table);
+    return engine == Engine.hosts
+        ? run.onHosts(table, server, userCode.consent())
+        : run.here(table);
   }
 
   /** Refuses options that another engine would take. */
@@ -157,7 +159,7 @@ public final class StudyCommand implements Callable<Integer> {
         switch (engine) {
           case threads -> List.of("--server", "--master", "--conf");
           case hosts -> List.of("--master", "--conf");
-          case spark -> List.of("--server", "--threads", "--part", "--user-code");
+          case spark -> List.of("--server", "--threads", "--part");
         };
     for (String option : others) {
       if (given.contains(option)) {
@@ -173,6 +175,7 @@ public final class StudyCommand implements Callable<Integer> {
     if (quiet) {
       words.add("--quiet");
     }
+    words.addAll(userCode.words());
     return words;
   }
 

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Optional;
 import java.util.Timer;
 import java.util.TimerTask;
 import org.mechservice.cli.shell.ExitStatus;
@@ -13,6 +12,7 @@ import org.mechservice.cli.shell.ServerOption;
 import org.mechservice.cli.shell.ServiceConnection;
 import org.mechservice.cli.simulate.CancelOnInterrupt;
 import org.mechservice.client.failure.ServiceException;
+import org.mechservice.guard.UserCode;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.study.PointEvaluation;
 import org.mechservice.study.run.Study;
@@ -51,13 +51,13 @@ record StudyRun(
   /**
    * Runs it on the hosts of a server.
    *
-   * @param userCode folder of classes that are not beside the model
+   * @param userCode the folders whose classes of forces are sent
    * @return the exit status
    */
-  int onHosts(Path table, ServerOption server, Optional<Path> userCode)
+  int onHosts(Path table, ServerOption server, UserCode userCode)
       throws IOException, InterruptedException {
     int processors = Runtime.getRuntime().availableProcessors();
-    try (ServiceConnection service = ServiceConnection.open(server, processors);
+    try (ServiceConnection service = ServiceConnection.open(server, processors, userCode);
         HostsEvaluation hosts = new HostsEvaluation(plan, service.connection(), userCode)) {
       return run(table, hosts, threads.or(service.connection().places()));
     } catch (ServiceException lost) {
@@ -71,6 +71,7 @@ record StudyRun(
 
   private int run(Path table, PointEvaluation evaluation, int atOnce)
       throws IOException, InterruptedException {
+    plan.userCodeWarning().ifPresent(this::print);
     if (!quiet) {
       plan.model().model().content().warnings().forEach(err::println);
       err.flush();

@@ -166,7 +166,7 @@ public final class SweepCommand implements Callable<Integer> {
             printed);
     return server.address().isEmpty()
         ? runs.here(table)
-        : runs.onHosts(table, server, userCode.folder());
+        : runs.onHosts(table, server, userCode.consent());
   }
 
   private StudyPlan plan() throws IOException {
@@ -175,7 +175,7 @@ public final class SweepCommand implements Callable<Integer> {
     }
     byte[] content = text(model.toString()).getBytes(StandardCharsets.UTF_8);
     try {
-      return StudyReader.read(Path.of(STUDY), content, userCode.folder());
+      return StudyReader.read(Path.of(STUDY), content, userCode.consent());
     } catch (MechmlException e) {
       throw new UsageException(
           e.diagnostics().stream().map(SweepCommand::message).collect(Collectors.joining("\n")));

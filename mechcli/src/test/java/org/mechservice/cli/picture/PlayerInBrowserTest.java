@@ -38,6 +38,9 @@ class PlayerInBrowserTest {
             new PrintWriter(err),
             "view",
             model.toString(),
+            "--user-code",
+            model.resolveSibling(".").toString(),
+            "--unconfined",
             "-o",
             page.toString());
     assertThat(status).as(err.toString()).isEqualTo(ExitStatus.DONE);

@@ -23,6 +23,7 @@ import org.junit.jupiter.api.Test;
 import org.mechservice.cli.model.SceneReader;
 import org.mechservice.cli.shell.ServerOption;
 import org.mechservice.cli.shell.ServiceConnection;
+import org.mechservice.guard.UserCode;
 import org.mechservice.mechml.document.Document;
 import org.mechservice.view.web.UserWeb;
 
@@ -35,7 +36,7 @@ class UserWebTest {
 
   @BeforeAll
   static void start() throws IOException {
-    service = ServiceConnection.open(new ServerOption(), 4);
+    service = ServiceConnection.open(new ServerOption(), 4, UserCode.NONE);
     web =
         new UserWeb(
             service.connection(), SceneReader::read, new WebExports(), Map.of(), Document.dtd(), 0);

@@ -19,6 +19,7 @@ import org.mechservice.admin.web.Chromium;
 import org.mechservice.cli.model.SceneReader;
 import org.mechservice.cli.shell.ServerOption;
 import org.mechservice.cli.shell.ServiceConnection;
+import org.mechservice.guard.UserCode;
 import org.mechservice.mechml.document.Document;
 import org.mechservice.view.web.UserWeb;
 
@@ -40,7 +41,7 @@ class WebInBrowserTest {
 
   @BeforeAll
   static void start() throws Exception {
-    service = ServiceConnection.open(new ServerOption(), 4);
+    service = ServiceConnection.open(new ServerOption(), 4, UserCode.NONE);
     web =
         new UserWeb(
             service.connection(),

@@ -28,15 +28,25 @@ final class FetchedClasses extends ClassLoader {
           MessageCode.class.getPackageName(),
           Sha256.class.getPackageName());
 
-  private final List<FetchedJar> jars;
+  private static final String PRODUCT = "org.mechservice.";
 
-  FetchedClasses(List<FetchedJar> jars) {
+  private final List<FetchedJar> jars;
+  private final Optional<ClassLoader> userClasses;
+
+  /**
+   * @param userClasses loader of what users have written, in place of what the JARs have of it
+   */
+  FetchedClasses(List<FetchedJar> jars, Optional<ClassLoader> userClasses) {
     super("fetched", new SharedApi());
     this.jars = List.copyOf(jars);
+    this.userClasses = userClasses;
   }
 
   @Override
   protected Class<?> findClass(String name) throws ClassNotFoundException {
+    if (userClasses.isPresent() && !name.startsWith(PRODUCT)) {
+      return userClasses.get().loadClass(name);
+    }
     byte[] bytes =
         entry(name.replace('.', '/') + ".class")
             .orElseThrow(() -> new ClassNotFoundException(name));

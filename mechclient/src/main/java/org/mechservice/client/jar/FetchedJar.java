@@ -6,9 +6,11 @@ import java.nio.BufferUnderflowException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.jar.Attributes;
 import java.util.jar.JarFile;
 import java.util.jar.Manifest;
@@ -112,6 +114,11 @@ final class FetchedJar {
   /** Returns a main attribute of the manifest. */
   Optional<String> attribute(String name) {
     return Optional.ofNullable(manifest.getValue(name));
+  }
+
+  /** Returns the names of all entries. */
+  Set<String> names() {
+    return Collections.unmodifiableSet(places.keySet());
   }
 
   /**

@@ -7,12 +7,19 @@ import java.util.OptionalDouble;
 import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
 import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import org.mechservice.client.failure.JarRefusedException;
 import org.mechservice.client.run.LocalRun;
+import org.mechservice.guard.BytecodeVerifier;
+import org.mechservice.guard.Confinement;
+import org.mechservice.guard.ForceRelay;
+import org.mechservice.guard.UserCode;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.api.result.ColumnGroup;
+import org.mechservice.solver.api.run.RunNotes;
 import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.text.Sha256;
@@ -25,34 +32,77 @@ import org.mechservice.solver.text.Sha256;
  * @param sha256 of the model's JAR
  * @param formulationReason reason for the model's formulation; empty if unknown
  * @param shown column groups its file selects
+ * @param userCode how the classes of its users run, if it has such: as a warning where nothing
+ *     confines them, else empty
  */
 public record FetchedModel(
     Class<?> modelClass,
     Solver solver,
     String sha256,
     Optional<String> formulationReason,
-    Set<ColumnGroup> shown) {
+    Set<ColumnGroup> shown,
+    Optional<String> userCode) {
+  private static final String CLASS = ".class";
+
+  /** Package of generated classes; users have no classes there. */
+  private static final String GENERATED = "org/mechservice/";
+
   private static final String SHOWN_ATTRIBUTE = "Mech-Columns-Shown";
   private static final String REASON_ATTRIBUTE = "Mech-Formulation-Reason";
 
   /**
    * Loads a model with its solver.
    *
-   * @throws JarRefusedException if they do not fit this client or each other
+   * @param consent whether classes of users may run where they cannot be confined
+   * @throws JarRefusedException if they do not fit this client or each other, or a class of a user
+   *     uses what it must not (S-156)
    */
-  public static FetchedModel load(BuiltJar modelJar, byte[] runtimeJar) {
+  public static FetchedModel load(BuiltJar modelJar, byte[] runtimeJar, UserCode consent) {
     FetchedJar model = FetchedJar.read(modelJar.bytes(), "the model JAR");
     FetchedJar runtime = FetchedJar.read(runtimeJar, "the runtime JAR");
-    FetchedClasses classes = new FetchedClasses(List.of(model, runtime));
+    Optional<ClassLoader> userClasses = userClasses(model, consent);
+    FetchedClasses classes = new FetchedClasses(List.of(model, runtime), userClasses);
     try {
       return new FetchedModel(
           modelClass(classes, modelJar.mainClass()),
           solver(classes),
           Sha256.of(modelJar.bytes()),
           model.attribute(REASON_ATTRIBUTE),
-          ColumnGroup.of(model.attribute(SHOWN_ATTRIBUTE).orElse(ColumnGroup.JOINTS.label())));
+          ColumnGroup.of(model.attribute(SHOWN_ATTRIBUTE).orElse(ColumnGroup.JOINTS.label())),
+          userClasses.map(u -> consent.warning(Confinement.ofThisMachine()).orElse("")));
     } catch (ReflectiveOperationException | LinkageError | ServiceConfigurationError e) {
       throw refused("cannot be loaded: " + e);
+    }
+  }
+
+  /**
+   * Returns the loader of what the model's users have written: classes that hand each call on to a
+   * confined process.
+   */
+  private static Optional<ClassLoader> userClasses(FetchedJar model, UserCode consent) {
+    SortedMap<String, byte[]> files = new TreeMap<>();
+    for (String name : model.names()) {
+      if (name.endsWith(CLASS) && !name.startsWith(GENERATED)) {
+        files.put(
+            name.substring(0, name.length() - CLASS.length()).replace('/', '.'),
+            model.entry(name).orElseThrow());
+      }
+    }
+    if (files.isEmpty()) {
+      return Optional.empty();
+    }
+    BytecodeVerifier.check(files).stream()
+        .findFirst()
+        .ifPresent(
+            use -> {
+              throw new JarRefusedException(
+                  MessageCode.USER_CLASS_NOT_PERMITTED.code(), use.text());
+            });
+    try {
+      return Optional.of(new ForceRelay(files, consent).newLoader());
+    } catch (IllegalArgumentException e) {
+      throw new JarRefusedException(
+          MessageCode.NO_CONFINEMENT.code(), String.valueOf(e.getMessage()));
     }
   }
 
@@ -107,6 +157,10 @@ public record FetchedModel(
     RunRequest request =
         new RunRequest(
             model.description().defaults(), columns.orElse(shown), strict, maxDrift, silenced);
-    return new LocalRun(source, model, solver, sha256, request, facts);
+    Optional<RunNotes.Note> unconfined =
+        userCode
+            .filter(warning -> !warning.isEmpty())
+            .map(w -> new RunNotes.Note(MessageCode.USER_CODE_UNCONFINED, 0, true, w));
+    return new LocalRun(source, model, solver, sha256, request, facts, unconfined);
   }
 }

@@ -51,6 +51,11 @@ public final class LocalModel {
     return names.isEmpty() ? Set.of() : Set.of(names.split(" ", -1));
   }
 
+  /** Returns whether forces of it are classes of users. */
+  public boolean hasUserClasses() {
+    return fetched.userCode().isPresent();
+  }
+
   /** Returns the server's solver. */
   public Solver solver() {
     return fetched.solver();

@@ -18,6 +18,7 @@ import org.mechservice.solver.api.TunableParameter;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.run.Checkpoints;
 import org.mechservice.solver.api.run.RunControl;
+import org.mechservice.solver.api.run.RunNotes;
 import org.mechservice.solver.api.run.RunReport;
 import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.api.run.RunSettings;
@@ -34,12 +35,14 @@ public final class LocalRun implements PreparedRun {
   private final String modelSha256;
   private final RunRequest request;
   private final Map<String, Object> facts;
+  private final Optional<RunNotes.Note> note;
   private final RunControl control = new RunControl();
   private Model model;
   private volatile RunState state = RunState.CREATED;
 
   /**
    * @param modelSha256 of the JAR the model came in
+   * @param note that its report has besides those of the solver
    */
   public LocalRun(
       ModelSource source,
@@ -47,13 +50,15 @@ public final class LocalRun implements PreparedRun {
       Solver solver,
       String modelSha256,
       RunRequest request,
-      Map<String, Object> facts) {
+      Map<String, Object> facts,
+      Optional<RunNotes.Note> note) {
     this.source = source;
     this.model = model;
     this.modelSha256 = modelSha256;
     this.solver = solver;
     this.request = request;
     this.facts = facts;
+    this.note = note;
   }
 
   /** Returns names, units and settings of the model. */
@@ -97,7 +102,8 @@ public final class LocalRun implements PreparedRun {
   public RunResult toEnd(ResultSink sink, CheckpointStore store) throws IOException {
     state = RunState.RUNNING;
     try {
-      RunReport done = solver.run(model, request, sink, control, checkpoints(store));
+      RunReport ended = solver.run(model, request, sink, control, checkpoints(store));
+      RunReport done = note.map(ended::with).orElse(ended);
       Map<String, Object> report = new LinkedHashMap<>(done.asMap());
       facts.forEach(report::putIfAbsent);
       return new RunResult(done.outcome(), report);

@@ -41,6 +41,11 @@ public final class IncludedParts {
   private static final List<String> UNITS =
       List.of("massUnits", "lengthUnits", "angleUnits", "forceUnits");
 
+  /** Files in files; more than models of assemblies of assemblies have. */
+  private static final int DEEPEST = 50;
+
+  private static final int MOST_FILES = 1000;
+
   private final Element model;
   private final Map<String, String> texts = new HashMap<>();
   private final Map<String, Optional<Element>> subsystems = new HashMap<>();
@@ -72,7 +77,15 @@ public final class IncludedParts {
     if (model.children("include").isEmpty()) {
       return document;
     }
-    Element whole = new IncludedParts(document, diagnostics).whole(model);
+    IncludedParts parts = new IncludedParts(document, diagnostics);
+    if (parts.texts.size() > MOST_FILES) {
+      diagnostics.error(
+          MessageCode.MODEL_FILE_TOO_LARGE,
+          document.position(),
+          "the model includes " + parts.texts.size() + " files; it may include " + MOST_FILES);
+      diagnostics.throwIfErrors();
+    }
+    Element whole = parts.whole(model);
     diagnostics.throwIfErrors();
     List<Content> content = new ArrayList<>();
     for (Element child : document.children()) {
@@ -135,6 +148,12 @@ public final class IncludedParts {
           MessageCode.INCLUDED_FILE,
           include,
           "the file includes itself: " + String.join(" includes ", chain));
+    }
+    if (within.size() >= DEEPEST) {
+      return error(
+          MessageCode.INCLUDED_FILE,
+          include,
+          "files include each other more than " + DEEPEST + " deep");
     }
     String text = texts.get(file);
     if (text == null) {

@@ -1,6 +1,7 @@
 package org.mechservice.mechml.include;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import java.nio.charset.StandardCharsets;
@@ -107,6 +108,31 @@ class IncludedPartsTest {
   private static String section(String text, String name) {
     int from = text.indexOf("<" + name + ">") + name.length() + 2;
     return text.substring(from, text.indexOf("</" + name + ">"));
+  }
+
+  /** Each part includes the next one. */
+  private static String chain(int parts) {
+    StringBuilder all = new StringBuilder();
+    for (int i = 0; i < parts; i++) {
+      String next = i < parts - 1 ? "<include file=\"p" + (i + 1) + "\" prefix=\"x_\"/>" : "";
+      all.append(
+          included(
+              "p" + i, "<subsystem massUnits=\"kg\" lengthUnits=\"m\">" + next + "</subsystem>"));
+    }
+    return car("<include file=\"p0\" prefix=\"z_\"/>", all.toString());
+  }
+
+  @Test
+  void filesInFilesAreBoundedByName() throws MechmlException {
+    assertThat(read(chain(50)).mechanism().bodies()).isNotEmpty();
+    assertThatThrownBy(() -> read(chain(51)))
+        .isInstanceOf(MechmlException.class)
+        .hasMessageContaining("M-075")
+        .hasMessageContaining("more than 50 deep");
+    assertThatThrownBy(() -> read(chain(3001)))
+        .isInstanceOf(MechmlException.class)
+        .hasMessageContaining("M-004")
+        .hasMessageContaining("3001 files");
   }
 
   @Test

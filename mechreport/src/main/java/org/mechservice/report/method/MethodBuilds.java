@@ -29,6 +29,12 @@ public interface MethodBuilds {
   /** Returns hashes of solver and model as built with a method, which tell code from other code. */
   String code(SimulationMethod method);
 
+  /**
+   * Returns whether forces of the model are classes of users, which a JAR that starts by itself
+   * would run with nothing around them; known after the first build.
+   */
+  boolean hasUserClasses();
+
   /** Returns a JAR of the model with a method and its solver, which starts with java -jar. */
   byte[] standalone(SimulationMethod method);
 }

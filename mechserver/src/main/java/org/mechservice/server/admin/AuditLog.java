@@ -2,32 +2,20 @@ package org.mechservice.server.admin;
 
 import com.google.gson.JsonObject;
 import java.io.IOException;
-import java.io.Writer;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import java.time.Instant;
 import org.mechservice.idl.ServiceEvent;
-import org.mechservice.sim.service.contract.FileErrors;
+import org.mechservice.orb.AuditFile;
 import org.mechservice.sim.service.contract.Journal;
 import org.mechservice.solver.catalogue.MessageCode;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
+import org.mechservice.solver.text.FileErrors;
 
-/**
- * The audit log, one JSON object per line: the events of the server and all its hosts, appended to
- * a file and on it before anything else happens.
- */
+/** The audit log: the events of the server and all its hosts, one JSON object per line. */
 public final class AuditLog implements AutoCloseable {
-  private static final Logger LOG = LoggerFactory.getLogger(AuditLog.class);
+  private final AuditFile file;
 
-  private final Path file;
-  private final Writer out;
-
-  private AuditLog(Path file, Writer out) {
+  private AuditLog(AuditFile file) {
     this.file = file;
-    this.out = out;
   }
 
   /**
@@ -37,14 +25,7 @@ public final class AuditLog implements AutoCloseable {
    */
   public static AuditLog open(Path file) {
     try {
-      return new AuditLog(
-          file,
-          Files.newBufferedWriter(
-              file,
-              StandardCharsets.UTF_8,
-              StandardOpenOption.CREATE,
-              StandardOpenOption.WRITE,
-              StandardOpenOption.APPEND));
+      return new AuditLog(new AuditFile(MessageCode.SERVER_AUDIT_LOG, file));
     } catch (IOException e) {
       throw new IllegalArgumentException(
           MessageCode.SERVER_AUDIT_LOG
@@ -57,7 +38,7 @@ public final class AuditLog implements AutoCloseable {
   }
 
   /** Writes an event. */
-  public synchronized void write(ServiceEvent event) {
+  public void write(ServiceEvent event) {
     JsonObject line = new JsonObject();
     line.addProperty("time", Instant.ofEpochMilli(event.happenedAt).toString());
     line.addProperty("kind", event.kind);
@@ -68,15 +49,7 @@ public final class AuditLog implements AutoCloseable {
     add(line, "session", event.sessionId);
     add(line, "simulation", event.simId);
     line.addProperty("text", event.text);
-    try {
-      out.write(line + "\n");
-      out.flush();
-    } catch (IOException e) {
-      LOG.error(
-          MessageCode.SERVER_AUDIT_LOG + " the audit log {} cannot be written: {}",
-          file,
-          FileErrors.reason(e));
-    }
+    file.write(line.toString());
   }
 
   private static void add(JsonObject line, String name, String value) {
@@ -85,15 +58,13 @@ public final class AuditLog implements AutoCloseable {
     }
   }
 
+  /** Returns how many events wait because they could not be written. */
+  public int waiting() {
+    return file.waiting();
+  }
+
   @Override
-  public synchronized void close() {
-    try {
-      out.close();
-    } catch (IOException e) {
-      LOG.warn(
-          MessageCode.UNCLEAN_CLOSE + " the audit log {} does not close in order: {}",
-          file,
-          e.toString());
-    }
+  public void close() {
+    file.close();
   }
 }

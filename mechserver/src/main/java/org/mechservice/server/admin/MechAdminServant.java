@@ -17,6 +17,7 @@ import org.mechservice.idl.NotAuthorized;
 import org.mechservice.idl.NotFound;
 import org.mechservice.idl.ServerStatus;
 import org.mechservice.idl.ServiceEvent;
+import org.mechservice.idl.SessionSummary;
 import org.mechservice.idl.SimDetail;
 import org.mechservice.idl.SimSummary;
 import org.mechservice.orb.tls.TlsIdentity;
@@ -219,6 +220,45 @@ public final class MechAdminServant implements MechAdminOperations {
           .map(ContractErrors::notFound)
           .orElseGet(() -> noSimulation(simId));
     }
+  }
+
+  @Override
+  public SessionSummary[] listSessions() {
+    directory.refresh();
+    List<SessionSummary> all = new ArrayList<>();
+    for (RegisteredHost host : directory.all()) {
+      if (host.reachable()) {
+        directory
+            .calls()
+            .query(host.host(), MechSimHostOperations::listSessions)
+            .value()
+            .ifPresent(found -> all.addAll(List.of(found)));
+      }
+    }
+    all.sort(Comparator.comparingLong(session -> session.openedAt));
+    return all.toArray(SessionSummary[]::new);
+  }
+
+  @Override
+  public int endSessions(String owner, String sessionId, String reason) throws NotFound {
+    int count = 0;
+    for (RegisteredHost host : directory.all()) {
+      if (host.reachable()) {
+        count +=
+            directory
+                .calls()
+                .query(host.host(), asked -> asked.endSessions(owner, sessionId, reason))
+                .value()
+                .orElse(0);
+      }
+    }
+    if (count == 0) {
+      throw ContractErrors.notFound(
+          "there is no session "
+              + (sessionId.isEmpty() ? "of \"" + owner + "\"" : sessionId)
+              + directory.silentHosts());
+    }
+    return count;
   }
 
   @Override

@@ -23,18 +23,28 @@ public final class Metrics {
           "failed", "runs_failed",
           "cancelled", "runs_cancelled");
 
+  private static final long ANSWER_NANOS = 1_000_000_000;
+
   private final HostDirectory directory;
   private final MechServerServant server;
   private final Optional<TlsIdentity> identity;
+  private final Optional<AuditLog> audit;
+  private Optional<String> trouble = Optional.empty();
+  private long triedAt = System.nanoTime() - 2 * ANSWER_NANOS;
 
   /**
    * @param identity of the server; empty: without TLS
+   * @param audit of the server; empty: it writes none
    */
   public Metrics(
-      HostDirectory directory, MechServerServant server, Optional<TlsIdentity> identity) {
+      HostDirectory directory,
+      MechServerServant server,
+      Optional<TlsIdentity> identity,
+      Optional<AuditLog> audit) {
     this.directory = directory;
     this.server = server;
     this.identity = identity;
+    this.audit = audit;
   }
 
   /** Returns all figures. */
@@ -54,6 +64,13 @@ public final class Metrics {
         (System.currentTimeMillis() - server.getInfo().startedAt) * 1e-3);
     one(text, "heap_bytes", "heap in use", (double) machine.totalMemory() - machine.freeMemory());
     one(text, "threads", "live threads", ManagementFactory.getThreadMXBean().getThreadCount());
+    audit.ifPresent(
+        log ->
+            one(
+                text,
+                "audit_waiting_events",
+                "events that the audit log could not be written for",
+                log.waiting()));
     gauge(text, hosts, "sessions", "sessions", load -> load.sessions);
     gauge(text, hosts, "runs_running", "runs that compute or are paused", load -> load.running);
     gauge(text, hosts, "runs_queued", "runs that wait for a place", load -> load.queued);
@@ -156,14 +173,16 @@ public final class Metrics {
     text.append("\"} ").append(value).append('\n');
   }
 
-  /** Returns whether sessions can be opened, and if not, why. */
-  public MetricsEndpoint.Health health() {
-    Optional<String> trouble = Optional.empty();
-    directory.refresh();
-    if (server.draining()) {
-      trouble = Optional.of("the server is being emptied");
-    } else if (directory.all().stream().noneMatch(RegisteredHost::open)) {
-      trouble = Optional.of("no host takes sessions");
+  /**
+   * Opens a session and ends it: returns whether that works, and if not, why. An answer is good for
+   * a second, however many ask.
+   */
+  public synchronized MetricsEndpoint.Health health() {
+    long now = System.nanoTime();
+    if (now - triedAt > ANSWER_NANOS || server.draining()) {
+      directory.refresh();
+      trouble = server.tryOut();
+      triedAt = now;
     }
     return new MetricsEndpoint.Health(trouble.isEmpty(), trouble.orElse("ok") + "\n");
   }

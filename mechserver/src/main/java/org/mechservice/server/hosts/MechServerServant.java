@@ -1,6 +1,7 @@
 package org.mechservice.server.hosts;
 
 import java.util.Arrays;
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.idl.API_VERSION;
@@ -23,6 +24,7 @@ import org.mechservice.orb.tls.Caller;
 import org.mechservice.sim.service.contract.ContractErrors;
 import org.mechservice.sim.service.library.ModelImport;
 import org.mechservice.sim.service.limits.CurrentLimits;
+import org.mechservice.sim.service.session.SessionNames;
 
 /** The servant of the interface for clients. */
 public final class MechServerServant implements MechServerOperations {
@@ -83,10 +85,21 @@ public final class MechServerServant implements MechServerOperations {
     return new ServerInfo(name, API_VERSION.value, ServiceVersion.CURRENT, startedAt, capabilities);
   }
 
+  /**
+   * Opens a session as clients do, and ends it.
+   *
+   * @return why it did not work; empty if it did
+   */
+  public Optional<String> tryOut() {
+    return draining.get()
+        ? Optional.of("the server is being emptied")
+        : placement.tryOut(SessionNames.HEALTH_CHECK);
+  }
+
   @Override
   public MechSim createSession(String claimedName, String hostName, @Nullable IMechClient client)
       throws LimitExceeded, NotFound, ServerFailure {
-    String clientName = Caller.current().name(claimedName);
+    String clientName = SessionNames.ofClient(Caller.current().name(claimedName));
     if (draining.get()) {
       throw ContractErrors.noPlace(
           "server " + name + " is being emptied and takes no new sessions");

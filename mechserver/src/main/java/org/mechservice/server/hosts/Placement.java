@@ -75,6 +75,41 @@ public final class Placement {
         () -> ContractErrors.noPlace("no host takes sessions now; start one with mech simhost"));
   }
 
+  /**
+   * Opens a session as {@link #anywhere} does, and ends it.
+   *
+   * @return why no host takes it; empty if one did
+   */
+  Optional<String> tryOut(String clientName) {
+    String trouble = "no host takes sessions";
+    for (RegisteredHost host : candidates(clientName)) {
+      HostCalls.Answer<Integer> answer =
+          directory
+              .calls()
+              .query(
+                  host.host(),
+                  asked -> {
+                    asked.createSession(clientName, null);
+                    return asked.endSessions(clientName, "", "it was tried out");
+                  });
+      if (answer.value().isPresent()) {
+        return Optional.empty();
+      }
+      trouble =
+          "host "
+              + host.name()
+              + " takes no session: "
+              + answer.refusal().map(Placement::text).orElse(answer.failure());
+    }
+    return Optional.of(trouble);
+  }
+
+  private static String text(UserException refusal) {
+    return refusal instanceof LimitExceeded limit
+        ? limit.code + " " + limit.text
+        : String.valueOf(refusal.getMessage());
+  }
+
   private List<RegisteredHost> candidates(String clientName) {
     Comparator<RegisteredHost> order =
         switch (policy) {

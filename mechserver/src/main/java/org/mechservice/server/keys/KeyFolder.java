@@ -22,8 +22,8 @@ import java.util.Set;
 import java.util.regex.Pattern;
 import org.mechservice.orb.tls.Role;
 import org.mechservice.orb.tls.TlsIdentity;
-import org.mechservice.sim.service.contract.FileErrors;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.text.FileErrors;
 
 /**
  * The folder of a service's certificates.

@@ -4,13 +4,10 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
-import java.nio.file.attribute.FileAttribute;
-import java.nio.file.attribute.PosixFilePermissions;
 import java.security.GeneralSecurityException;
 import java.security.Key;
 import java.security.KeyStore;
@@ -22,6 +19,7 @@ import java.util.Arrays;
 import java.util.Base64;
 import java.util.List;
 import org.mechservice.orb.tls.TlsIdentity;
+import org.mechservice.solver.text.OwnerOnly;
 
 /**
  * A key with its certificate, and its folder on disk, which only its owner may read.
@@ -62,7 +60,7 @@ record StoredKey(PrivateKey key, List<X509Certificate> chain) {
    */
   void save(Path folder, X509Certificate trusted) throws IOException {
     Files.createDirectories(folder.toAbsolutePath().getParent());
-    Files.createDirectory(folder, ownersOnly("rwx------"));
+    Files.createDirectory(folder, OwnerOnly.folder());
     byte[] random = new byte[PASSWORD_BYTES];
     new SecureRandom().nextBytes(random);
     String password = Base64.getUrlEncoder().withoutPadding().encodeToString(random);
@@ -123,16 +121,7 @@ record StoredKey(PrivateKey key, List<X509Certificate> chain) {
   }
 
   private static void write(Path file, byte[] content) throws IOException {
-    Files.createFile(file, ownersOnly("rw-------"));
+    Files.createFile(file, OwnerOnly.file());
     Files.write(file, content, StandardOpenOption.WRITE);
-  }
-
-  private static FileAttribute<?>[] ownersOnly(String permissions) {
-    boolean posix = FileSystems.getDefault().supportedFileAttributeViews().contains("posix");
-    return posix
-        ? new FileAttribute<?>[] {
-          PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString(permissions))
-        }
-        : new FileAttribute<?>[0];
   }
 }

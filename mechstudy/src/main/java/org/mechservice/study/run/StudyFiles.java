@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.TreeMap;
+import org.mechservice.guard.UserCode;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.text.ModelFiles;
@@ -18,9 +19,11 @@ import org.mechservice.solver.text.ModelFiles;
 public final class StudyFiles implements Serializable {
   private static final long serialVersionUID = 1L;
 
+  /** Folder of the classes of forces. */
+  private static final String CLASSES = "classes";
+
   private final String study;
   private final byte[] content;
-  private final String model;
 
   /** Files that the study names, by these names. */
   private final LinkedHashMap<String, byte[]> named;
@@ -28,20 +31,21 @@ public final class StudyFiles implements Serializable {
   /** Class files of forces by binary name. */
   private final TreeMap<String, byte[]> classes;
 
+  private final boolean unconfined;
   private final String identity;
 
   private StudyFiles(
       String study,
       byte[] content,
-      String model,
       Map<String, byte[]> named,
       Map<String, byte[]> classes,
+      boolean unconfined,
       String identity) {
     this.study = study;
     this.content = content;
-    this.model = model;
     this.named = new LinkedHashMap<>(named);
     this.classes = new TreeMap<>(classes);
+    this.unconfined = unconfined;
     this.identity = identity;
   }
 
@@ -61,9 +65,9 @@ public final class StudyFiles implements Serializable {
     return new StudyFiles(
         String.valueOf(file.getFileName()),
         Files.readAllBytes(file),
-        model,
         named,
         plan.model().model().userClasses(),
+        plan.model().model().userCode().isUnconfined(),
         plan.identity().toString());
   }
 
@@ -91,14 +95,13 @@ public final class StudyFiles implements Serializable {
       places.put(one.getKey(), place);
     }
     for (Map.Entry<String, byte[]> one : classes.entrySet()) {
-      Path place =
-          places
-              .getOrDefault(model, file)
-              .resolveSibling(one.getKey().replace('.', '/') + ".class");
+      Path place = folder.resolve(CLASSES).resolve(one.getKey().replace('.', '/') + ".class");
       Files.createDirectories(place.resolveSibling("."));
       Files.write(place, one.getValue());
     }
-    StudyPlan plan = StudyReader.read(file, places);
+    // Who began the study has consented to its classes; no machine of a cluster needs to ask again.
+    UserCode consent = classes.isEmpty() ? UserCode.NONE : UserCode.in(folder.resolve(CLASSES));
+    StudyPlan plan = StudyReader.read(file, places, unconfined ? consent.unconfined() : consent);
     if (!plan.identity().toString().equals(identity)) {
       throw new IOException(
           MessageCode.STUDY_CHANGED

@@ -48,6 +48,11 @@ public record StudyPlan(
     return design.size();
   }
 
+  /** Returns the warning that the classes of forces run unconfined; empty if they do not. */
+  public Optional<String> userCodeWarning() {
+    return model.model().userCodeWarning();
+  }
+
   /** Returns name or number of the model's simulation; empty for the first. */
   public Optional<String> simulation() {
     return Optional.ofNullable(identity.get("simulation")).map(JsonElement::getAsString);

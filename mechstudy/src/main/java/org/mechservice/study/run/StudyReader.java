@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.mechservice.guard.UserCode;
 import org.mechservice.library.MechModel;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.document.Element;
@@ -25,9 +26,9 @@ public final class StudyReader {
   private final byte[] content;
   private final StudyDocument document;
   private final Element root;
-  private final Optional<Path> userCode;
+  private final UserCode userCode;
 
-  private StudyReader(Path file, byte[] content, Map<String, Path> places, Optional<Path> userCode)
+  private StudyReader(Path file, byte[] content, Map<String, Path> places, UserCode userCode)
       throws MechmlException {
     this.file = file;
     this.content = content;
@@ -46,7 +47,7 @@ public final class StudyReader {
    *     write instead
    */
   public static StudyPlan read(Path file) throws IOException, MechmlException {
-    return read(file, Files.readAllBytes(file), Optional.empty());
+    return read(file, Files.readAllBytes(file), UserCode.NONE);
   }
 
   /**
@@ -54,12 +55,12 @@ public final class StudyReader {
    *
    * @param file its name; files that it names are sought beside it
    * @param content XML, or YAML by the ending of the name
-   * @param userCode folder of the classes of forces that are not beside the model
+   * @param userCode the folders whose classes of forces may run
    * @throws IOException if a file cannot be read
    * @throws MechmlException if the study or its model cannot be used; says what, where and what to
    *     write instead
    */
-  public static StudyPlan read(Path file, byte[] content, Optional<Path> userCode)
+  public static StudyPlan read(Path file, byte[] content, UserCode userCode)
       throws IOException, MechmlException {
     return new StudyReader(file, content, Map.of(), userCode).read();
   }
@@ -68,9 +69,11 @@ public final class StudyReader {
    * Reads a study whose files are elsewhere.
    *
    * @param places of the files that it names, by these names; others are sought beside it
+   * @param userCode the folders whose classes of forces may run
    */
-  static StudyPlan read(Path file, Map<String, Path> places) throws IOException, MechmlException {
-    return new StudyReader(file, Files.readAllBytes(file), places, Optional.empty()).read();
+  static StudyPlan read(Path file, Map<String, Path> places, UserCode userCode)
+      throws IOException, MechmlException {
+    return new StudyReader(file, Files.readAllBytes(file), places, userCode).read();
   }
 
   private StudyPlan read() throws IOException, MechmlException {
@@ -110,11 +113,7 @@ public final class StudyReader {
   /** Returns the model with the simulation and the settings that the study asks for. */
   private MechModel model(Path modelFile) throws IOException, MechmlException {
     // By its simple name, as on a host: the code and its messages do not depend on the folder.
-    MechModel model =
-        MechModel.read(
-            String.valueOf(modelFile.getFileName()),
-            modelFile,
-            userCode.stream().toArray(Path[]::new));
+    MechModel model = MechModel.read(String.valueOf(modelFile.getFileName()), modelFile, userCode);
     Optional<String> simulation = root.attribute("simulation");
     if (simulation.isPresent()) {
       model = model.simulation(simulation.get());

@@ -10,7 +10,9 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Base64;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /**
@@ -64,6 +66,7 @@ final class GltfReader {
   private final List<ByteBuffer> buffers = new ArrayList<>();
   private final List<Mesh> found = new ArrayList<>();
   private int nodes;
+  private long triangles;
 
   private GltfReader(JsonObject file, Optional<ByteBuffer> binary) throws MeshException {
     this.file = file;
@@ -179,29 +182,75 @@ final class GltfReader {
     if (corners.type != FLOAT) {
       throw new MeshException("its corners are of the type " + corners.type);
     }
-    MeshBuilder mesh = new MeshBuilder();
-    for (int i = 0; i < corners.count; i++) {
-      double x = corners.coordinate(i, 0);
-      double y = corners.coordinate(i, 1);
-      double z = corners.coordinate(i, 2);
-      mesh.corner(
-          m[0] * x + m[4] * y + m[8] * z + m[12],
-          m[1] * x + m[5] * y + m[9] * z + m[13],
-          m[2] * x + m[6] * y + m[10] * z + m[14]);
-    }
+    Surface mesh = new Surface(corners, m);
     if (primitive.has("indices")) {
       Numbers indices = numbers(primitive.get("indices").getAsInt(), "SCALAR", 1);
+      requireRoom(indices.count / 3);
       for (int i = 0; i + 2 < indices.count; i += 3) {
         mesh.triangle(indices.index(i), indices.index(i + 1), indices.index(i + 2));
       }
     } else {
+      requireRoom(corners.count / 3);
       for (int i = 0; i + 2 < corners.count; i += 3) {
         mesh.triangle(i, i + 1, i + 2);
       }
     }
     return primitive.has("material")
-        ? coloured(mesh.mesh(), element("materials", primitive.get("material").getAsInt()))
-        : mesh.mesh();
+        ? coloured(mesh.built(), element("materials", primitive.get("material").getAsInt()))
+        : mesh.built();
+  }
+
+  /** Surfaces may share their numbers, so that a small file stands for any number of triangles. */
+  private void requireRoom(int more) throws MeshException {
+    triangles += more;
+    if (triangles > MeshBuilder.MOST_TRIANGLES) {
+      throw new MeshException(
+          "it has more than "
+              + MeshBuilder.MOST_TRIANGLES
+              + " triangles, counting each surface that shares them");
+    }
+  }
+
+  /** A surface with those corners of an accessor that its triangles have. */
+  private static final class Surface {
+    private final Numbers corners;
+    private final double[] m;
+    private final MeshBuilder mesh = new MeshBuilder();
+    private final Map<Long, Integer> taken = new HashMap<>();
+
+    Surface(Numbers corners, double[] m) {
+      this.corners = corners;
+      this.m = m;
+    }
+
+    void triangle(long a, long b, long c) throws MeshException {
+      mesh.triangle(corner(a), corner(b), corner(c));
+    }
+
+    private int corner(long index) throws MeshException {
+      Integer known = taken.get(index);
+      if (known != null) {
+        return known;
+      }
+      if (index >= corners.count) {
+        throw new MeshException(
+            "a face names corner " + index + ", and there are " + corners.count);
+      }
+      double x = corners.coordinate((int) index, 0);
+      double y = corners.coordinate((int) index, 1);
+      double z = corners.coordinate((int) index, 2);
+      int added =
+          mesh.corner(
+              m[0] * x + m[4] * y + m[8] * z + m[12],
+              m[1] * x + m[5] * y + m[9] * z + m[13],
+              m[2] * x + m[6] * y + m[10] * z + m[14]);
+      taken.put(index, added);
+      return added;
+    }
+
+    Mesh built() {
+      return mesh.mesh();
+    }
   }
 
   private static Mesh coloured(Mesh mesh, JsonObject material) {
@@ -242,8 +291,8 @@ final class GltfReader {
     long offset = (long) number(view, "byteOffset", 0) + number(given, "byteOffset", 0);
     if (offset < 0
         || count < 0
-        || stride < 1
-        || offset + (long) stride * count > Integer.MAX_VALUE) {
+        || stride < size
+        || (count > 0 && offset + (long) stride * (count - 1) + size > bytes.limit())) {
       throw new MeshException("an accessor lies outside its buffer");
     }
     return new Numbers(bytes, (int) offset, stride, count, component);

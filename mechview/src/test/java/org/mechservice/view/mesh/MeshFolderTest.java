@@ -12,6 +12,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Base64;
+import java.util.Collections;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -292,7 +293,7 @@ class MeshFolderTest {
   void gltfThatIsNotAsItShouldBeIsRefused() throws IOException {
     refuse(gltf().replace("\"data:", "\"other.bin?"), "in another file");
     refuse(gltf().replace("\"mesh\": 0", "\"mesh\": 7"), "number 7 of 1 meshes");
-    refuse(gltf().replace("\"count\": 4", "\"count\": 400"), "it is no glTF 2.0");
+    refuse(gltf().replace("\"count\": 4", "\"count\": 400"), "outside its buffer");
     refuse(gltf().replace("\"mesh\": 0", "\"children\": [0]"), "64 deep");
     String twice = "{\"children\": [%d, %<d]}, ";
     StringBuilder nodes = new StringBuilder();
@@ -309,6 +310,31 @@ class MeshFolderTest {
       Files.write(folder.resolve("cut.glb"), Arrays.copyOf(whole, length));
       assertThatThrownBy(() -> new MeshFolder(folder).read("cut.glb"))
           .isInstanceOf(MeshException.class);
+    }
+  }
+
+  /** A small file in which surfaces share their numbers stands for any number of triangles. */
+  @Test
+  void surfacesThatShareNumbersAreCountedEach() throws IOException {
+    int corners = 30_000;
+    String numbers = Base64.getEncoder().encodeToString(new byte[12 * corners]);
+    for (int surfaces : new int[] {50, 9999}) {
+      String text =
+          "{\"asset\": {\"version\": \"2.0\"}, \"scenes\": [{\"nodes\": [0]}], \"nodes\":"
+              + " [{\"mesh\": 0}], \"meshes\": [{\"primitives\": ["
+              + String.join(
+                  ",", Collections.nCopies(surfaces, "{\"attributes\": {\"POSITION\": 0}}"))
+              + "]}], \"accessors\": [{\"bufferView\": 0, \"componentType\": 5126, \"count\": "
+              + corners
+              + ", \"type\": \"VEC3\"}], \"bufferViews\": [{\"buffer\": 0}], \"buffers\":"
+              + " [{\"uri\": \"data:application/octet-stream;base64,"
+              + numbers
+              + "\"}]}";
+      if (surfaces == 50) {
+        assertThat(read("a.gltf", text)).hasSize(50);
+      } else {
+        refuse(text, "more than 1000000 triangles, counting each surface that shares them");
+      }
     }
   }
 

@@ -3,6 +3,7 @@ package org.mechservice.sim.model;
 import java.io.ByteArrayOutputStream;
 import java.lang.reflect.Constructor;
 import java.util.Collections;
+import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.mechservice.mechml.MechmlModel;
@@ -20,8 +21,9 @@ public final class CompiledModel {
   private final BuildOptions options;
   private final SortedMap<String, byte[]> classFiles;
   private final UserClasses userClasses;
-  private final Constructor<?> constructor;
+  private final SortedMap<String, byte[]> ownFiles;
   private final Constructor<?> describing;
+  private Optional<Constructor<?>> running = Optional.empty();
 
   /**
    * Loads the class of a model.
@@ -42,14 +44,15 @@ public final class CompiledModel {
     this.generated = generated.facts();
     this.options = options;
     this.userClasses = userClasses;
-    constructor = constructor(generated.className(), classFiles, userClasses.loader());
+    ownFiles = classFiles;
     describing =
-        userClasses.isEmpty()
-            ? constructor
-            : constructor(
-                generated.className(),
-                classFiles,
-                UserClasses.loaderOf(IdleForces.of(source.mechanism())));
+        constructor(
+            generated.className(),
+            classFiles,
+            UserClasses.loaderOf(IdleForces.of(source.mechanism())));
+    if (userClasses.isEmpty()) {
+      running = Optional.of(describing);
+    }
     SortedMap<String, byte[]> all = new TreeMap<>(classFiles);
     all.putAll(userClasses.classFiles());
     this.classFiles = Collections.unmodifiableSortedMap(all);
@@ -125,10 +128,11 @@ public final class CompiledModel {
   }
 
   /**
-   * Returns a new instance of the model, for one run. Its classes, including user classes, are
-   * loaded once.
+   * Returns a new instance of the model, for one run. Its classes are loaded once; user classes are
+   * loaded in a confined process, which the instance asks.
    *
-   * @throws IllegalArgumentException S-068 if a user class cannot be used
+   * @throws IllegalArgumentException S-068 if a user class cannot be used, S-168 if this machine
+   *     cannot confine it
    */
   public Model newInstance() {
     return instances().model();
@@ -139,7 +143,14 @@ public final class CompiledModel {
    * run needs its own instance.
    */
   public ModelSource instances() {
-    return source(constructor);
+    return source(running());
+  }
+
+  private synchronized Constructor<?> running() {
+    if (running.isEmpty()) {
+      running = Optional.of(constructor(generated.className(), ownFiles, userClasses.loader()));
+    }
+    return running.get();
   }
 
   private ModelSource source(Constructor<?> constructor) {

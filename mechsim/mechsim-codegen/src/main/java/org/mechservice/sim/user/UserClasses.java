@@ -3,8 +3,15 @@ package org.mechservice.sim.user;
 import java.nio.charset.StandardCharsets;
 import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 import java.util.SortedMap;
+import javax.tools.ToolProvider;
+import org.mechservice.guard.BytecodeVerifier;
+import org.mechservice.guard.ForceRelay;
+import org.mechservice.guard.UserClassLoader;
+import org.mechservice.guard.UserCode;
 import org.mechservice.mechml.diagnosis.MechmlException;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.text.Sha256;
@@ -18,9 +25,15 @@ public final class UserClasses {
   public static final UserClasses NONE = new UserClasses(Collections.emptySortedMap());
 
   private final SortedMap<String, byte[]> classFiles;
+  private final Optional<ForceRelay> relay;
 
   private UserClasses(SortedMap<String, byte[]> classFiles) {
-    this.classFiles = Collections.unmodifiableSortedMap(classFiles);
+    this(Collections.unmodifiableSortedMap(classFiles), Optional.empty());
+  }
+
+  private UserClasses(SortedMap<String, byte[]> classFiles, Optional<ForceRelay> relay) {
+    this.classFiles = classFiles;
+    this.relay = relay;
   }
 
   /**
@@ -59,8 +72,38 @@ public final class UserClasses {
    */
   public void requireHarmless() throws MechmlException {
     UserCodeFindings findings = new UserCodeFindings();
-    BytecodeVerifier.check(classFiles, findings);
+    BytecodeVerifier.check(classFiles)
+        .forEach(
+            use ->
+                findings.add(
+                    MessageCode.USER_CLASS_NOT_PERMITTED,
+                    use.className(),
+                    use.line(),
+                    0,
+                    use.text()));
     findings.throwIfAny();
+  }
+
+  /** Starts a compiler ahead of the first source; without a compiler in this Java, does nothing. */
+  public static void prepareCompiler() {
+    if (ToolProvider.getSystemJavaCompiler() != null) {
+      CompilerProcess.prepare();
+    }
+  }
+
+  /**
+   * Returns these classes for models that run in this process: verified, and called in confined
+   * processes.
+   *
+   * @param consent whether they may run where they cannot be confined
+   * @throws MechmlException S-156 if a class uses something not permitted
+   */
+  public UserClasses forThisProcess(UserCode consent) throws MechmlException {
+    if (isEmpty()) {
+      return this;
+    }
+    requireHarmless();
+    return new UserClasses(classFiles, Optional.of(new ForceRelay(classFiles, consent)));
   }
 
   /** Returns whether there are none. */
@@ -82,14 +125,26 @@ public final class UserClasses {
 
   /**
    * Returns a loader of class files, by binary name, which can refer to Java and the force
-   * interface only.
+   * interface only. For confined processes and for classes that no user has written.
    */
   public static ClassLoader loaderOf(SortedMap<String, byte[]> classFiles) {
     return new UserClassLoader(classFiles);
   }
 
-  /** Returns a loader of these classes, which can refer to Java and the force interface only. */
+  /**
+   * Returns a loader of classes for a model that runs in this process: of the same names, but what
+   * they do is done in a confined process.
+   *
+   * @throws IllegalArgumentException S-168 if this machine cannot confine them, and there is no
+   *     consent to that
+   * @throws IllegalStateException if they are not {@link #forThisProcess}
+   */
   public ClassLoader loader() {
-    return loaderOf(classFiles);
+    if (isEmpty()) {
+      return loaderOf(classFiles);
+    }
+    return relay
+        .orElseThrow(() -> new IllegalStateException("classes of users do not run in this process"))
+        .newLoader();
   }
 }

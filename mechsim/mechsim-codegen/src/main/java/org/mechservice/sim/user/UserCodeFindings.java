@@ -44,8 +44,8 @@ final class UserCodeFindings {
                 + simple
                 + ".java or "
                 + simple
-                + ".class beside the model file, below it in the folders of its package, or into"
-                + " the folder given with --user-code",
+                + ".class, or either in the folders of its package, into the folder given with"
+                + " --user-code (in a program, with UserCode.in)",
             file,
             0,
             0,

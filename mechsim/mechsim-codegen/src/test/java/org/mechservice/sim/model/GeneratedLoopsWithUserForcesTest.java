@@ -19,6 +19,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.mechservice.guard.UserCode;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.resolve.MechmlReader;
@@ -61,7 +62,8 @@ class GeneratedLoopsWithUserForcesTest {
     for (String name : List.of("FpsFBody.java", "FpsSpringDamper.java")) {
       files.add(new UserFile(name, Files.readAllBytes(SUSPENSION.resolve(name))));
     }
-    return UserClasses.admit(suspension().mechanism(), files, true);
+    return UserClasses.admit(suspension().mechanism(), files, true)
+        .forThisProcess(UserCode.NONE.unconfined());
   }
 
   @ParameterizedTest

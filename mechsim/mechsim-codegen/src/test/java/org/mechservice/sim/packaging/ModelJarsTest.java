@@ -28,6 +28,7 @@ import java.util.jar.Manifest;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.mechservice.guard.UserCode;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.sim.compile.ReachableClasses;
@@ -331,7 +332,8 @@ class ModelJarsTest {
     String text = PushedCart.harmlessSource().replace("(slide, 3)", "(slide, " + force + ")");
     MechmlModel file = MechmlReader.read("pushed.xml", PushedCart.file());
     UserClasses user =
-        UserClasses.admit(file.mechanism(), List.of(PushedCart.asSource(text)), true);
+        UserClasses.admit(file.mechanism(), List.of(PushedCart.asSource(text)), true)
+            .forThisProcess(UserCode.NONE.unconfined());
     BuildOptions options = new BuildOptions("auto", Set.of(), Scenes.SETTINGS);
     return ModelFactory.compile(file, options, ModelFactory.generate(file, options), user);
   }

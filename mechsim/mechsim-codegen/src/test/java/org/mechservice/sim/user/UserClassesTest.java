@@ -1,13 +1,16 @@
 package org.mechservice.sim.user;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.mechservice.guard.UserCode;
 import org.mechservice.mechml.diagnosis.Diagnostic;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.resolve.MechmlReader;
@@ -44,7 +47,11 @@ class UserClassesTest {
   void sourceBecomesAClassThatImplementsTheForce() throws Exception {
     UserClasses classes =
         UserClasses.admit(CART, List.of(PushedCart.asSource(PushedCart.source())), true);
-    assertThat(classes.loader().loadClass("car.Push").getConstructor().newInstance())
+    assertThat(
+            UserClasses.loaderOf(classes.classFiles())
+                .loadClass("car.Push")
+                .getConstructor()
+                .newInstance())
         .isInstanceOf(UserForce.class);
   }
 
@@ -54,7 +61,7 @@ class UserClassesTest {
     UserClasses classes =
         UserClasses.admit(CART, List.of(PushedCart.asSource(PushedCart.source())), true);
     assertThat(System.getProperty(PushedCart.TRACE)).isNull();
-    classes.loader().loadClass("car.Push").getConstructor().newInstance();
+    UserClasses.loaderOf(classes.classFiles()).loadClass("car.Push").getConstructor().newInstance();
     assertThat(System.clearProperty(PushedCart.TRACE)).isEqualTo("yes");
   }
 
@@ -65,8 +72,78 @@ class UserClassesTest {
     assertThat(
             catchThrowableOfType(
                 ClassNotFoundException.class,
-                () -> classes.loader().loadClass("org.mechservice.solver.mechanism.Mechanism")))
+                () ->
+                    UserClasses.loaderOf(classes.classFiles())
+                        .loadClass("org.mechservice.solver.mechanism.Mechanism")))
         .isNotNull();
+  }
+
+  /** Two kilobytes that stand for a text of half a terabyte, which the compiler folds. */
+  private static String folded(String use) {
+    StringBuilder constants =
+        new StringBuilder("static final String a0 = \"" + "x".repeat(60) + "\";");
+    for (int i = 1; i < 34; i++) {
+      constants.append("static final String a%d = a%d + a%d;\n".formatted(i, i - 1, i - 1));
+    }
+    return PushedCart.harmlessSource().replaceFirst("\\{", "{ " + constants + use);
+  }
+
+  @Test
+  void sourceThatTakesTheMemoryOfTheCompilerTakesNothingOfThisProcess() throws Exception {
+    Runtime here = Runtime.getRuntime();
+    long before = here.totalMemory() - here.freeMemory();
+    String refusal = only(refused(PushedCart.asSource(folded("int n = a33.length();"))));
+    assertThat(refusal).contains("S-123", "the compiler gives up", "MB of memory");
+    assertThat(here.totalMemory() - here.freeMemory() - before).isLessThan(200L << 20);
+    assertThat(
+            UserClasses.admit(CART, List.of(PushedCart.asSource(PushedCart.harmlessSource())), true)
+                .classFiles())
+        .isNotEmpty();
+  }
+
+  /** As the end of a session interrupts its calls. */
+  @Test
+  void compilerEndsWithItsCaller() throws Exception {
+    long before = compilers();
+    Thread caller =
+        new Thread(
+            () -> {
+              try {
+                UserClasses.admit(
+                    CART, List.of(PushedCart.asSource(folded("int n = a33.length();"))), true);
+              } catch (MechmlException | CancellationException e) {
+                // What was asked for.
+              }
+            });
+    caller.start();
+    Thread.sleep(300);
+    caller.interrupt();
+    caller.join(20_000);
+    assertThat(caller.isAlive()).isFalse();
+    long end = System.nanoTime() + 20_000_000_000L;
+    while (compilers() > before + 1 && System.nanoTime() < end) {
+      Thread.sleep(50);
+    }
+    assertThat(compilers()).isLessThanOrEqualTo(before + 1);
+  }
+
+  /** Processes of compilers; one may wait for the next source. */
+  private static long compilers() {
+    return ProcessHandle.current()
+        .descendants()
+        .filter(process -> process.info().commandLine().orElse("").contains("CompilerMain"))
+        .count();
+  }
+
+  /** No path of the program leads to a class of a user in its own process. */
+  @Test
+  void admittedClassesRunInNoProcessBeforeTheyAreLetIn() throws Exception {
+    UserClasses classes =
+        UserClasses.admit(CART, List.of(PushedCart.asSource(PushedCart.source())), true);
+    assertThatThrownBy(classes::loader).isInstanceOf(IllegalStateException.class);
+    assertThatThrownBy(() -> classes.forThisProcess(UserCode.NONE))
+        .isInstanceOf(MechmlException.class)
+        .hasMessageContaining("S-156");
   }
 
   /** Reflection writes a class of its own for a constructor that is called often. */
@@ -74,7 +151,7 @@ class UserClassesTest {
   void forceIsMadeAsOftenAsRunsNeedIt() throws Exception {
     UserClasses classes =
         UserClasses.admit(CART, List.of(PushedCart.asSource(PushedCart.source())), true);
-    LoadedUserForces forces = new LoadedUserForces(classes.loader());
+    LoadedUserForces forces = new LoadedUserForces(UserClasses.loaderOf(classes.classFiles()));
     UserForceElement push =
         CART.forces().stream()
             .filter(UserForceElement.class::isInstance)

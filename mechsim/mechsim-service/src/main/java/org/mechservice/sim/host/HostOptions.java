@@ -2,8 +2,8 @@ package org.mechservice.sim.host;
 
 import java.nio.file.Path;
 import java.util.Optional;
+import org.mechservice.guard.UserCodePolicy;
 import org.mechservice.sim.service.limits.HostLimits;
-import org.mechservice.sim.worker.UserCodePolicy;
 
 /**
  * The options of a host.

@@ -5,6 +5,8 @@ import java.util.List;
 import java.util.ServiceLoader;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.jspecify.annotations.Nullable;
+import org.mechservice.guard.Confinement;
+import org.mechservice.guard.UserCodePolicy;
 import org.mechservice.idl.HostInfo;
 import org.mechservice.idl.HostLoad;
 import org.mechservice.idl.IMechClient;
@@ -20,6 +22,7 @@ import org.mechservice.idl.NameValue;
 import org.mechservice.idl.NotAuthorized;
 import org.mechservice.idl.NotFound;
 import org.mechservice.idl.ServiceEvent;
+import org.mechservice.idl.SessionSummary;
 import org.mechservice.idl.Severity;
 import org.mechservice.idl.SimDetail;
 import org.mechservice.idl.SimState;
@@ -35,8 +38,6 @@ import org.mechservice.sim.service.contract.JournalEntry;
 import org.mechservice.sim.service.limits.CurrentLimits;
 import org.mechservice.sim.service.session.SessionTable;
 import org.mechservice.sim.service.session.WarmUp;
-import org.mechservice.sim.worker.Confinement;
-import org.mechservice.sim.worker.UserCodePolicy;
 import org.mechservice.solver.api.Solver;
 
 /**
@@ -190,6 +191,16 @@ public final class SimHost implements MechSimHostOperations, AutoCloseable {
   public IMechSimRemote findSimulation(String simId, String user)
       throws NotFound, NotAuthorized, LimitExceeded {
     return sessions.findSimulation(simId, user);
+  }
+
+  @Override
+  public SessionSummary[] listSessions() {
+    return sessions.sessionSummaries().toArray(SessionSummary[]::new);
+  }
+
+  @Override
+  public int endSessions(String owner, String sessionId, String reason) {
+    return sessions.endSessions(owner, sessionId, reason);
   }
 
   @Override

@@ -15,11 +15,14 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
+import org.mechservice.guard.Confinement;
+import org.mechservice.guard.WorkerBounds;
 import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.Checkpoints;
 import org.mechservice.solver.api.run.RunControl;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.text.WellFormedText;
 
 /** A worker process, as its host controls it. Runs once. */
 public final class WorkerProcess {
@@ -255,12 +258,12 @@ public final class WorkerProcess {
     private WorkerLostException thrown() throws IOException {
       return new WorkerLostException(
           MessageCode.WORKER_ENDED,
-          "the process of the run failed: " + receive(in::readUTF) + ".",
+          "the process of the run failed: " + receive(() -> WellFormedText.of(in.readUTF())) + ".",
           ASK_CLASSES);
     }
 
     private IllegalArgumentException refused() throws IOException {
-      String why = receive(in::readUTF);
+      String why = receive(() -> WellFormedText.of(in.readUTF()));
       return new IllegalArgumentException(why);
     }
 
@@ -271,8 +274,8 @@ public final class WorkerProcess {
       }
       List<Variable> columns = new ArrayList<>();
       for (int i = 0; i < count; i++) {
-        String name = receive(in::readUTF);
-        columns.add(new Variable(name, receive(in::readUTF)));
+        String name = receive(() -> WellFormedText.of(in.readUTF()));
+        columns.add(new Variable(name, receive(() -> WellFormedText.of(in.readUTF()))));
       }
       row = new double[count];
       return columns;

@@ -9,6 +9,7 @@ import java.util.Map;
 import org.mechservice.solver.api.run.Failure;
 import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.text.WellFormedText;
 
 /**
  * The result of a run in a worker.
@@ -60,7 +61,7 @@ public record WorkerResult(Map<String, Object> report, Outcome outcome) {
     }
     Map<String, Object> report = new LinkedHashMap<>();
     for (int left = entries; left > 0; left--) {
-      String name = in.readUTF();
+      String name = WellFormedText.of(in.readUTF());
       report.put(name, readValue(in));
     }
     return new WorkerResult(report, readOutcome(in));
@@ -70,12 +71,12 @@ public record WorkerResult(Map<String, Object> report, Outcome outcome) {
     return switch (in.readByte()) {
       case 'd' -> in.readDouble();
       case 'l' -> in.readLong();
-      default -> in.readUTF();
+      default -> WellFormedText.of(in.readUTF());
     };
   }
 
   private static MessageCode readCode(DataInputStream in) throws IOException {
-    String code = in.readUTF();
+    String code = WellFormedText.of(in.readUTF());
     return MessageCode.find(code)
         .orElseThrow(() -> new StreamCorruptedException("there is no message code " + code));
   }
@@ -86,12 +87,12 @@ public record WorkerResult(Map<String, Object> report, Outcome outcome) {
           new Outcome.Failed(
               new Failure(
                   readCode(in),
-                  in.readUTF(),
+                  WellFormedText.of(in.readUTF()),
                   in.readDouble(),
                   in.readDouble(),
                   in.readInt(),
-                  in.readUTF(),
-                  in.readUTF()));
+                  WellFormedText.of(in.readUTF()),
+                  WellFormedText.of(in.readUTF())));
       case 's' -> new Outcome.Stopped();
       default -> new Outcome.Completed();
     };

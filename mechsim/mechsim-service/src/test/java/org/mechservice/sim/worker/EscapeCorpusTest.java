@@ -27,6 +27,8 @@ import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.mechservice.guard.Confinement;
+import org.mechservice.guard.WorkerBounds;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.sim.service.library.LoadedModel;
 import org.mechservice.sim.user.PushedCart;

@@ -15,6 +15,9 @@ import java.util.Locale;
 import java.util.Map;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.mechservice.guard.Confinement;
+import org.mechservice.guard.ConfinementTest;
+import org.mechservice.guard.WorkerBounds;
 
 /** Writes down what the wall of this machine keeps in, and what it costs. */
 @Tag("soak")

@@ -24,7 +24,7 @@ import java.util.regex.Pattern;
  * for word so that messages name its lines. A part that the text holds already stays.
  *
  * <p>All names are relative to the model's folder, also those in included files, and the files lie
- * in that folder or below it.
+ * in that folder or below it, also where they are links.
  */
 public final class ModelFiles {
   private static final Pattern PLACE =
@@ -190,6 +190,10 @@ public final class ModelFiles {
     if (!Files.isRegularFile(file)) {
       throw new FileSystemException(
           file.toString(), null, who + " names this file, which does not exist");
+    }
+    if (!file.toRealPath().startsWith(folder.toRealPath())) {
+      throw new FileSystemException(
+          file.toString(), null, "the file of " + who + " is a link out of the model's folder");
     }
     return file;
   }

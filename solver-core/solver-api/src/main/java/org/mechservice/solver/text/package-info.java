@@ -15,5 +15,9 @@
  * reads CSV, {@link org.mechservice.solver.text.ClosedSurface} STL. {@link
  * org.mechservice.solver.text.Origin} is the file and line that every later message about a part of
  * a mechanism quotes.
+ *
+ * <p>{@link org.mechservice.solver.text.WellFormedText} makes text of users fit for every encoding,
+ * {@link org.mechservice.solver.text.OwnerOnly} files that others must not read, and {@link
+ * org.mechservice.solver.text.FileErrors} words of errors of files.
  */
 package org.mechservice.solver.text;

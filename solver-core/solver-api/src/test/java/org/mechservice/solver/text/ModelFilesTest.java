@@ -244,6 +244,42 @@ class ModelFilesTest {
         .hasMessageContaining("UTF-8");
   }
 
+  /** A folder from somewhere else may hold links to what its reader keeps private. */
+  @Test
+  void linksOutOfTheFolderAreRefusedAndThoseWithinAreNot() throws IOException {
+    Path model = Files.createDirectories(folder.resolve("model"));
+    Path secret = Files.createDirectories(folder.resolve("private"));
+    Files.writeString(secret.resolve("t.csv"), "0,0\n1,1\n");
+    Files.writeString(secret.resolve("p.part"), "<subsystem/>");
+    Files.createSymbolicLink(model.resolve("out"), secret);
+    for (String end : List.of("t.csv", "p.part")) {
+      Files.createSymbolicLink(model.resolve(end), secret.resolve(end));
+    }
+    for (String element :
+        List.of(
+            "<table name='t' file='t.csv'/>",
+            "<map name='m' file='t.csv'/>",
+            "<mesh name='s' file='t.csv'/>",
+            "<include file='p.part'/>",
+            "<include file='out/p.part'/>",
+            "<table name='t' file='out/t.csv'/>")) {
+      byte[] text = ("<MechML>" + element + "</MechML>").getBytes(StandardCharsets.US_ASCII);
+      assertThatThrownBy(() -> ModelFiles.inlined(text, model.resolve("m.xml")))
+          .as(element)
+          .isInstanceOf(IOException.class)
+          .hasMessageContaining("is a link out of the model's folder");
+    }
+    Files.writeString(model.resolve("own.csv"), "0,0\n1,1\n");
+    Files.createSymbolicLink(model.resolve("link.csv"), model.resolve("own.csv"));
+    Path linked = Files.createSymbolicLink(folder.resolve("elsewhere"), model);
+    byte[] text =
+        "<MechML><table name='t' file='link.csv'/></MechML>".getBytes(StandardCharsets.US_ASCII);
+    assertThat(
+            new String(
+                ModelFiles.inlined(text, linked.resolve("m.xml")), StandardCharsets.US_ASCII))
+        .contains("x=\"0;1\"");
+  }
+
   @Test
   void textWithoutFilesKeepsItsBytes() throws IOException {
     byte[] model = "<MechML>\u00fc</MechML>".getBytes(StandardCharsets.ISO_8859_1);

@@ -22,24 +22,7 @@ final class DeferredWarning {
     List<Note> notes = new ArrayList<>(report.notes());
     notes.add(warning);
     boolean ended = request.strict() && report.outcome() instanceof Outcome.Completed;
-    return new RunReport(
-        ended ? new Outcome.Failed(FailureText.ofStrict(warning)) : report.outcome(),
-        report.model(),
-        report.formulation(),
-        report.settings(),
-        report.steps(),
-        report.rejectedSteps(),
-        report.evaluations(),
-        report.rows(),
-        report.timeReached(),
-        report.wallTime(),
-        report.energyDrift(),
-        report.energyScale(),
-        report.stiffnessSuspected(),
-        report.jacobians(),
-        report.factorisations(),
-        report.limits(),
-        notes,
-        report.solverVersion());
+    return report.with(
+        ended ? new Outcome.Failed(FailureText.ofStrict(warning)) : report.outcome(), notes);
   }
 }

@@ -18,6 +18,7 @@ public final class AccessRights implements GuardedServant.Gate {
           "listHosts",
           "listSimulations",
           "showSimulation",
+          "listSessions",
           "events",
           "logs",
           "getLimits",

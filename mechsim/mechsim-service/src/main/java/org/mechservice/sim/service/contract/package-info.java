@@ -3,8 +3,7 @@
  *
  * <p>{@link org.mechservice.sim.service.contract.ContractTypes} converts diagnostics, columns and
  * failures. {@link org.mechservice.sim.service.contract.ContractErrors} makes the contract's
- * exceptions with their codes, also from exceptions of the model builder; {@link
- * org.mechservice.sim.service.contract.FileErrors} puts file errors into words.
+ * exceptions with their codes, also from exceptions of the model builder.
  *
  * <p>Events take two ways. {@link org.mechservice.sim.service.contract.Journal} logs the events of
  * a host or a server and keeps them for administrators. {@link

@@ -36,6 +36,27 @@ public final class AdmissionControl {
     requireMemory();
   }
 
+  /**
+   * Makes sure that a client has room for one more model.
+   *
+   * @param others bytes of the models in its other sessions
+   * @param bytes of the model
+   * @throws LimitExceeded if it has not
+   */
+  public void requireModelRoom(long others, long bytes) throws LimitExceeded {
+    long most = limits.now().bound(HostLimit.CLIENT_MODEL_BYTES);
+    if (others + bytes > most) {
+      throw HostLimit.CLIENT_MODEL_BYTES.refusal(
+          most,
+          others + bytes,
+          "the models in your sessions would have "
+              + (others + bytes)
+              + " bytes; this host takes at most "
+              + most
+              + " of one client; end sessions that are no longer needed");
+    }
+  }
+
   private void requireMemory() throws LimitExceeded {
     long most = limits.now().bound(HostLimit.MEMORY);
     long used = usedAfterCollection();

@@ -16,6 +16,38 @@ public enum HostLimit {
       "lease", "s", 120, 1, MessageCode.LIMIT_EXCEEDED, "a session lives this long without a call"),
   /** This and the next limit keep one client from taking all memory. */
   SESSIONS("sessions", "1", 200, 0, MessageCode.TOO_MANY_SESSIONS, "sessions on one host at once"),
+  /** Of four clients that take all they get, the last still gets in. */
+  CLIENT_SESSIONS(
+      "clientSessions",
+      "1",
+      48,
+      0,
+      MessageCode.TOO_MANY_SESSIONS,
+      "sessions of one client on one host at once"),
+  /** Half of the processors, so that one client leaves some to the others. */
+  CLIENT_BUILDS(
+      "clientBuilds",
+      "1",
+      Math.max(1, Runtime.getRuntime().availableProcessors() / 2),
+      1,
+      MessageCode.TOO_MANY_BUILDS,
+      "models of one client that are read or built at once"),
+  /** Far above what the largest models take; somebody waits for the answer. */
+  SET_UP_TIME(
+      "setUpTime",
+      "s",
+      1800,
+      1,
+      MessageCode.SET_UP_TOO_LONG,
+      "time in which one model is read or built"),
+  /** Ten of the largest. */
+  CLIENT_MODEL_BYTES(
+      "clientModelBytes",
+      "B",
+      10L * MAX_MECHML_BYTES.value,
+      1,
+      MessageCode.MODEL_TOO_LARGE,
+      "size of all models in the sessions of one client"),
   SIMULATIONS(
       "simulations",
       "1",
@@ -60,6 +92,13 @@ public enum HostLimit {
       1,
       MessageCode.SPOOL_FULL,
       "size of the rows of all runs of one host"),
+  CLIENT_SPOOL_BYTES(
+      "clientSpoolBytes",
+      "B",
+      64L << 30,
+      1,
+      MessageCode.SPOOL_FULL,
+      "size of the rows of all runs of one client"),
   /** Enough for the system to go on; rows of runs are not worth a full disk. */
   FREE_DISK(
       "freeDisk",

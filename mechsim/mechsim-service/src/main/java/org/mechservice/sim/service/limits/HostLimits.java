@@ -5,10 +5,10 @@ import java.util.EnumMap;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
+import org.mechservice.guard.WorkerBounds;
 import org.mechservice.idl.InvalidOption;
 import org.mechservice.idl.Limit;
 import org.mechservice.idl.LimitExceeded;
-import org.mechservice.sim.worker.WorkerBounds;
 import org.mechservice.solver.catalogue.MessageCode;
 
 /** The values of all limits of a host. Immutable. */
@@ -29,6 +29,11 @@ public final class HostLimits {
           .with(HostLimit.WALL_TIME, UNLIMITED)
           .with(HostLimit.CPU_TIME, UNLIMITED)
           .with(HostLimit.RESULT_BYTES, UNLIMITED)
+          .with(HostLimit.CLIENT_SESSIONS, UNLIMITED)
+          .with(HostLimit.CLIENT_BUILDS, UNLIMITED)
+          .with(HostLimit.SET_UP_TIME, UNLIMITED)
+          .with(HostLimit.CLIENT_MODEL_BYTES, UNLIMITED)
+          .with(HostLimit.CLIENT_SPOOL_BYTES, UNLIMITED)
           .with(HostLimit.SPOOL_BYTES, UNLIMITED)
           .with(HostLimit.FREE_DISK, 0)
           .with(HostLimit.MEMORY, UNLIMITED)

@@ -19,7 +19,7 @@ public final class ResultSpool implements AutoCloseable {
   private final int columns;
   private final int rowBytes;
   private final RowFile place;
-  private final SpoolQuota account;
+  private final SpoolQuota.Share account;
   private ByteBuffer tail;
   private @Nullable FileChannel file;
   private long rowsInFile;
@@ -33,7 +33,7 @@ public final class ResultSpool implements AutoCloseable {
    * @param place file for rows that do not fit into memory
    * @param account counts the bytes on disk
    */
-  ResultSpool(int columns, RowFile place, SpoolQuota account) {
+  ResultSpool(int columns, RowFile place, SpoolQuota.Share account) {
     this.columns = columns;
     this.place = place;
     this.account = account;
@@ -46,7 +46,7 @@ public final class ResultSpool implements AutoCloseable {
    *
    * @throws IOException if they cannot be read
    */
-  static ResultSpool left(int columns, RowFile place, SpoolQuota account) throws IOException {
+  static ResultSpool left(int columns, RowFile place, SpoolQuota.Share account) throws IOException {
     ResultSpool spool = new ResultSpool(columns, place, account);
     spool.rows = place.size() / spool.rowBytes;
     spool.rowsInFile = spool.rows;

@@ -5,6 +5,8 @@ import java.nio.channels.FileChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.Set;
+import org.mechservice.solver.text.OwnerOnly;
 
 /** The file for the rows of a run that do not fit into memory. */
 interface RowFile {
@@ -58,7 +60,9 @@ interface RowFile {
       @Override
       public FileChannel open() throws IOException {
         return FileChannel.open(
-            path, StandardOpenOption.READ, StandardOpenOption.WRITE, StandardOpenOption.CREATE);
+            path,
+            Set.of(StandardOpenOption.READ, StandardOpenOption.WRITE, StandardOpenOption.CREATE),
+            OwnerOnly.file());
       }
 
       @Override

@@ -26,11 +26,11 @@ import org.mechservice.idl.Progress;
 import org.mechservice.idl.SimState;
 import org.mechservice.idl.SimSummary;
 import org.mechservice.idl.StepTried;
-import org.mechservice.sim.service.contract.FileErrors;
 import org.mechservice.sim.service.limits.CurrentLimits;
 import org.mechservice.sim.service.limits.HostLimit;
 import org.mechservice.sim.service.limits.SpoolQuota;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.text.FileErrors;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -112,7 +112,8 @@ public final class RunStore implements AutoCloseable {
     try {
       for (RunRecord run : left.readAll()) {
         RowFile place = left.rows(run.identity().simId());
-        ResultSpool rows = ResultSpool.left(run.columns().count(), place, account);
+        ResultSpool rows =
+            ResultSpool.left(run.columns().count(), place, account.of(run.identity().owner()));
         RunRecord found = run;
         if (run.endedAt() == 0) {
           found = cutOff(run, rows);
@@ -164,9 +165,9 @@ public final class RunStore implements AutoCloseable {
   }
 
   /** Returns the empty rows of a new run. */
-  public ResultSpool newRows(String simId, int columns) {
+  public ResultSpool newRows(String simId, String owner, int columns) {
     RowFile place = folder.map(spool -> spool.rows(simId)).orElseGet(RowFile::temporary);
-    return new ResultSpool(columns, place, account);
+    return new ResultSpool(columns, place, account.of(owner));
   }
 
   /** Returns the files of a run. */

@@ -12,9 +12,11 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.stream.Stream;
-import org.mechservice.sim.service.contract.FileErrors;
 import org.mechservice.solver.catalogue.MessageCode;
+import org.mechservice.solver.text.FileErrors;
+import org.mechservice.solver.text.OwnerOnly;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -41,10 +43,13 @@ final class SpoolFolder implements AutoCloseable {
    */
   static SpoolFolder open(Path folder) {
     try {
-      Files.createDirectories(folder);
+      Files.createDirectories(folder, OwnerOnly.folder());
+      OwnerOnly.restrict(folder);
       FileChannel lockFile =
           FileChannel.open(
-              folder.resolve("lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+              folder.resolve("lock"),
+              Set.of(StandardOpenOption.CREATE, StandardOpenOption.WRITE),
+              OwnerOnly.file());
       if (!locked(lockFile)) {
         lockFile.close();
         throw unusable(folder, "another host uses it", null);
@@ -98,9 +103,11 @@ final class SpoolFolder implements AutoCloseable {
     try (FileChannel channel =
         FileChannel.open(
             growing,
-            StandardOpenOption.CREATE,
-            StandardOpenOption.TRUNCATE_EXISTING,
-            StandardOpenOption.WRITE)) {
+            Set.of(
+                StandardOpenOption.CREATE,
+                StandardOpenOption.TRUNCATE_EXISTING,
+                StandardOpenOption.WRITE),
+            OwnerOnly.file())) {
       ByteBuffer bytes = ByteBuffer.wrap(run.toJson().getBytes(StandardCharsets.UTF_8));
       while (bytes.hasRemaining()) {
         channel.write(bytes);

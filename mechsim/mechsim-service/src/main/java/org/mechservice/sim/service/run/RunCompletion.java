@@ -9,13 +9,13 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Consumer;
 import org.mechservice.idl.SimState;
-import org.mechservice.sim.service.contract.FileErrors;
 import org.mechservice.sim.service.limits.LimitReachedException;
 import org.mechservice.sim.service.results.ResultSpool;
 import org.mechservice.sim.service.results.RunFiles;
 import org.mechservice.sim.service.results.RunRecord;
 import org.mechservice.sim.service.results.RunStore;
 import org.mechservice.solver.api.run.RunControl;
+import org.mechservice.solver.text.FileErrors;
 
 /**
  * Ends a run exactly once and stores its outcome.

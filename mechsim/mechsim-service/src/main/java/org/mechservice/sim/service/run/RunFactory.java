@@ -1,10 +1,10 @@
 package org.mechservice.sim.service.run;
 
+import org.mechservice.guard.WorkerBounds;
 import org.mechservice.idl.LimitExceeded;
 import org.mechservice.sim.model.CompiledModel;
 import org.mechservice.sim.service.results.RunColumns;
 import org.mechservice.sim.service.results.RunStore;
-import org.mechservice.sim.worker.WorkerBounds;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.ModelSource;
 import org.mechservice.solver.api.Solver;
@@ -69,15 +69,17 @@ public final class RunFactory {
    * @throws LimitExceeded if its rows would be more than the host or its disk takes
    */
   public SimulationRun create(RunPlan plan, SimulationRun.Listener listener) throws LimitExceeded {
-    requireRoomForRows(plan.task().settings(), plan.columns().count());
+    requireRoomForRows(plan.identity().owner(), plan.task().settings(), plan.columns().count());
     return new SimulationRun(plan, queue, store, listener);
   }
 
-  private void requireRoomForRows(RunSettings settings, int columns) throws LimitExceeded {
+  private void requireRoomForRows(String owner, RunSettings settings, int columns)
+      throws LimitExceeded {
     double rows = (settings.tEnd() - settings.tStart()) / settings.tStep() + 2;
     store
         .account()
         .require(
+            owner,
             rows * columns * Double.BYTES,
             "the run would put out "
                 + (long) rows

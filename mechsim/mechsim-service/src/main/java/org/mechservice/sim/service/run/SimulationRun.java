@@ -72,7 +72,8 @@ public final class SimulationRun implements Runnable {
   SimulationRun(RunPlan plan, RunQueue queue, RunStore store, Listener listener) {
     this.plan = plan;
     this.queue = queue;
-    ResultSpool spool = store.newRows(plan.identity().simId(), plan.columns().count());
+    ResultSpool spool =
+        store.newRows(plan.identity().simId(), plan.identity().owner(), plan.columns().count());
     task = plan.task();
     lifecycle =
         new RunLifecycle(control, (state, text) -> listener.stateChanged(this, state, text));

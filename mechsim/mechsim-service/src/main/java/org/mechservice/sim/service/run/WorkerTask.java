@@ -2,13 +2,15 @@ package org.mechservice.sim.service.run;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import org.mechservice.guard.Confinement;
+import org.mechservice.guard.UserCode;
+import org.mechservice.guard.WorkerBounds;
 import org.mechservice.sim.model.CompiledModel;
-import org.mechservice.sim.worker.Confinement;
-import org.mechservice.sim.worker.WorkerBounds;
 import org.mechservice.sim.worker.WorkerOrder;
 import org.mechservice.sim.worker.WorkerProcess;
 import org.mechservice.sim.worker.WorkerResult;
@@ -20,8 +22,10 @@ import org.mechservice.solver.api.result.ResultSink;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.api.run.Checkpoints;
 import org.mechservice.solver.api.run.RunControl;
+import org.mechservice.solver.api.run.RunNotes;
 import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.api.run.RunSettings;
+import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.simulation.Simulation;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -155,7 +159,20 @@ final class WorkerTask implements RunTask {
   @Override
   public WorkerResult run(ResultSink sink, RunControl control) throws IOException {
     checkpoints.ofParameters(parameters);
-    return worker.run(order(request), sink, control, checkpoints);
+    return noting(worker.run(order(request), sink, control, checkpoints));
+  }
+
+  /** A run that nothing confines says so. */
+  private static WorkerResult noting(WorkerResult result) {
+    Optional<String> warning = UserCode.NONE.unconfined().warning(Confinement.ofThisMachine());
+    if (warning.isEmpty()) {
+      return result;
+    }
+    RunNotes.Note note =
+        new RunNotes.Note(MessageCode.USER_CODE_UNCONFINED, 0, true, warning.get());
+    Map<String, Object> report = new LinkedHashMap<>(result.report());
+    report.merge("notes", note.message(), (before, more) -> before + "\n" + more);
+    return new WorkerResult(report, result.outcome());
   }
 
   private WorkerOrder order(RunRequest asked) {

@@ -1,12 +1,12 @@
 package org.mechservice.sim.service.session;
 
 import java.util.concurrent.Executor;
+import org.mechservice.guard.UserCodePolicy;
 import org.mechservice.orb.ServiceOrb;
 import org.mechservice.sim.service.contract.DenialLog;
 import org.mechservice.sim.service.contract.Journal;
 import org.mechservice.sim.service.limits.CurrentLimits;
 import org.mechservice.sim.service.results.RunStore;
-import org.mechservice.sim.worker.UserCodePolicy;
 
 /**
  * Services that the sessions of a host share.

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.function.LongSupplier;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.idl.Channel;
@@ -63,6 +64,7 @@ final class MechSimServant implements MechSimOperations {
   private final Session session;
   private final ModelLibrary library;
   private final AdmissionControl admission;
+  private final LongSupplier modelsOfClient;
   private final Runnable destroyed;
   private final SetUpTimes times = new SetUpTimes();
   private final RunCreation creation;
@@ -72,6 +74,7 @@ final class MechSimServant implements MechSimOperations {
 
   /**
    * @param admission decides whether one more simulation is allowed
+   * @param modelsOfClient returns the size of the models in all sessions of the client, B
    * @param destroyed called when the client ends the session
    */
   MechSimServant(
@@ -79,10 +82,12 @@ final class MechSimServant implements MechSimOperations {
       ModelLibrary library,
       RunFactory runs,
       AdmissionControl admission,
+      LongSupplier modelsOfClient,
       Runnable destroyed) {
     this.admission = admission;
     this.session = session;
     this.library = library;
+    this.modelsOfClient = modelsOfClient;
     this.destroyed = destroyed;
     creation = new RunCreation(session, library, runs, times);
     jars = new SignedJars(session, library, times);
@@ -101,7 +106,9 @@ final class MechSimServant implements MechSimOperations {
   @Override
   public Diagnostic[] loadModel(ModelFile mechml, ModelFile[] userFiles)
       throws InvalidModel, LimitExceeded {
-    requireAllowedSize(mechml, userFiles);
+    long bytes = requireAllowedSize(mechml, userFiles);
+    admission.requireModelRoom(modelsOfClient.getAsLong() - session.modelBytes(), bytes);
+    session.holdsModel(bytes);
     long start = System.nanoTime();
     try {
       LoadedModel read =
@@ -119,7 +126,8 @@ final class MechSimServant implements MechSimOperations {
     }
   }
 
-  private void requireAllowedSize(ModelFile mechml, ModelFile[] userFiles) throws LimitExceeded {
+  /** Returns the size of a model with its files, B. */
+  private long requireAllowedSize(ModelFile mechml, ModelFile[] userFiles) throws LimitExceeded {
     long bytes = mechml.content.length;
     for (ModelFile file : userFiles) {
       bytes += file.content.length;
@@ -129,6 +137,7 @@ final class MechSimServant implements MechSimOperations {
       throw HostLimit.MODEL_BYTES.refusal(
           most, bytes, "the model has " + bytes + " bytes; this server takes at most " + most);
     }
+    return bytes;
   }
 
   /** Generates the model with the settings of its file; a later request reports errors. */

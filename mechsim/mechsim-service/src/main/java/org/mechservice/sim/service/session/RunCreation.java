@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.UUID;
 import org.jspecify.annotations.Nullable;
+import org.mechservice.guard.WorkerBounds;
 import org.mechservice.idl.Diagnostic;
 import org.mechservice.idl.IMechClient;
 import org.mechservice.idl.IMechSimRemote;
@@ -28,7 +29,6 @@ import org.mechservice.sim.service.run.RunFactory;
 import org.mechservice.sim.service.run.RunPlan;
 import org.mechservice.sim.service.run.RunTask;
 import org.mechservice.sim.service.run.SimulationRun;
-import org.mechservice.sim.worker.WorkerBounds;
 import org.mechservice.solver.api.run.RunRequest;
 import org.mechservice.solver.catalogue.MessageCode;
 

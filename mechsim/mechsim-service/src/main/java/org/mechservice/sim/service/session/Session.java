@@ -63,7 +63,9 @@ final class Session implements SimulationRun.Listener, ResultCursors.Owner {
   private final List<ActiveObject> own = new ArrayList<>();
   private final List<EndedRunServant> reopened = new ArrayList<>();
   private final OwnerGate gate;
+  private final long openedAt = System.currentTimeMillis();
   private volatile long renewedAt = System.nanoTime();
+  private volatile long modelBytes;
   private Runnable stopCalls = () -> {};
   private boolean ended;
 
@@ -88,6 +90,20 @@ final class Session implements SimulationRun.Listener, ResultCursors.Owner {
 
   String owner() {
     return owner;
+  }
+
+  /** Returns when it was opened; UTC, ms since 1970-01-01. */
+  long openedAt() {
+    return openedAt;
+  }
+
+  /** Returns the size of its model with its files, B. */
+  long modelBytes() {
+    return modelBytes;
+  }
+
+  void holdsModel(long bytes) {
+    modelBytes = bytes;
   }
 
   HostServices host() {

@@ -7,8 +7,12 @@ import java.lang.reflect.Proxy;
 import java.util.HashSet;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.CompletionException;
 import org.jspecify.annotations.Nullable;
+import org.mechservice.idl.LimitExceeded;
 import org.mechservice.idl.MechSimOperations;
+import org.mechservice.sim.service.limits.SetUpPlaces;
+import org.omg.CORBA.IMP_LIMIT;
 import org.omg.CORBA.OBJECT_NOT_EXIST;
 
 /**
@@ -19,12 +23,33 @@ import org.omg.CORBA.OBJECT_NOT_EXIST;
 final class SessionCalls implements InvocationHandler {
   private static final String END = "destroy";
 
+  /** Operations that read, check, generate or build a model. */
+  private static final Set<String> SET_UPS =
+      Set.of(
+          "loadModel",
+          "checkReport",
+          "checkReportWith",
+          "readWith",
+          "generatedSource",
+          "createSimulation",
+          "prepareSimulation",
+          "compileToJar",
+          "prepareJar");
+
   private final MechSimOperations servant;
   private final Set<Thread> threads = new HashSet<>();
+  private final String client;
+  private final SetUpPlaces places;
   private boolean ended;
 
-  SessionCalls(MechSimOperations servant) {
+  /**
+   * @param client owner of the session
+   * @param places of the set-ups of all clients
+   */
+  SessionCalls(MechSimOperations servant, String client, SetUpPlaces places) {
     this.servant = servant;
+    this.client = client;
+    this.places = places;
   }
 
   /** Returns the servant, whose calls are watched. */
@@ -44,7 +69,9 @@ final class SessionCalls implements InvocationHandler {
       begin();
     }
     try {
-      return operation.invoke(servant, arguments);
+      return SET_UPS.contains(operation.getName())
+          ? setUp(operation, arguments)
+          : operation.invoke(servant, arguments);
     } catch (InvocationTargetException e) {
       Throwable thrown = e.getCause() == null ? e : e.getCause();
       throw thrown instanceof CancellationException ? gone() : thrown;
@@ -53,6 +80,48 @@ final class SessionCalls implements InvocationHandler {
         done();
       }
     }
+  }
+
+  private @Nullable Object setUp(Method operation, Object @Nullable [] arguments)
+      throws ReflectiveOperationException, IMP_LIMIT, LimitExceeded {
+    SetUpPlaces.@Nullable Place place;
+    try {
+      place = places.enter(client);
+    } catch (LimitExceeded e) {
+      throw asDeclared(operation, e);
+    } catch (CancellationException e) {
+      throw gone();
+    }
+    try {
+      return operation.invoke(servant, arguments);
+    } catch (InvocationTargetException e) {
+      boolean late = places.leave(place);
+      place = null;
+      if (late) {
+        throw asDeclared(operation, places.tooLong());
+      } else if (isOutOfMemory(e.getCause())) {
+        throw asDeclared(operation, places.tooLarge());
+      }
+      throw e;
+    } finally {
+      if (place != null) {
+        places.leave(place);
+      }
+    }
+  }
+
+  private static boolean isOutOfMemory(@Nullable Throwable thrown) {
+    return thrown instanceof OutOfMemoryError
+        || (thrown instanceof CompletionException && thrown.getCause() instanceof OutOfMemoryError);
+  }
+
+  /** An operation whose contract has no such refusal gives the one that each operation has. */
+  private static IMP_LIMIT asDeclared(Method operation, LimitExceeded refusal)
+      throws LimitExceeded {
+    if (Set.of(operation.getExceptionTypes()).contains(LimitExceeded.class)) {
+      throw refusal;
+    }
+    return new IMP_LIMIT(refusal.code + " " + refusal.text);
   }
 
   private synchronized void begin() {

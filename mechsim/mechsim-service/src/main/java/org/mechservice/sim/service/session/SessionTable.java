@@ -3,6 +3,7 @@ package org.mechservice.sim.service.session;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -16,6 +17,7 @@ import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import org.jspecify.annotations.Nullable;
+import org.mechservice.guard.UserCodePolicy;
 import org.mechservice.idl.Diagnostic;
 import org.mechservice.idl.IMechClient;
 import org.mechservice.idl.IMechSimRemote;
@@ -27,6 +29,7 @@ import org.mechservice.idl.MechSimPOATie;
 import org.mechservice.idl.NameValue;
 import org.mechservice.idl.NotAuthorized;
 import org.mechservice.idl.NotFound;
+import org.mechservice.idl.SessionSummary;
 import org.mechservice.idl.SimDetail;
 import org.mechservice.idl.SimEvent;
 import org.mechservice.idl.SimState;
@@ -45,13 +48,13 @@ import org.mechservice.sim.service.limits.AdmissionControl;
 import org.mechservice.sim.service.limits.CurrentLimits;
 import org.mechservice.sim.service.limits.HostLimit;
 import org.mechservice.sim.service.limits.HostLimits;
+import org.mechservice.sim.service.limits.SetUpPlaces;
 import org.mechservice.sim.service.results.RunIdentity;
 import org.mechservice.sim.service.results.RunRecord;
 import org.mechservice.sim.service.results.RunStore;
 import org.mechservice.sim.service.run.RunFactory;
 import org.mechservice.sim.service.run.RunQueue;
 import org.mechservice.sim.service.run.SimulationRun;
-import org.mechservice.sim.worker.UserCodePolicy;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.catalogue.MessageCode;
 
@@ -83,6 +86,7 @@ public final class SessionTable implements AutoCloseable {
       Executors.newSingleThreadScheduledExecutor(named("clock"));
   private final Map<String, Entry> sessions = new ConcurrentHashMap<>();
   private final AdmissionControl admission;
+  private final SetUpPlaces places;
   private final AtomicLong opened = new AtomicLong();
   private volatile Future<?> handedOver = CompletableFuture.completedFuture(null);
 
@@ -116,6 +120,7 @@ public final class SessionTable implements AutoCloseable {
     queue = new RunQueue(capacity, limits);
     runs = new RunFactory(solver, queue, store);
     admission = new AdmissionControl(limits, this::runsOf);
+    places = new SetUpPlaces(limits);
     var unused =
         clock.scheduleWithFixedDelay(this::tick, TICK_MILLIS, TICK_MILLIS, TimeUnit.MILLISECONDS);
     if (store.lasts()) {
@@ -155,6 +160,14 @@ public final class SessionTable implements AutoCloseable {
         .count();
   }
 
+  private long modelBytesOf(String client) {
+    return sessionsOf(client).stream().mapToLong(Session::modelBytes).sum();
+  }
+
+  private List<Session> sessionsOf(String client) {
+    return allSessions().stream().filter(session -> session.owner().equals(client)).toList();
+  }
+
   private Collection<Session> allSessions() {
     return sessions.values().stream().map(Entry::session).toList();
   }
@@ -171,8 +184,13 @@ public final class SessionTable implements AutoCloseable {
       Session session = admitted(owner, client);
       MechSimServant servant =
           new MechSimServant(
-              session, library, runs, admission, () -> end(session, "was ended by its client"));
-      SessionCalls calls = new SessionCalls(servant);
+              session,
+              library,
+              runs,
+              admission,
+              () -> modelBytesOf(session.owner()),
+              () -> end(session, "was ended by its client"));
+      SessionCalls calls = new SessionCalls(servant, owner, places);
       ActiveObject object =
           session.activateSelf(
               new MechSimPOATie(
@@ -187,12 +205,16 @@ public final class SessionTable implements AutoCloseable {
   }
 
   private Session admitted(String owner, @Nullable IMechClient client) throws LimitExceeded {
+    host.limits().now().requireBelow(HostLimit.CLIENT_SESSIONS, sessionsOf(owner).size());
     host.limits().now().requireBelow(HostLimit.SESSIONS, sessions.size());
     host.limits().now().requireBelow(HostLimit.CONNECTIONS, host.orb().busyConnections());
     return new Session(owner, client, host);
   }
 
   private void log(Session session, String kind, String what) {
+    if (session.owner().equals(SessionNames.HEALTH_CHECK)) {
+      return; // each few seconds, by the monitoring system
+    }
     host.journal()
         .add(
             JournalEntry.info(kind, "the session of \"" + session.owner() + "\" " + what)
@@ -362,6 +384,54 @@ public final class SessionTable implements AutoCloseable {
                 .ofSimulation(run.simId()));
   }
 
+  /** Returns all sessions as administrators see them, the oldest first. */
+  public List<SessionSummary> sessionSummaries() {
+    return sessions.values().stream()
+        .filter(entry -> entry.reference().isPresent())
+        .map(entry -> summary(entry.session()))
+        .sorted(Comparator.comparingLong(summary -> summary.openedAt))
+        .toList();
+  }
+
+  private SessionSummary summary(Session session) {
+    List<SimulationRun> of = session.runs();
+    return new SessionSummary(
+        session.id(),
+        session.owner(),
+        host.hostName(),
+        session.openedAt(),
+        System.currentTimeMillis() + session.leaseLeftMillis(),
+        (int) of.stream().filter(run -> !run.ended()).count(),
+        of.size(),
+        session.modelBytes());
+  }
+
+  /**
+   * Ends sessions on behalf of an administrator, with their runs.
+   *
+   * @param sessionId of one; empty: all of the owner
+   * @param owner whose; empty: anybody's, of that id
+   * @param reason reported to the client
+   * @return how many there were
+   */
+  public int endSessions(String owner, String sessionId, String reason) {
+    List<Session> meant =
+        allSessions().stream()
+            .filter(session -> sessionId.isEmpty() || session.id().equals(sessionId))
+            .filter(session -> owner.isEmpty() || session.owner().equals(owner))
+            .toList();
+    if (owner.isEmpty() && sessionId.isEmpty()) {
+      return 0;
+    }
+    for (Session session : meant) {
+      session.runs().stream()
+          .filter(run -> !run.ended())
+          .forEach(run -> kill(session, run, reason));
+      expire(session, "was ended by the operator: " + reason);
+    }
+    return meant.size();
+  }
+
   /** Reports to clients and operators that the host is being emptied. */
   public void announceDraining() {
     for (Session session : allSessions()) {
@@ -373,6 +443,7 @@ public final class SessionTable implements AutoCloseable {
     try {
       HostLimits limits = host.limits().now();
       host.orb().allowConnections(limits.connectionsAtAll());
+      places.interruptLate();
       for (Session session : allSessions()) {
         if (session.leaseLeftMillis() < 0) {
           expire(session, "was not renewed and has ended");

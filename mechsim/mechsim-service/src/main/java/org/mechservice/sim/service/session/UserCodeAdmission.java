@@ -1,12 +1,12 @@
 package org.mechservice.sim.service.session;
 
+import org.mechservice.guard.Confinement;
+import org.mechservice.guard.UserCodePolicy;
 import org.mechservice.idl.InvalidModel;
 import org.mechservice.idl.NotAvailable;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.sim.service.contract.ContractErrors;
 import org.mechservice.sim.service.library.LoadedModel;
-import org.mechservice.sim.worker.Confinement;
-import org.mechservice.sim.worker.UserCodePolicy;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -43,12 +43,7 @@ final class UserCodeAdmission {
     } else if (!policy.runsBehind(Confinement.ofThisMachine())) {
       throw new NotAvailable(
           MessageCode.NO_CONFINEMENT.code(),
-          "host "
-              + host.hostName()
-              + " cannot confine classes of users, so it does not run them: "
-              + Confinement.ofThisMachine().text()
-              + "; run the model with --mode local or without --server, or ask the operator to make"
-              + " bubblewrap work on the host");
+          Confinement.ofThisMachine().remedy("host " + host.hostName()));
     }
     if (!Confinement.ofThisMachine().stands()) {
       LOG.warn("classes of users run unconfined: {}", Confinement.ofThisMachine().text());

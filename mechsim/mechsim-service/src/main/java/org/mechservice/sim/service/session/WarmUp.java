@@ -5,6 +5,7 @@ import java.io.InputStream;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import org.mechservice.guard.UserCodePolicy;
 import org.mechservice.idl.Diagnostic;
 import org.mechservice.idl.IMechClient;
 import org.mechservice.idl.IMechClientOperations;
@@ -40,7 +41,6 @@ import org.mechservice.sim.service.limits.HostLimits;
 import org.mechservice.sim.service.results.RunStore;
 import org.mechservice.sim.service.run.RunFactory;
 import org.mechservice.sim.service.run.RunQueue;
-import org.mechservice.sim.worker.UserCodePolicy;
 import org.mechservice.solver.api.Solver;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.omg.CORBA.UserException;
@@ -124,7 +124,9 @@ public final class WarmUp implements AutoCloseable {
         RunFactory runs = new RunFactory(solver, queue, store);
         AdmissionControl admission = new AdmissionControl(limits, owner -> 0);
         return cancelled(
-            opened(session, new MechSimServant(session, library, runs, admission, session::end)));
+            opened(
+                session,
+                new MechSimServant(session, library, runs, admission, () -> 0, session::end)));
       } finally {
         session.end();
       }

@@ -15,6 +15,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.mechservice.idl.LimitExceeded;
 import org.mechservice.sim.service.limits.CurrentLimits;
+import org.mechservice.sim.service.limits.HostLimit;
 import org.mechservice.sim.service.limits.HostLimits;
 import org.mechservice.sim.service.limits.LimitReachedException;
 import org.mechservice.sim.service.limits.SpoolQuota;
@@ -39,7 +40,7 @@ class ResultSpoolTest {
     return new ResultSpool(
         COLUMNS,
         RowFile.temporary(),
-        new SpoolQuota(new CurrentLimits(HostLimits.DEFAULT), () -> Long.MAX_VALUE));
+        new SpoolQuota(new CurrentLimits(HostLimits.DEFAULT), () -> Long.MAX_VALUE).of("ann"));
   }
 
   private static void assertRows(double[] values, long first, int count) {
@@ -53,17 +54,30 @@ class ResultSpoolTest {
   void runEndsBeforeTheDiskIsFullAndNewOnesAreRefused() throws Exception {
     AtomicLong free = new AtomicLong(3L << 30);
     SpoolQuota quota = new SpoolQuota(new CurrentLimits(HostLimits.DEFAULT), free::get);
-    quota.require(1 << 30, "");
-    quota.take(1 << 20, 1 << 20);
-    assertThatThrownBy(() -> quota.require(2.5 * (1L << 30), ""))
+    quota.require("ann", 1 << 30, "");
+    quota.of("ann").take(1 << 20, 1 << 20);
+    assertThatThrownBy(() -> quota.require("ann", 2.5 * (1L << 30), ""))
         .isInstanceOfSatisfying(
             LimitExceeded.class,
             refused -> {
               assertThat(refused.code).isEqualTo("S-174");
               assertThat(refused.limitName).isEqualTo("freeDisk");
             });
+    // More than the disk has at all, but not more than a run may have: the disk is the reason.
+    for (long most : new long[] {1L << 30, 0}) {
+      SpoolQuota small =
+          new SpoolQuota(
+              new CurrentLimits(HostLimits.DEFAULT.with(HostLimit.FREE_DISK, most)), free::get);
+      assertThatThrownBy(() -> small.require("ann", 3.5 * (1L << 30), "make t-step larger"))
+          .isInstanceOfSatisfying(
+              LimitExceeded.class,
+              refused -> {
+                assertThat(refused.code).isEqualTo("S-174");
+                assertThat(refused.text).doesNotContain("t-step");
+              });
+    }
     free.set(1L << 30);
-    assertThatThrownBy(() -> quota.take(1 << 20, 1 << 20))
+    assertThatThrownBy(() -> quota.of("ann").take(1 << 20, 1 << 20))
         .isInstanceOf(LimitReachedException.class)
         .hasMessageContaining("left");
     assertThat(quota.used()).isEqualTo(1 << 20);

@@ -16,6 +16,8 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.mechservice.guard.Confinement;
+import org.mechservice.guard.UserCodePolicy;
 import org.mechservice.idl.IMechSimRemote;
 import org.mechservice.idl.MechSim;
 import org.mechservice.idl.ModelFile;
@@ -28,8 +30,6 @@ import org.mechservice.sim.host.SimHost;
 import org.mechservice.sim.service.limits.HostLimit;
 import org.mechservice.sim.service.limits.HostLimits;
 import org.mechservice.sim.user.PushedCart;
-import org.mechservice.sim.worker.Confinement;
-import org.mechservice.sim.worker.UserCodePolicy;
 
 /**
  * The wall of the operating system holds alone: with the allow-list of bytecode switched off,

@@ -69,6 +69,50 @@ class LimitsTest {
     assertThat(refusal.text).isEqualTo("no more than 2 sessions on one host at once");
   }
 
+  /** Others still get in. */
+  @Test
+  void sessionsOfOneClient() throws Exception {
+    LimitExceeded refusal =
+        refusal(
+            HostLimit.CLIENT_SESSIONS,
+            2,
+            "S-100",
+            there -> {
+              there.emptySession();
+              there.emptySession();
+              there.host.createSession("somebody else", null);
+              return there::emptySession;
+            });
+    assertThat(refusal.text).isEqualTo("no more than 2 sessions of one client on one host at once");
+  }
+
+  @Test
+  void bytesOfAllModelsOfOneClient() throws Exception {
+    LimitExceeded refusal =
+        refusal(
+            HostLimit.CLIENT_MODEL_BYTES,
+            2L * HostedClient.pendulum().content.length - 1,
+            "S-105",
+            there -> {
+              there.session();
+              return there::session;
+            });
+    assertThat(refusal.text).contains("the models in your sessions would have");
+  }
+
+  @Test
+  void foreseeableRowsOfAllRunsOfOneClient() throws Exception {
+    refusal(HostLimit.CLIENT_SPOOL_BYTES, 20_000, "S-107", there -> simulationIn(there.session()));
+  }
+
+  @Test
+  void rowsOfAllRunsOfOneClientThatNobodyForesaw() throws Exception {
+    FailureRecord failure =
+        failureAt(HostLimit.CLIENT_SPOOL_BYTES, 100_000, new PacedSolver(100_000, 0));
+    assertThat(failure.code).isEqualTo("S-107");
+    assertThat(failure.text).contains("of one client");
+  }
+
   @Test
   void simulationsOfOneSession() throws Exception {
     LimitExceeded refusal =

@@ -2,11 +2,13 @@ package org.mechservice.sim.service.session;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import static org.mechservice.sim.service.session.HostedClient.ALL;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -81,6 +83,28 @@ class SpoolRestartTest {
     }
   }
 
+  /** Rows and records are what others computed; also where the folder was open before. */
+  @Test
+  void othersMayNotReadTheFolderOrAnythingInIt() throws Exception {
+    assumeTrue(
+        folder.getFileSystem().supportedFileAttributeViews().contains("posix"),
+        "no permissions on this system");
+    Files.setPosixFilePermissions(folder, PosixFilePermissions.fromString("rwxr-xr-x"));
+    try (HostedClient there = on(folder, SimHost.installedSolver())) {
+      IMechSimRemote run = there.simulation();
+      run.start();
+      CursorRows.toEnd(run.openResults(ALL), 0);
+      Eventually.holds(() -> Files.exists(folder.resolve(run.simId() + ".json")));
+      try (Stream<Path> files = Files.walk(folder)) {
+        for (Path file : files.toList()) {
+          assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(file)))
+              .as(file.toString())
+              .endsWith("------");
+        }
+      }
+    }
+  }
+
   /** As if its process had been killed then: what is in the file is all that is left. */
   @Test
   void fewRowsOfARunThatGoesOnAreOnDiskToo() throws Exception {
@@ -122,7 +146,7 @@ class SpoolRestartTest {
     RunIdentity identity =
         new RunIdentity("0a", "session", "here", "ann", "m", "m.xml", "", 0, List.of());
     RunColumns columns = new RunColumns(List.of(new Variable("t", "s")), List.of());
-    ResultSpool rows = store.newRows("0a", 1);
+    ResultSpool rows = store.newRows("0a", "ann", 1);
     rows.append(new double[] {1});
     Progress done = new Progress("0a", SimState.SIM_DONE, 0, 1, 0, 1, 1, 1, 1, 1, 1);
     RunRecord run =

@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.mechservice.guard.UserCodePolicy;
 import org.mechservice.idl.IMechSimRemote;
 import org.mechservice.idl.InvalidModel;
 import org.mechservice.idl.JarInfoHolder;
@@ -21,7 +22,6 @@ import org.mechservice.sim.host.HostOptions;
 import org.mechservice.sim.host.SimHost;
 import org.mechservice.sim.user.PushedCart;
 import org.mechservice.sim.user.UserFile;
-import org.mechservice.sim.worker.UserCodePolicy;
 import org.omg.CORBA.UserException;
 
 /** Classes of users run where the operator allows it; elsewhere nothing of theirs is loaded. */

@@ -12,6 +12,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.mechservice.guard.UserCodePolicy;
 import org.mechservice.idl.Diagnostic;
 import org.mechservice.idl.IMechSimRemote;
 import org.mechservice.idl.InvalidModel;
@@ -27,7 +28,6 @@ import org.mechservice.sim.host.SimHost;
 import org.mechservice.sim.service.limits.HostLimit;
 import org.mechservice.sim.service.limits.HostLimits;
 import org.mechservice.sim.user.PushedCart;
-import org.mechservice.sim.worker.UserCodePolicy;
 import org.omg.CORBA.UserException;
 
 /** Forces that users have written run in processes of their own, and can do no harm there. */

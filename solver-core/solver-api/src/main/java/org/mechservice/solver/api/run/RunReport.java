@@ -1,5 +1,6 @@
 package org.mechservice.solver.api.run;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -109,6 +110,36 @@ public record RunReport(
         0,
         List.of(),
         List.of(),
+        solverVersion);
+  }
+
+  /** Returns the report with a note after its others. */
+  public RunReport with(RunNotes.Note note) {
+    List<RunNotes.Note> all = new ArrayList<>(notes);
+    all.add(note);
+    return with(outcome, all);
+  }
+
+  /** Returns the report with another outcome and other notes. */
+  public RunReport with(Outcome other, List<RunNotes.Note> notes) {
+    return new RunReport(
+        other,
+        model,
+        formulation,
+        settings,
+        steps,
+        rejectedSteps,
+        evaluations,
+        rows,
+        timeReached,
+        wallTime,
+        energyDrift,
+        energyScale,
+        stiffnessSuspected,
+        jacobians,
+        factorisations,
+        limits,
+        notes,
         solverVersion);
   }
 

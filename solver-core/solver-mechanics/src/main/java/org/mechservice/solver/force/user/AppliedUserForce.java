@@ -23,6 +23,7 @@ import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.UserForceElement;
+import org.mechservice.solver.text.WellFormedText;
 
 /**
  * A user force applied to a motion. Its derivatives are its own, or central differences over the
@@ -205,7 +206,7 @@ public final class AppliedUserForce extends AppliedForce implements ForceBlocks 
     try {
       String text = thrown.toString();
       String shown = text.length() > MOST_TEXT ? text.substring(0, MOST_TEXT) + "..." : text;
-      return shown.replaceAll("\\p{Cntrl}", "?");
+      return WellFormedText.of(shown.replaceAll("\\p{Cntrl}", "?"));
     } catch (RuntimeException | Error e) {
       return thrown.getClass().getName();
     }

@@ -15,6 +15,7 @@ import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.force.NamedPoint;
 import org.mechservice.solver.mechanism.force.UserForceElement;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.text.WellFormedText;
 
 /**
  * Resolves the names that a user force declares in its model, and records the declared quantities.
@@ -97,7 +98,7 @@ final class UserForceNames implements ForceDeclaration {
 
   @Override
   public int value(String name, String unit) {
-    values.add(new Variable(name, unit));
+    values.add(new Variable(WellFormedText.of(name), WellFormedText.of(unit)));
     return values.size() - 1;
   }
 

@@ -1,4 +1,4 @@
-package org.mechservice.sim.worker;
+package org.mechservice.guard;
 
 /** The place where a host runs user classes. */
 public enum UserCodePolicy {

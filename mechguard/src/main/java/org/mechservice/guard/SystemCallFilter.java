@@ -1,4 +1,4 @@
-package org.mechservice.sim.worker;
+package org.mechservice.guard;
 
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;

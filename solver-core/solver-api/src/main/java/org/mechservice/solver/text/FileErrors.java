@@ -1,4 +1,4 @@
-package org.mechservice.sim.service.contract;
+package org.mechservice.solver.text;
 
 import java.io.IOException;
 import java.nio.file.AccessDeniedException;

@@ -1,4 +1,4 @@
-package org.mechservice.sim.user;
+package org.mechservice.guard;
 
 import java.util.SortedMap;
 import org.mechservice.solver.api.UserForce;
@@ -9,12 +9,15 @@ import org.mechservice.solver.api.UserForce;
  * and a name that is neither given nor in those packages is not found, even if the platform has
  * such a class.
  */
-final class UserClassLoader extends ClassLoader {
+public final class UserClassLoader extends ClassLoader {
   private static final String INTERFACE = UserForce.class.getPackageName();
 
   private final SortedMap<String, byte[]> classFiles;
 
-  UserClassLoader(SortedMap<String, byte[]> classFiles) {
+  /**
+   * @param classFiles by binary name; not modified
+   */
+  public UserClassLoader(SortedMap<String, byte[]> classFiles) {
     super("user-forces", ClassLoader.getPlatformClassLoader());
     this.classFiles = classFiles;
   }

@@ -1,4 +1,4 @@
-package org.mechservice.sim.worker;
+package org.mechservice.guard;
 
 import java.io.File;
 import java.io.IOException;
@@ -94,7 +94,7 @@ public final class Confinement {
   }
 
   /** Returns no wall: an ordinary process. */
-  static Confinement none(String reason) {
+  public static Confinement none(String reason) {
     return new Confinement(Optional.empty(), reason);
   }
 
@@ -106,6 +106,20 @@ public final class Confinement {
   /** Returns what the wall is, or why there is none. */
   public String text() {
     return text;
+  }
+
+  /**
+   * Returns why classes of users do not run and what to do about it.
+   *
+   * @param where the machine without a wall, in words
+   */
+  public String remedy(String where) {
+    return where
+        + " cannot confine classes of users, so it does not run them: "
+        + text
+        + "; make bubblewrap work there, or let them run unconfined if you trust them: with"
+        + " --unconfined of the command, UserCode.unconfined of a program, or"
+        + " --allow-user-code=unconfined of a server or host";
   }
 
   private static Confinement probe(String classPath) {
@@ -179,12 +193,34 @@ public final class Confinement {
   }
 
   /**
+   * Returns what starts a Java program of this product that runs no code of users, in an ordinary
+   * process with bounded memory, without environment. Without a choice of modules Java starts from
+   * its archive of classes, and with one compiler sooner.
+   */
+  public static ProcessBuilder ordinary(WorkerBounds bounds, Class<?> main) {
+    ProcessBuilder builder =
+        new ProcessBuilder(
+            Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+            "-Xmx" + bounds.heapBytes(),
+            "-XX:+UseSerialGC",
+            "-XX:TieredStopAtLevel=1",
+            "-XX:+ExitOnOutOfMemoryError",
+            "-XX:+SuppressFatalErrorMessage",
+            "-Xshare:auto",
+            "-cp",
+            System.getProperty("java.class.path"),
+            main.getName());
+    builder.environment().clear();
+    return builder;
+  }
+
+  /**
    * Returns what starts a Java program behind the wall, or in an ordinary process if there is none.
    * It has no environment.
    *
    * @throws IOException if the filter cannot be handed over
    */
-  ProcessBuilder command(WorkerBounds bounds, Class<?> main, List<String> arguments)
+  public ProcessBuilder command(WorkerBounds bounds, Class<?> main, List<String> arguments)
       throws IOException {
     List<String> command = new ArrayList<>();
     String launcher = Path.of(System.getProperty("java.home"), "bin", "java").toString();

@@ -1,4 +1,4 @@
-package org.mechservice.sim.worker;
+package org.mechservice.guard;
 
 /**
  * Limits of the memory and the processor time of a worker.

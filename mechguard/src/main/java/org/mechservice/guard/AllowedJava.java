@@ -1,4 +1,4 @@
-package org.mechservice.sim.user;
+package org.mechservice.guard;
 
 import java.util.Arrays;
 import java.util.Collections;

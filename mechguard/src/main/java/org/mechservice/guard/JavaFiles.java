@@ -1,7 +1,8 @@
-package org.mechservice.sim.worker;
+package org.mechservice.guard;
 
 import java.io.File;
 import java.io.IOException;
+import java.net.URI;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -9,6 +10,10 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.jar.Attributes.Name;
+import java.util.jar.JarFile;
+import java.util.jar.Manifest;
+import java.util.zip.ZipException;
 
 /**
  * The files of this machine that a Java process needs, as arguments of bubblewrap that show these
@@ -43,7 +48,8 @@ final class JavaFiles {
   /**
    * Finds the files of the Java that runs here.
    *
-   * @param classPath files and folders; those that do not exist are left out
+   * @param classPath files and folders; those that do not exist are left out, and those that
+   *     manifests of its JARs name are added
    * @throws IOException if a file of Java cannot be found
    */
   JavaFiles(String classPath) throws IOException {
@@ -54,12 +60,45 @@ final class JavaFiles {
     showLinkedSettings(home.resolve("lib"), "*.cfg");
     showLinkedSettings(home.resolve("conf/security"), "*");
     showLibraries();
+    Set<Path> entries = new LinkedHashSet<>();
     for (String entry : classPath.split(File.pathSeparator, -1)) {
-      if (!entry.isEmpty() && Files.isReadable(Path.of(entry))) {
-        String shown = "/classes/" + this.classPath.size();
-        show(Path.of(entry).toRealPath(), shown);
-        this.classPath.add(shown);
+      if (!entry.isEmpty()) {
+        addEntry(Path.of(entry), entries);
       }
+    }
+    for (Path entry : entries) {
+      String shown = "/classes/" + this.classPath.size();
+      show(entry, shown);
+      this.classPath.add(shown);
+    }
+  }
+
+  /**
+   * Adds an entry of a class path and those that its manifest names: of {@code java -jar} the class
+   * path is one JAR, and all others are in its manifest, by paths that lead nowhere behind the wall
+   * (JAR File Specification, attribute Class-Path).
+   */
+  private static void addEntry(Path entry, Set<Path> entries) throws IOException {
+    if (!Files.isReadable(entry) || !entries.add(entry.toRealPath())) {
+      return;
+    }
+    if (!Files.isRegularFile(entry)) {
+      return;
+    }
+    try (JarFile jar = new JarFile(entry.toFile())) {
+      Manifest manifest = jar.getManifest();
+      String others =
+          manifest == null ? null : manifest.getMainAttributes().getValue(Name.CLASS_PATH);
+      if (others != null) {
+        for (String other : others.strip().split(" +", -1)) {
+          URI place = entry.toRealPath().toUri().resolve(other);
+          if ("file".equals(place.getScheme())) {
+            addEntry(Path.of(place), entries);
+          }
+        }
+      }
+    } catch (ZipException e) {
+      // No JAR: Java finds no classes in it either.
     }
   }
 

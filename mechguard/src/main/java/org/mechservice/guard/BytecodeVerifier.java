@@ -1,10 +1,11 @@
-package org.mechservice.sim.user;
+package org.mechservice.guard;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Set;
 import java.util.SortedMap;
 import org.jspecify.annotations.Nullable;
 import org.mechservice.solver.api.UserForce;
-import org.mechservice.solver.catalogue.MessageCode;
 import org.objectweb.asm.AnnotationVisitor;
 import org.objectweb.asm.Attribute;
 import org.objectweb.asm.ClassReader;
@@ -28,7 +29,7 @@ import org.objectweb.asm.TypePath;
  * of linking of later Java versions. Two parts are skipped, because only reflection reads them:
  * generic signatures and the list of inner classes.
  */
-final class BytecodeVerifier extends ClassVisitor {
+public final class BytecodeVerifier extends ClassVisitor {
   private static final String INTERFACE = UserForce.class.getPackageName().replace('.', '/') + "/";
 
   /**
@@ -39,23 +40,38 @@ final class BytecodeVerifier extends ClassVisitor {
       Set.of(1, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 15, 16, 18);
 
   private final Set<String> own;
-  private final UserCodeFindings findings;
+  private final List<Refusal> findings;
   private String className = "";
 
-  private BytecodeVerifier(Set<String> own, UserCodeFindings findings) {
+  private BytecodeVerifier(Set<String> own, List<Refusal> findings) {
     super(Opcodes.ASM9);
     this.own = own;
     this.findings = findings;
   }
 
-  /** Adds to the findings each use of something not allowed, with method and line. */
-  static void check(SortedMap<String, byte[]> classFiles, UserCodeFindings findings) {
+  /**
+   * A use of something that is not allowed.
+   *
+   * @param className binary name of the class
+   * @param line of its source, from 1; 0 if unknown
+   * @param text what it uses, where, and what classes may use
+   */
+  public record Refusal(String className, int line, String text) {}
+
+  /**
+   * Returns each use of something that is not allowed, with method and line.
+   *
+   * @param classFiles class files by binary name, which may use each other; not modified
+   */
+  public static List<Refusal> check(SortedMap<String, byte[]> classFiles) {
+    List<Refusal> findings = new ArrayList<>();
     for (byte[] file : classFiles.values()) {
       ClassReader reader = new ClassReader(file);
       BytecodeVerifier verifier = new BytecodeVerifier(classFiles.keySet(), findings);
       reader.accept(verifier, ClassReader.SKIP_FRAMES);
       verifier.requireKnownConstants(reader);
     }
+    return findings;
   }
 
   /** Refuses kinds of constants outside the list, whether or not anything uses them. */
@@ -284,18 +300,17 @@ final class BytecodeVerifier extends ClassVisitor {
 
   private void refuse(String what, String method, int line) {
     findings.add(
-        MessageCode.USER_CLASS_NOT_PERMITTED,
-        className,
-        line,
-        0,
-        "class "
-            + className
-            + (method.isEmpty() ? "" : ", method " + method)
-            + (line == 0 ? "" : ", line " + line)
-            + ": "
-            + what
-            + "; a class of a model may use numbers, texts and collections, and nothing of files,"
-            + " network, threads, processes or reflection");
+        new Refusal(
+            className,
+            line,
+            "class "
+                + className
+                + (method.isEmpty() ? "" : ", method " + method)
+                + (line == 0 ? "" : ", line " + line)
+                + ": "
+                + what
+                + "; a class of a model may use numbers, texts and collections, and nothing of"
+                + " files, network, threads, processes or reflection"));
   }
 
   /** Checks the instructions of one method. */

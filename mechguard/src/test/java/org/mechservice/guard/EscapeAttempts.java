@@ -1,4 +1,4 @@
-package org.mechservice.sim.worker;
+package org.mechservice.guard;
 
 import java.io.File;
 import java.io.FileInputStream;

@@ -1,4 +1,4 @@
-package org.mechservice.sim.worker;
+package org.mechservice.guard;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-class ConfinementTest {
+public class ConfinementTest {
   private static final Confinement NONE = Confinement.none("nothing is installed");
 
   /** Without it the probe could find a wall where there is none. */
@@ -29,7 +29,7 @@ class ConfinementTest {
   }
 
   /** Returns the ways tried, each with whether it works. */
-  static Map<String, Boolean> ways(Confinement wall, String mechanism) throws Exception {
+  public static Map<String, Boolean> ways(Confinement wall, String mechanism) throws Exception {
     Path file = Files.writeString(Files.createTempFile("host", ".txt"), "secret");
     try (ServerSocket listening = new ServerSocket(0, 50, InetAddress.getLoopbackAddress())) {
       List<String> arguments =

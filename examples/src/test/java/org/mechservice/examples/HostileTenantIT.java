@@ -1,0 +1,168 @@
+package org.mechservice.examples;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.google.gson.JsonParser;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.mechservice.idl.LimitExceeded;
+import org.mechservice.orb.ServiceOrb;
+
+/** What one client does to a server, as users start both, and what the others notice of it. */
+class HostileTenantIT {
+  @TempDir private Path folder;
+
+  @Test
+  void textOfAClassSilencesNoAudit() throws Exception {
+    Files.writeString(folder.resolve("m.xml"), DraggedBob.MODEL);
+    DraggedBob.writeSource(
+        folder,
+        "",
+        "",
+        "throw new IllegalStateException(\"\\ud800\\ud800 \\u0000 \\u202e \\r\\n\\u001b]0;x\\u0007\");");
+    int port = Service.freePort();
+    Path audit = folder.resolve("audit.jsonl");
+    try (Terminal.Running server =
+        Service.startServer(
+            folder, port, "--allow-user-code=unconfined", "--audit", audit.toString())) {
+      Terminal terminal = new Terminal(folder);
+      String url = Service.url(port);
+      Terminal.Ended thrown =
+          terminal.mech("simulate", "m.xml", "--server", url, "--user-code", ".");
+      assertThat(thrown.exitStatus()).as(thrown.toString()).isEqualTo(1);
+      assertThat(thrown.stdout() + thrown.stderr()).doesNotContain("\u001b");
+      terminal
+          .mech("simulate", WorkingTree.PENDULUM.toString(), "--server", url, "--out", "r.csv")
+          .orFail();
+      server.awaitThat("the end of the other run", () -> read(audit).contains("sim-done"));
+    }
+    assertThat(Files.readAllLines(audit))
+        .allSatisfy(line -> assertThat(JsonParser.parseString(line).isJsonObject()).isTrue())
+        .anyMatch(line -> line.contains("sim-failed") && line.contains("\ufffd"));
+    assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(audit)))
+        .isEqualTo("rw-------");
+  }
+
+  /**
+   * One client that opens all the sessions it can and keeps them: another one still gets in, the
+   * operator sees who it is, and ends it.
+   */
+  @Test
+  void clientThatTakesAllSessionsLeavesSomeAndIsEndedByTheOperator() throws Exception {
+    int port = Service.freePort();
+    String url = Service.url(port);
+    Terminal terminal = new Terminal(folder);
+    try (Terminal.Running server = Service.startServer(folder, port);
+        ServiceOrb orb = ServiceOrb.client()) {
+      assertThat(server.stdout()).contains(url);
+      int opened = 0;
+      Optional<LimitExceeded> refusal = Optional.empty();
+      while (refusal.isEmpty() && opened < 1000) {
+        try {
+          orb.connect(url).createSession("mallory", "", null).sessionId();
+          opened++;
+        } catch (LimitExceeded e) {
+          refusal = Optional.of(e);
+        }
+      }
+      assertThat(opened).isEqualTo(48);
+      assertThat(refusal.orElseThrow().limitName).isEqualTo("clientSessions");
+      terminal
+          .mech("simulate", WorkingTree.PENDULUM.toString(), "--server", url, "--quiet")
+          .orFail();
+
+      String listed = terminal.mech("admin", "--server", url, "sessions").orFail().stdout();
+      assertThat(listed.lines().filter(line -> line.contains("mallory"))).hasSize(48);
+      terminal
+          .mech("admin", "--server", url, "end", "--user", "mallory", "--reason", "all of them")
+          .orFail();
+      assertThat(terminal.mech("admin", "--server", url, "sessions").orFail().stdout())
+          .doesNotContain("mallory");
+      Terminal.Ended nobody = terminal.mech("admin", "--server", url, "end", "--user", "mallory");
+      assertThat(nobody.exitStatus()).as(nobody.toString()).isNotZero();
+      assertThat(nobody.stderr()).contains("S-130");
+    }
+  }
+
+  /** Bodies in a chain of free joints, each also tied to the ground: as many loops as bodies. */
+  private static String loops(int count) {
+    StringBuilder bodies = new StringBuilder();
+    StringBuilder joints = new StringBuilder();
+    for (int i = 0; i < count; i++) {
+      String before = i == 0 ? "Ground" : "b" + (i - 1);
+      bodies.append("<body name=\"b%d\"><sphere radius=\"0.1\" mass=\"1\"/></body>".formatted(i));
+      joints.append(
+          ("<joint name=\"k%1$d\" type=\"F\" body1=\"%2$s\" body2=\"b%1$d\"/>"
+                  + "<joint name=\"l%1$d\" type=\"S\" body1=\"Ground\" body2=\"b%1$d\"/>")
+              .formatted(i, before));
+    }
+    return "<MechML><MBSsimulation><dynamic><timeSet tini=\"0\" tend=\"1\" tstep=\"0.1\"/>"
+        + "</dynamic></MBSsimulation><MBSmodel name=\"big\" massUnits=\"kg\" lengthUnits=\"m\""
+        + " silence=\"no-gravity\"><Bodies><body name=\"Ground\"/>"
+        + bodies
+        + "</Bodies><Joints>"
+        + joints
+        + "</Joints><topology><root name=\"Ground\"/></topology></MBSmodel></MechML>";
+  }
+
+  /** A text of 0.7 MB whose set-up takes minutes and gigabytes; the operator gives it 5 s. */
+  @Test
+  void setUpWithoutEndIsRefusedByNameAndOthersGoOn() throws Exception {
+    Files.writeString(folder.resolve("loops.xml"), loops(4000));
+    int port = Service.freePort();
+    String url = Service.url(port);
+    Terminal terminal = new Terminal(folder);
+    try (Terminal.Running server = Service.startServer(folder, port, "--limit", "setUpTime=5");
+        Terminal.Running bomb = terminal.startMech("check", "loops.xml", "--server", url)) {
+      assertThat(server.stdout()).contains(url);
+      terminal
+          .mech("simulate", WorkingTree.PENDULUM.toString(), "--server", url, "--quiet")
+          .orFail();
+      Terminal.Ended ended = bomb.awaitEnd();
+      assertThat(ended.exitStatus()).as(ended.toString()).isNotZero();
+      assertThat(ended.stderr()).contains("S-230", "within the 5 s");
+      terminal
+          .mech("simulate", WorkingTree.PENDULUM.toString(), "--server", url, "--quiet")
+          .orFail();
+    }
+  }
+
+  /** Two kilobytes of source that the compiler turns into a text of half a terabyte. */
+  @Test
+  void sourceThatSwellsIsRefusedByNameAndTheServerGoesOn() throws Exception {
+    StringBuilder constants =
+        new StringBuilder("static final String a0=\"" + "x".repeat(60) + "\";");
+    for (int i = 1; i < 34; i++) {
+      constants.append("static final String a%d=a%d+a%d;".formatted(i, i - 1, i - 1));
+    }
+    Files.writeString(folder.resolve("m.xml"), DraggedBob.MODEL);
+    DraggedBob.writeSource(folder, constants.toString(), "", "int n=a33.length();");
+    int port = Service.freePort();
+    String url = Service.url(port);
+    Terminal terminal = new Terminal(folder);
+    try (Terminal.Running server =
+        Service.startServer(folder, port, "--allow-user-code=unconfined")) {
+      assertThat(server.stdout()).contains(url);
+      Terminal.Ended ended =
+          terminal.mech("simulate", "m.xml", "--server", url, "--user-code", ".");
+      assertThat(ended.exitStatus()).as(ended.toString()).isEqualTo(2);
+      assertThat(ended.stderr()).contains("S-123", "the compiler gives up", "MB of memory");
+      terminal
+          .mech("simulate", WorkingTree.PENDULUM.toString(), "--server", url, "--quiet")
+          .orFail();
+    }
+  }
+
+  private static String read(Path file) {
+    try {
+      return Files.readString(file);
+    } catch (IOException e) {
+      return "";
+    }
+  }
+}
