@@ -18,6 +18,7 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
+import org.mechservice.guard.UserCode;
 import org.mechservice.library.MechModel;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.solver.api.program.RunFailedException;
@@ -60,6 +61,11 @@ final class ExampleDigests {
   private static final List<String> FORMULATIONS = List.of("", "DTR", "DSR", "RR", "RR-JF");
   private static final List<String> INTEGRATORS = List.of("", "ode113", "DE", "ode15s", "ode15sR");
   private static final List<String> CLOSURES = List.of("", "projection", "penalty");
+
+  /** Reads a model; the classes of the examples are our own. */
+  private static MechModel read(Path file) throws IOException, MechmlException {
+    return MechModel.read(file, UserCode.in(file.toAbsolutePath().getParent()).unconfined());
+  }
 
   /** One run: what its line says. */
   private record Run(String digest, List<Double> tolerances, List<List<Double>> rows) {
@@ -127,7 +133,7 @@ final class ExampleDigests {
   private static void runs(Path folder, Path file, Map<String, Run> before, PrintStream out) {
     MechModel model;
     try {
-      model = MechModel.read(file);
+      model = read(file);
     } catch (IOException | MechmlException | IllegalArgumentException e) {
       out.println(folder.relativize(file) + "\tno model");
       return;
@@ -183,7 +189,7 @@ final class ExampleDigests {
       words[i] = words[i].equals("file") ? "" : words[i];
     }
     try {
-      MechModel model = MechModel.read(folder.resolve(words[0]));
+      MechModel model = read(folder.resolve(words[0]));
       RunSettings run = model.content().settings().run();
       MechModel changed =
           model
