@@ -3,7 +3,10 @@ package org.mechservice.sim.service.session;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -70,17 +73,22 @@ class WorkerTest {
     return session.createSimulation(new NameValue[0], null);
   }
 
-  /** The only processes that a host starts: Java, or the wall around it. */
+  /** The processes of runs, also within the wall; a host has its compiler in a process, too. */
   private static Stream<ProcessHandle> workers() {
-    return ProcessHandle.current()
-        .children()
-        .filter(
-            child ->
-                child
-                    .info()
-                    .command()
-                    .map(p -> p.endsWith("java") || p.endsWith("bwrap"))
-                    .orElse(false));
+    return ProcessHandle.current().children().filter(WorkerTest::isWorker);
+  }
+
+  private static boolean isWorker(ProcessHandle child) {
+    // the handle knows no arguments of a command as long as this
+    Path words = Path.of("/proc", Long.toString(child.pid()), "cmdline");
+    try {
+      String line =
+          Files.isReadable(words) ? Files.readString(words) : child.info().commandLine().orElse("");
+      return line.contains("org.mechservice.sim.worker");
+    } catch (IOException e) {
+      // it has ended
+      return false;
+    }
   }
 
   private static void assertFailsWith(IMechSimRemote run, String code) throws Exception {
