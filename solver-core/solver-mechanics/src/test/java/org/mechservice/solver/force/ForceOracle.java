@@ -23,11 +23,11 @@ import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 
 /** The forces between bodies once more, from their descriptions, in numbers and world axes. */
-final class ForceOracle {
+public final class ForceOracle {
   private ForceOracle() {}
 
   /** Returns the forces of a mechanism for the oracle. */
-  static List<OracleForce> of(List<ForceElement> elements) {
+  public static List<OracleForce> of(List<ForceElement> elements) {
     List<OracleForce> forces = new ArrayList<>();
     for (ForceElement element : elements) {
       if (element instanceof SpringDamper spring) {

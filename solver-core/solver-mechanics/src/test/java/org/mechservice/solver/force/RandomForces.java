@@ -50,7 +50,7 @@ import org.mechservice.solver.text.Origin;
  */
 public final class RandomForces {
   /** What can be drawn. */
-  enum Kind {
+  public enum Kind {
     SPRING_BOTH,
     SPRING_ABOVE,
     SPRING_BELOW,

@@ -1,5 +1,6 @@
 package org.mechservice.solver.closure;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -15,6 +16,7 @@ import org.mechservice.solver.closure.model.LinearisedProjectionModel;
 import org.mechservice.solver.closure.model.LoopModel;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.oracle.GlobalFormulation;
+import org.mechservice.solver.oracle.OracleForce;
 
 /**
  * Accelerations and reactions of one mechanism with loops by every formulation and closure, against
@@ -77,13 +79,22 @@ public record LoopComparison(
         : Optional.empty();
   }
 
-  /** Compares all formulations. */
+  /** Compares all formulations; the mechanism has no forces. */
   public static LoopComparison of(Mechanism mechanism) {
+    return of(mechanism, List.of());
+  }
+
+  /**
+   * Compares all formulations.
+   *
+   * @param forces the mechanism's, written down a second time
+   */
+  public static LoopComparison of(Mechanism mechanism, List<OracleForce> forces) {
     ClosedMechanism closed = new ClosedMechanism(mechanism, "DSR", SETTINGS);
     double[] y = closed.start().state();
     int nq = mechanism.positionCount();
     double[] v = Arrays.copyOfRange(y, nq, y.length);
-    double[] expected = new GlobalFormulation(mechanism, List.of()).accelerations(0, y, v);
+    double[] expected = new GlobalFormulation(mechanism, forces).accelerations(0, y, v);
     Map<String, Double> forward = new LinkedHashMap<>();
     double missing = 0;
     double condition = 0;
@@ -91,7 +102,7 @@ public record LoopComparison(
       LoopModel model = LoopModels.of(mechanism, formulation, SETTINGS);
       double[] a = accelerations(model, y);
       forward.put(formulation, difference(a, expected));
-      missing = Math.max(missing, missing(mechanism, model, y, a));
+      missing = Math.max(missing, missing(mechanism, forces, model, y, a));
       condition = condition(model, closed.start().rank());
     }
     LinearisedProjectionModel residual =
@@ -146,16 +157,16 @@ public record LoopComparison(
   }
 
   /** Newton and Euler for every body, with the reactions of all joints, planes, lines and rods. */
-  private static double missing(Mechanism mechanism, LoopModel model, double[] y, double[] a) {
+  private static double missing(
+      Mechanism mechanism, List<OracleForce> forces, LoopModel model, double[] y, double[] a) {
     require(model.react(0, y) == ExplicitModel.REGULAR);
     Reactions reactions = model.reactions();
     double largest =
         Arrays.stream(reactions.onJoints).map(Math::abs).max().orElse(0)
             + Arrays.stream(reactions.multipliers).map(Math::abs).max().orElse(0);
-    GlobalFormulation global =
-        new GlobalFormulation(
-            mechanism,
-            List.of((t, pose, loads) -> ReactionsTest.apply(mechanism, reactions, pose, loads)));
+    List<OracleForce> all = new ArrayList<>(forces);
+    all.add((t, pose, loads) -> ReactionsTest.apply(mechanism, reactions, pose, loads));
+    GlobalFormulation global = new GlobalFormulation(mechanism, all);
     double[] v = Arrays.copyOfRange(y, model.work.nq, y.length);
     double missing = Arrays.stream(global.missing(0, y, v, a)).map(Math::abs).max().orElse(0);
     return missing / (1 + largest);

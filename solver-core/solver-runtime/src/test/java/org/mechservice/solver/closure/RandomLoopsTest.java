@@ -7,10 +7,14 @@ import java.util.List;
 import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.solver.api.run.Outcome;
 import org.mechservice.solver.closure.equations.LoopEquations;
+import org.mechservice.solver.force.ForceOracle;
+import org.mechservice.solver.force.RandomForces;
 import org.mechservice.solver.mechanism.Mechanism;
+import org.mechservice.solver.oracle.OracleForce;
 
 /** Random closed mechanisms against the maximal coordinates of the oracle. */
 class RandomLoopsTest {
@@ -33,16 +37,40 @@ class RandomLoopsTest {
     assertThat(compared).isGreaterThan(3);
   }
 
+  /** Forces between bodies of a mechanism with loops, written down a second time. */
+  @ParameterizedTest
+  @EnumSource(
+      value = RandomForces.Kind.class,
+      names = {
+        "SPRING_BOTH",
+        "SPRING_ABOVE",
+        "SPRING_BELOW",
+        "BUSHING_ENERGY",
+        "BUSHING_LINEAR",
+        "CONTACT_PLANE",
+        "LAW"
+      })
+  void accelerationsAndReactionsUnderForcesAreThoseOfMaximalCoordinates(RandomForces.Kind kind) {
+    LongStream.rangeClosed(1, 40)
+        .mapToObj(seed -> new RandomForces(seed, LoopComparison.mechanism(seed)).with(kind))
+        .forEach(mechanism -> compare(mechanism, ForceOracle.of(mechanism.forces())));
+    assertThat(compared).isGreaterThan(15);
+  }
+
   private void compare(long seed) {
     compare(LoopComparison.mechanism(seed));
   }
 
   private void compare(Mechanism mechanism) {
+    compare(mechanism, List.of());
+  }
+
+  private void compare(Mechanism mechanism, List<OracleForce> forces) {
     String seed = mechanism.name();
     if (LoopComparison.leftOut(mechanism).isPresent()) {
       return;
     }
-    LoopComparison comparison = LoopComparison.of(mechanism);
+    LoopComparison comparison = LoopComparison.of(mechanism, forces);
     comparison
         .forward()
         .forEach(
