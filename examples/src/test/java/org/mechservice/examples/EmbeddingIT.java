@@ -69,7 +69,8 @@ class EmbeddingIT {
 
   private List<String> run(Path scene, String model, String end, String steps) throws Exception {
     Terminal terminal = new Terminal(directory);
-    terminal.mech("build", scene.toString(), "-o", "p.jar").orFail();
+    String trusted = scene.resolveSibling(".").toString();
+    terminal.mech("build", scene.toString(), "--user-code", trusted, "-o", "p.jar").orFail();
     return terminal
         .run(
             "java",
