@@ -357,7 +357,10 @@ void administrate(ms::MechServer_ptr server, ms::MechAdmin_ptr admin, const ms::
   CALL(MechAdmin, setPlacement, admin, placement);
   CALL(MechAdmin, drain, admin, host);
   CALL(MechAdmin, undrain, admin, host);
-  session->destroy();
+  CORBA::String_var sessionId = session->sessionId();
+  ms::SessionSummarySeq_var sessions = CALL(MechAdmin, listSessions, admin);
+  require(sessions->length() > 0, "sessions");
+  require(CALL(MechAdmin, endSessions, admin, "", sessionId, "enough") == 1, "one session ends");
 }
 
 void useHost(ms::MechSimHost_ptr host, const ms::ModelFile& model) {
@@ -379,7 +382,9 @@ void useHost(ms::MechSimHost_ptr host, const ms::ModelFile& model) {
   CALL(MechSimHost, setLimits, host, limits);
   CALL(MechSimHost, drain, host);
   CALL(MechSimHost, undrain, host);
-  session->destroy();
+  ms::SessionSummarySeq_var sessions = CALL(MechSimHost, listSessions, host);
+  require(sessions->length() > 0, "sessions");
+  require(CALL(MechSimHost, endSessions, host, "", sessionId, "enough") == 1, "one session ends");
 }
 
 template <class Interface>
