@@ -5,6 +5,7 @@ import java.io.BufferedOutputStream;
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
+import java.io.InterruptedIOException;
 import java.io.StreamCorruptedException;
 import java.util.ArrayList;
 import java.util.EnumSet;
@@ -15,6 +16,9 @@ import java.util.Queue;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import java.util.function.IntSupplier;
 import org.mechservice.solver.api.ForceBlocks;
@@ -47,6 +51,14 @@ final class RelayProcess {
 
   private final Queue<Handle> released = new ConcurrentLinkedQueue<>();
 
+  private static final ExecutorService STARTER =
+      Executors.newSingleThreadExecutor(
+          task -> {
+            Thread thread = new Thread(task, "starts processes of forces");
+            thread.setDaemon(true);
+            return thread;
+          });
+
   /**
    * Starts a process behind the wall of this machine.
    *
@@ -55,12 +67,24 @@ final class RelayProcess {
   RelayProcess(WorkerBounds bounds) throws IOException {
     this.bounds = bounds;
     process =
-        Confinement.ofThisMachine()
-            .command(bounds, RelayMain.class, List.of())
-            .redirectError(ProcessBuilder.Redirect.DISCARD)
-            .start();
+        started(
+            Confinement.ofThisMachine()
+                .command(bounds, RelayMain.class, List.of())
+                .redirectError(ProcessBuilder.Redirect.DISCARD));
     out = new DataOutputStream(new BufferedOutputStream(process.getOutputStream()));
     in = new DataInputStream(new BufferedInputStream(process.getInputStream()));
+  }
+
+  /** What is behind the wall ends with the thread that has started it, so a lasting one does. */
+  private static Process started(ProcessBuilder command) throws IOException {
+    try {
+      return STARTER.submit(command::start).get();
+    } catch (ExecutionException e) {
+      throw new IOException(e.getCause());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new InterruptedIOException("a process for forces was not awaited");
+    }
   }
 
   boolean isAlive() {
