@@ -41,6 +41,15 @@ final class RelayProcess {
   private static final int MOST_NUMBERS = 9;
   private static final double MEGABYTE = 1e6;
 
+  /** A process behind the wall ends with the thread that starts it; this one stays. */
+  private static final ExecutorService STARTER =
+      Executors.newSingleThreadExecutor(
+          task -> {
+            Thread thread = new Thread(task, "starts processes of forces");
+            thread.setDaemon(true);
+            return thread;
+          });
+
   private final WorkerBounds bounds;
   private final Process process;
   private final DataOutputStream out;
@@ -50,14 +59,6 @@ final class RelayProcess {
   private final Map<Long, Integer> loaders = new HashMap<>();
 
   private final Queue<Handle> released = new ConcurrentLinkedQueue<>();
-
-  private static final ExecutorService STARTER =
-      Executors.newSingleThreadExecutor(
-          task -> {
-            Thread thread = new Thread(task, "starts processes of forces");
-            thread.setDaemon(true);
-            return thread;
-          });
 
   /**
    * Starts a process behind the wall of this machine.
@@ -75,7 +76,6 @@ final class RelayProcess {
     in = new DataInputStream(new BufferedInputStream(process.getInputStream()));
   }
 
-  /** What is behind the wall ends with the thread that has started it, so a lasting one does. */
   private static Process started(ProcessBuilder command) throws IOException {
     try {
       return STARTER.submit(command::start).get();

@@ -148,7 +148,8 @@ class TablesRunTest {
             .simulate();
     assertThat(rows.column("j.v")).isEqualTo(inline.column("j.v"));
     Files.writeString(folder.resolve("engine.csv"), "x;0;1\n0;0;3\n1;1\n");
-    assertThatThrownBy(() -> MechModel.read(model)).hasMessageContaining("has 2 cells between semicolons, and the first row has 3");
+    assertThatThrownBy(() -> MechModel.read(model))
+        .hasMessageContaining("has 2 cells between semicolons, and the first row has 3");
     Files.writeString(folder.resolve("engine.csv"), "x;0;1\n0;0;3\n");
     assertThatThrownBy(() -> MechModel.read(model)).hasMessageContaining("a map has a first row");
     assertSaid(map.formatted("file='engine.csv'"), "f2(t,0)", "its file was not read");

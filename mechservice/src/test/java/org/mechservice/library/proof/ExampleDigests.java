@@ -35,9 +35,9 @@ import org.mechservice.solver.api.run.RunSettings;
  *       run: its name, the SHA-256 of its rows, the tolerance of each column, and some of its rows.
  *       {@code ExampleDigests FOLDER FILE BEFORE} ends each scene where the other file ends it.
  *   <li>{@code ExampleDigests FOLDER FILE BEFORE AFTER PART} runs again, with a part of their
- *       tolerances, the runs that differ in two such files. What a tenth of them changes is how far
- *       the tolerances determine a result; what 0.999 of them changes is what other steps of the
- *       same size do to it.
+ *       tolerances, the runs that differ in two such files. A tenth of them shows how far the
+ *       tolerances determine a result; 0.999 of them shows what other steps of the same size do to
+ *       it.
  *   <li>{@code ExampleDigests BEFORE AFTER} compares two files and prints the runs that differ,
  *       with the largest difference of a value of their last row in tolerances: the relative one
  *       times the largest value of the column, and the absolute one. {@code ExampleDigests BEFORE

@@ -13,8 +13,8 @@
  * <p>{@link org.mechservice.solver.expression.Tape} compiles expressions to a list of operations
  * with common subexpressions shared; {@link org.mechservice.solver.expression.TapeEvaluation} runs
  * it and computes values, gradients (reverse mode) and derivatives along a trajectory (forward
- * mode) without allocation. What it must know of a function it asks the catalogue, {@link
- * org.mechservice.solver.symbol.MathFunction}. Source: Griewank and Walther, <i>Evaluating
- * Derivatives</i>, 2008, chapter 3.
+ * mode) without allocation. The functions, with their values and derivatives, are those of the
+ * catalogue {@link org.mechservice.solver.symbol.MathFunction}. Source: Griewank and Walther,
+ * <i>Evaluating Derivatives</i>, 2008, chapter 3.
  */
 package org.mechservice.solver.expression;

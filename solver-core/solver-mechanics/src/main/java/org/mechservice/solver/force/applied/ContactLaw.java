@@ -7,8 +7,6 @@ import org.mechservice.solver.expression.Expression.Argument;
 import org.mechservice.solver.expression.Expression.ParameterValue;
 import org.mechservice.solver.force.law.ClosestPoint;
 import org.mechservice.solver.force.law.PairLaw;
-import org.mechservice.solver.force.law.PrintedLaw;
-import org.mechservice.solver.force.law.printed.PrintedLaws;
 import org.mechservice.solver.mechanism.force.Contact;
 
 /** The law of a contact at the closest point of each of its curves, summed up. */
@@ -47,11 +45,9 @@ public final class ContactLaw implements FrameLaw {
   @Override
   public boolean parameters(double[] values, AppliedForce force) {
     for (Touch touch : touches) {
-      if (!coefficients.update(values, touch.c, force)) {
+      if (!touch.law.update(coefficients, values, force)) {
         return false;
       }
-      touch.law = touch.c[touch.smoothing] > 0 ? touch.smooth : touch.hard;
-      touch.law.settle(touch.c, touch.c);
       touch.point.parameters(values);
     }
     return true;
@@ -66,8 +62,8 @@ public final class ContactLaw implements FrameLaw {
         return force.notFinite(
             "height of the profile, or its slope, at x = " + x[0] + " m", Double.NaN);
       }
-      touch.point.curve(touch.c, PairLaw.FOOT);
-      touch.law.load(x, touch.c, touch.load);
+      touch.point.curve(touch.law.coefficients(), PairLaw.FOOT);
+      touch.law.load(x, touch.load);
       for (int i = 0; i < w.length; i++) {
         w[i] += touch.load[i];
       }
@@ -78,7 +74,7 @@ public final class ContactLaw implements FrameLaw {
   @Override
   public void slopes(FrameMotion motion, double[] by) {
     for (Touch touch : touches) {
-      touch.law.slopes(x, touch.c, touch.slopes);
+      touch.law.slopes(x, touch.slopes);
       for (int i = 0; i < by.length; i++) {
         by[i] += touch.slopes[i];
       }
@@ -88,7 +84,7 @@ public final class ContactLaw implements FrameLaw {
   private double sum(int result) {
     double sum = 0;
     for (Touch touch : touches) {
-      touch.law.results(x, touch.c, touch.results);
+      touch.law.results(x, touch.results);
       sum += touch.results[result];
     }
     return sum;
@@ -119,22 +115,14 @@ public final class ContactLaw implements FrameLaw {
   /** The contact at one curve. */
   private static final class Touch {
     final ClosestPoint point;
-    final PrintedLaw hard;
-    final PrintedLaw smooth;
-    final int smoothing;
-    PrintedLaw law;
-    final double[] c;
+    final SettledLaw law;
     final double[] load = new double[PairLaw.DIRECTION + 1];
     final double[] slopes = new double[72];
     final double[] results = new double[PairLaw.VALUES + VALUES];
 
     Touch(PairLaw law, ClosestPoint point) {
       this.point = point;
-      hard = PrintedLaws.of(law, false);
-      smooth = PrintedLaws.of(law, true);
-      smoothing = law.smoothing();
-      this.law = hard;
-      c = new double[Math.max(hard.size(), smooth.size())];
+      this.law = SettledLaw.of(law);
     }
   }
 }

@@ -2,19 +2,14 @@ package org.mechservice.solver.force.applied;
 
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.force.law.PairLaw;
-import org.mechservice.solver.force.law.PrintedLaw;
-import org.mechservice.solver.force.law.printed.PrintedLaws;
 import org.mechservice.solver.mechanism.force.ForceElement;
 
 /** A law of the catalogue between two frames. */
 public final class PrintedFrameLaw implements FrameLaw {
   private final PairLaw law;
-  private final PrintedLaw plain;
-  private final PrintedLaw smooth;
-  private PrintedLaw printed;
+  private final SettledLaw settled;
   private final Coefficients coefficients;
   private double[] x = {};
-  private final double[] c;
   private final double[] load = new double[PairLaw.DIRECTION + 1];
   private final double[] results;
 
@@ -24,26 +19,20 @@ public final class PrintedFrameLaw implements FrameLaw {
    */
   public PrintedFrameLaw(ForceElement element, PairLaw law, int valueCount) {
     this.law = law;
-    plain = PrintedLaws.of(law, false);
-    smooth = PrintedLaws.of(law, true);
-    printed = plain;
+    settled = SettledLaw.of(law);
     coefficients = new Coefficients(element);
-    c = new double[Math.max(plain.size(), smooth.size())];
     results = new double[PairLaw.VALUES + valueCount];
   }
 
   @Override
   public boolean parameters(double[] values, AppliedForce force) {
-    boolean usable = coefficients.update(values, c, force);
-    printed = law.smoothing() >= 0 && c[law.smoothing()] > 0 ? smooth : plain;
-    printed.settle(c, c);
-    return usable;
+    return settled.update(coefficients, values, force);
   }
 
   @Override
   public boolean wrench(FrameMotion motion, double[] w, AppliedForce force) {
     x = motion.x;
-    printed.load(x, c, load);
+    settled.load(x, load);
     if (load[PairLaw.DIRECTION] <= 0) {
       results();
       return force.fail(
@@ -57,11 +46,11 @@ public final class PrintedFrameLaw implements FrameLaw {
 
   @Override
   public void slopes(FrameMotion motion, double[] by) {
-    printed.slopes(x, c, by);
+    settled.slopes(x, by);
   }
 
   private void results() {
-    printed.results(x, c, results);
+    settled.results(x, results);
   }
 
   @Override
