@@ -64,7 +64,7 @@ final class ExampleDigests {
 
   /** Reads a model; the classes of the examples are our own. */
   private static MechModel read(Path file) throws IOException, MechmlException {
-    return MechModel.read(file, UserCode.in(file.toAbsolutePath().getParent()).unconfined());
+    return MechModel.read(file, UserCode.in(file.resolveSibling("").toAbsolutePath()).unconfined());
   }
 
   /** One run: what its line says. */
