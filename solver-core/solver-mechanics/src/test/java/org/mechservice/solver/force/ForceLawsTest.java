@@ -35,7 +35,7 @@ class ForceLawsTest {
   }
 
   /**
-   * Bound 1e-9 of the largest entry: Richardson differences of second order with step 2e-3 leave
+   * Bound 1e-9 of the largest entry: Richardson differences of second order with step 1e-3 leave
    * 1e-11, user forces without derivatives are themselves differences, good to 1e-8.
    */
   @MethodSource("kindsAndSeeds")

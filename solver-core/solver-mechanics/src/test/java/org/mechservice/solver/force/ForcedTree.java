@@ -9,7 +9,7 @@ import org.mechservice.solver.mechanism.Mechanism;
 
 /** A mechanism with forces in a seeded state, and differences of what it does. */
 public final class ForcedTree {
-  private static final double STEP = 2e-3;
+  private static final double STEP = 1e-3;
 
   final Mechanism mechanism;
   public final TreeGeometry geometry;

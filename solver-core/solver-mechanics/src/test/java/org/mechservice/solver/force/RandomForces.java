@@ -69,7 +69,8 @@ public final class RandomForces {
     COUPLING_SPRING,
     PAIR_FORCE,
     RELATIVE_WRENCH,
-    LAW
+    LAW,
+    CONTACT_TRACKS
   }
 
   private final Random random;
@@ -138,8 +139,9 @@ public final class RandomForces {
       case FORCE_TORQUE_WORLD -> wrench(name, ForceTorque.Axes.WORLD);
       case FORCE_TORQUE_BODY -> wrench(name, ForceTorque.Axes.BODY);
       case JOINT_FORCE -> new JointForce(name, pick(velocities), formula(3), Origin.NONE);
-      case CONTACT_PLANE -> contact(name, Expression.ZERO, 1.5);
-      case CONTACT_PROFILE -> contact(name, hills(), 1 + random.nextInt(2));
+      case CONTACT_PLANE -> contact(name, Expression.ZERO, List.of(), 1.5);
+      case CONTACT_PROFILE -> contact(name, hills(), List.of(), 1 + random.nextInt(2));
+      case CONTACT_TRACKS -> contact(name, Expression.ZERO, tracks(), 1 + random.nextInt(2));
       case FRICTION -> friction(name, pick(velocities));
       case USER_WITH_DIFFERENCES -> user(name, "differences");
       case USER_WITH_DERIVATIVES -> user(name, "derivatives");
@@ -248,14 +250,21 @@ public final class RandomForces {
     return new Product(Expression.of(0.1), wave);
   }
 
-  private Contact contact(String name, Expression height, double exponent) {
+  /** Two curves that the centre of a sphere may touch at once. */
+  private static List<Expression> tracks() {
+    Expression incline = new Product(Expression.of(0.3), new Argument());
+    return List.of(hills(), new Sum(Expression.of(0.1), incline));
+  }
+
+  private Contact contact(
+      String name, Expression height, List<Expression> tracks, double exponent) {
     return new Contact(
         name,
         point(),
         Expression.of(0.3),
         frame(),
         height,
-        List.of(),
+        tracks,
         positive(),
         positive(),
         Expression.of(random.nextDouble()),
