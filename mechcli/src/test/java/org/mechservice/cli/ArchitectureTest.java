@@ -44,6 +44,8 @@ class ArchitectureTest {
               List.of(
                   "solver.mechanism",
                   "solver.kinematics",
+                  "solver.links",
+                  "solver.step",
                   "solver.force",
                   "solver.dynamics",
                   "solver.closure")),

@@ -6,16 +6,16 @@ import java.util.function.ToIntFunction;
 import org.mechservice.sim.equations.force.AppliedForces;
 import org.mechservice.sim.equations.kinematics.Coordinates;
 import org.mechservice.sim.equations.kinematics.PositionRates;
-import org.mechservice.sim.equations.links.DegreeOfFreedom;
-import org.mechservice.sim.equations.links.Link;
-import org.mechservice.sim.equations.links.Links;
-import org.mechservice.sim.equations.links.Wrench;
 import org.mechservice.sim.equations.recursion.AccelerationSweep;
 import org.mechservice.sim.equations.recursion.CarriedEquations;
 import org.mechservice.sim.equations.recursion.ForceSweep;
 import org.mechservice.sim.equations.recursion.InertiaSweep;
 import org.mechservice.sim.equations.recursion.JointForces;
 import org.mechservice.sim.equations.recursion.Loads;
+import org.mechservice.solver.links.Link;
+import org.mechservice.solver.links.Links;
+import org.mechservice.solver.step.DegreeOfFreedom;
+import org.mechservice.solver.step.Wrench;
 import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.Program;
 import org.mechservice.solver.symbol.Scalar;
@@ -152,7 +152,9 @@ public final class ArticulatedBodyEquations {
     List<Scalar> drivingForces(int i) {
       Link link = mechanism.links().get(i);
       List<Scalar> forces =
-          DegreeOfFreedom.of(link).stream().map(freedom -> drivingForce(i, freedom)).toList();
+          coordinates.step(link).freedoms().stream()
+              .map(freedom -> drivingForce(i, freedom))
+              .toList();
       return link.isBall()
           ? coordinates
               .ballToState(link, new ScalarVector(forces.get(0), forces.get(1), forces.get(2)))

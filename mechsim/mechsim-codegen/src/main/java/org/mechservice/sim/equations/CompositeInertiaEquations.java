@@ -7,17 +7,17 @@ import org.mechservice.sim.equations.force.AppliedForces;
 import org.mechservice.sim.equations.kinematics.Coordinates;
 import org.mechservice.sim.equations.kinematics.JointOutputs;
 import org.mechservice.sim.equations.kinematics.PositionRates;
-import org.mechservice.sim.equations.links.DegreeOfFreedom;
-import org.mechservice.sim.equations.links.Link;
-import org.mechservice.sim.equations.links.Links;
-import org.mechservice.sim.equations.links.Wrench;
-import org.mechservice.sim.equations.recursion.ArticulatedInertia;
 import org.mechservice.sim.equations.recursion.ForceSweep;
 import org.mechservice.sim.equations.recursion.JointSweep;
 import org.mechservice.sim.equations.recursion.Loads;
 import org.mechservice.sim.equations.recursion.ParentTransform;
 import org.mechservice.sim.equations.recursion.Pivots;
 import org.mechservice.sim.equations.recursion.TreeFactors;
+import org.mechservice.solver.links.Link;
+import org.mechservice.solver.links.Links;
+import org.mechservice.solver.step.ArticulatedInertia;
+import org.mechservice.solver.step.DegreeOfFreedom;
+import org.mechservice.solver.step.Wrench;
 import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.Program;
 import org.mechservice.solver.symbol.Scalar;
@@ -52,7 +52,7 @@ public final class CompositeInertiaEquations {
     for (int i = 0; i < links.size(); i++) {
       if (!links.get(i).isDriven()) {
         // the last is eliminated first
-        List<DegreeOfFreedom> freedoms = DegreeOfFreedom.of(links.get(i));
+        List<DegreeOfFreedom> freedoms = DegreeOfFreedom.of(expressions, links.get(i));
         for (int f = freedoms.size() - 1; f >= 0; f--) {
           velocities.add(new Velocity(i, freedoms.get(f)));
         }
@@ -123,7 +123,7 @@ public final class CompositeInertiaEquations {
   private ArticulatedInertia[] composites() {
     ArticulatedInertia[] composites = new ArticulatedInertia[links.size()];
     for (int i = 0; i < composites.length; i++) {
-      composites[i] = ArticulatedInertia.of(expressions, links.get(i));
+      composites[i] = coordinates.step(links.get(i)).inertia();
     }
     for (int i = composites.length - 1; i >= 0; i--) {
       Link link = links.get(i);

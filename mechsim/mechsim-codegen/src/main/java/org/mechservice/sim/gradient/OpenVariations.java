@@ -2,7 +2,7 @@ package org.mechservice.sim.gradient;
 
 import java.util.List;
 import org.mechservice.sim.equations.ArticulatedBodyEquations;
-import org.mechservice.sim.equations.links.Links;
+import org.mechservice.solver.links.Links;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.symbol.Program;
 

@@ -4,9 +4,9 @@ import java.util.List;
 import java.util.Set;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.emit.TermsClass;
-import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.sim.scene.GenerationLimits;
+import org.mechservice.solver.links.Links;
 import org.mechservice.solver.symbol.Program;
 
 /**

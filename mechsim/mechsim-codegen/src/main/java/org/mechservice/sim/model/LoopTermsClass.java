@@ -10,7 +10,6 @@ import org.mechservice.sim.equations.EnergyEquations;
 import org.mechservice.sim.equations.PoseEquations;
 import org.mechservice.sim.equations.PowerEquations;
 import org.mechservice.sim.equations.derivatives.ResidualDerivatives;
-import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.equations.loop.LoopCode;
 import org.mechservice.sim.equations.loop.LoopRecursion;
 import org.mechservice.sim.scene.FormulationChoice;
@@ -20,6 +19,7 @@ import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.closure.equations.LoopEquations;
 import org.mechservice.solver.closure.equations.UnwrappedAngles;
 import org.mechservice.solver.kinematics.TreeGeometry;
+import org.mechservice.solver.links.Links;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.symbol.Program;
 

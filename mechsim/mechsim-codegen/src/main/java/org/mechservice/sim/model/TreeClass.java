@@ -11,13 +11,13 @@ import org.mechservice.sim.equations.PoseEquations;
 import org.mechservice.sim.equations.PowerEquations;
 import org.mechservice.sim.equations.RecursiveResidualEquations;
 import org.mechservice.sim.equations.derivatives.ResidualDerivatives;
-import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.solver.api.ModelDescription;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.result.Variable;
 import org.mechservice.solver.catalogue.Formulation;
 import org.mechservice.solver.force.formula.ForceFormulas;
+import org.mechservice.solver.links.Links;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.symbol.Program;
 

@@ -23,7 +23,6 @@ import org.mechservice.mechml.SimulationSettings;
 import org.mechservice.sim.check.CheckReport;
 import org.mechservice.sim.emit.bytes.MethodSizes;
 import org.mechservice.sim.equations.CompositeInertiaEquations;
-import org.mechservice.sim.equations.links.Links;
 import org.mechservice.solver.api.Model;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.capability.ModelParts;
@@ -33,6 +32,7 @@ import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.dynamics.RecursiveResidualModel;
 import org.mechservice.solver.dynamics.SemiRecursiveModel;
 import org.mechservice.solver.force.user.UserForceSource;
+import org.mechservice.solver.links.Links;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /** The formulations DSR and RR of open chains in generated code, against those driven by data. */

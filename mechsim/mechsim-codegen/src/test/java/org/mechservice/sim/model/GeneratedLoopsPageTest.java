@@ -20,12 +20,12 @@ import org.mechservice.mechml.MechmlModel;
 import org.mechservice.mechml.diagnosis.MechmlException;
 import org.mechservice.mechml.resolve.MechmlReader;
 import org.mechservice.sim.equations.derivatives.ResidualDerivatives;
-import org.mechservice.sim.equations.links.Links;
 import org.mechservice.solver.api.capability.DependentStates;
 import org.mechservice.solver.api.capability.Energies;
 import org.mechservice.solver.api.capability.ExplicitModel;
 import org.mechservice.solver.api.capability.LinearisedModel;
 import org.mechservice.solver.api.capability.ModelParts;
+import org.mechservice.solver.links.Links;
 
 /** Agreement and speed of code for loops; the soak run writes them to a page of docs/reports. */
 @Tag("soak")

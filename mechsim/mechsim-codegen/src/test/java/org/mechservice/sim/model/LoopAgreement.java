@@ -13,7 +13,6 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Named;
 import org.mechservice.mechml.MechmlModel;
 import org.mechservice.sim.emit.TermsClass;
-import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.scene.FormulationChoice;
 import org.mechservice.solver.api.capability.Energies;
 import org.mechservice.solver.api.capability.ExplicitModel;
@@ -24,6 +23,7 @@ import org.mechservice.solver.api.capability.ResidualModel;
 import org.mechservice.solver.api.result.ColumnGroup;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.closure.ClosedMechanism;
+import org.mechservice.solver.links.Links;
 import org.mechservice.solver.mechanism.Mechanism;
 
 /**

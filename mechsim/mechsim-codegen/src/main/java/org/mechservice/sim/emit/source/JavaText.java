@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Set;
 import javax.lang.model.SourceVersion;
 import org.mechservice.sim.emit.method.TextPieces;
-import org.mechservice.sim.equations.links.Labels;
+import org.mechservice.solver.links.Labels;
 
 /**
  * Text from model files inside Java source. Names are untrusted input: any name stays text inside a

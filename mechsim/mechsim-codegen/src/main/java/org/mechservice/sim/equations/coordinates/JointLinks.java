@@ -2,11 +2,11 @@ package org.mechservice.sim.equations.coordinates;
 
 import java.util.List;
 import org.mechservice.sim.equations.kinematics.Coordinates;
-import org.mechservice.sim.equations.links.Link;
-import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.equations.recursion.Loads;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.expression.JointCoordinate;
+import org.mechservice.solver.links.Link;
+import org.mechservice.solver.links.Links;
 import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.Scalar;
 import org.mechservice.solver.symbol.ScalarVector;

@@ -2,9 +2,9 @@ package org.mechservice.sim.equations.coordinates;
 
 import org.mechservice.sim.equations.kinematics.BodyPoints;
 import org.mechservice.sim.equations.kinematics.LinkKinematics;
-import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.equations.recursion.Loads;
 import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.links.Links;
 import org.mechservice.solver.symbol.Scalar;
 import org.mechservice.solver.symbol.ScalarVector;
 

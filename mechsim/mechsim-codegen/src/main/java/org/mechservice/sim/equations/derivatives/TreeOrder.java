@@ -4,10 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import org.mechservice.sim.equations.links.DegreeOfFreedom;
-import org.mechservice.sim.equations.links.Link;
-import org.mechservice.sim.equations.links.Links;
 import org.mechservice.solver.dynamics.tree.TreePattern;
+import org.mechservice.solver.links.Link;
+import org.mechservice.solver.links.Links;
 
 /** The velocities of the state from the root outwards: the places of a {@link TreePattern}. */
 final class TreeOrder {
@@ -34,7 +33,7 @@ final class TreeOrder {
       Link link = links.get(i);
       int above = link.parent() == Links.ROOT ? NONE : last[link.parent()];
       firstOf[i] = places.size();
-      int count = link.isDriven() ? 0 : DegreeOfFreedom.of(link).size();
+      int count = link.isDriven() ? 0 : link.kind().velocityCount();
       for (int c = 0; c < count; c++) {
         int velocity = link.velocity() + c - mechanism.positionCount();
         places.add(new Place(i, c, velocity, c == 0 ? above : places.size() - 1));

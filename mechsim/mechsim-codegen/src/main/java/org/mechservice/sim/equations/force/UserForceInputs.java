@@ -2,11 +2,11 @@ package org.mechservice.sim.equations.force;
 
 import org.mechservice.sim.equations.coordinates.JointLinks;
 import org.mechservice.sim.equations.kinematics.BodyPoints;
-import org.mechservice.sim.equations.links.Links;
 import org.mechservice.sim.equations.recursion.Loads;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.JointCoordinate;
 import org.mechservice.solver.kinematics.TreeGeometry;
+import org.mechservice.solver.links.Links;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 import org.mechservice.solver.symbol.Expressions;

@@ -1,10 +1,10 @@
 package org.mechservice.sim.equations.kinematics;
 
-import org.mechservice.sim.equations.links.Axes;
-import org.mechservice.sim.equations.links.BodyPlacement;
-import org.mechservice.sim.equations.links.ComputingAxes;
-import org.mechservice.sim.equations.links.Links;
 import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.links.Axes;
+import org.mechservice.solver.links.BodyPlacement;
+import org.mechservice.solver.links.ComputingAxes;
+import org.mechservice.solver.links.Links;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 import org.mechservice.solver.symbol.Expressions;

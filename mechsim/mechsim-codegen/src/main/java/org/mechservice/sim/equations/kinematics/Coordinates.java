@@ -1,12 +1,16 @@
 package org.mechservice.sim.equations.kinematics;
 
-import java.util.HashMap;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
-import org.mechservice.sim.equations.links.Labels;
-import org.mechservice.sim.equations.links.Link;
-import org.mechservice.sim.equations.links.Links;
+import org.mechservice.solver.links.Labels;
+import org.mechservice.solver.links.Link;
+import org.mechservice.solver.links.Links;
 import org.mechservice.solver.mechanism.Parameter;
+import org.mechservice.solver.step.EulerParameterTerms;
+import org.mechservice.solver.step.JointTerms;
+import org.mechservice.solver.step.LinkNumbers;
+import org.mechservice.solver.step.LinkStep;
 import org.mechservice.solver.symbol.Differentiation;
 import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.Program;
@@ -22,7 +26,8 @@ public final class Coordinates {
   private final Expressions expressions;
   private final TimeFunctions functions;
   private final Differentiation byTime;
-  private final Map<Link, ScalarMatrix> rotations = new HashMap<>();
+  private final Map<Link, ScalarMatrix> rotations = new IdentityHashMap<>();
+  private final Map<Link, LinkStep> steps = new IdentityHashMap<>();
   private final int derivative;
 
   /** Creates coordinates with zero joint accelerations, except those of driven joints. */
@@ -166,6 +171,66 @@ public final class Coordinates {
     return known;
   }
 
+  /** Returns the step from a link's parent to the link and back. */
+  public LinkStep step(Link link) {
+    return steps.computeIfAbsent(
+        link, key -> new LinkStep(expressions, LinkNumbers.of(expressions, key), new Terms(key)));
+  }
+
+  /** The coordinates of a link's joint. */
+  private final class Terms implements JointTerms {
+    private final Link link;
+
+    Terms(Link link) {
+      this.link = link;
+    }
+
+    @Override
+    public Scalar cosine() {
+      return Coordinates.this.cosine(link);
+    }
+
+    @Override
+    public Scalar sine() {
+      return Coordinates.this.sine(link);
+    }
+
+    @Override
+    public Scalar way() {
+      return Coordinates.this.way(link);
+    }
+
+    @Override
+    public Scalar wayRate() {
+      return Coordinates.this.wayRate(link);
+    }
+
+    @Override
+    public Scalar velocity() {
+      return Coordinates.this.velocity(link);
+    }
+
+    @Override
+    public Scalar knownAcceleration() {
+      return Coordinates.this.knownAcceleration(link);
+    }
+
+    @Override
+    public ScalarMatrix ballRotation() {
+      return Coordinates.this.ballRotation(link);
+    }
+
+    @Override
+    public ScalarVector ballVelocity() {
+      return Coordinates.this.ballVelocity(link);
+    }
+
+    @Override
+    public ScalarVector knownBallAcceleration() {
+      return Coordinates.this.knownBallAcceleration(link);
+    }
+  }
+
   /**
    * Converts rates or moments of a ball to the form of the state: those of the file's body 2
    * relative to its body 1, in the axes of body 1.
@@ -173,6 +238,6 @@ public final class Coordinates {
    * @param inLink in link axes, of the link relative to its parent
    */
   public ScalarVector ballToState(Link link, ScalarVector inLink) {
-    return link.inverse() ? inLink.map(Scalar::negated) : ballRotation(link).times(inLink);
+    return step(link).ballToState(inLink);
   }
 }

@@ -1,7 +1,7 @@
 package org.mechservice.sim.equations.kinematics;
 
-import org.mechservice.sim.equations.links.Link;
-import org.mechservice.sim.equations.links.Links;
+import org.mechservice.solver.links.Link;
+import org.mechservice.solver.links.Links;
 import org.mechservice.solver.symbol.Program;
 import org.mechservice.solver.symbol.ScalarVector;
 

@@ -2,8 +2,8 @@ package org.mechservice.sim.equations.kinematics;
 
 import java.util.List;
 import java.util.stream.IntStream;
-import org.mechservice.sim.equations.links.Link;
-import org.mechservice.sim.equations.links.Twist;
+import org.mechservice.solver.links.Link;
+import org.mechservice.solver.step.Twist;
 import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.Scalar;
 import org.mechservice.solver.symbol.ScalarMatrix;

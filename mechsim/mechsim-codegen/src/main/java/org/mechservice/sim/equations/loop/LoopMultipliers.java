@@ -5,13 +5,14 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.NavigableMap;
 import java.util.TreeMap;
-import org.mechservice.sim.equations.links.DegreeOfFreedom;
-import org.mechservice.sim.equations.links.Link;
-import org.mechservice.sim.equations.links.Links;
-import org.mechservice.sim.equations.links.Wrench;
 import org.mechservice.sim.equations.recursion.CarriedEquations;
 import org.mechservice.sim.equations.recursion.InertiaSweep;
 import org.mechservice.sim.equations.recursion.ParentTransform;
+import org.mechservice.solver.links.Link;
+import org.mechservice.solver.links.Links;
+import org.mechservice.solver.step.DegreeOfFreedom;
+import org.mechservice.solver.step.LinkStep.Elimination;
+import org.mechservice.solver.step.Wrench;
 import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.Program;
 import org.mechservice.solver.symbol.Scalar;
@@ -152,7 +153,7 @@ final class LoopMultipliers implements CarriedEquations {
   }
 
   @Override
-  public void eliminate(int link, DegreeOfFreedom freedom, Wrench share, Elimination of) {
+  public void eliminate(int link, DegreeOfFreedom freedom, Elimination of) {
     NavigableMap<Integer, Scalar> along = new TreeMap<>();
     NavigableMap<Integer, Scalar> pushed = new TreeMap<>();
     carried
@@ -184,7 +185,7 @@ final class LoopMultipliers implements CarriedEquations {
               .get(link)
               .computeIfPresent(
                   place,
-                  (key, k) -> freedom.with(k.minus(times(share, moved)), expressions.zero()));
+                  (key, k) -> freedom.with(k.minus(times(of.share(), moved)), expressions.zero()));
         });
   }
 

@@ -2,14 +2,15 @@ package org.mechservice.sim.equations.recursion;
 
 import java.util.List;
 import org.mechservice.sim.equations.kinematics.Coordinates;
-import org.mechservice.sim.equations.links.DegreeOfFreedom;
-import org.mechservice.sim.equations.links.Link;
-import org.mechservice.sim.equations.links.Links;
-import org.mechservice.sim.equations.links.Wrench;
+import org.mechservice.solver.links.Link;
+import org.mechservice.solver.links.Links;
+import org.mechservice.solver.step.DegreeOfFreedom;
+import org.mechservice.solver.step.LinkStep;
+import org.mechservice.solver.step.LinkStep.Added;
+import org.mechservice.solver.step.Wrench;
 import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.Program;
 import org.mechservice.solver.symbol.Scalar;
-import org.mechservice.solver.symbol.ScalarMatrix;
 import org.mechservice.solver.symbol.ScalarVector;
 
 /**
@@ -18,9 +19,6 @@ import org.mechservice.solver.symbol.ScalarVector;
  * 2008, §7.2).
  */
 public final class AccelerationSweep {
-  /** Angular and linear acceleration of a computing frame due to joint accelerations. */
-  private record Added(ScalarVector alpha, ScalarVector acceleration) {}
-
   private final Program program;
   private final Expressions expressions;
   private final List<Link> links;
@@ -82,7 +80,7 @@ public final class AccelerationSweep {
       program.section(
           "Sweep 3, outwards: " + link.title() + ".\nq'' = u / D - k.A, A = X' A_p + q'' z",
           link.bodyLabel());
-      added[i] = fromParent(link);
+      added[i] = coordinates.step(link).fromParent(ofParent(link));
       if (!link.isDriven()) {
         accelerate(i, link);
       }
@@ -93,18 +91,16 @@ public final class AccelerationSweep {
   }
 
   private void accelerate(int i, Link link) {
-    List<DegreeOfFreedom> freedoms = DegreeOfFreedom.of(link);
+    List<DegreeOfFreedom> freedoms = coordinates.step(link).freedoms();
     Scalar[] rates = new Scalar[freedoms.size()];
     // degrees of freedom are solved for in reverse order of elimination
     for (int k = rates.length - 1; k >= 0; k--) {
       Wrench share = inertias.shares(i).get(k);
-      Scalar taken =
-          share.moment().dot(added[i].alpha()).plus(share.force().dot(added[i].acceleration()));
-      rates[k] = carried.push(i, k, inertias.atRest(i).get(k).minus(taken));
+      rates[k] = carried.push(i, k, LinkStep.rate(inertias.atRest(i).get(k), share, added[i]));
       if (rates.length == 1) {
         program.named("qdd_" + link.jointLabel(), rates[k]);
       }
-      added[i] = after(freedoms.get(k), added[i], rates[k]);
+      added[i] = LinkStep.after(freedoms.get(k), added[i], rates[k]);
     }
     if (!putOut) {
       return;
@@ -125,45 +121,8 @@ public final class AccelerationSweep {
     }
   }
 
-  private Added fromParent(Link link) {
-    if (link.parent() == Links.ROOT) {
-      ScalarVector none = ScalarVector.zero(expressions);
-      return new Added(none, none);
-    }
-    Added parent = added[link.parent()];
-    ScalarVector offset = ScalarVector.of(expressions, link.offset());
-    ScalarVector atJoint = parent.acceleration().plus(parent.alpha().cross(offset));
-    ScalarVector alpha = link.axes().toChild(parent.alpha());
-    ScalarVector acceleration = link.axes().toChild(atJoint);
-    if (link.isBall()) {
-      ScalarMatrix toChild = coordinates.ballRotation(link).transposed();
-      return new Added(toChild.times(alpha), toChild.times(acceleration));
-    }
-    if (link.slides()) {
-      Scalar zero = expressions.zero();
-      ScalarVector way = new ScalarVector(zero, zero, coordinates.way(link));
-      acceleration = acceleration.plus(alpha.cross(way));
-    }
-    if (link.turns()) {
-      Scalar cosine = coordinates.cosine(link);
-      Scalar back = coordinates.sine(link).negated();
-      alpha = alpha.turned(2, cosine, back);
-      acceleration = acceleration.turned(2, cosine, back);
-    }
-    return new Added(alpha, acceleration);
-  }
-
-  private static Added after(DegreeOfFreedom freedom, Added before, Scalar rate) {
-    ScalarVector alpha = before.alpha();
-    ScalarVector acceleration = before.acceleration();
-    int axis = freedom.axis();
-    if (freedom.turns()) {
-      alpha = freedom.replaced(alpha, alpha.at(axis).plus(rate));
-    }
-    if (freedom.way() != 0) {
-      Scalar moved = acceleration.at(axis).plus(rate.times(freedom.way()));
-      acceleration = freedom.replaced(acceleration, moved);
-    }
-    return new Added(alpha, acceleration);
+  private Added ofParent(Link link) {
+    ScalarVector none = ScalarVector.zero(expressions);
+    return link.parent() == Links.ROOT ? new Added(none, none) : added[link.parent()];
   }
 }

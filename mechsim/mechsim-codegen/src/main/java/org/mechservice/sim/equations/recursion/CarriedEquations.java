@@ -1,8 +1,8 @@
 package org.mechservice.sim.equations.recursion;
 
-import org.mechservice.sim.equations.links.DegreeOfFreedom;
-import org.mechservice.sim.equations.links.Link;
-import org.mechservice.sim.equations.links.Wrench;
+import org.mechservice.solver.links.Link;
+import org.mechservice.solver.step.DegreeOfFreedom;
+import org.mechservice.solver.step.LinkStep.Elimination;
 import org.mechservice.solver.symbol.Scalar;
 import org.mechservice.solver.symbol.ScalarVector;
 
@@ -18,7 +18,7 @@ public interface CarriedEquations {
         public void enter(int link, InertiaSweep sweep) {}
 
         @Override
-        public void eliminate(int link, DegreeOfFreedom freedom, Wrench share, Elimination of) {}
+        public void eliminate(int link, DegreeOfFreedom freedom, Elimination of) {}
 
         @Override
         public void pass(int index, Link link) {}
@@ -35,23 +35,11 @@ public interface CarriedEquations {
         public void moved(int link, ScalarVector alpha, ScalarVector acceleration) {}
       };
 
-  /**
-   * The elimination of a degree of freedom.
-   *
-   * @param reciprocal 1 / D
-   * @param rate u / D
-   */
-  record Elimination(Scalar reciprocal, Scalar rate) {}
-
   /** Eliminates the equations whose ways meet in a link, before its joint is eliminated. */
   void enter(int link, InertiaSweep sweep);
 
-  /**
-   * Takes the elimination of a degree of freedom into account.
-   *
-   * @param share U / D
-   */
-  void eliminate(int link, DegreeOfFreedom freedom, Wrench share, Elimination of);
+  /** Takes the elimination of a degree of freedom into account. */
+  void eliminate(int link, DegreeOfFreedom freedom, Elimination of);
 
   /** Carries the equations from a link to its parent, which is not the root. */
   void pass(int index, Link link);

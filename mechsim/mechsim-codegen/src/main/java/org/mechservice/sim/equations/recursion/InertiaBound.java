@@ -2,9 +2,9 @@ package org.mechservice.sim.equations.recursion;
 
 import java.util.List;
 import java.util.function.Function;
-import org.mechservice.sim.equations.links.Link;
-import org.mechservice.sim.equations.links.Links;
 import org.mechservice.solver.kinematics.LinkKind;
+import org.mechservice.solver.links.Link;
+import org.mechservice.solver.links.Links;
 import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.Scalar;
 

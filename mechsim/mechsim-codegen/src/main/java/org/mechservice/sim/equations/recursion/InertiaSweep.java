@@ -3,10 +3,13 @@ package org.mechservice.sim.equations.recursion;
 import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.sim.equations.kinematics.Coordinates;
-import org.mechservice.sim.equations.links.DegreeOfFreedom;
-import org.mechservice.sim.equations.links.Link;
-import org.mechservice.sim.equations.links.Links;
-import org.mechservice.sim.equations.links.Wrench;
+import org.mechservice.solver.links.Link;
+import org.mechservice.solver.links.Links;
+import org.mechservice.solver.step.ArticulatedInertia;
+import org.mechservice.solver.step.DegreeOfFreedom;
+import org.mechservice.solver.step.LinkStep;
+import org.mechservice.solver.step.LinkStep.Elimination;
+import org.mechservice.solver.step.Wrench;
 import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.Program;
 import org.mechservice.solver.symbol.Scalar;
@@ -25,7 +28,7 @@ public final class InertiaSweep {
   private final Expressions expressions;
   private final List<Link> links;
   private final JointForces jointForces;
-  private final ParentTransform toParent;
+  private final Coordinates coordinates;
   private final Pivots pivots;
   private final CarriedEquations carried;
   private final ArticulatedInertia[] inertias;
@@ -51,7 +54,7 @@ public final class InertiaSweep {
     this.expressions = program.expressions();
     this.links = mechanism.links();
     this.jointForces = jointForces;
-    this.toParent = new ParentTransform(expressions, coordinates);
+    this.coordinates = coordinates;
     this.pivots = new Pivots(program, links, coordinates, checked);
     this.inertias = new ArticulatedInertia[links.size()];
     this.wrenches = wrenches;
@@ -70,7 +73,7 @@ public final class InertiaSweep {
    */
   public boolean sweep() {
     for (int i = 0; i < inertias.length; i++) {
-      inertias[i] = ArticulatedInertia.of(expressions, links.get(i));
+      inertias[i] = coordinates.step(links.get(i)).inertia();
     }
     for (int i = links.size() - 1; i >= 0; i--) {
       if (!inwards(i, links.get(i))) {
@@ -124,7 +127,7 @@ public final class InertiaSweep {
     named(link, inertias[i]);
     carried.enter(i, this);
     if (!link.isDriven()) {
-      List<DegreeOfFreedom> freedoms = DegreeOfFreedom.of(link);
+      List<DegreeOfFreedom> freedoms = coordinates.step(link).freedoms();
       ScalarVector forces = jointForces.of(i);
       for (int k = 0; k < freedoms.size(); k++) {
         DegreeOfFreedom freedom = freedoms.get(k);
@@ -151,25 +154,21 @@ public final class InertiaSweep {
   private boolean eliminate(
       int i, Link link, DegreeOfFreedom freedom, Scalar force, boolean passedOn) {
     String label = link.jointLabel() + (link.isBall() ? "_" + "xyz".charAt(freedom.axis()) : "");
-    Wrench column = inertias[i].along(freedom);
-    Scalar pivot = program.named("D_" + label, freedom.along(column));
-    if (pivots.guarded(i, freedom, pivot)) {
+    Elimination of =
+        coordinates.step(link).eliminate(freedom, inertias[i], wrenches[i], force, passedOn);
+    program.named("D_" + label, of.pivot());
+    if (pivots.guarded(i, freedom, of.pivot())) {
       return false;
     }
-    Scalar reciprocal = program.named("one_over_D_" + label, expressions.one().over(pivot));
-    Wrench share = share(freedom, column, reciprocal, label);
-    Scalar left = force.minus(freedom.along(wrenches[i]));
-    // The reciprocal saves operations if the column is divided too, which is not needed at the
-    // root.
-    Scalar rate =
-        program.named("u_over_D_" + label, passedOn ? left.times(reciprocal) : left.over(pivot));
-    shares.get(i).add(share);
-    atRest.get(i).add(rate);
-    carried.eliminate(i, freedom, share, new CarriedEquations.Elimination(reciprocal, rate));
-    if (passedOn) {
-      wrenches[i] = rest(freedom, wrenches[i], column, rate, force);
-      inertias[i] = inertias[i].projected(freedom, column, share);
-    }
+    program.named("one_over_D_" + label, of.reciprocal());
+    program.named("kn_" + label, of.share().moment());
+    program.named("kf_" + label, of.share().force());
+    program.named("u_over_D_" + label, of.rate());
+    shares.get(i).add(of.share());
+    atRest.get(i).add(of.rate());
+    carried.eliminate(i, freedom, of);
+    wrenches[i] = of.wrench();
+    inertias[i] = of.inertia();
     return true;
   }
 
@@ -179,33 +178,11 @@ public final class InertiaSweep {
     program.named("M_" + link.bodyLabel(), inertia.translational());
   }
 
-  private Wrench share(DegreeOfFreedom freedom, Wrench column, Scalar reciprocal, String label) {
-    Wrench divided =
-        new Wrench(column.moment().times(reciprocal), column.force().times(reciprocal));
-    Wrench share = freedom.with(divided, expressions.one());
-    program.named("kn_" + label, share.moment());
-    program.named("kf_" + label, share.force());
-    return share;
-  }
-
-  /** Returns p + U u / D; its component along a plain degree of freedom is the joint force. */
-  private static Wrench rest(
-      DegreeOfFreedom freedom, Wrench wrench, Wrench column, Scalar rate, Scalar jointForce) {
-    Wrench rest =
-        new Wrench(
-            wrench.moment().plus(column.moment().times(rate)),
-            wrench.force().plus(column.force().times(rate)));
-    return freedom.with(rest, perWay(freedom, jointForce));
-  }
-
-  private static Scalar perWay(DegreeOfFreedom freedom, Scalar jointForce) {
-    return freedom.turns() ? jointForce : jointForce.times(1 / freedom.way());
-  }
-
   /** Adds the inertia and wrench of a link to its parent. */
   private void pass(Link link, ArticulatedInertia inertia, Wrench wrench) {
     int p = link.parent();
-    inertias[p] = inertias[p].plus(toParent.inertia(link, inertia));
-    wrenches[p] = wrenches[p].plus(toParent.wrench(link, wrench));
+    LinkStep step = coordinates.step(link);
+    inertias[p] = inertias[p].plus(step.toParent(inertia));
+    wrenches[p] = wrenches[p].plus(step.toParent(wrench));
   }
 }

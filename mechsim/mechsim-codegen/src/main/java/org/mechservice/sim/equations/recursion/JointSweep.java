@@ -2,10 +2,10 @@ package org.mechservice.sim.equations.recursion;
 
 import java.util.List;
 import org.mechservice.sim.equations.kinematics.Coordinates;
-import org.mechservice.sim.equations.links.DegreeOfFreedom;
-import org.mechservice.sim.equations.links.Link;
-import org.mechservice.sim.equations.links.Links;
-import org.mechservice.sim.equations.links.Wrench;
+import org.mechservice.solver.links.Link;
+import org.mechservice.solver.links.Links;
+import org.mechservice.solver.step.DegreeOfFreedom;
+import org.mechservice.solver.step.Wrench;
 import org.mechservice.solver.symbol.Program;
 import org.mechservice.solver.symbol.Scalar;
 import org.mechservice.solver.symbol.ScalarVector;
@@ -17,12 +17,12 @@ import org.mechservice.solver.symbol.ScalarVector;
 public final class JointSweep {
   private final Program program;
   private final List<Link> links;
-  private final ParentTransform toParent;
+  private final Coordinates coordinates;
 
   public JointSweep(Program program, Links mechanism, Coordinates coordinates) {
     this.program = program;
     this.links = mechanism.links();
-    this.toParent = new ParentTransform(program.expressions(), coordinates);
+    this.coordinates = coordinates;
   }
 
   /**
@@ -39,14 +39,14 @@ public final class JointSweep {
       program.section(
           "Inwards: " + link.title() + ".\ntau = p.z - tau applied, p_p += X p", link.bodyLabel());
       borne[i] = ScalarVector.zero(program.expressions());
-      for (DegreeOfFreedom freedom : DegreeOfFreedom.of(link)) {
+      for (DegreeOfFreedom freedom : coordinates.step(link).freedoms()) {
         Scalar force = freedom.along(wrenches[i]).minus(applied.of(i).at(freedom.axis()));
         borne[i] = freedom.replaced(borne[i], force);
       }
       program.named("tau_" + link.jointLabel(), borne[i]);
       if (link.parent() != Links.ROOT) {
         int p = link.parent();
-        wrenches[p] = wrenches[p].plus(toParent.wrench(link, wrenches[i]));
+        wrenches[p] = wrenches[p].plus(coordinates.step(link).toParent(wrenches[i]));
       }
     }
     return borne;

@@ -1,8 +1,8 @@
 package org.mechservice.sim.equations.recursion;
 
 import java.util.Arrays;
-import org.mechservice.sim.equations.links.Links;
-import org.mechservice.sim.equations.links.Wrench;
+import org.mechservice.solver.links.Links;
+import org.mechservice.solver.step.Wrench;
 import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.Scalar;
 import org.mechservice.solver.symbol.ScalarVector;

@@ -1,8 +1,9 @@
 package org.mechservice.sim.equations.recursion;
 
 import org.mechservice.sim.equations.kinematics.Coordinates;
-import org.mechservice.sim.equations.links.Link;
-import org.mechservice.sim.equations.links.Wrench;
+import org.mechservice.solver.links.Link;
+import org.mechservice.solver.step.ArticulatedInertia;
+import org.mechservice.solver.step.Wrench;
 import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.Scalar;
 import org.mechservice.solver.symbol.ScalarMatrix;
@@ -20,33 +21,12 @@ public final class ParentTransform {
 
   /** Returns an inertia in the parent's computing frame. */
   public ArticulatedInertia inertia(Link link, ArticulatedInertia inertia) {
-    ArticulatedInertia atJoint = inertia;
-    if (link.isBall()) {
-      atJoint = inertia.in(coordinates.ballRotation(link));
-    }
-    if (link.turns()) {
-      atJoint = atJoint.turned(2, coordinates.cosine(link), coordinates.sine(link));
-    }
-    if (link.slides()) {
-      atJoint = atJoint.shifted(way(link));
-    }
-    return atJoint.toParent(link.axes()).shifted(ScalarVector.of(expressions, link.offset()));
+    return coordinates.step(link).toParent(inertia);
   }
 
   /** Returns a wrench in the parent's computing frame. */
   public Wrench wrench(Link link, Wrench wrench) {
-    Wrench atJoint = wrench;
-    if (link.isBall()) {
-      ScalarMatrix rotation = coordinates.ballRotation(link);
-      atJoint = wrench.in(rotation);
-    }
-    if (link.turns()) {
-      atJoint = atJoint.turned(2, coordinates.cosine(link), coordinates.sine(link));
-    }
-    if (link.slides()) {
-      atJoint = atJoint.shifted(way(link));
-    }
-    return atJoint.toParent(link.axes()).shifted(ScalarVector.of(expressions, link.offset()));
+    return coordinates.step(link).toParent(wrench);
   }
 
   /** Returns an inertia and its changes in the parent's computing frame. */

@@ -2,8 +2,9 @@ package org.mechservice.sim.equations.recursion;
 
 import java.util.List;
 import org.mechservice.sim.equations.kinematics.Coordinates;
-import org.mechservice.sim.equations.links.DegreeOfFreedom;
-import org.mechservice.sim.equations.links.Link;
+import org.mechservice.solver.links.Link;
+import org.mechservice.solver.links.SmallTensor;
+import org.mechservice.solver.step.DegreeOfFreedom;
 import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.Program;
 import org.mechservice.solver.symbol.Scalar;
@@ -57,7 +58,7 @@ public final class Pivots {
     Link link = links.get(i);
     Scalar all = bounds[i].along(link);
     double clearly = all.isConstant() ? CLEARLY_POSITIVE : CLEARLY_POSITIVE_SLIDING;
-    if (freedom.ownInertia(link) > clearly * boundsAtStart[i].along(link).value()) {
+    if (ownInertia(freedom, link) > clearly * boundsAtStart[i].along(link).value()) {
       return false;
     }
     Scalar bound = all.times(SINGULAR);
@@ -68,6 +69,15 @@ public final class Pivots {
       program.guard(new Program.Guard(pivot, bound, link.stateJoint(), meaning));
     }
     return always;
+  }
+
+  /** Returns the link's own inertia along a degree of freedom: kg·m², or kg. */
+  private static double ownInertia(DegreeOfFreedom freedom, Link link) {
+    if (link.isBall()) {
+      return SmallTensor.pivots(link.inertiaAtOrigin())[freedom.axis()];
+    }
+    double turning = freedom.turns() ? link.inertiaAtOrigin().zz() : 0;
+    return turning + link.way() * link.way() * link.mass();
   }
 
   /** Returns the absolute displacement of a sliding link. */

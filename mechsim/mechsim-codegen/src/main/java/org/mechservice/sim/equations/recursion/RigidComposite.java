@@ -1,9 +1,9 @@
 package org.mechservice.sim.equations.recursion;
 
-import org.mechservice.sim.equations.links.Link;
-import org.mechservice.sim.equations.links.Twist;
-import org.mechservice.sim.equations.links.Wrench;
+import org.mechservice.solver.links.Link;
 import org.mechservice.solver.spatial.InertiaTensor;
+import org.mechservice.solver.step.Twist;
+import org.mechservice.solver.step.Wrench;
 import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.Scalar;
 import org.mechservice.solver.symbol.ScalarMatrix;

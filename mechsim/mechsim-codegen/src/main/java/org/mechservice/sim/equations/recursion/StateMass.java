@@ -1,10 +1,10 @@
 package org.mechservice.sim.equations.recursion;
 
 import java.util.List;
-import org.mechservice.sim.equations.links.Link;
-import org.mechservice.sim.equations.links.Links;
-import org.mechservice.sim.equations.links.Twist;
-import org.mechservice.sim.equations.links.Wrench;
+import org.mechservice.solver.links.Link;
+import org.mechservice.solver.links.Links;
+import org.mechservice.solver.step.Twist;
+import org.mechservice.solver.step.Wrench;
 import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.Program;
 import org.mechservice.solver.symbol.Scalar;

@@ -4,10 +4,10 @@ import java.util.Arrays;
 import java.util.List;
 import org.mechservice.sim.equations.kinematics.Coordinates;
 import org.mechservice.sim.equations.kinematics.JointSubspace;
-import org.mechservice.sim.equations.links.Link;
-import org.mechservice.sim.equations.links.Links;
-import org.mechservice.sim.equations.links.Twist;
-import org.mechservice.sim.equations.links.Wrench;
+import org.mechservice.solver.links.Link;
+import org.mechservice.solver.links.Links;
+import org.mechservice.solver.step.Twist;
+import org.mechservice.solver.step.Wrench;
 import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.Scalar;
 

@@ -8,7 +8,7 @@
  * articulated inertias, and {@link org.mechservice.sim.equations.recursion.AccelerationSweep} goes
  * outwards and computes the joint accelerations.
  *
- * <p>{@link org.mechservice.sim.equations.recursion.ArticulatedInertia} and {@link
+ * <p>{@link org.mechservice.solver.step.ArticulatedInertia} and {@link
  * org.mechservice.sim.equations.recursion.RigidComposite} are the two kinds of inertia, {@link
  * org.mechservice.sim.equations.recursion.ParentTransform} transforms them from a link to its
  * parent, {@link org.mechservice.sim.equations.recursion.TreeFactors} factors the mass matrix along

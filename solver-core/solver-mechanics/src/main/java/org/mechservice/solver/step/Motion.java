@@ -1,4 +1,4 @@
-package org.mechservice.sim.equations.links;
+package org.mechservice.solver.step;
 
 import org.mechservice.solver.symbol.Scalar;
 import org.mechservice.solver.symbol.ScalarMatrix;

@@ -1,4 +1,4 @@
-package org.mechservice.sim.equations.links;
+package org.mechservice.solver.links;
 
 import java.util.List;
 import org.mechservice.solver.expression.Expression;
@@ -92,7 +92,7 @@ public record Link(
 
   /** Returns whether a constant rotation other than a permutation of axes precedes the joint. */
   public boolean hasConstantTurn() {
-    return !axes.turns().isEmpty();
+    return !axes.isPermutation();
   }
 
   /** Returns the link with additional mass fixed in it. */

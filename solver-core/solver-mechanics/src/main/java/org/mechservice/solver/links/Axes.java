@@ -1,4 +1,4 @@
-package org.mechservice.sim.equations.links;
+package org.mechservice.solver.links;
 
 import java.util.ArrayList;
 import java.util.List;

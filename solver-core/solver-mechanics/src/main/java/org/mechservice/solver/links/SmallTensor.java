@@ -1,13 +1,13 @@
-package org.mechservice.sim.equations.links;
+package org.mechservice.solver.links;
 
 import org.mechservice.solver.spatial.InertiaTensor;
 
 /** The pivots of a tensor of inertia in the successive elimination of its axes. */
-final class SmallTensor {
+public final class SmallTensor {
   private SmallTensor() {}
 
   /** Returns the pivots of x, y and z; a bound below those of any inertia that includes it. */
-  static double[] pivots(InertiaTensor i) {
+  public static double[] pivots(InertiaTensor i) {
     double x = i.xx();
     double xy = x > 0 ? i.xy() / x : 0;
     double xz = x > 0 ? i.xz() / x : 0;

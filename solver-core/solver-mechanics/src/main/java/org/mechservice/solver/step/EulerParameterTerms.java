@@ -1,7 +1,7 @@
-package org.mechservice.sim.equations.kinematics;
+package org.mechservice.solver.step;
 
 import java.util.List;
-import org.mechservice.sim.equations.links.Axes;
+import org.mechservice.solver.links.Axes;
 import org.mechservice.solver.spatial.Rotation;
 import org.mechservice.solver.spatial.Vector3;
 import org.mechservice.solver.symbol.Expressions;
@@ -103,7 +103,7 @@ public record EulerParameterTerms(List<Scalar> e) {
   }
 
   /** Returns R(e/|e|) = 1 + s (e0 [u]× + [u]×²), s = 2/|e|². */
-  ScalarMatrix rotation() {
+  public ScalarMatrix rotation() {
     Expressions x = at(0).expressions();
     Scalar s = x.constant(2).over(squares());
     return ScalarMatrix.of(

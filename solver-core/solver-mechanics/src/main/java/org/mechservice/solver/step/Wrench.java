@@ -1,4 +1,4 @@
-package org.mechservice.sim.equations.links;
+package org.mechservice.solver.step;
 
 import org.mechservice.solver.symbol.Scalar;
 import org.mechservice.solver.symbol.ScalarMatrix;
@@ -21,6 +21,11 @@ public record Wrench(ScalarVector moment, ScalarVector force) {
   }
 
   /** Returns factor · this. */
+  public Wrench times(Scalar factor) {
+    return new Wrench(moment.times(factor), force.times(factor));
+  }
+
+  /** Returns factor · this. */
   public Wrench times(double factor) {
     return new Wrench(moment.times(factor), force.times(factor));
   }
@@ -33,11 +38,6 @@ public record Wrench(ScalarVector moment, ScalarVector force) {
   /** Returns the same wrench in axes rotated back: components v = Rot(axis, angle) · this. */
   public Wrench turned(int axis, Scalar cosine, Scalar sine) {
     return new Wrench(moment.turned(axis, cosine, sine), force.turned(axis, cosine, sine));
-  }
-
-  /** Returns the same wrench in parent axes. */
-  public Wrench toParent(AxesChange axes) {
-    return new Wrench(axes.toParent(moment), axes.toParent(force));
   }
 
   /** Returns the same wrench about a point from which this frame's origin is at {@code r}. */

@@ -1,6 +1,7 @@
-package org.mechservice.sim.equations.links;
+package org.mechservice.solver.links;
 
 import java.util.List;
+import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.spatial.Vector3;
 
@@ -41,6 +42,11 @@ public record Links(
 
   /** Chooses the computing frames of a mechanism. */
   public static Links of(Mechanism mechanism) {
-    return new LinkLayout(mechanism).links();
+    return of(new TreeGeometry(mechanism));
+  }
+
+  /** Chooses the computing frames of a tree. */
+  public static Links of(TreeGeometry tree) {
+    return new LinkLayout(tree).links();
   }
 }

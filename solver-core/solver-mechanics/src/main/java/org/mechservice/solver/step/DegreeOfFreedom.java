@@ -1,6 +1,8 @@
-package org.mechservice.sim.equations.links;
+package org.mechservice.solver.step;
 
 import java.util.List;
+import org.mechservice.solver.links.Link;
+import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.Scalar;
 import org.mechservice.solver.symbol.ScalarVector;
 
@@ -12,30 +14,40 @@ import org.mechservice.solver.symbol.ScalarVector;
  * @param turns whether it rotates
  * @param way displacement along the axis per coordinate
  */
-public record DegreeOfFreedom(int axis, boolean turns, double way) {
+public record DegreeOfFreedom(int axis, boolean turns, Scalar way) {
 
   /** Returns the degrees of freedom of a link in the order of elimination. */
-  public static List<DegreeOfFreedom> of(Link link) {
-    return link.isBall()
+  public static List<DegreeOfFreedom> of(Expressions expressions, Link link) {
+    return of(link.isBall(), link.turns(), expressions.constant(link.way()));
+  }
+
+  /** Returns the degrees of freedom of a link in the order of elimination. */
+  static List<DegreeOfFreedom> of(boolean ball, boolean turns, Scalar way) {
+    return ball
         ? List.of(
-            new DegreeOfFreedom(0, true, 0),
-            new DegreeOfFreedom(1, true, 0),
-            new DegreeOfFreedom(2, true, 0))
-        : List.of(new DegreeOfFreedom(2, link.turns(), link.way()));
+            new DegreeOfFreedom(0, true, way),
+            new DegreeOfFreedom(1, true, way),
+            new DegreeOfFreedom(2, true, way))
+        : List.of(new DegreeOfFreedom(2, turns, way));
   }
 
   /** Returns the component of a wrench along the degree of freedom. */
   public Scalar along(Wrench wrench) {
-    Scalar sum = wrench.moment().x().expressions().zero();
+    Scalar sum = way.expressions().zero();
     if (turns) {
       sum = sum.plus(wrench.moment().at(axis));
     }
-    return way == 0 ? sum : sum.plus(wrench.force().at(axis).times(way));
+    return slides() ? sum.plus(wrench.force().at(axis).times(way)) : sum;
+  }
+
+  /** Returns whether it displaces. */
+  public boolean slides() {
+    return !way.isZero();
   }
 
   /** Returns whether it is a pure rotation or a pure displacement. */
   public boolean isPlain() {
-    return turns != (way != 0);
+    return turns != slides();
   }
 
   /** Returns a wrench with its element on the axis of a plain degree of freedom replaced. */
@@ -54,14 +66,5 @@ public record DegreeOfFreedom(int axis, boolean turns, double way) {
         axis == 0 ? component : vector.x(),
         axis == 1 ? component : vector.y(),
         axis == 2 ? component : vector.z());
-  }
-
-  /** Returns the link's own inertia along the degree of freedom: kg·m², or kg. */
-  public double ownInertia(Link link) {
-    if (link.isBall()) {
-      return SmallTensor.pivots(link.inertiaAtOrigin())[axis];
-    }
-    double turning = turns ? link.inertiaAtOrigin().zz() : 0;
-    return turning + way * way * link.mass();
   }
 }

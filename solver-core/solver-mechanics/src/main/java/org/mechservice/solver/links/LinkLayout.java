@@ -1,4 +1,4 @@
-package org.mechservice.sim.equations.links;
+package org.mechservice.solver.links;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -31,15 +31,25 @@ final class LinkLayout {
   private final Rotation[] frames;
   private final int[] stateJoint;
 
-  LinkLayout(Mechanism mechanism) {
-    this.mechanism = mechanism;
-    this.tree = new TreeGeometry(mechanism);
+  /** Offsets of the links that move on each elementary link. */
+  private final List<List<Vector3>> offsets = new ArrayList<>();
+
+  LinkLayout(TreeGeometry tree) {
+    this.mechanism = tree.mechanism();
+    this.tree = tree;
     this.groups = new RigidGroups(tree);
     this.numberOf = new int[tree.linkCount];
     this.frames = new Rotation[tree.linkCount];
     this.labelOfBody = new String[mechanism.bodies().size()];
     this.labelOfJoint = new String[mechanism.joints().size()];
     this.stateJoint = new int[mechanism.joints().size()];
+    for (int i = 0; i < tree.linkCount; i++) {
+      offsets.add(new ArrayList<>());
+      int carrier = groups.carrier(tree.parent[i]);
+      if (groups.carrier(i) == i && carrier != RigidGroups.ROOT) {
+        offsets.get(carrier).add(groups.offsetFromCarrier(i));
+      }
+    }
     int states = 0;
     for (int j = 0; j < stateJoint.length; j++) {
       stateJoint[j] = mechanism.isDriven(j) ? -1 : states++;
@@ -83,7 +93,7 @@ final class LinkLayout {
     frames[i] =
         ball
             ? Rotation.IDENTITY
-            : new ComputingAxes(tree, groups, i).choose(fromParent.times(zero));
+            : new ComputingAxes(tree, groups, i, offsets.get(i)).choose(fromParent.times(zero));
     Rotation toParent = fromParent.times(zero).times(frames[i].transposed());
     numberOf[i] = links.size();
     links.add(link(i, carrier, toParent));

@@ -1,4 +1,4 @@
-package org.mechservice.sim.equations.links;
+package org.mechservice.solver.links;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -15,8 +15,14 @@ import org.mechservice.solver.spatial.Vector3;
  * parent and child, and of a body or child joint that is not aligned with the axes.
  */
 public final class ComputingAxes {
-  /** Operations of one constant rotation in all sweeps: three vectors and three matrices, twice. */
+  /**
+   * Operations of one constant rotation about a coordinate axis in all sweeps: three vectors and
+   * three matrices, twice.
+   */
   private static final int TURN_COST = 110;
+
+  /** Operations of any other constant rotation. */
+  private static final int ROTATION_COST = 300;
 
   /** Operations of one more component in the offset of a child joint. */
   private static final int OFFSET_COST = 25;
@@ -29,17 +35,15 @@ public final class ComputingAxes {
 
   private final RigidGroups.MassProperties mass;
   private final Vector3 axis;
-  private final List<Vector3> offsets = new ArrayList<>();
+  private final List<Vector3> offsets;
 
-  ComputingAxes(TreeGeometry tree, RigidGroups groups, int link) {
+  /**
+   * @param offsets of the links that move on this one, from its carrier's point
+   */
+  ComputingAxes(TreeGeometry tree, RigidGroups groups, int link, List<Vector3> offsets) {
     this.mass = groups.massOf(link);
     this.axis = RigidGroups.vector(tree.axisInLink, 3 * link);
-    for (int child = link + 1; child < tree.linkCount; child++) {
-      boolean moves = groups.carrier(child) == child;
-      if (moves && groups.carrier(tree.parent[child]) == link) {
-        offsets.add(groups.offsetFromCarrier(child));
-      }
-    }
+    this.offsets = offsets;
   }
 
   /**
@@ -52,7 +56,7 @@ public final class ComputingAxes {
     int least = Integer.MAX_VALUE;
     for (Rotation candidate : candidates(inParent)) {
       AxesChange change = AxesChange.of(inParent.times(candidate.transposed()));
-      int cost = TURN_COST * change.turns().size() + cost(candidate);
+      int cost = cost(change) + cost(candidate);
       if (cost < least) {
         least = cost;
         best = candidate;
@@ -74,6 +78,13 @@ public final class ComputingAxes {
       }
     }
     return candidates;
+  }
+
+  private static int cost(AxesChange change) {
+    if (change.isPermutation()) {
+      return 0;
+    }
+    return change.turn().isPresent() ? TURN_COST : ROTATION_COST;
   }
 
   private int cost(Rotation frame) {

@@ -1,12 +1,5 @@
-package org.mechservice.sim.equations.recursion;
+package org.mechservice.solver.step;
 
-import org.mechservice.sim.equations.links.AxesChange;
-import org.mechservice.sim.equations.links.DegreeOfFreedom;
-import org.mechservice.sim.equations.links.Link;
-import org.mechservice.sim.equations.links.Wrench;
-import org.mechservice.solver.spatial.InertiaTensor;
-import org.mechservice.solver.spatial.Vector3;
-import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.Scalar;
 import org.mechservice.solver.symbol.ScalarMatrix;
 import org.mechservice.solver.symbol.ScalarVector;
@@ -22,19 +15,6 @@ import org.mechservice.solver.symbol.ScalarVector;
 public record ArticulatedInertia(
     ScalarMatrix rotational, ScalarMatrix coupling, ScalarMatrix translational) {
 
-  /** Returns the inertia of a link's own body: J about the origin, H = m [c]×, M = m 1. */
-  public static ArticulatedInertia of(Expressions expressions, Link link) {
-    Vector3 c = link.centerOfMass();
-    InertiaTensor own = link.inertiaAtOrigin();
-    double[][] j = {
-      {own.xx(), own.xy(), own.xz()}, {own.xy(), own.yy(), own.yz()}, {own.xz(), own.yz(), own.zz()}
-    };
-    return new ArticulatedInertia(
-        ScalarMatrix.of((row, column) -> expressions.constant(j[row][column])),
-        ScalarMatrix.cross(ScalarVector.of(expressions, c.times(link.mass()))),
-        ScalarMatrix.of((row, column) -> expressions.constant(row == column ? link.mass() : 0)));
-  }
-
   public ArticulatedInertia plus(ArticulatedInertia other) {
     return new ArticulatedInertia(
         rotational.plus(other.rotational),
@@ -43,7 +23,7 @@ public record ArticulatedInertia(
   }
 
   /** Returns I + k sᵀ for parallel wrenches k and s. */
-  ArticulatedInertia plusProduct(Wrench k, Wrench s) {
+  public ArticulatedInertia plusProduct(Wrench k, Wrench s) {
     return new ArticulatedInertia(
         ScalarMatrix.symmetric(
             (i, j) -> rotational.at(i, j).plus(s.moment().at(i).times(k.moment().at(j)))),
@@ -56,7 +36,7 @@ public record ArticulatedInertia(
   public Wrench along(DegreeOfFreedom freedom) {
     int axis = freedom.axis();
     Wrench turning = new Wrench(rotational.column(axis), coupling.row(axis));
-    if (freedom.way() == 0) {
+    if (!freedom.slides()) {
       return turning;
     }
     Wrench moving =
@@ -110,12 +90,6 @@ public record ArticulatedInertia(
         rotational.turned(axis, cosine, sine),
         coupling.turned(axis, cosine, sine),
         translational.turned(axis, cosine, sine));
-  }
-
-  /** Returns the inertia in parent axes. */
-  ArticulatedInertia toParent(AxesChange axes) {
-    return new ArticulatedInertia(
-        axes.toParent(rotational), axes.toParent(coupling), axes.toParent(translational));
   }
 
   /**
