@@ -2,7 +2,7 @@ package org.mechservice.solver.dynamics;
 
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.Formulation;
-import org.mechservice.solver.dynamics.recursion.ArticulatedBody;
+import org.mechservice.solver.dynamics.recursion.TreeSteps;
 import org.mechservice.solver.dynamics.tree.PivotCheck;
 import org.mechservice.solver.force.user.UserForceSource;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -12,8 +12,7 @@ import org.mechservice.solver.mechanism.Mechanism;
  * tested against it.
  */
 public final class DataDrivenModel extends OpenTreeModel {
-  private final ArticulatedBody dynamics;
-  private final ArticulatedBody.Workspace workspace;
+  private final TreeSteps steps;
 
   /**
    * @param mechanism an open tree without user forces
@@ -34,22 +33,26 @@ public final class DataDrivenModel extends OpenTreeModel {
    */
   public DataDrivenModel(Mechanism mechanism, RunSettings defaults, UserForceSource userForces) {
     super(mechanism, Formulation.DTR.label(), defaults, userForces);
-    dynamics = new ArticulatedBody(tree);
-    workspace = dynamics.newWorkspace(motion);
+    steps = new TreeSteps(motion);
+  }
+
+  @Override
+  void place(double t, double[] y) {
+    motion.setCoordinates(t, y);
   }
 
   @Override
   int accelerate(double[] a, int aAt) {
-    return dynamics.accelerations(workspace, loads.wrench(), loads.tau(), a, aAt);
+    return steps.accelerations(loads.wrench(), loads.tau(), a, aAt);
   }
 
   @Override
   PivotCheck check() {
-    return workspace.check();
+    return steps.check();
   }
 
   @Override
   void drivingForces(double[] force) {
-    System.arraycopy(workspace.drivingForces(), 0, force, 0, force.length);
+    System.arraycopy(steps.drivingForces(), 0, force, 0, force.length);
   }
 }

@@ -88,6 +88,7 @@ public final class LinearisedResidualModel extends RecursiveResidualModel
     if (load(t, y) != REGULAR) {
       return false;
     }
+    motion.sweepRelative();
     motion.accelerationSweep(yDot, tree.statePositionCount);
     if (mode == Mode.FORCES_ONLY && derivatives instanceof ResidualJacobian elements) {
       elements.evaluateMass();

@@ -141,10 +141,15 @@ public abstract class OpenTreeModel
     return solve(t, yDot, nq);
   }
 
-  /** Sweeps the motion and evaluates the forces; returns REGULAR or DEFECT. */
+  /** Sets the motion to a state without forces; sweeps the links if the accelerations need it. */
+  void place(double t, double[] y) {
+    motion.sweepRelative(t, y);
+  }
+
+  /** Sets the motion to a state and evaluates the forces; returns REGULAR or DEFECT. */
   final int load(double t, double[] y) {
     if (loads.isEmpty() && further.count() == 0) {
-      motion.sweepRelative(t, y);
+      place(t, y);
       return REGULAR;
     }
     motion.sweep(t, y);
@@ -161,6 +166,7 @@ public abstract class OpenTreeModel
       weakPivots.observe(t, check());
       return REGULAR;
     }
+    motion.sweepRelative();
     SingularInertia found = SingularInertia.of(motion, t, singular);
     return joints.isSingle(found.motion()) && !found.isOfDifferentSizes()
         ? joints.jointOf(singular)

@@ -149,17 +149,38 @@ public final class TreeMotion {
    * As {@link #sweep(double, double[])} without the poses in the world, which keep their values.
    */
   public void sweepRelative(double t, double[] y) {
+    setCoordinates(t, y);
+    sweepRelative();
+  }
+
+  /**
+   * Sets the coordinates of a state y = [q; v; s] and those of driven joints; poses and velocities
+   * of the links keep their values until a sweep.
+   *
+   * @param t time, s
+   * @param y state; not modified
+   */
+  public void setCoordinates(double t, double[] y) {
     int at = tree.statePositionCount + tree.stateVelocityCount;
     if (y.length >= at + further.length) {
       System.arraycopy(y, at, further, 0, further.length);
     }
-    sweep(t, y, 0, y, tree.statePositionCount);
+    setCoordinates(t, y, 0, y, tree.statePositionCount);
   }
 
-  private void sweep(double t, double[] q, int qAt, double[] v, int vAt) {
+  private void setCoordinates(double t, double[] q, int qAt, double[] v, int vAt) {
     System.arraycopy(q, qAt, this.q, 0, tree.statePositionCount);
     System.arraycopy(v, vAt, this.v, 0, tree.stateVelocityCount);
     prescribed.evaluate(t, this.q, this.v, a);
+  }
+
+  private void sweep(double t, double[] q, int qAt, double[] v, int vAt) {
+    setCoordinates(t, q, qAt, v, vAt);
+    sweepRelative();
+  }
+
+  /** Sweeps the links relative to their parents for the coordinates set last. */
+  public void sweepRelative() {
     for (int link = 0; link < tree.linkCount; link++) {
       placement.place(link, this.q);
       moving.move(link);

@@ -1,11 +1,8 @@
 package org.mechservice.solver.step;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Optional;
 import java.util.function.IntFunction;
 import org.mechservice.solver.kinematics.LinkKind;
-import org.mechservice.solver.links.AxesChange;
 import org.mechservice.solver.links.Link;
 import org.mechservice.solver.spatial.InertiaTensor;
 import org.mechservice.solver.spatial.Rotation;
@@ -39,28 +36,23 @@ public record LinkNumbers(
   /** Number of the first element of {@code axes}; the others follow row by row. */
   public static final int AXES = 0;
 
+  /** Numbers of the cosine and the sine of a constant turn, where it is a step of its own. */
+  public static final int COSINE = 0;
+
+  public static final int SINE = 1;
+
   /** Number of the first component of {@code offset}. */
   public static final int OFFSET = 9;
 
-  /** Number of {@code way}. */
-  public static final int WAY = 12;
-
-  /** Numbers of the cosine and the sine of {@code turn}. */
-  public static final int COSINE = 13;
-
-  public static final int SINE = 14;
-
-  /** Number of the mass. */
-  public static final int MASS = 15;
-
-  private static final int CENTER = 16;
-  private static final int FIRST = 19;
-  private static final int SECOND = 22;
-  private static final int PRODUCTS = 28;
-  private static final int TURNING = 31;
+  private static final int WAY = 12;
+  private static final int MASS = 13;
+  private static final int CENTER = 14;
+  private static final int MOMENTS = 17;
+  private static final int FIRST = 23;
+  private static final int SECOND = 26;
 
   /** How many numbers a link has. */
-  public static final int COUNT = 43;
+  public static final int COUNT = 32;
 
   /** Number of an element of a symmetric matrix among xx, yy, zz, xy, xz, yz. */
   private static final int[] SYMMETRIC = {0, 3, 4, 3, 1, 5, 4, 5, 2};
@@ -81,54 +73,62 @@ public record LinkNumbers(
    * @param center c, of mass from the computing origin, m
    * @param first m c, kg·m
    * @param second J about the origin, symmetric, kg·m²
-   * @param products Ixy, Ixz, Iyz about the centre, kg·m²
-   * @param turning for each axis four factors, kg·m²: of αi, ωj ωk, Wkj and Wjk, with i, j, k
-   *     cyclic. They sum up to Iii αi + (Ikk − Ijj) ωj ωk; two of them are zero
+   * @param inertia I about the centre, symmetric, kg·m²
    */
   public record Body(
       Scalar mass,
       ScalarVector center,
       ScalarVector first,
       ScalarMatrix second,
-      List<Scalar> products,
-      List<Scalar> turning) {}
+      ScalarMatrix inertia) {}
 
   /** Returns a link's numbers as constants. */
   public static LinkNumbers of(Expressions expressions, Link link) {
     double[] numbers = numbers(link);
-    return of(
-        link.kind(),
-        link.inverse(),
-        link.axes().turn().map(AxesChange.Turn::axis),
-        expressions,
-        k -> expressions.constant(numbers[k]));
+    LinkNumbers all =
+        of(link.kind(), link.inverse(), expressions, k -> expressions.constant(numbers[k]));
+    return all.turned(
+        link.axes()
+            .turn()
+            .map(
+                turn ->
+                    new Turn(
+                        turn.axis(),
+                        expressions.constant(turn.cosine()),
+                        expressions.constant(turn.sine()))));
+  }
+
+  /** Returns the numbers of a constant turn about a coordinate axis, a step without mass. */
+  static LinkNumbers ofTurn(int axis, Expressions expressions, IntFunction<Scalar> number) {
+    Scalar zero = expressions.zero();
+    ScalarVector none = ScalarVector.zero(expressions);
+    ScalarMatrix nothing = ScalarMatrix.zero(expressions);
+    return new LinkNumbers(
+        LinkKind.FIXED,
+        false,
+        ScalarMatrix.of((i, j) -> i == j ? expressions.one() : zero),
+        Optional.of(new Turn(axis, number.apply(COSINE), number.apply(SINE))),
+        vector(number, OFFSET),
+        zero,
+        new Body(zero, none, none, nothing, nothing));
+  }
+
+  private LinkNumbers turned(Optional<Turn> by) {
+    return new LinkNumbers(kind, inverse, axes, by, offset, way, body);
   }
 
   /**
-   * Returns the numbers of a link.
+   * Returns the numbers of a link without a constant turn.
    *
-   * @param turnAxis the axis of the constant turn, if the link has one
    * @param number returns one of the {@link #COUNT} numbers of {@link #numbers}
    */
   static LinkNumbers of(
-      LinkKind kind,
-      boolean inverse,
-      Optional<Integer> turnAxis,
-      Expressions expressions,
-      IntFunction<Scalar> number) {
-    List<Scalar> products = new ArrayList<>();
-    List<Scalar> turning = new ArrayList<>();
-    for (int i = 0; i < 3; i++) {
-      products.add(number.apply(PRODUCTS + i));
-    }
-    for (int i = 0; i < 12; i++) {
-      turning.add(number.apply(TURNING + i));
-    }
+      LinkKind kind, boolean inverse, Expressions expressions, IntFunction<Scalar> number) {
     return new LinkNumbers(
         kind,
         inverse,
         ScalarMatrix.of((i, j) -> number.apply(AXES + 3 * i + j)),
-        turnAxis.map(axis -> new Turn(axis, number.apply(COSINE), number.apply(SINE))),
+        Optional.empty(),
         vector(number, OFFSET),
         switch (kind) {
           case SLIDE -> expressions.one();
@@ -139,9 +139,12 @@ public record LinkNumbers(
             number.apply(MASS),
             vector(number, CENTER),
             vector(number, FIRST),
-            ScalarMatrix.of((i, j) -> number.apply(SECOND + SYMMETRIC[3 * i + j])),
-            products,
-            turning));
+            symmetric(number, SECOND),
+            symmetric(number, MOMENTS)));
+  }
+
+  private static ScalarMatrix symmetric(IntFunction<Scalar> number, int at) {
+    return ScalarMatrix.of((i, j) -> number.apply(at + SYMMETRIC[3 * i + j]));
   }
 
   private static ScalarVector vector(IntFunction<Scalar> number, int at) {
@@ -154,43 +157,12 @@ public record LinkNumbers(
     put(numbers, AXES, link.axes().matrix());
     put(numbers, OFFSET, link.offset());
     numbers[WAY] = link.way();
-    numbers[COSINE] = link.axes().turn().map(AxesChange.Turn::cosine).orElse(1.0);
-    numbers[SINE] = link.axes().turn().map(AxesChange.Turn::sine).orElse(0.0);
     numbers[MASS] = link.mass();
     put(numbers, CENTER, link.centerOfMass());
     put(numbers, FIRST, link.centerOfMass().times(link.mass()));
     put(numbers, SECOND, link.inertiaAtOrigin());
-    InertiaTensor own = link.inertia();
-    put(numbers, PRODUCTS, new Vector3(own.xy(), own.xz(), own.yz()));
-    putTurning(numbers, new double[] {own.xx(), own.yy(), own.zz()});
+    put(numbers, MOMENTS, link.inertia());
     return numbers;
-  }
-
-  /**
-   * Writes for each axis the factors of Iii αi + (Ikk − Ijj) ωj ωk, or of the same as Σjj Wkj − Σkk
-   * Wjk with Σ the second moments of mass, whichever has fewer terms: a slender rod has one second
-   * moment, a wheel two equal moments of inertia.
-   */
-  private static void putTurning(double[] numbers, double[] moments) {
-    for (int i = 0; i < 3; i++) {
-      double ii = moments[i];
-      double jj = moments[(i + 1) % 3];
-      double kk = moments[(i + 2) % 3];
-      double secondJ = (ii + kk - jj) / 2;
-      double secondK = (ii + jj - kk) / 2;
-      int at = TURNING + 4 * i;
-      if (nonZeros(ii, kk - jj) <= nonZeros(secondJ, secondK)) {
-        numbers[at] = ii;
-        numbers[at + 1] = kk - jj;
-      } else {
-        numbers[at + 2] = secondJ;
-        numbers[at + 3] = secondK;
-      }
-    }
-  }
-
-  private static int nonZeros(double a, double b) {
-    return (a == 0 ? 0 : 1) + (b == 0 ? 0 : 1);
   }
 
   private static void put(double[] numbers, int at, Rotation r) {

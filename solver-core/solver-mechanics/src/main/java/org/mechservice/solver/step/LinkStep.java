@@ -139,33 +139,23 @@ public final class LinkStep {
   }
 
   /**
-   * Component i of I α + ω × I ω, with j, k following i in the cycle: diagonal part + Iik Wji − Iij
-   * Wki + Ijk (ωj² − ωk²).
+   * Component i of I α + ω × I ω, with j, k following i in the cycle: Iii αi + (Ikk − Ijj) ωj ωk +
+   * Iik Wji − Iij Wki + Ijk (ωj² − ωk²).
    */
   private Scalar moment(Motion motion, ScalarMatrix spread, int i) {
     int j = (i + 1) % 3;
     int k = (i + 2) % 3;
-    Scalar squares = motion.omega().at(j).squared().minus(motion.omega().at(k).squared());
-    return diagonalPart(motion, spread, i)
-        .plus(spread.at(j, i).times(product(i, k)))
-        .minus(spread.at(k, i).times(product(i, j)))
-        .plus(squares.times(product(j, k)));
-  }
-
-  private Scalar product(int i, int j) {
-    return numbers.body().products().get(i + j - 1);
-  }
-
-  private Scalar diagonalPart(Motion motion, ScalarMatrix spread, int i) {
-    int j = (i + 1) % 3;
-    int k = (i + 2) % 3;
-    List<Scalar> factors = numbers.body().turning().subList(4 * i, 4 * i + 4);
-    Scalar product = motion.omega().at(j).times(motion.omega().at(k));
-    Scalar byMoments =
-        motion.alpha().at(i).times(factors.get(0)).plus(product.times(factors.get(1)));
-    Scalar bySpread =
-        spread.at(k, j).times(factors.get(2)).minus(spread.at(j, k).times(factors.get(3)));
-    return byMoments.plus(bySpread);
+    ScalarMatrix own = numbers.body().inertia();
+    ScalarVector omega = motion.omega();
+    Scalar difference = own.at(k, k).minus(own.at(j, j));
+    return motion
+        .alpha()
+        .at(i)
+        .times(own.at(i, i))
+        .plus(omega.at(j).times(omega.at(k)).times(difference))
+        .plus(spread.at(j, i).times(own.at(i, k)))
+        .minus(spread.at(k, i).times(own.at(i, j)))
+        .plus(omega.at(j).squared().minus(omega.at(k).squared()).times(own.at(j, k)));
   }
 
   // Articulated inertias, inwards.

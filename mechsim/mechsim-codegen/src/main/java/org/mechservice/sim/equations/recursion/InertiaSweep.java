@@ -1,6 +1,7 @@
 package org.mechservice.sim.equations.recursion;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.mechservice.sim.equations.kinematics.Coordinates;
 import org.mechservice.solver.links.Link;
@@ -13,6 +14,7 @@ import org.mechservice.solver.step.Wrench;
 import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.Program;
 import org.mechservice.solver.symbol.Scalar;
+import org.mechservice.solver.symbol.ScalarMatrix;
 import org.mechservice.solver.symbol.ScalarVector;
 
 /**
@@ -72,9 +74,8 @@ public final class InertiaSweep {
    *     always holds
    */
   public boolean sweep() {
-    for (int i = 0; i < inertias.length; i++) {
-      inertias[i] = coordinates.step(links.get(i)).inertia();
-    }
+    ScalarMatrix none = ScalarMatrix.zero(expressions);
+    Arrays.fill(inertias, new ArticulatedInertia(none, none, none));
     for (int i = links.size() - 1; i >= 0; i--) {
       if (!inwards(i, links.get(i))) {
         return false;
@@ -124,6 +125,7 @@ public final class InertiaSweep {
 
   private boolean inwards(int i, Link link) {
     program.section("Sweep 2, inwards: " + link.title() + ".\n" + equation(link), link.bodyLabel());
+    inertias[i] = coordinates.step(link).inertia().plus(inertias[i]);
     named(link, inertias[i]);
     carried.enter(i, this);
     if (!link.isDriven()) {

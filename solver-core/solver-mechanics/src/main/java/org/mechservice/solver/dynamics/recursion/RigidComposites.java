@@ -45,6 +45,16 @@ public final class RigidComposites {
     }
   }
 
+  /** Composes all links at a motion's poses. */
+  public void compose(TreeMotion motion) {
+    start();
+    for (int link = trace.length - 1; link >= 0; link--) {
+      if (tree.parent[link] != TreeGeometry.ROOT) {
+        addToParent(motion, link);
+      }
+    }
+  }
+
   /** Returns the pivot of the link's joint if all joints beyond were locked. */
   public double scale(int link) {
     if (tree.kind[link] == LinkKind.SLIDE) {

@@ -9,7 +9,9 @@ import org.mechservice.solver.api.capability.ExplicitModel;
  */
 public final class PivotCheck {
   private static final double SINGULAR = 64 * Math.ulp(1.0);
-  private static final double WEAK = 1e-12;
+
+  /** Part of the rigid body's inertia below which a pivot causes a warning. */
+  public static final double WEAK = 1e-12;
 
   private int weakest;
   private double smallest;
