@@ -15,11 +15,11 @@ import org.mechservice.solver.spatial.SinCos;
 
 /**
  * Simplifies an operation before it becomes a node: constants are folded, 0 and 1 disappear, x − x
- * and a − (a − b) cancel, and signs move outwards until a sum or difference absorbs them.
+ * cancels, and signs move outwards until a sum or difference absorbs them.
  *
  * <p>Operations are not put into another order: c + (d + x) and c (d x) stay as they are, although
- * c and d are known. A formula then gives the same bits whether its numbers are known when code is
- * written or are read when it runs.
+ * c and d are known, and so does (a − b) + b. A formula then gives the same bits whether its
+ * numbers and its parts are known when code is written or are read when it runs.
  *
  * <p>Values are assumed to be finite: 0 · x is 0. Operations on constants without a finite result
  * are not folded, so that the run finds the fault at its origin and can name the joint or force.
@@ -50,20 +50,11 @@ final class Simplification {
     if (a.is(NEGATE)) {
       return difference(b, negation(a));
     }
-    if (a.is(SUBTRACT) && a.second() == b) {
-      return a.first();
-    }
-    if (b.is(SUBTRACT) && b.second() == a) {
-      return b.first();
-    }
     if (b.isConstant()) {
       return sum(b, a);
     }
     if (a.isConstant()) {
       Scalar opposite = expressions.constant(-a.value());
-      if (b.is(ADD) && b.first() == opposite) {
-        return b.second();
-      }
       if (expressions.contains(SUBTRACT, opposite, b)) {
         return negation(expressions.binary(SUBTRACT, opposite, b));
       }
@@ -91,28 +82,11 @@ final class Simplification {
     if (a.is(NEGATE)) {
       return negation(sum(negation(a), b));
     }
-    return cancelled(expressions, a, b);
-  }
-
-  /** Removes terms that occur on both sides of a − b. */
-  private static Scalar cancelled(Expressions expressions, Scalar a, Scalar b) {
     if (a.isConstant()) {
       Scalar opposite = expressions.constant(-a.value());
       if (expressions.contains(ADD, opposite, b)) {
         return negation(expressions.binary(ADD, opposite, b));
       }
-    }
-    if (b.is(SUBTRACT) && b.first() == a) {
-      return b.second();
-    }
-    if (a.is(SUBTRACT) && a.first() == b) {
-      return negation(a.second());
-    }
-    if (a.is(ADD) && a.operands().contains(b)) {
-      return a.first() == b ? a.second() : a.first();
-    }
-    if (b.is(ADD) && b.operands().contains(a)) {
-      return negation(b.first() == a ? b.second() : b.first());
     }
     if (b.isConstant()) {
       return sum(expressions.constant(-b.value()), a);

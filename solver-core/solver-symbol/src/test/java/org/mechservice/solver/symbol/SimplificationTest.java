@@ -33,14 +33,15 @@ class SimplificationTest {
     assertThat(x.times(3).times(2).operands()).containsExactly(two, x.times(three));
   }
 
+  /** A part that is a number when code is written is one of two parts when it is read in a run. */
   @Test
-  void aConstantCancelsItself() {
+  void partsOfASumStayInIt() {
     Scalar two = expressions.constant(2);
-    assertThat(x.plus(two).minus(two)).isSameAs(x);
-    assertThat(x.minus(two).plus(two)).isSameAs(x);
-    assertThat(two.minus(x.plus(two))).isSameAs(x.negated());
-    assertThat(two.minus(two.minus(x))).isSameAs(x);
-    assertThat(two.minus(x).plus(x)).isSameAs(two);
+    assertThat(x.plus(two).minus(two).operands())
+        .containsExactly(expressions.constant(-2), x.plus(two));
+    assertThat(x.minus(y).plus(y).operands()).contains(x.minus(y), y);
+    assertThat(x.plus(y).minus(x).operands()).containsExactly(x.plus(y), x);
+    assertThat(x.minus(x.minus(y)).operands()).containsExactly(x, x.minus(y));
   }
 
   @Test
@@ -56,10 +57,6 @@ class SimplificationTest {
   @Test
   void equalTermsCancel() {
     assertThat(x.minus(x)).isSameAs(zero);
-    assertThat(x.minus(x.minus(y))).isSameAs(y);
-    assertThat(x.minus(y).plus(y)).isSameAs(x);
-    assertThat(x.plus(y).minus(x)).isSameAs(y);
-    assertThat(x.minus(x.plus(y))).isSameAs(y.negated());
     assertThat(x.over(x)).isSameAs(one);
   }
 
@@ -101,7 +98,7 @@ class SimplificationTest {
   void simplifiedExpressionsKeepTheirValues() {
     for (long seed = 0; seed < 200; seed++) {
       RandomExpression expression = new RandomExpression(seed);
-      // Cancelled terms change rounding only; values stay below 10.
+      // Quotients by constants change rounding only; values stay below 10.
       assertThat(expression.simplified())
           .as("seed %s", seed)
           .isCloseTo(expression.plain(), within(1e-12));

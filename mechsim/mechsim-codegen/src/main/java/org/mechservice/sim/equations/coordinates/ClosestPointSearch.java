@@ -41,7 +41,11 @@ public final class ClosestPointSearch {
     }
 
     @Override
-    public Curve at(Scalar s) {
+    public Curve moved(Scalar by) {
+      return at(way.plus(by));
+    }
+
+    private Curve at(Scalar s) {
       Substitution place = new Substitution(way, s);
       return new Curve(s, place.of(height), place.of(slope), place.of(bend), row);
     }

@@ -31,8 +31,8 @@ public final class ClosestFoot {
     /** Returns h″(s), 1/m. */
     Scalar bend();
 
-    /** Returns the curve at another place. */
-    Curve at(Scalar other);
+    /** Returns the curve at a place further on, m. */
+    Curve moved(Scalar by);
   }
 
   /** Least of 1 − σ κ, with κ the curvature: at the centre of curvature s has no derivative. */
@@ -73,7 +73,7 @@ public final class ClosestFoot {
     this.z = z;
     this.ofCentre = ofCentre;
     Scalar rise = e.one().plus(line.slope().squared());
-    Curve at = line.at(line.way().minus(g(line).over(rise)));
+    Curve at = line.moved(g(line).over(rise).negated());
     Scalar root = root(at);
     distance = along(at);
     sine = at.slope().over(root);
@@ -100,7 +100,7 @@ public final class ClosestFoot {
     Scalar limit = held(limit(near));
     Scalar moves = ofCentre ? rise : pick(size, limit, rise, e.constant(FAR));
     // the step has no length; its derivative is that of s
-    Curve at = near.at(near.way().minus(g.minus(held(g)).over(moves)));
+    Curve at = near.moved(g.minus(held(g)).over(moves).negated());
     Scalar root = root(at);
     Scalar along = along(at);
     Scalar level = e.one().over(root);

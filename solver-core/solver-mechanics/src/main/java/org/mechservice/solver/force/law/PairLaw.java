@@ -165,9 +165,9 @@ public enum PairLaw {
   private record Nearby(Scalar way, Scalar height, Scalar slope, Scalar bend)
       implements ClosestFoot.Curve {
     @Override
-    public ClosestFoot.Curve at(Scalar other) {
-      Scalar step = other.minus(way);
-      return new Nearby(other, height.plus(slope.times(step)), slope.plus(bend.times(step)), bend);
+    public ClosestFoot.Curve moved(Scalar by) {
+      return new Nearby(
+          way.plus(by), height.plus(slope.times(by)), slope.plus(bend.times(by)), bend);
     }
   }
 }
