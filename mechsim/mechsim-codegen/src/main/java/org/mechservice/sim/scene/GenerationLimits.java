@@ -21,7 +21,6 @@ import org.mechservice.solver.mechanism.joint.Joint;
 
 /** Limits beyond which a scene is simulated from data instead of generated code. */
 public final class GenerationLimits {
-  /** Largest number of names in a message. */
   private GenerationLimits() {}
 
   /**

@@ -60,7 +60,7 @@ final class RuntimeJarTest {
             "org/mechservice/solver/text/CsvWriter.class",
             "org/mechservice/solver/linear/DenseLu.class",
             "org/mechservice/solver/ode/adams/De.class",
-            "org/mechservice/solver/dynamics/recursion/ArticulatedBody.class",
+            "org/mechservice/solver/dynamics/recursion/TreeSteps.class",
             "org/mechservice/solver/simulation/Simulation.class",
             "org/mechservice/solver/standalone/RunModel.class");
   }

@@ -7,7 +7,7 @@ import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
 import org.mechservice.solver.api.capability.ExplicitModel;
-import org.mechservice.solver.dynamics.recursion.ArticulatedBody;
+import org.mechservice.solver.dynamics.recursion.TreeSteps;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -70,10 +70,8 @@ public final class SingularInertia {
   public static Optional<SingularInertia> find(TreeMotion at, double t) {
     TreeGeometry tree = at.tree();
     double[] a = new double[tree.stateVelocityCount];
-    ArticulatedBody dynamics = new ArticulatedBody(tree);
     int found =
-        dynamics.accelerations(
-            dynamics.newWorkspace(at), new double[0], new double[tree.velocityCount], a, 0);
+        new TreeSteps(at).accelerations(new double[0], new double[tree.velocityCount], a, 0);
     return found == ExplicitModel.REGULAR ? Optional.empty() : Optional.of(of(at, t, found));
   }
 

@@ -14,6 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.dynamics.recursion.ArticulatedBody;
+import org.mechservice.solver.dynamics.recursion.TreeSteps;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Expression.Product;
 import org.mechservice.solver.expression.Expression.Sum;
@@ -68,11 +69,21 @@ class DrivenJointTest {
   }
 
   private static double[] drivenByArticulatedBodies(Evaluation driven, double[] driving) {
-    ArticulatedBody dynamics = new ArticulatedBody(driven.tree);
-    ArticulatedBody.Workspace w = dynamics.newWorkspace(driven.motion);
+    TreeSteps steps = new TreeSteps(driven.motion);
     double[] a = new double[driven.nv];
-    assertThat(dynamics.accelerations(w, driven.wrench, driven.tau, a, 0)).isNegative();
-    System.arraycopy(w.drivingForces(), 0, driving, 0, driving.length);
+    assertThat(steps.accelerations(driven.wrench, driven.tau, a, 0)).isNegative();
+    System.arraycopy(steps.drivingForces(), 0, driving, 0, driving.length);
+    ArticulatedBody bodies = new ArticulatedBody(driven.tree);
+    ArticulatedBody.Workspace w = bodies.newWorkspace(driven.motion);
+    double[] byBodies = new double[driven.nv];
+    assertThat(bodies.accelerations(w, driven.wrench, driven.tau, byBodies, 0)).isNegative();
+    double scale = 1 + largest(a) + largest(driving);
+    for (int i = 0; i < a.length; i++) {
+      assertThat(a[i]).isCloseTo(byBodies[i], within(1e-10 * scale));
+    }
+    for (int i = 0; i < driving.length; i++) {
+      assertThat(driving[i]).isCloseTo(w.drivingForces()[i], within(1e-10 * scale));
+    }
     return a;
   }
 

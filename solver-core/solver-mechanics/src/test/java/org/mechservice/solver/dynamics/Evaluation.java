@@ -4,8 +4,8 @@ import java.util.Arrays;
 import java.util.Random;
 import org.mechservice.solver.dynamics.derivative.ResidualJacobian;
 import org.mechservice.solver.dynamics.derivative.TreeIteration;
-import org.mechservice.solver.dynamics.recursion.ArticulatedBody;
 import org.mechservice.solver.dynamics.recursion.MassiveRods;
+import org.mechservice.solver.dynamics.recursion.TreeSteps;
 import org.mechservice.solver.dynamics.tree.TreePattern;
 import org.mechservice.solver.kinematics.StateCoordinates;
 import org.mechservice.solver.kinematics.TreeGeometry;
@@ -67,8 +67,7 @@ public final class Evaluation {
 
   double[] byArticulatedBodies() {
     double[] a = new double[nv];
-    ArticulatedBody dynamics = new ArticulatedBody(tree);
-    require(dynamics.accelerations(dynamics.newWorkspace(motion), wrench, tau, a, 0));
+    require(new TreeSteps(motion).accelerations(wrench, tau, a, 0));
     return a;
   }
 

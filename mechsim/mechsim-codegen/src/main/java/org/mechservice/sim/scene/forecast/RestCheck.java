@@ -36,6 +36,9 @@ import org.mechservice.solver.mechanism.joint.Joint;
  * constraints and forces between bodies connect to them.
  */
 final class RestCheck {
+  /** Largest number of bodies that a message names. */
+  private static final int MOST_NAMES = 8;
+
   /** Acceleration that is rounding, m/s² or rad/s². */
   private static final double ROUNDING = 1e-12;
 
@@ -229,8 +232,12 @@ final class RestCheck {
     }
     String names =
         still.stream()
+            .limit(MOST_NAMES)
             .map(j -> "\"" + mechanism.bodies().get(j.attachment().child()).name() + "\"")
             .collect(Collectors.joining(", "));
+    if (still.size() > MOST_NAMES) {
+      names += " and " + (still.size() - MOST_NAMES) + " more";
+    }
     return Optional.of(
         new Finding(
             MessageCode.BODY_STAYS_AT_REST,

@@ -41,14 +41,6 @@ public final class ArticulatedInertias {
     bias = new double[6 * tree.linkCount];
   }
 
-  /** Sets the link's own rigid-body inertia and V ×* (I V). */
-  void start(int link) {
-    startAtRest(link);
-    if (!rigid.massless[link]) {
-      rigid.velocityForce(motion, link, work, bias);
-    }
-  }
-
   /** Sets the link's own rigid-body inertia and no bias force. */
   public void startAtRest(int link) {
     int at = 9 * link;
@@ -111,18 +103,6 @@ public final class ArticulatedInertias {
         blockH[9 * link + 3 * i + j] -= angular * u[at + 3 + j];
         blockM[9 * link + 3 * i + j] -= linear * u[at + 3 + j];
       }
-    }
-  }
-
-  /** p += Iᴬ c. */
-  void addProduct(int link, double[] c, int ic) {
-    apply(blockJ, 9 * link, c, ic, work, 0);
-    apply(blockH, 9 * link, c, ic + 3, work, 3);
-    applyTransposed(blockH, 9 * link, c, ic, work, 6);
-    apply(blockM, 9 * link, c, ic + 3, work, 9);
-    for (int i = 0; i < 3; i++) {
-      bias[6 * link + i] += work[i] + work[3 + i];
-      bias[6 * link + 3 + i] += work[6 + i] + work[9 + i];
     }
   }
 

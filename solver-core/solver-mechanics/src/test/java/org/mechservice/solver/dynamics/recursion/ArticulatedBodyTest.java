@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import org.apache.commons.math3.linear.MatrixUtils;
@@ -260,11 +261,18 @@ class ArticulatedBodyTest {
   private static double[] accelerations(Mechanism mechanism, double[] y, double[] tau) {
     TreeMotion motion = new TreeMotion(new TreeGeometry(mechanism));
     motion.sweepRelative(0, y);
-    ArticulatedBody dynamics = new ArticulatedBody(motion.tree());
-    double[] a = new double[tau.length];
     double[] noWrenches = {};
-    assertThat(dynamics.accelerations(dynamics.newWorkspace(motion), noWrenches, tau, a, 0))
+    double[] byBodies = new double[tau.length];
+    ArticulatedBody bodies = new ArticulatedBody(motion.tree());
+    assertThat(bodies.accelerations(bodies.newWorkspace(motion), noWrenches, tau, byBodies, 0))
         .isEqualTo(ExplicitModel.REGULAR);
+    double[] a = new double[tau.length];
+    assertThat(new TreeSteps(motion).accelerations(noWrenches, tau, a, 0))
+        .isEqualTo(ExplicitModel.REGULAR);
+    double size = 1 + Arrays.stream(a).map(Math::abs).max().orElse(0);
+    for (int i = 0; i < a.length; i++) {
+      assertThat(a[i]).isCloseTo(byBodies[i], within(1e-12 * size));
+    }
     return a;
   }
 

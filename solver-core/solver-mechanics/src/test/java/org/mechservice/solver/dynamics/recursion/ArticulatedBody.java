@@ -13,8 +13,8 @@ import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 
 /**
- * DTR: joint accelerations of an open chain by the articulated-body algorithm, O(n), without
- * forming the mass matrix.
+ * Joint accelerations of an open chain by the articulated-body algorithm written down a second
+ * time, in the axes of the bodies and with general subspaces: a check of {@link TreeSteps}.
  *
  * <p>Three sweeps (Featherstone 2008, ch. 7; Bae and Haug 1987): velocities outwards, which {@link
  * TreeMotion} has done; articulated inertias and bias forces inwards; accelerations outwards.
@@ -109,7 +109,7 @@ public final class ArticulatedBody {
     w.check.start();
     w.rigid.start();
     for (int link = 0; link < tree.linkCount; link++) {
-      w.inertia.start(link);
+      start(w, link);
     }
     for (int i = 0; i < wrench.length; i++) {
       w.inertia.bias[i] -= wrench[i];
@@ -120,7 +120,8 @@ public final class ArticulatedBody {
         return singular;
       }
       if (tree.parent[link] != TreeGeometry.ROOT) {
-        w.inertia.addProduct(link, w.motion.velocityProduct, 6 * link);
+        w.inertia.applyTo(link, w.motion.velocityProduct, 6 * link, w.work, 0);
+        addScaled(w.inertia.bias, 6 * link, w.work, 0, 1);
         w.inertia.addToParent(link);
         w.rigid.addToParent(w.motion, link);
       }
@@ -129,6 +130,14 @@ public final class ArticulatedBody {
       accelerate(w, link, a, aAt);
     }
     return ExplicitModel.REGULAR;
+  }
+
+  /** Sets the link's own rigid-body inertia and V ×* (I V). */
+  private void start(Workspace w, int link) {
+    w.inertia.startAtRest(link);
+    if (!inertias.massless[link]) {
+      inertias.velocityForce(w.motion, link, w.work, w.inertia.bias);
+    }
   }
 
   /**
