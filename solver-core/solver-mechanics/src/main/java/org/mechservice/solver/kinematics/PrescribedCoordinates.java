@@ -85,9 +85,6 @@ final class PrescribedCoordinates {
 
   /** Writes the driven part of extended positions, velocities and accelerations. */
   void evaluate(double t, double[] q, double[] v, double[] a) {
-    if (plain.length == 0) {
-      return;
-    }
     for (int leaf : timeLeaves) {
       evaluation.setLeaf(leaf, t, 1, 0);
     }

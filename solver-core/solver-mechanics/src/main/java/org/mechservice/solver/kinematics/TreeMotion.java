@@ -4,6 +4,7 @@ import static org.mechservice.solver.spatial.Blocks.apply;
 import static org.mechservice.solver.spatial.Blocks.applyTransposed;
 import static org.mechservice.solver.spatial.Blocks.multiply;
 
+import java.util.Optional;
 import org.mechservice.solver.mechanism.FurtherState;
 
 /**
@@ -19,7 +20,10 @@ import org.mechservice.solver.mechanism.FurtherState;
 public final class TreeMotion {
   private final TreeGeometry tree;
   private final LinkPlacement placement;
-  private final PrescribedCoordinates prescribed;
+
+  /** None without prescribed motions: their formulas take longer to load than a small model. */
+  private final Optional<PrescribedCoordinates> prescribed;
+
   private final LinkMotion moving;
 
   /** Extended positions, velocities and accelerations of the last sweeps; rad, m, s. */
@@ -101,7 +105,10 @@ public final class TreeMotion {
     angularAcceleration = new double[3 * n];
     linearAcceleration = new double[3 * n];
     placement = new LinkPlacement(tree, rotation, position, subspace);
-    prescribed = new PrescribedCoordinates(tree);
+    prescribed =
+        tree.mechanism().motions().isEmpty()
+            ? Optional.empty()
+            : Optional.of(new PrescribedCoordinates(tree));
     moving = new LinkMotion(this);
     points = new PointMotion(this);
     wrenches = new LinkWrenches(this);
@@ -118,7 +125,7 @@ public final class TreeMotion {
    * @param parameters one number per parameter, SI units; copied
    */
   public void setParameters(double[] parameters) {
-    prescribed.setParameters(parameters);
+    prescribed.ifPresent(motions -> motions.setParameters(parameters));
   }
 
   /**
@@ -171,7 +178,9 @@ public final class TreeMotion {
   private void setCoordinates(double t, double[] q, int qAt, double[] v, int vAt) {
     System.arraycopy(q, qAt, this.q, 0, tree.statePositionCount);
     System.arraycopy(v, vAt, this.v, 0, tree.stateVelocityCount);
-    prescribed.evaluate(t, this.q, this.v, a);
+    if (prescribed.isPresent()) {
+      prescribed.get().evaluate(t, this.q, this.v, a);
+    }
   }
 
   private void sweep(double t, double[] q, int qAt, double[] v, int vAt) {

@@ -83,13 +83,16 @@ public final class Axes {
 
   /** Returns the rotation with elements replaced by 0 or ±1 if they differ only by rounding. */
   public static Rotation snapped(Rotation r) {
-    double[][] elements = elements(r);
-    for (double[] row : elements) {
-      for (int j = 0; j < 3; j++) {
-        row[j] = snapped(row[j]);
-      }
-    }
-    return of(elements);
+    return new Rotation(
+        snapped(r.xx()),
+        snapped(r.xy()),
+        snapped(r.xz()),
+        snapped(r.yx()),
+        snapped(r.yy()),
+        snapped(r.yz()),
+        snapped(r.zx()),
+        snapped(r.zy()),
+        snapped(r.zz()));
   }
 
   private static double snapped(double cosine) {

@@ -52,15 +52,18 @@ public record AxesChange(Rotation matrix, Optional<Turn> turn) {
   }
 
   /** Returns whether every element of a rotation is 0 or ±1. */
-  private static boolean isPermutation(Rotation rotation) {
-    for (double[] row : Axes.elements(rotation)) {
-      for (double element : row) {
-        if (element != 0 && Math.abs(element) != 1) {
-          return false;
-        }
-      }
-    }
-    return true;
+  private static boolean isPermutation(Rotation r) {
+    return isAxis(r.xx(), r.xy(), r.xz())
+        && isAxis(r.yx(), r.yy(), r.yz())
+        && isAxis(r.zx(), r.zy(), r.zz());
+  }
+
+  private static boolean isAxis(double x, double y, double z) {
+    return isOne(x, y, z) && Math.abs(x) + Math.abs(y) + Math.abs(z) == 1;
+  }
+
+  private static boolean isOne(double x, double y, double z) {
+    return Math.abs(x) == 1 || Math.abs(y) == 1 || Math.abs(z) == 1;
   }
 
   /** Returns whether it only exchanges axes, which needs no operation. */
@@ -69,15 +72,10 @@ public record AxesChange(Rotation matrix, Optional<Turn> turn) {
   }
 
   /** Returns whether a rotation maps a coordinate axis to a coordinate axis. */
-  private static boolean hasCoordinateAxis(Rotation rotation) {
-    for (double[] row : Axes.elements(rotation)) {
-      for (double element : row) {
-        if (Math.abs(element) == 1) {
-          return true;
-        }
-      }
-    }
-    return false;
+  private static boolean hasCoordinateAxis(Rotation r) {
+    return isOne(r.xx(), r.xy(), r.xz())
+        || isOne(r.yx(), r.yy(), r.yz())
+        || isOne(r.zx(), r.zy(), r.zz());
   }
 
   /** Returns whether a rotation turns about a coordinate axis. */

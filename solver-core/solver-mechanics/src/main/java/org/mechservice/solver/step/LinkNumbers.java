@@ -4,9 +4,6 @@ import java.util.Optional;
 import java.util.function.IntFunction;
 import org.mechservice.solver.kinematics.LinkKind;
 import org.mechservice.solver.links.Link;
-import org.mechservice.solver.spatial.InertiaTensor;
-import org.mechservice.solver.spatial.Rotation;
-import org.mechservice.solver.spatial.Vector3;
 import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.Scalar;
 import org.mechservice.solver.symbol.ScalarMatrix;
@@ -44,12 +41,12 @@ public record LinkNumbers(
   /** Number of the first component of {@code offset}. */
   public static final int OFFSET = 9;
 
-  private static final int WAY = 12;
-  private static final int MASS = 13;
-  private static final int CENTER = 14;
-  private static final int MOMENTS = 17;
-  private static final int FIRST = 23;
-  private static final int SECOND = 26;
+  static final int WAY = 12;
+  static final int MASS = 13;
+  static final int CENTER = 14;
+  static final int MOMENTS = 17;
+  static final int FIRST = 23;
+  static final int SECOND = 26;
 
   /** How many numbers a link has. */
   public static final int COUNT = 32;
@@ -84,7 +81,8 @@ public record LinkNumbers(
 
   /** Returns a link's numbers as constants. */
   public static LinkNumbers of(Expressions expressions, Link link) {
-    double[] numbers = numbers(link);
+    double[] numbers = new double[COUNT];
+    StepBlock.put(numbers, 0, link);
     LinkNumbers all =
         of(link.kind(), link.inverse(), expressions, k -> expressions.constant(numbers[k]));
     return all.turned(
@@ -120,7 +118,7 @@ public record LinkNumbers(
   /**
    * Returns the numbers of a link without a constant turn.
    *
-   * @param number returns one of the {@link #COUNT} numbers of {@link #numbers}
+   * @param number returns one of the {@link #COUNT} numbers that {@link StepBlock#put} writes
    */
   static LinkNumbers of(
       LinkKind kind, boolean inverse, Expressions expressions, IntFunction<Scalar> number) {
@@ -149,36 +147,5 @@ public record LinkNumbers(
 
   private static ScalarVector vector(IntFunction<Scalar> number, int at) {
     return new ScalarVector(number.apply(at), number.apply(at + 1), number.apply(at + 2));
-  }
-
-  /** Returns the {@link #COUNT} numbers of a link. */
-  public static double[] numbers(Link link) {
-    double[] numbers = new double[COUNT];
-    put(numbers, AXES, link.axes().matrix());
-    put(numbers, OFFSET, link.offset());
-    numbers[WAY] = link.way();
-    numbers[MASS] = link.mass();
-    put(numbers, CENTER, link.centerOfMass());
-    put(numbers, FIRST, link.centerOfMass().times(link.mass()));
-    put(numbers, SECOND, link.inertiaAtOrigin());
-    put(numbers, MOMENTS, link.inertia());
-    return numbers;
-  }
-
-  private static void put(double[] numbers, int at, Rotation r) {
-    put(numbers, at, new Vector3(r.xx(), r.xy(), r.xz()));
-    put(numbers, at + 3, new Vector3(r.yx(), r.yy(), r.yz()));
-    put(numbers, at + 6, new Vector3(r.zx(), r.zy(), r.zz()));
-  }
-
-  private static void put(double[] numbers, int at, Vector3 v) {
-    numbers[at] = v.x();
-    numbers[at + 1] = v.y();
-    numbers[at + 2] = v.z();
-  }
-
-  private static void put(double[] numbers, int at, InertiaTensor i) {
-    put(numbers, at, new Vector3(i.xx(), i.yy(), i.zz()));
-    put(numbers, at + 3, new Vector3(i.xy(), i.xz(), i.yz()));
   }
 }

@@ -2,6 +2,9 @@ package org.mechservice.solver.step;
 
 import org.mechservice.solver.links.AxesChange;
 import org.mechservice.solver.links.Link;
+import org.mechservice.solver.spatial.InertiaTensor;
+import org.mechservice.solver.spatial.Rotation;
+import org.mechservice.solver.spatial.Vector3;
 
 /**
  * The layout of the numbers of one step in the array that a tree's steps share, from the step's
@@ -82,14 +85,19 @@ public final class StepBlock {
     return k == 0 ? FREEDOM : BALL_FREEDOMS + 8 * (k - 1);
   }
 
-  /** Writes the numbers of a link without those of its constant turn. */
+  /** Writes the {@link LinkNumbers#COUNT} numbers of a link without those of its constant turn. */
   public static void put(double[] w, int at, Link link) {
-    System.arraycopy(LinkNumbers.numbers(link), 0, w, at + NUMBERS, LinkNumbers.COUNT);
-    if (link.axes().turn().isPresent()) {
-      for (int k = 0; k < 3; k++) {
-        w[at + LinkNumbers.OFFSET + k] = 0;
-      }
-    }
+    Rotation axes = link.axes().matrix();
+    put(w, at + LinkNumbers.AXES, axes.xx(), axes.xy(), axes.xz());
+    put(w, at + LinkNumbers.AXES + 3, axes.yx(), axes.yy(), axes.yz());
+    put(w, at + LinkNumbers.AXES + 6, axes.zx(), axes.zy(), axes.zz());
+    put(w, at + LinkNumbers.OFFSET, link.offset());
+    w[at + LinkNumbers.WAY] = link.way();
+    w[at + LinkNumbers.MASS] = link.mass();
+    put(w, at + LinkNumbers.CENTER, link.centerOfMass());
+    put(w, at + LinkNumbers.FIRST, link.centerOfMass().times(link.mass()));
+    put(w, at + LinkNumbers.SECOND, link.inertiaAtOrigin());
+    put(w, at + LinkNumbers.MOMENTS, link.inertia());
   }
 
   /** Writes the numbers of a link's constant turn, a step between the link and its parent. */
@@ -97,8 +105,21 @@ public final class StepBlock {
     AxesChange.Turn turn = link.axes().turn().orElseThrow();
     w[at + LinkNumbers.COSINE] = turn.cosine();
     w[at + LinkNumbers.SINE] = turn.sine();
-    w[at + LinkNumbers.OFFSET] = link.offset().x();
-    w[at + LinkNumbers.OFFSET + 1] = link.offset().y();
-    w[at + LinkNumbers.OFFSET + 2] = link.offset().z();
+    put(w, at + LinkNumbers.OFFSET, link.offset());
+  }
+
+  private static void put(double[] w, int at, InertiaTensor i) {
+    put(w, at, i.xx(), i.yy(), i.zz());
+    put(w, at + 3, i.xy(), i.xz(), i.yz());
+  }
+
+  private static void put(double[] w, int at, Vector3 v) {
+    put(w, at, v.x(), v.y(), v.z());
+  }
+
+  private static void put(double[] w, int at, double x, double y, double z) {
+    w[at] = x;
+    w[at + 1] = y;
+    w[at + 2] = z;
   }
 }

@@ -16,6 +16,7 @@ import org.mechservice.solver.links.Links;
 import org.mechservice.solver.spatial.EulerParameters;
 import org.mechservice.solver.spatial.SinCos;
 import org.mechservice.solver.spatial.Vector3;
+import org.mechservice.solver.step.LinkNumbers;
 import org.mechservice.solver.step.StepBlock;
 import org.mechservice.solver.step.StepKernel;
 import org.mechservice.solver.step.StepKind;
@@ -114,10 +115,16 @@ public final class TreeSteps {
     steps = laid.toArray(Step[]::new);
     int next = 0;
     for (Step step : steps) {
+      Link link = all.get(next);
       if (step.isTurn()) {
-        StepBlock.putTurn(w, step.at, all.get(next));
-      } else {
-        StepBlock.put(w, step.at, all.get(next++));
+        StepBlock.putTurn(w, step.at, link);
+        continue;
+      }
+      next++;
+      StepBlock.put(w, step.at, link);
+      if (link.axes().turn().isPresent()) {
+        // the turn has taken the offset
+        Arrays.fill(w, step.at + LinkNumbers.OFFSET, step.at + LinkNumbers.OFFSET + 3, 0);
       }
     }
     putGravity(links.gravity());
