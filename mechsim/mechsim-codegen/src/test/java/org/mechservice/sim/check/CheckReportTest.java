@@ -35,7 +35,7 @@ class CheckReportTest {
 
             Degrees of freedom: 5; bodies: 5; mass: 5 kg; loops: 0; redundant equations: 0
             Formulation: DTR (auto: the scene is an open chain, which articulated bodies solve in \
-            O(n)), 849 operations per evaluation
+            O(n)), 863 operations per evaluation
 
             State y = [q; v]:
               q[0] v[0]  j1  R  rad, rad/s  axis 0 1 0
@@ -145,7 +145,7 @@ class CheckReportTest {
             """,
             """
             every evaluation calls the classes of forces "fBody", "fFpsSpringDamper"), \
-            1685 operations per evaluation
+            1715 operations per evaluation
             """,
             """
             Forces besides gravity:

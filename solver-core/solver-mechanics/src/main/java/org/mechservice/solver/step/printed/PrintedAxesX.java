@@ -3,8 +3,8 @@ package org.mechservice.solver.step.printed;
 import org.mechservice.solver.step.StepKernel;
 
 /**
- * Printed from its equations; do not edit. PrintedStepsTest compares it with them and prints it
- * anew with -Dgolden.write=true.
+ * Printed from its equations; do not edit. PrintedStepsTest compares it with them and
+ * prints it anew with -Dgolden.write=true.
  */
 final class PrintedAxesX implements StepKernel {
 
@@ -28,27 +28,18 @@ final class PrintedAxesX implements StepKernel {
     double motion_4 = omega_p_x * omega_p_y;
     double motion_5 = omega_p_x * omega_p_z;
     double motion_6 = omega_p_y * omega_p_z;
-    double motion_7 =
-        link__9 * (alpha_p_z + motion_4)
-            - link__10 * (motion_1 + motion_3)
-            + link__11 * (motion_6 - alpha_p_x)
-            + w[p + 45];
-    double motion_8 =
-        link__9 * (motion_5 - alpha_p_y)
-            + link__10 * (alpha_p_x + motion_6)
-            - link__11 * (motion_1 + motion_2)
-            + w[p + 46];
+    double motion_7 = link__9 * (alpha_p_z + motion_4) - link__10 * (motion_1 + motion_3)
+        + link__11 * (motion_6 - alpha_p_x) + w[p + 45];
+    double motion_8 = link__9 * (motion_5 - alpha_p_y) + link__10 * (alpha_p_x + motion_6)
+        - link__11 * (motion_1 + motion_2) + w[p + 46];
     w[i + 38] = omega_p_x;
     w[i + 39] = link__0 * omega_p_y + link__1 * omega_p_z;
     w[i + 40] = link__0 * omega_p_z - link__1 * omega_p_y;
     w[i + 41] = alpha_p_x;
     w[i + 42] = link__0 * alpha_p_y + link__1 * alpha_p_z;
     w[i + 43] = link__0 * alpha_p_z - link__1 * alpha_p_y;
-    w[i + 44] =
-        link__10 * (motion_4 - alpha_p_z)
-            - link__9 * (motion_2 + motion_3)
-            + link__11 * (alpha_p_y + motion_5)
-            + w[p + 44];
+    w[i + 44] = link__10 * (motion_4 - alpha_p_z) - link__9 * (motion_2 + motion_3)
+        + link__11 * (alpha_p_y + motion_5) + w[p + 44];
     w[i + 45] = link__0 * motion_7 + link__1 * motion_8;
     w[i + 46] = link__0 * motion_8 - link__1 * motion_7;
     w[i + 47] = 0.0;
@@ -127,36 +118,18 @@ final class PrintedAxesX implements StepKernel {
     double inertia_33 = inertia_24 - inertia_23 + inertia_12;
     double inertia_34 = link__0 * f_y - link__1 * f_z;
     double inertia_35 = link__1 * f_y + link__0 * f_z;
-    w[p + 59] =
-        link__10 * (inertia_10 + inertia_27)
-            - link__11 * (inertia_9 + inertia_26)
-            + w[i + 59]
-            + w[p + 59];
-    w[p + 60] =
-        J_yy
-            - inertia_3
-            + (link__11 * (inertia_7 + inertia_28) - link__9 * (inertia_13 + inertia_30))
-            + w[p + 60];
-    w[p + 61] =
-        J_zz
-            + inertia_3
-            + (link__9 * (inertia_14 + inertia_32) - link__10 * (inertia_8 + inertia_31))
-            + w[p + 61];
-    w[p + 62] =
-        link__0 * J_xy
-            - link__1 * J_xz
-            + (link__10 * inertia_30 - link__9 * inertia_10 + link__11 * (H_xx - inertia_29))
-            + w[p + 62];
-    w[p + 63] =
-        link__1 * J_xy
-            + link__0 * J_xz
-            + (link__9 * inertia_26 - link__11 * inertia_14 + link__10 * (inertia_12 - inertia_25))
-            + w[p + 63];
-    w[p + 64] =
-        link__0 * inertia_2
-            - J_yz
-            + (link__11 * inertia_31 - link__10 * inertia_7 + link__9 * (inertia_11 - inertia_33))
-            + w[p + 64];
+    w[p + 59] = link__10 * (inertia_10 + inertia_27) - link__11 * (inertia_9 + inertia_26)
+        + w[i + 59] + w[p + 59];
+    w[p + 60] = J_yy - inertia_3 + (link__11 * (inertia_7 + inertia_28) - link__9 * (inertia_13
+        + inertia_30)) + w[p + 60];
+    w[p + 61] = J_zz + inertia_3 + (link__9 * (inertia_14 + inertia_32) - link__10 * (inertia_8
+        + inertia_31)) + w[p + 61];
+    w[p + 62] = link__0 * J_xy - link__1 * J_xz + (link__10 * inertia_30 - link__9 * inertia_10
+        + link__11 * (H_xx - inertia_29)) + w[p + 62];
+    w[p + 63] = link__1 * J_xy + link__0 * J_xz + (link__9 * inertia_26 - link__11 * inertia_14
+        + link__10 * (inertia_12 - inertia_25)) + w[p + 63];
+    w[p + 64] = link__0 * inertia_2 - J_yz + (link__11 * inertia_31 - link__10 * inertia_7
+        + link__9 * (inertia_11 - inertia_33)) + w[p + 64];
     w[p + 65] = inertia_25 + w[p + 65];
     w[p + 66] = inertia_26 + w[p + 66];
     w[p + 67] = inertia_27 + w[p + 67];
@@ -174,9 +147,11 @@ final class PrintedAxesX implements StepKernel {
     w[p + 79] = inertia_21 + w[p + 79];
     w[p + 47] = link__10 * inertia_35 - link__11 * inertia_34 + w[i + 47] + w[p + 47];
     w[p + 50] = f_x + w[p + 50];
-    w[p + 48] = link__0 * n_y - link__1 * n_z + (link__11 * f_x - link__9 * inertia_35) + w[p + 48];
+    w[p + 48] = link__0 * n_y - link__1 * n_z + (link__11 * f_x - link__9 * inertia_35)
+        + w[p + 48];
     w[p + 51] = inertia_34 + w[p + 51];
-    w[p + 49] = link__1 * n_y + link__0 * n_z + (link__9 * inertia_34 - link__10 * f_x) + w[p + 49];
+    w[p + 49] = link__1 * n_y + link__0 * n_z + (link__9 * inertia_34 - link__10 * f_x)
+        + w[p + 49];
     w[p + 52] = inertia_35 + w[p + 52];
     w[i + 59] = 0.0;
     w[i + 60] = 0.0;
@@ -295,27 +270,18 @@ final class PrintedAxesX implements StepKernel {
     double pass_33 = pass_24 - pass_23 + pass_12;
     double pass_34 = link__0 * f_y - link__1 * f_z;
     double pass_35 = link__1 * f_y + link__0 * f_z;
-    w[p + 59] =
-        link__10 * (pass_10 + pass_27) - link__11 * (pass_9 + pass_26) + w[i + 59] + w[p + 59];
-    w[p + 60] =
-        J_yy - pass_3 + (link__11 * (pass_7 + pass_28) - link__9 * (pass_13 + pass_30)) + w[p + 60];
-    w[p + 61] =
-        J_zz + pass_3 + (link__9 * (pass_14 + pass_32) - link__10 * (pass_8 + pass_31)) + w[p + 61];
-    w[p + 62] =
-        link__0 * J_xy
-            - link__1 * J_xz
-            + (link__10 * pass_30 - link__9 * pass_10 + link__11 * (H_xx - pass_29))
-            + w[p + 62];
-    w[p + 63] =
-        link__1 * J_xy
-            + link__0 * J_xz
-            + (link__9 * pass_26 - link__11 * pass_14 + link__10 * (pass_12 - pass_25))
-            + w[p + 63];
-    w[p + 64] =
-        link__0 * pass_2
-            - J_yz
-            + (link__11 * pass_31 - link__10 * pass_7 + link__9 * (pass_11 - pass_33))
-            + w[p + 64];
+    w[p + 59] = link__10 * (pass_10 + pass_27) - link__11 * (pass_9 + pass_26) + w[i + 59]
+        + w[p + 59];
+    w[p + 60] = J_yy - pass_3 + (link__11 * (pass_7 + pass_28) - link__9 * (pass_13 + pass_30))
+        + w[p + 60];
+    w[p + 61] = J_zz + pass_3 + (link__9 * (pass_14 + pass_32) - link__10 * (pass_8 + pass_31))
+        + w[p + 61];
+    w[p + 62] = link__0 * J_xy - link__1 * J_xz + (link__10 * pass_30 - link__9 * pass_10
+        + link__11 * (H_xx - pass_29)) + w[p + 62];
+    w[p + 63] = link__1 * J_xy + link__0 * J_xz + (link__9 * pass_26 - link__11 * pass_14
+        + link__10 * (pass_12 - pass_25)) + w[p + 63];
+    w[p + 64] = link__0 * pass_2 - J_yz + (link__11 * pass_31 - link__10 * pass_7
+        + link__9 * (pass_11 - pass_33)) + w[p + 64];
     w[p + 65] = pass_25 + w[p + 65];
     w[p + 66] = pass_26 + w[p + 66];
     w[p + 67] = pass_27 + w[p + 67];
@@ -452,5 +418,6 @@ final class PrintedAxesX implements StepKernel {
   }
 
   @Override
-  public void forceOnRoot(double[] w, int i, int p) {}
+  public void forceOnRoot(double[] w, int i, int p) {
+  }
 }

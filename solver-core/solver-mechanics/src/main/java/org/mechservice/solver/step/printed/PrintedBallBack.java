@@ -3,8 +3,8 @@ package org.mechservice.solver.step.printed;
 import org.mechservice.solver.step.StepKernel;
 
 /**
- * Printed from its equations; do not edit. PrintedStepsTest compares it with them and prints it
- * anew with -Dgolden.write=true.
+ * Printed from its equations; do not edit. PrintedStepsTest compares it with them and
+ * prints it anew with -Dgolden.write=true.
  */
 final class PrintedBallBack implements StepKernel {
 
@@ -57,21 +57,12 @@ final class PrintedBallBack implements StepKernel {
     double motion_4 = omega_p_x * omega_p_y;
     double motion_5 = omega_p_x * omega_p_z;
     double motion_6 = omega_p_y * omega_p_z;
-    double motion_7 =
-        r_y * (motion_4 - alpha_p_z)
-            - r_x * (motion_2 + motion_3)
-            + r_z * (alpha_p_y + motion_5)
-            + w[p + 44];
-    double motion_8 =
-        r_x * (alpha_p_z + motion_4)
-            - r_y * (motion_1 + motion_3)
-            + r_z * (motion_6 - alpha_p_x)
-            + w[p + 45];
-    double motion_9 =
-        r_x * (motion_5 - alpha_p_y)
-            + r_y * (alpha_p_x + motion_6)
-            - r_z * (motion_1 + motion_2)
-            + w[p + 46];
+    double motion_7 = r_y * (motion_4 - alpha_p_z) - r_x * (motion_2 + motion_3) + r_z * (alpha_p_y
+        + motion_5) + w[p + 44];
+    double motion_8 = r_x * (alpha_p_z + motion_4) - r_y * (motion_1 + motion_3) + r_z * (motion_6
+        - alpha_p_x) + w[p + 45];
+    double motion_9 = r_x * (motion_5 - alpha_p_y) + r_y * (alpha_p_x + motion_6) - r_z * (motion_1
+        + motion_2) + w[p + 46];
     double motion_10 = E_xx * omega_p_x + E_yx * omega_p_y + E_zx * omega_p_z;
     double motion_11 = E_xy * omega_p_x + E_yy * omega_p_y + E_zy * omega_p_z;
     double motion_12 = E_xz * omega_p_x + E_yz * omega_p_y + E_zz * omega_p_z;
@@ -87,24 +78,12 @@ final class PrintedBallBack implements StepKernel {
     double omega_x = motion_19 - v_x;
     double omega_y = motion_20 - v_y;
     double omega_z = motion_21 - v_z;
-    double alpha_x =
-        motion_13 * R_xx
-            + motion_14 * R_yx
-            + motion_15 * R_zx
-            + (v_y * motion_21 - v_z * motion_20)
-            - w[i + 99];
-    double alpha_y =
-        motion_13 * R_xy
-            + motion_14 * R_yy
-            + motion_15 * R_zy
-            + (v_z * motion_19 - v_x * motion_21)
-            - w[i + 100];
-    double alpha_z =
-        motion_13 * R_xz
-            + motion_14 * R_yz
-            + motion_15 * R_zz
-            + (v_x * motion_20 - v_y * motion_19)
-            - w[i + 101];
+    double alpha_x = motion_13 * R_xx + motion_14 * R_yx + motion_15 * R_zx + (v_y * motion_21
+        - v_z * motion_20) - w[i + 99];
+    double alpha_y = motion_13 * R_xy + motion_14 * R_yy + motion_15 * R_zy + (v_z * motion_19
+        - v_x * motion_21) - w[i + 100];
+    double alpha_z = motion_13 * R_xz + motion_14 * R_yz + motion_15 * R_zz + (v_x * motion_20
+        - v_y * motion_19) - w[i + 101];
     double a_x = motion_16 * R_xx + motion_17 * R_yx + motion_18 * R_zx;
     double a_y = motion_16 * R_xy + motion_17 * R_yy + motion_18 * R_zy;
     double a_z = motion_16 * R_xz + motion_17 * R_yz + motion_18 * R_zz;
@@ -123,27 +102,12 @@ final class PrintedBallBack implements StepKernel {
     double motion_28 = m * (c_y * W_xy - c_x * (motion_23 + motion_24) + c_z * W_xz + a_x);
     double motion_29 = m * (c_x * W_yx - c_y * (motion_22 + motion_24) + c_z * W_yz + a_y);
     double motion_30 = m * (c_x * W_zx + c_y * W_zy - c_z * (motion_22 + motion_23) + a_z);
-    double motion_31 =
-        I_xx * alpha_x
-            + motion_27 * (I_zz - I_yy)
-            + I_xz * W_yx
-            - I_xy * W_zx
-            + I_yz * (motion_23 - motion_24)
-            + (c_y * motion_30 - c_z * motion_29);
-    double motion_32 =
-        I_yy * alpha_y
-            + motion_26 * (I_xx - I_zz)
-            + I_xy * W_zy
-            - I_yz * W_xy
-            + I_xz * (motion_24 - motion_22)
-            + (c_z * motion_28 - c_x * motion_30);
-    double motion_33 =
-        I_zz * alpha_z
-            + motion_25 * (I_yy - I_xx)
-            + I_yz * W_xz
-            - I_xz * W_yz
-            + I_xy * (motion_22 - motion_23)
-            + (c_x * motion_29 - c_y * motion_28);
+    double motion_31 = I_xx * alpha_x + motion_27 * (I_zz - I_yy) + I_xz * W_yx - I_xy * W_zx
+        + I_yz * (motion_23 - motion_24) + (c_y * motion_30 - c_z * motion_29);
+    double motion_32 = I_yy * alpha_y + motion_26 * (I_xx - I_zz) + I_xy * W_zy - I_yz * W_xy
+        + I_xz * (motion_24 - motion_22) + (c_z * motion_28 - c_x * motion_30);
+    double motion_33 = I_zz * alpha_z + motion_25 * (I_yy - I_xx) + I_yz * W_xz - I_xz * W_yz
+        + I_xy * (motion_22 - motion_23) + (c_x * motion_29 - c_y * motion_28);
     w[i + 38] = omega_x;
     w[i + 39] = omega_y;
     w[i + 40] = omega_z;
@@ -224,14 +188,14 @@ final class PrintedBallBack implements StepKernel {
     double kf_z_x = inertia_5 * one_over_D_z;
     double kf_z_y = inertia_6 * one_over_D_z;
     double kf_z_z = inertia_7 * one_over_D_z;
-    double u_over_D_z =
-        one_over_D_z * (tau_z - (w[i + 49] + J_xz * u_over_D_x + inertia_1 * u_over_D_y));
-    double inertia_8 =
-        w[i + 50] + H_xx * u_over_D_x + inertia_2 * u_over_D_y + inertia_5 * u_over_D_z;
-    double inertia_9 =
-        w[i + 51] + H_xy * u_over_D_x + inertia_3 * u_over_D_y + inertia_6 * u_over_D_z;
-    double inertia_10 =
-        w[i + 52] + H_xz * u_over_D_x + inertia_4 * u_over_D_y + inertia_7 * u_over_D_z;
+    double u_over_D_z = one_over_D_z * (tau_z - (w[i + 49] + J_xz * u_over_D_x
+        + inertia_1 * u_over_D_y));
+    double inertia_8 = w[i + 50] + H_xx * u_over_D_x + inertia_2 * u_over_D_y
+        + inertia_5 * u_over_D_z;
+    double inertia_9 = w[i + 51] + H_xy * u_over_D_x + inertia_3 * u_over_D_y
+        + inertia_6 * u_over_D_z;
+    double inertia_10 = w[i + 52] + H_xz * u_over_D_x + inertia_4 * u_over_D_y
+        + inertia_7 * u_over_D_z;
     double inertia_11 = m + w[i + 74] - H_xx * kf_x_x - inertia_2 * kf_y_x - inertia_5 * kf_z_x;
     double inertia_12 = w[i + 77] - H_xy * kf_x_x - inertia_3 * kf_y_x - inertia_6 * kf_z_x;
     double inertia_13 = w[i + 78] - H_xz * kf_x_x - inertia_4 * kf_y_x - inertia_7 * kf_z_x;
@@ -249,10 +213,9 @@ final class PrintedBallBack implements StepKernel {
     double inertia_25 = R_zx * inertia_17 + R_zy * inertia_18 + R_zz * inertia_19;
     double inertia_26 = R_yx * inertia_20 + R_yy * inertia_21 + R_yz * inertia_22;
     double inertia_27 = R_zx * inertia_20 + R_zy * inertia_21 + R_zz * inertia_22;
-    double inertia_28 =
-        R_zx * (inertia_11 * R_zx + inertia_12 * R_zy + inertia_13 * R_zz)
-            + R_zy * (inertia_12 * R_zx + inertia_14 * R_zy + inertia_15 * R_zz)
-            + R_zz * (inertia_13 * R_zx + inertia_15 * R_zy + inertia_16 * R_zz);
+    double inertia_28 = R_zx * (inertia_11 * R_zx + inertia_12 * R_zy + inertia_13 * R_zz)
+        + R_zy * (inertia_12 * R_zx + inertia_14 * R_zy + inertia_15 * R_zz)
+        + R_zz * (inertia_13 * R_zx + inertia_15 * R_zy + inertia_16 * R_zz);
     double inertia_29 = E_xx * inertia_23 + E_xy * inertia_24 + E_xz * inertia_25;
     double inertia_30 = E_xx * inertia_24 + E_xy * inertia_26 + E_xz * inertia_27;
     double inertia_31 = E_xx * inertia_25 + E_xy * inertia_27 + E_xz * inertia_28;
@@ -264,10 +227,9 @@ final class PrintedBallBack implements StepKernel {
     double inertia_37 = E_zx * inertia_29 + E_zy * inertia_30 + E_zz * inertia_31;
     double inertia_38 = E_yx * inertia_32 + E_yy * inertia_33 + E_yz * inertia_34;
     double inertia_39 = E_zx * inertia_32 + E_zy * inertia_33 + E_zz * inertia_34;
-    double inertia_40 =
-        E_zx * (E_zx * inertia_23 + E_zy * inertia_24 + E_zz * inertia_25)
-            + E_zy * (E_zx * inertia_24 + E_zy * inertia_26 + E_zz * inertia_27)
-            + E_zz * (E_zx * inertia_25 + E_zy * inertia_27 + E_zz * inertia_28);
+    double inertia_40 = E_zx * (E_zx * inertia_23 + E_zy * inertia_24 + E_zz * inertia_25)
+        + E_zy * (E_zx * inertia_24 + E_zy * inertia_26 + E_zz * inertia_27)
+        + E_zz * (E_zx * inertia_25 + E_zy * inertia_27 + E_zz * inertia_28);
     double inertia_41 = r_z * inertia_36;
     double inertia_42 = r_y * inertia_37;
     double inertia_43 = inertia_42 - inertia_41;
@@ -328,26 +290,14 @@ final class PrintedBallBack implements StepKernel {
     w[p + 77] = inertia_36 + w[p + 77];
     w[p + 78] = inertia_37 + w[p + 78];
     w[p + 79] = inertia_39 + w[p + 79];
-    w[p + 47] =
-        E_xx * inertia_53
-            + E_xy * inertia_54
-            + E_xz * inertia_55
-            + (r_y * inertia_61 - r_z * inertia_60)
-            + w[p + 47];
+    w[p + 47] = E_xx * inertia_53 + E_xy * inertia_54 + E_xz * inertia_55 + (r_y * inertia_61
+        - r_z * inertia_60) + w[p + 47];
     w[p + 50] = inertia_59 + w[p + 50];
-    w[p + 48] =
-        E_yx * inertia_53
-            + E_yy * inertia_54
-            + E_yz * inertia_55
-            + (r_z * inertia_59 - r_x * inertia_61)
-            + w[p + 48];
+    w[p + 48] = E_yx * inertia_53 + E_yy * inertia_54 + E_yz * inertia_55 + (r_z * inertia_59
+        - r_x * inertia_61) + w[p + 48];
     w[p + 51] = inertia_60 + w[p + 51];
-    w[p + 49] =
-        E_zx * inertia_53
-            + E_zy * inertia_54
-            + E_zz * inertia_55
-            + (r_x * inertia_60 - r_y * inertia_59)
-            + w[p + 49];
+    w[p + 49] = E_zx * inertia_53 + E_zy * inertia_54 + E_zz * inertia_55 + (r_x * inertia_60
+        - r_y * inertia_59) + w[p + 49];
     w[p + 52] = inertia_61 + w[p + 52];
     w[i + 59] = 0.0;
     w[i + 60] = 0.0;
@@ -412,8 +362,8 @@ final class PrintedBallBack implements StepKernel {
     w[i + 120] = inertiaOnRoot_3 * one_over_D_y;
     w[i + 121] = inertiaOnRoot_4 * one_over_D_y;
     w[i + 122] = D_z;
-    w[i + 123] =
-        (w[i + 104] - (w[i + 49] + J_xz * u_over_D_x + inertiaOnRoot_1 * u_over_D_y)) / D_z;
+    w[i + 123] = (w[i + 104] - (w[i + 49] + J_xz * u_over_D_x
+        + inertiaOnRoot_1 * u_over_D_y)) / D_z;
     w[i + 127] = (w[i + 71] - link__24 - H_xx * kn_x_z - inertiaOnRoot_2 * kn_y_z) * one_over_D_z;
     w[i + 128] = (link__23 + w[i + 72] - H_xy * kn_x_z - inertiaOnRoot_3 * kn_y_z) * one_over_D_z;
     w[i + 129] = (w[i + 73] - H_xz * kn_x_z - inertiaOnRoot_4 * kn_y_z) * one_over_D_z;
@@ -506,10 +456,8 @@ final class PrintedBallBack implements StepKernel {
     double pass_9 = R_zx * pass_1 + R_zy * pass_2 + R_zz * pass_3;
     double pass_10 = R_yx * pass_4 + R_yy * pass_5 + R_yz * pass_6;
     double pass_11 = R_zx * pass_4 + R_zy * pass_5 + R_zz * pass_6;
-    double pass_12 =
-        R_zx * (J_xx * R_zx + J_xy * R_zy + J_xz * R_zz)
-            + R_zy * (J_xy * R_zx + J_yy * R_zy + J_yz * R_zz)
-            + R_zz * (J_xz * R_zx + J_yz * R_zy + J_zz * R_zz);
+    double pass_12 = R_zx * (J_xx * R_zx + J_xy * R_zy + J_xz * R_zz) + R_zy * (J_xy * R_zx
+        + J_yy * R_zy + J_yz * R_zz) + R_zz * (J_xz * R_zx + J_yz * R_zy + J_zz * R_zz);
     double pass_13 = H_xx * R_xx + H_yx * R_xy + H_zx * R_xz;
     double pass_14 = H_xy * R_xx + H_yy * R_xy + H_zy * R_xz;
     double pass_15 = H_xz * R_xx + H_yz * R_xy + H_zz * R_xz;
@@ -539,20 +487,17 @@ final class PrintedBallBack implements StepKernel {
     double pass_39 = R_zx * pass_31 + R_zy * pass_32 + R_zz * pass_33;
     double pass_40 = R_yx * pass_34 + R_yy * pass_35 + R_yz * pass_36;
     double pass_41 = R_zx * pass_34 + R_zy * pass_35 + R_zz * pass_36;
-    double pass_42 =
-        R_zx * (M_xx * R_zx + M_xy * R_zy + M_xz * R_zz)
-            + R_zy * (M_xy * R_zx + M_yy * R_zy + M_yz * R_zz)
-            + R_zz * (M_xz * R_zx + M_yz * R_zy + M_zz * R_zz);
+    double pass_42 = R_zx * (M_xx * R_zx + M_xy * R_zy + M_xz * R_zz) + R_zy * (M_xy * R_zx
+        + M_yy * R_zy + M_yz * R_zz) + R_zz * (M_xz * R_zx + M_yz * R_zy + M_zz * R_zz);
     double pass_43 = E_xx * pass_7 + E_xy * pass_8 + E_xz * pass_9;
     double pass_44 = E_xx * pass_8 + E_xy * pass_10 + E_xz * pass_11;
     double pass_45 = E_xx * pass_9 + E_xy * pass_11 + E_xz * pass_12;
     double pass_46 = E_yx * pass_7 + E_yy * pass_8 + E_yz * pass_9;
     double pass_47 = E_yx * pass_8 + E_yy * pass_10 + E_yz * pass_11;
     double pass_48 = E_yx * pass_9 + E_yy * pass_11 + E_yz * pass_12;
-    double pass_49 =
-        E_zx * (E_zx * pass_7 + E_zy * pass_8 + E_zz * pass_9)
-            + E_zy * (E_zx * pass_8 + E_zy * pass_10 + E_zz * pass_11)
-            + E_zz * (E_zx * pass_9 + E_zy * pass_11 + E_zz * pass_12);
+    double pass_49 = E_zx * (E_zx * pass_7 + E_zy * pass_8 + E_zz * pass_9) + E_zy * (E_zx * pass_8
+        + E_zy * pass_10 + E_zz * pass_11) + E_zz * (E_zx * pass_9 + E_zy * pass_11
+        + E_zz * pass_12);
     double pass_50 = E_xx * pass_22 + E_xy * pass_25 + E_xz * pass_28;
     double pass_51 = E_xx * pass_23 + E_xy * pass_26 + E_xz * pass_29;
     double pass_52 = E_xx * pass_24 + E_xy * pass_27 + E_xz * pass_30;
@@ -582,10 +527,9 @@ final class PrintedBallBack implements StepKernel {
     double pass_76 = E_zx * pass_68 + E_zy * pass_69 + E_zz * pass_70;
     double pass_77 = E_yx * pass_71 + E_yy * pass_72 + E_yz * pass_73;
     double pass_78 = E_zx * pass_71 + E_zy * pass_72 + E_zz * pass_73;
-    double pass_79 =
-        E_zx * (E_zx * pass_37 + E_zy * pass_38 + E_zz * pass_39)
-            + E_zy * (E_zx * pass_38 + E_zy * pass_40 + E_zz * pass_41)
-            + E_zz * (E_zx * pass_39 + E_zy * pass_41 + E_zz * pass_42);
+    double pass_79 = E_zx * (E_zx * pass_37 + E_zy * pass_38 + E_zz * pass_39)
+        + E_zy * (E_zx * pass_38 + E_zy * pass_40 + E_zz * pass_41) + E_zz * (E_zx * pass_39
+        + E_zy * pass_41 + E_zz * pass_42);
     double pass_80 = r_z * pass_75;
     double pass_81 = r_y * pass_76;
     double pass_82 = r_x * pass_78;
@@ -607,37 +551,17 @@ final class PrintedBallBack implements StepKernel {
     double pass_98 = E_xx * pass_95 + E_xy * pass_96 + E_xz * pass_97;
     double pass_99 = E_yx * pass_95 + E_yy * pass_96 + E_yz * pass_97;
     double pass_100 = E_zx * pass_95 + E_zy * pass_96 + E_zz * pass_97;
-    w[p + 59] =
-        E_xx * pass_43
-            + E_xy * pass_44
-            + E_xz * pass_45
-            + (r_y * (pass_61 + pass_85) - r_z * (pass_60 + pass_84))
-            + w[p + 59];
-    w[p + 60] =
-        E_yx * pass_46
-            + E_yy * pass_47
-            + E_yz * pass_48
-            + (r_z * (pass_62 + pass_86) - r_x * (pass_64 + pass_88))
-            + w[p + 60];
+    w[p + 59] = E_xx * pass_43 + E_xy * pass_44 + E_xz * pass_45 + (r_y * (pass_61 + pass_85)
+        - r_z * (pass_60 + pass_84)) + w[p + 59];
+    w[p + 60] = E_yx * pass_46 + E_yy * pass_47 + E_yz * pass_48 + (r_z * (pass_62 + pass_86)
+        - r_x * (pass_64 + pass_88)) + w[p + 60];
     w[p + 61] = r_x * (pass_66 + pass_90) - r_y * (pass_65 + pass_89) + pass_49 + w[p + 61];
-    w[p + 62] =
-        E_yx * pass_43
-            + E_yy * pass_44
-            + E_yz * pass_45
-            + (r_y * pass_88 - r_x * pass_61 + r_z * (pass_59 - pass_87))
-            + w[p + 62];
-    w[p + 63] =
-        E_zx * pass_43
-            + E_zy * pass_44
-            + E_zz * pass_45
-            + (r_x * pass_84 - r_z * pass_66 + r_y * (pass_67 - pass_83))
-            + w[p + 63];
-    w[p + 64] =
-        E_zx * pass_46
-            + E_zy * pass_47
-            + E_zz * pass_48
-            + (r_z * pass_89 - r_y * pass_62 + r_x * (pass_63 - pass_91))
-            + w[p + 64];
+    w[p + 62] = E_yx * pass_43 + E_yy * pass_44 + E_yz * pass_45 + (r_y * pass_88 - r_x * pass_61
+        + r_z * (pass_59 - pass_87)) + w[p + 62];
+    w[p + 63] = E_zx * pass_43 + E_zy * pass_44 + E_zz * pass_45 + (r_x * pass_84 - r_z * pass_66
+        + r_y * (pass_67 - pass_83)) + w[p + 63];
+    w[p + 64] = E_zx * pass_46 + E_zy * pass_47 + E_zz * pass_48 + (r_z * pass_89 - r_y * pass_62
+        + r_x * (pass_63 - pass_91)) + w[p + 64];
     w[p + 65] = pass_83 + w[p + 65];
     w[p + 66] = pass_84 + w[p + 66];
     w[p + 67] = pass_85 + w[p + 67];
@@ -653,26 +577,14 @@ final class PrintedBallBack implements StepKernel {
     w[p + 77] = pass_75 + w[p + 77];
     w[p + 78] = pass_76 + w[p + 78];
     w[p + 79] = pass_78 + w[p + 79];
-    w[p + 47] =
-        E_xx * pass_92
-            + E_xy * pass_93
-            + E_xz * pass_94
-            + (r_y * pass_100 - r_z * pass_99)
-            + w[p + 47];
+    w[p + 47] = E_xx * pass_92 + E_xy * pass_93 + E_xz * pass_94 + (r_y * pass_100
+        - r_z * pass_99) + w[p + 47];
     w[p + 50] = pass_98 + w[p + 50];
-    w[p + 48] =
-        E_yx * pass_92
-            + E_yy * pass_93
-            + E_yz * pass_94
-            + (r_z * pass_98 - r_x * pass_100)
-            + w[p + 48];
+    w[p + 48] = E_yx * pass_92 + E_yy * pass_93 + E_yz * pass_94 + (r_z * pass_98
+        - r_x * pass_100) + w[p + 48];
     w[p + 51] = pass_99 + w[p + 51];
-    w[p + 49] =
-        E_zx * pass_92
-            + E_zy * pass_93
-            + E_zz * pass_94
-            + (r_x * pass_99 - r_y * pass_98)
-            + w[p + 49];
+    w[p + 49] = E_zx * pass_92 + E_zy * pass_93 + E_zz * pass_94 + (r_x * pass_99 - r_y * pass_98)
+        + w[p + 49];
     w[p + 52] = pass_100 + w[p + 52];
   }
 
@@ -718,26 +630,15 @@ final class PrintedBallBack implements StepKernel {
     double da_x = acceleration_7 * R_xx + acceleration_8 * R_yx + acceleration_9 * R_zx;
     double da_y = acceleration_7 * R_xy + acceleration_8 * R_yy + acceleration_9 * R_zy;
     double da_z = acceleration_7 * R_xz + acceleration_8 * R_yz + acceleration_9 * R_zz;
-    double acceleration_13 =
-        w[i + 123]
-            - (acceleration_10 * w[i + 124]
-                + acceleration_11 * w[i + 125]
-                + acceleration_12
-                + (da_x * w[i + 127] + da_y * w[i + 128] + da_z * w[i + 129]));
+    double acceleration_13 = w[i + 123] - (acceleration_10 * w[i + 124]
+        + acceleration_11 * w[i + 125] + acceleration_12 + (da_x * w[i + 127] + da_y * w[i + 128]
+        + da_z * w[i + 129]));
     double dalpha_z = acceleration_12 + acceleration_13;
-    double acceleration_14 =
-        w[i + 115]
-            - (acceleration_11
-                + acceleration_10 * w[i + 116]
-                + dalpha_z * w[i + 118]
-                + (da_x * w[i + 119] + da_y * w[i + 120] + da_z * w[i + 121]));
+    double acceleration_14 = w[i + 115] - (acceleration_11 + acceleration_10 * w[i + 116]
+        + dalpha_z * w[i + 118] + (da_x * w[i + 119] + da_y * w[i + 120] + da_z * w[i + 121]));
     double dalpha_y = acceleration_11 + acceleration_14;
-    double acceleration_15 =
-        w[i + 81]
-            - (acceleration_10
-                + dalpha_y * w[i + 83]
-                + dalpha_z * w[i + 84]
-                + (da_x * w[i + 85] + da_y * w[i + 86] + da_z * w[i + 87]));
+    double acceleration_15 = w[i + 81] - (acceleration_10 + dalpha_y * w[i + 83]
+        + dalpha_z * w[i + 84] + (da_x * w[i + 85] + da_y * w[i + 86] + da_z * w[i + 87]));
     w[i + 88] = acceleration_10 + acceleration_15;
     w[i + 89] = dalpha_y;
     w[i + 90] = dalpha_z;
@@ -808,27 +709,15 @@ final class PrintedBallBack implements StepKernel {
     double J_xy = w[i + 29] + w[i + 62];
     double J_xz = w[i + 30] + w[i + 63];
     double J_yz = w[i + 31] + w[i + 64];
-    double driving_1 =
-        (w[i + 26] + w[i + 59]) * link__88
-            + J_xy * link__89
-            + J_xz * link__90
-            + (w[i + 65] * link__91
-                + (w[i + 66] - link__25) * link__92
-                + (link__24 + w[i + 67]) * link__93);
-    double driving_2 =
-        J_xy * link__88
-            + (w[i + 27] + w[i + 60]) * link__89
-            + J_yz * link__90
-            + ((link__25 + w[i + 68]) * link__91
-                + w[i + 69] * link__92
-                + (w[i + 70] - link__23) * link__93);
-    double driving_3 =
-        J_xz * link__88
-            + J_yz * link__89
-            + (w[i + 28] + w[i + 61]) * link__90
-            + ((w[i + 71] - link__24) * link__91
-                + (link__23 + w[i + 72]) * link__92
-                + w[i + 73] * link__93);
+    double driving_1 = (w[i + 26] + w[i + 59]) * link__88 + J_xy * link__89 + J_xz * link__90
+        + (w[i + 65] * link__91 + (w[i + 66] - link__25) * link__92 + (link__24
+        + w[i + 67]) * link__93);
+    double driving_2 = J_xy * link__88 + (w[i + 27] + w[i + 60]) * link__89 + J_yz * link__90
+        + ((link__25 + w[i + 68]) * link__91 + w[i + 69] * link__92 + (w[i + 70]
+        - link__23) * link__93);
+    double driving_3 = J_xz * link__88 + J_yz * link__89 + (w[i + 28] + w[i + 61]) * link__90
+        + ((w[i + 71] - link__24) * link__91 + (link__23 + w[i + 72]) * link__92
+        + w[i + 73] * link__93);
     w[i + 130] = w[i + 102] - (w[i + 47] + driving_1);
     w[i + 131] = w[i + 103] - (w[i + 48] + driving_2);
     w[i + 132] = w[i + 104] - (w[i + 49] + driving_3);
@@ -897,26 +786,14 @@ final class PrintedBallBack implements StepKernel {
     w[i + 130] = w[i + 102] - n_x;
     w[i + 131] = w[i + 103] - n_y;
     w[i + 132] = w[i + 104] - n_z;
-    w[p + 47] =
-        E_xx * force_1
-            + E_xy * force_2
-            + E_xz * force_3
-            + (r_y * force_9 - r_z * force_8)
-            + w[p + 47];
+    w[p + 47] = E_xx * force_1 + E_xy * force_2 + E_xz * force_3 + (r_y * force_9 - r_z * force_8)
+        + w[p + 47];
     w[p + 50] = force_7 + w[p + 50];
-    w[p + 48] =
-        E_yx * force_1
-            + E_yy * force_2
-            + E_yz * force_3
-            + (r_z * force_7 - r_x * force_9)
-            + w[p + 48];
+    w[p + 48] = E_yx * force_1 + E_yy * force_2 + E_yz * force_3 + (r_z * force_7 - r_x * force_9)
+        + w[p + 48];
     w[p + 51] = force_8 + w[p + 51];
-    w[p + 49] =
-        E_zx * force_1
-            + E_zy * force_2
-            + E_zz * force_3
-            + (r_x * force_8 - r_y * force_7)
-            + w[p + 49];
+    w[p + 49] = E_zx * force_1 + E_zy * force_2 + E_zz * force_3 + (r_x * force_8 - r_y * force_7)
+        + w[p + 49];
     w[p + 52] = force_9 + w[p + 52];
   }
 

@@ -3,8 +3,8 @@ package org.mechservice.solver.step.printed;
 import org.mechservice.solver.step.StepKernel;
 
 /**
- * Printed from its equations; do not edit. PrintedStepsTest compares it with them and prints it
- * anew with -Dgolden.write=true.
+ * Printed from its equations; do not edit. PrintedStepsTest compares it with them and
+ * prints it anew with -Dgolden.write=true.
  */
 final class PrintedScrew implements StepKernel {
 
@@ -50,21 +50,12 @@ final class PrintedScrew implements StepKernel {
     double motion_4 = omega_p_x * omega_p_y;
     double motion_5 = omega_p_x * omega_p_z;
     double motion_6 = omega_p_y * omega_p_z;
-    double motion_7 =
-        r_y * (motion_4 - alpha_p_z)
-            - r_x * (motion_2 + motion_3)
-            + r_z * (alpha_p_y + motion_5)
-            + w[p + 44];
-    double motion_8 =
-        r_x * (alpha_p_z + motion_4)
-            - r_y * (motion_1 + motion_3)
-            + r_z * (motion_6 - alpha_p_x)
-            + w[p + 45];
-    double motion_9 =
-        r_x * (motion_5 - alpha_p_y)
-            + r_y * (alpha_p_x + motion_6)
-            - r_z * (motion_1 + motion_2)
-            + w[p + 46];
+    double motion_7 = r_y * (motion_4 - alpha_p_z) - r_x * (motion_2 + motion_3) + r_z * (alpha_p_y
+        + motion_5) + w[p + 44];
+    double motion_8 = r_x * (alpha_p_z + motion_4) - r_y * (motion_1 + motion_3) + r_z * (motion_6
+        - alpha_p_x) + w[p + 45];
+    double motion_9 = r_x * (motion_5 - alpha_p_y) + r_y * (alpha_p_x + motion_6) - r_z * (motion_1
+        + motion_2) + w[p + 46];
     double motion_10 = E_xx * omega_p_x + E_yx * omega_p_y + E_zx * omega_p_z;
     double motion_11 = E_xy * omega_p_x + E_yy * omega_p_y + E_zy * omega_p_z;
     double motion_12 = E_xz * omega_p_x + E_yz * omega_p_y + E_zz * omega_p_z;
@@ -72,24 +63,12 @@ final class PrintedScrew implements StepKernel {
     double motion_14 = E_xy * alpha_p_x + E_yy * alpha_p_y + E_zy * alpha_p_z;
     double motion_15 = link__12 * v * 2.0;
     double motion_16 = link__12 * w[i + 32];
-    double motion_17 =
-        E_xx * motion_7
-            + E_yx * motion_8
-            + E_zx * motion_9
-            + (motion_14 + motion_10 * motion_12) * motion_16
-            + motion_11 * motion_15;
-    double motion_18 =
-        E_xy * motion_7
-            + E_yy * motion_8
-            + E_zy * motion_9
-            + (motion_11 * motion_12 - motion_13) * motion_16
-            - motion_10 * motion_15;
-    double a_z =
-        E_xz * motion_7
-            + E_yz * motion_8
-            + E_zz * motion_9
-            - (motion_10 * motion_10 + motion_11 * motion_11) * motion_16
-            + link__12 * link__36;
+    double motion_17 = E_xx * motion_7 + E_yx * motion_8 + E_zx * motion_9 + (motion_14
+        + motion_10 * motion_12) * motion_16 + motion_11 * motion_15;
+    double motion_18 = E_xy * motion_7 + E_yy * motion_8 + E_zy * motion_9 + (motion_11 * motion_12
+        - motion_13) * motion_16 - motion_10 * motion_15;
+    double a_z = E_xz * motion_7 + E_yz * motion_8 + E_zz * motion_9 - (motion_10 * motion_10
+        + motion_11 * motion_11) * motion_16 + link__12 * link__36;
     double omega_x = motion_10 * cos + motion_11 * sin;
     double omega_y = motion_11 * cos - motion_10 * sin;
     double alpha_x = motion_13 * cos + motion_14 * sin + v * omega_y;
@@ -113,27 +92,12 @@ final class PrintedScrew implements StepKernel {
     double motion_25 = m * (c_y * W_xy - c_x * (motion_20 + motion_21) + c_z * W_xz + a_x);
     double motion_26 = m * (c_x * W_yx - c_y * (motion_19 + motion_21) + c_z * W_yz + a_y);
     double motion_27 = m * (c_x * W_zx + c_y * W_zy - c_z * (motion_19 + motion_20) + a_z);
-    double motion_28 =
-        I_xx * alpha_x
-            + motion_24 * (I_zz - I_yy)
-            + I_xz * W_yx
-            - I_xy * W_zx
-            + I_yz * (motion_20 - motion_21)
-            + (c_y * motion_27 - c_z * motion_26);
-    double motion_29 =
-        I_yy * alpha_y
-            + motion_23 * (I_xx - I_zz)
-            + I_xy * W_zy
-            - I_yz * W_xy
-            + I_xz * (motion_21 - motion_19)
-            + (c_z * motion_25 - c_x * motion_27);
-    double motion_30 =
-        I_zz * alpha_z
-            + motion_22 * (I_yy - I_xx)
-            + I_yz * W_xz
-            - I_xz * W_yz
-            + I_xy * (motion_19 - motion_20)
-            + (c_x * motion_26 - c_y * motion_25);
+    double motion_28 = I_xx * alpha_x + motion_24 * (I_zz - I_yy) + I_xz * W_yx - I_xy * W_zx
+        + I_yz * (motion_20 - motion_21) + (c_y * motion_27 - c_z * motion_26);
+    double motion_29 = I_yy * alpha_y + motion_23 * (I_xx - I_zz) + I_xy * W_zy - I_yz * W_xy
+        + I_xz * (motion_21 - motion_19) + (c_z * motion_25 - c_x * motion_27);
+    double motion_30 = I_zz * alpha_z + motion_22 * (I_yy - I_xx) + I_yz * W_xz - I_xz * W_yz
+        + I_xy * (motion_19 - motion_20) + (c_x * motion_26 - c_y * motion_25);
     w[i + 38] = omega_x;
     w[i + 39] = omega_y;
     w[i + 40] = omega_z;
@@ -265,10 +229,9 @@ final class PrintedScrew implements StepKernel {
     double inertia_68 = E_yx * inertia_60 + E_yy * inertia_61 + E_yz * inertia_62;
     double inertia_69 = E_yx * inertia_61 + E_yy * inertia_63 + E_yz * inertia_64;
     double inertia_70 = E_yx * inertia_62 + E_yy * inertia_64 + E_yz * inertia_18;
-    double inertia_71 =
-        E_zx * (E_zx * inertia_60 + E_zy * inertia_61 + E_zz * inertia_62)
-            + E_zy * (E_zx * inertia_61 + E_zy * inertia_63 + E_zz * inertia_64)
-            + E_zz * (E_zx * inertia_62 + E_zy * inertia_64 + E_zz * inertia_18);
+    double inertia_71 = E_zx * (E_zx * inertia_60 + E_zy * inertia_61 + E_zz * inertia_62)
+        + E_zy * (E_zx * inertia_61 + E_zy * inertia_63 + E_zz * inertia_64)
+        + E_zz * (E_zx * inertia_62 + E_zy * inertia_64 + E_zz * inertia_18);
     double inertia_72 = E_xx * inertia_54 + E_xy * inertia_57 + E_xz * inertia_40;
     double inertia_73 = E_xx * inertia_55 + E_xy * inertia_58 + E_xz * inertia_41;
     double inertia_74 = E_xx * inertia_56 + E_xy * inertia_59 + E_xz * inertia_27;
@@ -298,10 +261,9 @@ final class PrintedScrew implements StepKernel {
     double inertia_98 = E_zx * inertia_90 + E_zy * inertia_91 + E_zz * inertia_92;
     double inertia_99 = E_yx * inertia_93 + E_yy * inertia_94 + E_yz * inertia_95;
     double inertia_100 = E_zx * inertia_93 + E_zy * inertia_94 + E_zz * inertia_95;
-    double inertia_101 =
-        E_zx * (E_zx * inertia_49 + E_zy * inertia_51 + E_zz * inertia_47)
-            + E_zy * (E_zx * inertia_51 + E_zy * inertia_50 + E_zz * inertia_48)
-            + E_zz * (E_zx * inertia_47 + E_zy * inertia_48 + E_zz * inertia_33);
+    double inertia_101 = E_zx * (E_zx * inertia_49 + E_zy * inertia_51 + E_zz * inertia_47)
+        + E_zy * (E_zx * inertia_51 + E_zy * inertia_50 + E_zz * inertia_48)
+        + E_zz * (E_zx * inertia_47 + E_zy * inertia_48 + E_zz * inertia_33);
     double inertia_102 = r_z * inertia_97;
     double inertia_103 = r_y * inertia_98;
     double inertia_104 = r_x * inertia_100;
@@ -329,41 +291,18 @@ final class PrintedScrew implements StepKernel {
     w[i + 85] = kf_x;
     w[i + 86] = kf_y;
     w[i + 87] = kf_z;
-    w[p + 59] =
-        E_xx * inertia_65
-            + E_xy * inertia_66
-            + E_xz * inertia_67
-            + (r_y * (inertia_83 + inertia_107) - r_z * (inertia_82 + inertia_106))
-            + w[p + 59];
-    w[p + 60] =
-        E_yx * inertia_68
-            + E_yy * inertia_69
-            + E_yz * inertia_70
-            + (r_z * (inertia_84 + inertia_108) - r_x * (inertia_86 + inertia_110))
-            + w[p + 60];
-    w[p + 61] =
-        r_x * (inertia_88 + inertia_112)
-            - r_y * (inertia_87 + inertia_111)
-            + inertia_71
-            + w[p + 61];
-    w[p + 62] =
-        E_yx * inertia_65
-            + E_yy * inertia_66
-            + E_yz * inertia_67
-            + (r_y * inertia_110 - r_x * inertia_83 + r_z * (inertia_81 - inertia_109))
-            + w[p + 62];
-    w[p + 63] =
-        E_zx * inertia_65
-            + E_zy * inertia_66
-            + E_zz * inertia_67
-            + (r_x * inertia_106 - r_z * inertia_88 + r_y * (inertia_89 - inertia_105))
-            + w[p + 63];
-    w[p + 64] =
-        E_zx * inertia_68
-            + E_zy * inertia_69
-            + E_zz * inertia_70
-            + (r_z * inertia_111 - r_y * inertia_84 + r_x * (inertia_85 - inertia_113))
-            + w[p + 64];
+    w[p + 59] = E_xx * inertia_65 + E_xy * inertia_66 + E_xz * inertia_67 + (r_y * (inertia_83
+        + inertia_107) - r_z * (inertia_82 + inertia_106)) + w[p + 59];
+    w[p + 60] = E_yx * inertia_68 + E_yy * inertia_69 + E_yz * inertia_70 + (r_z * (inertia_84
+        + inertia_108) - r_x * (inertia_86 + inertia_110)) + w[p + 60];
+    w[p + 61] = r_x * (inertia_88 + inertia_112) - r_y * (inertia_87 + inertia_111) + inertia_71
+        + w[p + 61];
+    w[p + 62] = E_yx * inertia_65 + E_yy * inertia_66 + E_yz * inertia_67 + (r_y * inertia_110
+        - r_x * inertia_83 + r_z * (inertia_81 - inertia_109)) + w[p + 62];
+    w[p + 63] = E_zx * inertia_65 + E_zy * inertia_66 + E_zz * inertia_67 + (r_x * inertia_106
+        - r_z * inertia_88 + r_y * (inertia_89 - inertia_105)) + w[p + 63];
+    w[p + 64] = E_zx * inertia_68 + E_zy * inertia_69 + E_zz * inertia_70 + (r_z * inertia_111
+        - r_y * inertia_84 + r_x * (inertia_85 - inertia_113)) + w[p + 64];
     w[p + 65] = inertia_105 + w[p + 65];
     w[p + 66] = inertia_106 + w[p + 66];
     w[p + 67] = inertia_107 + w[p + 67];
@@ -379,26 +318,14 @@ final class PrintedScrew implements StepKernel {
     w[p + 77] = inertia_97 + w[p + 77];
     w[p + 78] = inertia_98 + w[p + 78];
     w[p + 79] = inertia_100 + w[p + 79];
-    w[p + 47] =
-        E_xx * inertia_116
-            + E_xy * inertia_117
-            + E_xz * inertia_9
-            + (r_y * inertia_120 - r_z * inertia_119)
-            + w[p + 47];
+    w[p + 47] = E_xx * inertia_116 + E_xy * inertia_117 + E_xz * inertia_9 + (r_y * inertia_120
+        - r_z * inertia_119) + w[p + 47];
     w[p + 50] = inertia_118 + w[p + 50];
-    w[p + 48] =
-        E_yx * inertia_116
-            + E_yy * inertia_117
-            + E_yz * inertia_9
-            + (r_z * inertia_118 - r_x * inertia_120)
-            + w[p + 48];
+    w[p + 48] = E_yx * inertia_116 + E_yy * inertia_117 + E_yz * inertia_9 + (r_z * inertia_118
+        - r_x * inertia_120) + w[p + 48];
     w[p + 51] = inertia_119 + w[p + 51];
-    w[p + 49] =
-        E_zx * inertia_116
-            + E_zy * inertia_117
-            + E_zz * inertia_9
-            + (r_x * inertia_119 - r_y * inertia_118)
-            + w[p + 49];
+    w[p + 49] = E_zx * inertia_116 + E_zy * inertia_117 + E_zz * inertia_9 + (r_x * inertia_119
+        - r_y * inertia_118) + w[p + 49];
     w[p + 52] = inertia_120 + w[p + 52];
     w[i + 59] = 0.0;
     w[i + 60] = 0.0;
@@ -550,10 +477,9 @@ final class PrintedScrew implements StepKernel {
     double pass_35 = E_yx * pass_27 + E_yy * pass_28 + E_yz * pass_29;
     double pass_36 = E_yx * pass_28 + E_yy * pass_30 + E_yz * pass_31;
     double pass_37 = E_yx * pass_29 + E_yy * pass_31 + E_yz * J_zz;
-    double pass_38 =
-        E_zx * (E_zx * pass_27 + E_zy * pass_28 + E_zz * pass_29)
-            + E_zy * (E_zx * pass_28 + E_zy * pass_30 + E_zz * pass_31)
-            + E_zz * (E_zx * pass_29 + E_zy * pass_31 + E_zz * J_zz);
+    double pass_38 = E_zx * (E_zx * pass_27 + E_zy * pass_28 + E_zz * pass_29)
+        + E_zy * (E_zx * pass_28 + E_zy * pass_30 + E_zz * pass_31) + E_zz * (E_zx * pass_29
+        + E_zy * pass_31 + E_zz * J_zz);
     double pass_39 = E_xx * pass_21 + E_xy * pass_24 + E_xz * pass_7;
     double pass_40 = E_xx * pass_22 + E_xy * pass_25 + E_xz * pass_8;
     double pass_41 = E_xx * pass_23 + E_xy * pass_26 + E_xz * H_zz;
@@ -583,10 +509,9 @@ final class PrintedScrew implements StepKernel {
     double pass_65 = E_zx * pass_57 + E_zy * pass_58 + E_zz * pass_59;
     double pass_66 = E_yx * pass_60 + E_yy * pass_61 + E_yz * pass_62;
     double pass_67 = E_zx * pass_60 + E_zy * pass_61 + E_zz * pass_62;
-    double pass_68 =
-        E_zx * (E_zx * pass_16 + E_zy * pass_18 + E_zz * pass_14)
-            + E_zy * (E_zx * pass_18 + E_zy * pass_17 + E_zz * pass_15)
-            + E_zz * (E_zx * pass_14 + E_zy * pass_15 + E_zz * M_zz);
+    double pass_68 = E_zx * (E_zx * pass_16 + E_zy * pass_18 + E_zz * pass_14)
+        + E_zy * (E_zx * pass_18 + E_zy * pass_17 + E_zz * pass_15) + E_zz * (E_zx * pass_14
+        + E_zy * pass_15 + E_zz * M_zz);
     double pass_69 = r_z * pass_64;
     double pass_70 = r_y * pass_65;
     double pass_71 = r_x * pass_67;
@@ -606,37 +531,17 @@ final class PrintedScrew implements StepKernel {
     double pass_85 = E_xx * pass_81 + E_xy * pass_82 + E_xz * f_z;
     double pass_86 = E_yx * pass_81 + E_yy * pass_82 + E_yz * f_z;
     double pass_87 = E_zx * pass_81 + E_zy * pass_82 + E_zz * f_z;
-    w[p + 59] =
-        E_xx * pass_32
-            + E_xy * pass_33
-            + E_xz * pass_34
-            + (r_y * (pass_50 + pass_74) - r_z * (pass_49 + pass_73))
-            + w[p + 59];
-    w[p + 60] =
-        E_yx * pass_35
-            + E_yy * pass_36
-            + E_yz * pass_37
-            + (r_z * (pass_51 + pass_75) - r_x * (pass_53 + pass_77))
-            + w[p + 60];
+    w[p + 59] = E_xx * pass_32 + E_xy * pass_33 + E_xz * pass_34 + (r_y * (pass_50 + pass_74)
+        - r_z * (pass_49 + pass_73)) + w[p + 59];
+    w[p + 60] = E_yx * pass_35 + E_yy * pass_36 + E_yz * pass_37 + (r_z * (pass_51 + pass_75)
+        - r_x * (pass_53 + pass_77)) + w[p + 60];
     w[p + 61] = r_x * (pass_55 + pass_79) - r_y * (pass_54 + pass_78) + pass_38 + w[p + 61];
-    w[p + 62] =
-        E_yx * pass_32
-            + E_yy * pass_33
-            + E_yz * pass_34
-            + (r_y * pass_77 - r_x * pass_50 + r_z * (pass_48 - pass_76))
-            + w[p + 62];
-    w[p + 63] =
-        E_zx * pass_32
-            + E_zy * pass_33
-            + E_zz * pass_34
-            + (r_x * pass_73 - r_z * pass_55 + r_y * (pass_56 - pass_72))
-            + w[p + 63];
-    w[p + 64] =
-        E_zx * pass_35
-            + E_zy * pass_36
-            + E_zz * pass_37
-            + (r_z * pass_78 - r_y * pass_51 + r_x * (pass_52 - pass_80))
-            + w[p + 64];
+    w[p + 62] = E_yx * pass_32 + E_yy * pass_33 + E_yz * pass_34 + (r_y * pass_77 - r_x * pass_50
+        + r_z * (pass_48 - pass_76)) + w[p + 62];
+    w[p + 63] = E_zx * pass_32 + E_zy * pass_33 + E_zz * pass_34 + (r_x * pass_73 - r_z * pass_55
+        + r_y * (pass_56 - pass_72)) + w[p + 63];
+    w[p + 64] = E_zx * pass_35 + E_zy * pass_36 + E_zz * pass_37 + (r_z * pass_78 - r_y * pass_51
+        + r_x * (pass_52 - pass_80)) + w[p + 64];
     w[p + 65] = pass_72 + w[p + 65];
     w[p + 66] = pass_73 + w[p + 66];
     w[p + 67] = pass_74 + w[p + 67];
@@ -652,14 +557,14 @@ final class PrintedScrew implements StepKernel {
     w[p + 77] = pass_64 + w[p + 77];
     w[p + 78] = pass_65 + w[p + 78];
     w[p + 79] = pass_67 + w[p + 79];
-    w[p + 47] =
-        E_xx * pass_83 + E_xy * pass_84 + E_xz * n_z + (r_y * pass_87 - r_z * pass_86) + w[p + 47];
+    w[p + 47] = E_xx * pass_83 + E_xy * pass_84 + E_xz * n_z + (r_y * pass_87 - r_z * pass_86)
+        + w[p + 47];
     w[p + 50] = pass_85 + w[p + 50];
-    w[p + 48] =
-        E_yx * pass_83 + E_yy * pass_84 + E_yz * n_z + (r_z * pass_85 - r_x * pass_87) + w[p + 48];
+    w[p + 48] = E_yx * pass_83 + E_yy * pass_84 + E_yz * n_z + (r_z * pass_85 - r_x * pass_87)
+        + w[p + 48];
     w[p + 51] = pass_86 + w[p + 51];
-    w[p + 49] =
-        E_zx * pass_83 + E_zy * pass_84 + E_zz * n_z + (r_x * pass_86 - r_y * pass_85) + w[p + 49];
+    w[p + 49] = E_zx * pass_83 + E_zy * pass_84 + E_zz * n_z + (r_x * pass_86 - r_y * pass_85)
+        + w[p + 49];
     w[p + 52] = pass_87 + w[p + 52];
   }
 
@@ -692,26 +597,17 @@ final class PrintedScrew implements StepKernel {
     double acceleration_6 = E_xz * above_88 + E_yz * above_89 + E_zz * above_90;
     double acceleration_7 = E_xz * acceleration_1 + E_yz * acceleration_2 + E_zz * acceleration_3;
     double acceleration_8 = link__12 * w[i + 32];
-    double acceleration_9 =
-        E_xx * acceleration_1
-            + E_yx * acceleration_2
-            + E_zx * acceleration_3
-            + acceleration_5 * acceleration_8;
-    double acceleration_10 =
-        E_xy * acceleration_1
-            + E_yy * acceleration_2
-            + E_zy * acceleration_3
-            - acceleration_4 * acceleration_8;
+    double acceleration_9 = E_xx * acceleration_1 + E_yx * acceleration_2 + E_zx * acceleration_3
+        + acceleration_5 * acceleration_8;
+    double acceleration_10 = E_xy * acceleration_1 + E_yy * acceleration_2 + E_zy * acceleration_3
+        - acceleration_4 * acceleration_8;
     double dalpha_x = acceleration_4 * cos + acceleration_5 * sin;
     double dalpha_y = acceleration_5 * cos - acceleration_4 * sin;
     double da_x = acceleration_9 * cos + acceleration_10 * sin;
     double da_y = acceleration_10 * cos - acceleration_9 * sin;
-    double acceleration_11 =
-        w[i + 81]
-            - (dalpha_x * w[i + 82]
-                + dalpha_y * w[i + 83]
-                + acceleration_6 * w[i + 84]
-                + (da_x * w[i + 85] + da_y * w[i + 86] + acceleration_7 * w[i + 87]));
+    double acceleration_11 = w[i + 81] - (dalpha_x * w[i + 82] + dalpha_y * w[i + 83]
+        + acceleration_6 * w[i + 84] + (da_x * w[i + 85] + da_y * w[i + 86]
+        + acceleration_7 * w[i + 87]));
     w[i + 88] = dalpha_x;
     w[i + 89] = dalpha_y;
     w[i + 90] = acceleration_6 + acceleration_11;
@@ -764,14 +660,12 @@ final class PrintedScrew implements StepKernel {
     double link__23 = w[i + 23];
     double link__24 = w[i + 24];
     double H_zz = w[i + 73];
-    double driving_1 =
-        w[i + 88] * (w[i + 30] + w[i + 63] + link__12 * (link__24 + w[i + 67]))
-            + w[i + 89] * (w[i + 31] + w[i + 64] + link__12 * (w[i + 70] - link__23))
-            + w[i + 90] * (w[i + 28] + w[i + 61] + link__12 * H_zz);
-    double driving_2 =
-        w[i + 91] * (w[i + 71] - link__24 + link__12 * w[i + 78])
-            + w[i + 92] * (link__23 + w[i + 72] + link__12 * w[i + 79])
-            + w[i + 93] * (H_zz + link__12 * (w[i + 13] + w[i + 76]));
+    double driving_1 = w[i + 88] * (w[i + 30] + w[i + 63] + link__12 * (link__24 + w[i + 67]))
+        + w[i + 89] * (w[i + 31] + w[i + 64] + link__12 * (w[i + 70] - link__23))
+        + w[i + 90] * (w[i + 28] + w[i + 61] + link__12 * H_zz);
+    double driving_2 = w[i + 91] * (w[i + 71] - link__24 + link__12 * w[i + 78])
+        + w[i + 92] * (link__23 + w[i + 72] + link__12 * w[i + 79]) + w[i + 93] * (H_zz
+        + link__12 * (w[i + 13] + w[i + 76]));
     w[i + 94] = driving_1 + driving_2 + (w[i + 49] + link__12 * w[i + 52]) - w[i + 37];
     w[i + 59] = 0.0;
     w[i + 60] = 0.0;
@@ -829,14 +723,14 @@ final class PrintedScrew implements StepKernel {
     double force_7 = E_yx * force_1 + E_yy * force_2 + E_yz * f_z;
     double force_8 = E_zx * force_1 + E_zy * force_2 + E_zz * f_z;
     w[i + 94] = n_z + link__12 * f_z - w[i + 37];
-    w[p + 47] =
-        E_xx * force_4 + E_xy * force_5 + E_xz * n_z + (r_y * force_8 - r_z * force_7) + w[p + 47];
+    w[p + 47] = E_xx * force_4 + E_xy * force_5 + E_xz * n_z + (r_y * force_8 - r_z * force_7)
+        + w[p + 47];
     w[p + 50] = force_6 + w[p + 50];
-    w[p + 48] =
-        E_yx * force_4 + E_yy * force_5 + E_yz * n_z + (r_z * force_6 - r_x * force_8) + w[p + 48];
+    w[p + 48] = E_yx * force_4 + E_yy * force_5 + E_yz * n_z + (r_z * force_6 - r_x * force_8)
+        + w[p + 48];
     w[p + 51] = force_7 + w[p + 51];
-    w[p + 49] =
-        E_zx * force_4 + E_zy * force_5 + E_zz * n_z + (r_x * force_7 - r_y * force_6) + w[p + 49];
+    w[p + 49] = E_zx * force_4 + E_zy * force_5 + E_zz * n_z + (r_x * force_7 - r_y * force_6)
+        + w[p + 49];
     w[p + 52] = force_8 + w[p + 52];
   }
 

@@ -3,8 +3,8 @@ package org.mechservice.solver.step.printed;
 import org.mechservice.solver.step.StepKernel;
 
 /**
- * Printed from its equations; do not edit. PrintedStepsTest compares it with them and prints it
- * anew with -Dgolden.write=true.
+ * Printed from its equations; do not edit. PrintedStepsTest compares it with them and
+ * prints it anew with -Dgolden.write=true.
  */
 final class PrintedSlide implements StepKernel {
 
@@ -46,21 +46,12 @@ final class PrintedSlide implements StepKernel {
     double motion_4 = omega_p_x * omega_p_y;
     double motion_5 = omega_p_x * omega_p_z;
     double motion_6 = omega_p_y * omega_p_z;
-    double motion_7 =
-        r_y * (motion_4 - alpha_p_z)
-            - r_x * (motion_2 + motion_3)
-            + r_z * (alpha_p_y + motion_5)
-            + w[p + 44];
-    double motion_8 =
-        r_x * (alpha_p_z + motion_4)
-            - r_y * (motion_1 + motion_3)
-            + r_z * (motion_6 - alpha_p_x)
-            + w[p + 45];
-    double motion_9 =
-        r_x * (motion_5 - alpha_p_y)
-            + r_y * (alpha_p_x + motion_6)
-            - r_z * (motion_1 + motion_2)
-            + w[p + 46];
+    double motion_7 = r_y * (motion_4 - alpha_p_z) - r_x * (motion_2 + motion_3) + r_z * (alpha_p_y
+        + motion_5) + w[p + 44];
+    double motion_8 = r_x * (alpha_p_z + motion_4) - r_y * (motion_1 + motion_3) + r_z * (motion_6
+        - alpha_p_x) + w[p + 45];
+    double motion_9 = r_x * (motion_5 - alpha_p_y) + r_y * (alpha_p_x + motion_6) - r_z * (motion_1
+        + motion_2) + w[p + 46];
     double omega_x = E_xx * omega_p_x + E_yx * omega_p_y + E_zx * omega_p_z;
     double omega_y = E_xy * omega_p_x + E_yy * omega_p_y + E_zy * omega_p_z;
     double omega_z = E_xz * omega_p_x + E_yz * omega_p_y + E_zz * omega_p_z;
@@ -81,35 +72,20 @@ final class PrintedSlide implements StepKernel {
     double W_zx = motion_15 - alpha_y;
     double W_zy = alpha_x + motion_16;
     double minus_W_zz = motion_11 + motion_12;
-    double a_x =
-        E_xx * motion_7 + E_yx * motion_8 + E_zx * motion_9 + W_xz * q + omega_y * motion_10;
-    double a_y =
-        E_xy * motion_7 + E_yy * motion_8 + E_zy * motion_9 + W_yz * q - omega_x * motion_10;
+    double a_x = E_xx * motion_7 + E_yx * motion_8 + E_zx * motion_9 + W_xz * q
+        + omega_y * motion_10;
+    double a_y = E_xy * motion_7 + E_yy * motion_8 + E_zy * motion_9 + W_yz * q
+        - omega_x * motion_10;
     double a_z = E_xz * motion_7 + E_yz * motion_8 + E_zz * motion_9 - minus_W_zz * q + w[i + 36];
     double motion_17 = m * (c_y * W_xy - c_x * (motion_12 + motion_13) + c_z * W_xz + a_x);
     double motion_18 = m * (c_x * W_yx - c_y * (motion_11 + motion_13) + c_z * W_yz + a_y);
     double motion_19 = m * (c_x * W_zx + c_y * W_zy - c_z * minus_W_zz + a_z);
-    double motion_20 =
-        I_xx * alpha_x
-            + motion_16 * (I_zz - I_yy)
-            + I_xz * W_yx
-            - I_xy * W_zx
-            + I_yz * (motion_12 - motion_13)
-            + (c_y * motion_19 - c_z * motion_18);
-    double motion_21 =
-        I_yy * alpha_y
-            + motion_15 * (I_xx - I_zz)
-            + I_xy * W_zy
-            - I_yz * W_xy
-            + I_xz * (motion_13 - motion_11)
-            + (c_z * motion_17 - c_x * motion_19);
-    double motion_22 =
-        I_zz * alpha_z
-            + motion_14 * (I_yy - I_xx)
-            + I_yz * W_xz
-            - I_xz * W_yz
-            + I_xy * (motion_11 - motion_12)
-            + (c_x * motion_18 - c_y * motion_17);
+    double motion_20 = I_xx * alpha_x + motion_16 * (I_zz - I_yy) + I_xz * W_yx - I_xy * W_zx
+        + I_yz * (motion_12 - motion_13) + (c_y * motion_19 - c_z * motion_18);
+    double motion_21 = I_yy * alpha_y + motion_15 * (I_xx - I_zz) + I_xy * W_zy - I_yz * W_xy
+        + I_xz * (motion_13 - motion_11) + (c_z * motion_17 - c_x * motion_19);
+    double motion_22 = I_zz * alpha_z + motion_14 * (I_yy - I_xx) + I_yz * W_xz - I_xz * W_yz
+        + I_xy * (motion_11 - motion_12) + (c_x * motion_18 - c_y * motion_17);
     w[i + 38] = omega_x;
     w[i + 39] = omega_y;
     w[i + 40] = omega_z;
@@ -189,10 +165,9 @@ final class PrintedSlide implements StepKernel {
     double inertia_26 = E_yx * inertia_18 + E_yy * inertia_19 + E_yz * inertia_20;
     double inertia_27 = E_yx * inertia_19 + E_yy * inertia_21 + E_yz * inertia_22;
     double inertia_28 = E_yx * inertia_20 + E_yy * inertia_22 + E_yz * inertia_4;
-    double inertia_29 =
-        E_zx * (E_zx * inertia_18 + E_zy * inertia_19 + E_zz * inertia_20)
-            + E_zy * (E_zx * inertia_19 + E_zy * inertia_21 + E_zz * inertia_22)
-            + E_zz * (E_zx * inertia_20 + E_zy * inertia_22 + E_zz * inertia_4);
+    double inertia_29 = E_zx * (E_zx * inertia_18 + E_zy * inertia_19 + E_zz * inertia_20)
+        + E_zy * (E_zx * inertia_19 + E_zy * inertia_21 + E_zz * inertia_22)
+        + E_zz * (E_zx * inertia_20 + E_zy * inertia_22 + E_zz * inertia_4);
     double inertia_30 = E_xx * inertia_14 + E_xy * inertia_16 + E_xz * inertia_8;
     double inertia_31 = E_xx * inertia_15 + E_xy * inertia_17 + E_xz * inertia_9;
     double inertia_32 = E_yx * inertia_14 + E_yy * inertia_16 + E_yz * inertia_8;
@@ -217,9 +192,8 @@ final class PrintedSlide implements StepKernel {
     double inertia_51 = E_zx * inertia_45 + E_zy * inertia_46;
     double inertia_52 = E_yx * inertia_47 + E_yy * inertia_48;
     double inertia_53 = E_zx * inertia_47 + E_zy * inertia_48;
-    double inertia_54 =
-        E_zx * (E_zx * inertia_10 + E_zy * inertia_11)
-            + E_zy * (E_zx * inertia_11 + E_zy * inertia_12);
+    double inertia_54 = E_zx * (E_zx * inertia_10 + E_zy * inertia_11) + E_zy * (E_zx * inertia_11
+        + E_zy * inertia_12);
     double inertia_55 = r_z * inertia_50;
     double inertia_56 = r_y * inertia_51;
     double inertia_57 = r_x * inertia_53;
@@ -244,38 +218,18 @@ final class PrintedSlide implements StepKernel {
     w[i + 84] = kn_z;
     w[i + 85] = kf_x;
     w[i + 86] = kf_y;
-    w[p + 59] =
-        E_xx * inertia_23
-            + E_xy * inertia_24
-            + E_xz * inertia_25
-            + (r_y * (inertia_38 + inertia_60) - r_z * (inertia_37 + inertia_59))
-            + w[p + 59];
-    w[p + 60] =
-        E_yx * inertia_26
-            + E_yy * inertia_27
-            + E_yz * inertia_28
-            + (r_z * (inertia_39 + inertia_61) - r_x * (inertia_41 + inertia_63))
-            + w[p + 60];
-    w[p + 61] =
-        r_x * (inertia_43 + inertia_65) - r_y * (inertia_42 + inertia_64) + inertia_29 + w[p + 61];
-    w[p + 62] =
-        E_yx * inertia_23
-            + E_yy * inertia_24
-            + E_yz * inertia_25
-            + (r_y * inertia_63 - r_x * inertia_38 + r_z * (inertia_36 - inertia_62))
-            + w[p + 62];
-    w[p + 63] =
-        E_zx * inertia_23
-            + E_zy * inertia_24
-            + E_zz * inertia_25
-            + (r_x * inertia_59 - r_z * inertia_43 + r_y * (inertia_44 - inertia_58))
-            + w[p + 63];
-    w[p + 64] =
-        E_zx * inertia_26
-            + E_zy * inertia_27
-            + E_zz * inertia_28
-            + (r_z * inertia_64 - r_y * inertia_39 + r_x * (inertia_40 - inertia_66))
-            + w[p + 64];
+    w[p + 59] = E_xx * inertia_23 + E_xy * inertia_24 + E_xz * inertia_25 + (r_y * (inertia_38
+        + inertia_60) - r_z * (inertia_37 + inertia_59)) + w[p + 59];
+    w[p + 60] = E_yx * inertia_26 + E_yy * inertia_27 + E_yz * inertia_28 + (r_z * (inertia_39
+        + inertia_61) - r_x * (inertia_41 + inertia_63)) + w[p + 60];
+    w[p + 61] = r_x * (inertia_43 + inertia_65) - r_y * (inertia_42 + inertia_64) + inertia_29
+        + w[p + 61];
+    w[p + 62] = E_yx * inertia_23 + E_yy * inertia_24 + E_yz * inertia_25 + (r_y * inertia_63
+        - r_x * inertia_38 + r_z * (inertia_36 - inertia_62)) + w[p + 62];
+    w[p + 63] = E_zx * inertia_23 + E_zy * inertia_24 + E_zz * inertia_25 + (r_x * inertia_59
+        - r_z * inertia_43 + r_y * (inertia_44 - inertia_58)) + w[p + 63];
+    w[p + 64] = E_zx * inertia_26 + E_zy * inertia_27 + E_zz * inertia_28 + (r_z * inertia_64
+        - r_y * inertia_39 + r_x * (inertia_40 - inertia_66)) + w[p + 64];
     w[p + 65] = inertia_58 + w[p + 65];
     w[p + 66] = inertia_59 + w[p + 66];
     w[p + 67] = inertia_60 + w[p + 67];
@@ -291,26 +245,14 @@ final class PrintedSlide implements StepKernel {
     w[p + 77] = inertia_50 + w[p + 77];
     w[p + 78] = inertia_51 + w[p + 78];
     w[p + 79] = inertia_53 + w[p + 79];
-    w[p + 47] =
-        E_xx * inertia_67
-            + E_xy * inertia_68
-            + E_xz * inertia_1
-            + (r_y * inertia_71 - r_z * inertia_70)
-            + w[p + 47];
+    w[p + 47] = E_xx * inertia_67 + E_xy * inertia_68 + E_xz * inertia_1 + (r_y * inertia_71
+        - r_z * inertia_70) + w[p + 47];
     w[p + 50] = inertia_69 + w[p + 50];
-    w[p + 48] =
-        E_yx * inertia_67
-            + E_yy * inertia_68
-            + E_yz * inertia_1
-            + (r_z * inertia_69 - r_x * inertia_71)
-            + w[p + 48];
+    w[p + 48] = E_yx * inertia_67 + E_yy * inertia_68 + E_yz * inertia_1 + (r_z * inertia_69
+        - r_x * inertia_71) + w[p + 48];
     w[p + 51] = inertia_70 + w[p + 51];
-    w[p + 49] =
-        E_zx * inertia_67
-            + E_zy * inertia_68
-            + E_zz * inertia_1
-            + (r_x * inertia_70 - r_y * inertia_69)
-            + w[p + 49];
+    w[p + 49] = E_zx * inertia_67 + E_zy * inertia_68 + E_zz * inertia_1 + (r_x * inertia_70
+        - r_y * inertia_69) + w[p + 49];
     w[p + 52] = inertia_71 + w[p + 52];
     w[i + 59] = 0.0;
     w[i + 60] = 0.0;
@@ -425,10 +367,8 @@ final class PrintedSlide implements StepKernel {
     double pass_16 = E_yx * pass_8 + E_yy * pass_9 + E_yz * pass_10;
     double pass_17 = E_yx * pass_9 + E_yy * pass_11 + E_yz * pass_12;
     double pass_18 = E_yx * pass_10 + E_yy * pass_12 + E_yz * J_zz;
-    double pass_19 =
-        E_zx * (E_zx * pass_8 + E_zy * pass_9 + E_zz * pass_10)
-            + E_zy * (E_zx * pass_9 + E_zy * pass_11 + E_zz * pass_12)
-            + E_zz * (E_zx * pass_10 + E_zy * pass_12 + E_zz * J_zz);
+    double pass_19 = E_zx * (E_zx * pass_8 + E_zy * pass_9 + E_zz * pass_10) + E_zy * (E_zx * pass_9
+        + E_zy * pass_11 + E_zz * pass_12) + E_zz * (E_zx * pass_10 + E_zy * pass_12 + E_zz * J_zz);
     double pass_20 = E_xx * pass_2 + E_xy * pass_5 + E_xz * H_zx;
     double pass_21 = E_xx * pass_3 + E_xy * pass_6 + E_xz * H_zy;
     double pass_22 = E_xx * pass_4 + E_xy * pass_7 + E_xz * H_zz;
@@ -458,10 +398,8 @@ final class PrintedSlide implements StepKernel {
     double pass_46 = E_zx * pass_38 + E_zy * pass_39 + E_zz * pass_40;
     double pass_47 = E_yx * pass_41 + E_yy * pass_42 + E_yz * pass_43;
     double pass_48 = E_zx * pass_41 + E_zy * pass_42 + E_zz * pass_43;
-    double pass_49 =
-        E_zx * (E_zx * M_xx + E_zy * M_xy + E_zz * M_xz)
-            + E_zy * (E_zx * M_xy + E_zy * M_yy + E_zz * M_yz)
-            + E_zz * (E_zx * M_xz + E_zy * M_yz + E_zz * M_zz);
+    double pass_49 = E_zx * (E_zx * M_xx + E_zy * M_xy + E_zz * M_xz) + E_zy * (E_zx * M_xy
+        + E_zy * M_yy + E_zz * M_yz) + E_zz * (E_zx * M_xz + E_zy * M_yz + E_zz * M_zz);
     double pass_50 = r_z * pass_45;
     double pass_51 = r_y * pass_46;
     double pass_52 = r_x * pass_48;
@@ -479,37 +417,17 @@ final class PrintedSlide implements StepKernel {
     double pass_64 = E_xx * f_x + E_xy * f_y + E_xz * f_z;
     double pass_65 = E_yx * f_x + E_yy * f_y + E_yz * f_z;
     double pass_66 = E_zx * f_x + E_zy * f_y + E_zz * f_z;
-    w[p + 59] =
-        E_xx * pass_13
-            + E_xy * pass_14
-            + E_xz * pass_15
-            + (r_y * (pass_31 + pass_55) - r_z * (pass_30 + pass_54))
-            + w[p + 59];
-    w[p + 60] =
-        E_yx * pass_16
-            + E_yy * pass_17
-            + E_yz * pass_18
-            + (r_z * (pass_32 + pass_56) - r_x * (pass_34 + pass_58))
-            + w[p + 60];
+    w[p + 59] = E_xx * pass_13 + E_xy * pass_14 + E_xz * pass_15 + (r_y * (pass_31 + pass_55)
+        - r_z * (pass_30 + pass_54)) + w[p + 59];
+    w[p + 60] = E_yx * pass_16 + E_yy * pass_17 + E_yz * pass_18 + (r_z * (pass_32 + pass_56)
+        - r_x * (pass_34 + pass_58)) + w[p + 60];
     w[p + 61] = r_x * (pass_36 + pass_60) - r_y * (pass_35 + pass_59) + pass_19 + w[p + 61];
-    w[p + 62] =
-        E_yx * pass_13
-            + E_yy * pass_14
-            + E_yz * pass_15
-            + (r_y * pass_58 - r_x * pass_31 + r_z * (pass_29 - pass_57))
-            + w[p + 62];
-    w[p + 63] =
-        E_zx * pass_13
-            + E_zy * pass_14
-            + E_zz * pass_15
-            + (r_x * pass_54 - r_z * pass_36 + r_y * (pass_37 - pass_53))
-            + w[p + 63];
-    w[p + 64] =
-        E_zx * pass_16
-            + E_zy * pass_17
-            + E_zz * pass_18
-            + (r_z * pass_59 - r_y * pass_32 + r_x * (pass_33 - pass_61))
-            + w[p + 64];
+    w[p + 62] = E_yx * pass_13 + E_yy * pass_14 + E_yz * pass_15 + (r_y * pass_58 - r_x * pass_31
+        + r_z * (pass_29 - pass_57)) + w[p + 62];
+    w[p + 63] = E_zx * pass_13 + E_zy * pass_14 + E_zz * pass_15 + (r_x * pass_54 - r_z * pass_36
+        + r_y * (pass_37 - pass_53)) + w[p + 63];
+    w[p + 64] = E_zx * pass_16 + E_zy * pass_17 + E_zz * pass_18 + (r_z * pass_59 - r_y * pass_32
+        + r_x * (pass_33 - pass_61)) + w[p + 64];
     w[p + 65] = pass_53 + w[p + 65];
     w[p + 66] = pass_54 + w[p + 66];
     w[p + 67] = pass_55 + w[p + 67];
@@ -525,14 +443,14 @@ final class PrintedSlide implements StepKernel {
     w[p + 77] = pass_45 + w[p + 77];
     w[p + 78] = pass_46 + w[p + 78];
     w[p + 79] = pass_48 + w[p + 79];
-    w[p + 47] =
-        E_xx * pass_62 + E_xy * pass_63 + E_xz * n_z + (r_y * pass_66 - r_z * pass_65) + w[p + 47];
+    w[p + 47] = E_xx * pass_62 + E_xy * pass_63 + E_xz * n_z + (r_y * pass_66 - r_z * pass_65)
+        + w[p + 47];
     w[p + 50] = pass_64 + w[p + 50];
-    w[p + 48] =
-        E_yx * pass_62 + E_yy * pass_63 + E_yz * n_z + (r_z * pass_64 - r_x * pass_66) + w[p + 48];
+    w[p + 48] = E_yx * pass_62 + E_yy * pass_63 + E_yz * n_z + (r_z * pass_64 - r_x * pass_66)
+        + w[p + 48];
     w[p + 51] = pass_65 + w[p + 51];
-    w[p + 49] =
-        E_zx * pass_62 + E_zy * pass_63 + E_zz * n_z + (r_x * pass_65 - r_y * pass_64) + w[p + 49];
+    w[p + 49] = E_zx * pass_62 + E_zy * pass_63 + E_zz * n_z + (r_x * pass_65 - r_y * pass_64)
+        + w[p + 49];
     w[p + 52] = pass_66 + w[p + 52];
   }
 
@@ -562,16 +480,12 @@ final class PrintedSlide implements StepKernel {
     double dalpha_y = E_xy * above_88 + E_yy * above_89 + E_zy * above_90;
     double dalpha_z = E_xz * above_88 + E_yz * above_89 + E_zz * above_90;
     double acceleration_4 = E_xz * acceleration_1 + E_yz * acceleration_2 + E_zz * acceleration_3;
-    double da_x =
-        E_xx * acceleration_1 + E_yx * acceleration_2 + E_zx * acceleration_3 + dalpha_y * q;
-    double da_y =
-        E_xy * acceleration_1 + E_yy * acceleration_2 + E_zy * acceleration_3 - dalpha_x * q;
-    double acceleration_5 =
-        w[i + 81]
-            - (dalpha_x * w[i + 82]
-                + dalpha_y * w[i + 83]
-                + dalpha_z * w[i + 84]
-                + (da_x * w[i + 85] + da_y * w[i + 86] + acceleration_4));
+    double da_x = E_xx * acceleration_1 + E_yx * acceleration_2 + E_zx * acceleration_3
+        + dalpha_y * q;
+    double da_y = E_xy * acceleration_1 + E_yy * acceleration_2 + E_zy * acceleration_3
+        - dalpha_x * q;
+    double acceleration_5 = w[i + 81] - (dalpha_x * w[i + 82] + dalpha_y * w[i + 83]
+        + dalpha_z * w[i + 84] + (da_x * w[i + 85] + da_y * w[i + 86] + acceleration_4));
     w[i + 88] = dalpha_x;
     w[i + 89] = dalpha_y;
     w[i + 90] = dalpha_z;
@@ -616,11 +530,9 @@ final class PrintedSlide implements StepKernel {
   @Override
   public void driving(double[] w, int i, int p) {
     // U.A + p.z - tau of each degree of freedom.
-    double driving_1 =
-        (w[i + 24] + w[i + 67]) * w[i + 88]
-            + (w[i + 70] - w[i + 23]) * w[i + 89]
-            + w[i + 73] * w[i + 90]
-            + (w[i + 78] * w[i + 91] + w[i + 79] * w[i + 92] + (w[i + 13] + w[i + 76]) * w[i + 93]);
+    double driving_1 = (w[i + 24] + w[i + 67]) * w[i + 88] + (w[i + 70] - w[i + 23]) * w[i + 89]
+        + w[i + 73] * w[i + 90] + (w[i + 78] * w[i + 91] + w[i + 79] * w[i + 92] + (w[i + 13]
+        + w[i + 76]) * w[i + 93]);
     w[i + 94] = w[i + 52] + driving_1 - w[i + 37];
     w[i + 59] = 0.0;
     w[i + 60] = 0.0;
@@ -671,14 +583,14 @@ final class PrintedSlide implements StepKernel {
     double force_4 = E_yx * f_x + E_yy * f_y + E_yz * f_z;
     double force_5 = E_zx * f_x + E_zy * f_y + E_zz * f_z;
     w[i + 94] = f_z - w[i + 37];
-    w[p + 47] =
-        E_xx * force_1 + E_xy * force_2 + E_xz * n_z + (r_y * force_5 - r_z * force_4) + w[p + 47];
+    w[p + 47] = E_xx * force_1 + E_xy * force_2 + E_xz * n_z + (r_y * force_5 - r_z * force_4)
+        + w[p + 47];
     w[p + 50] = force_3 + w[p + 50];
-    w[p + 48] =
-        E_yx * force_1 + E_yy * force_2 + E_yz * n_z + (r_z * force_3 - r_x * force_5) + w[p + 48];
+    w[p + 48] = E_yx * force_1 + E_yy * force_2 + E_yz * n_z + (r_z * force_3 - r_x * force_5)
+        + w[p + 48];
     w[p + 51] = force_4 + w[p + 51];
-    w[p + 49] =
-        E_zx * force_1 + E_zy * force_2 + E_zz * n_z + (r_x * force_4 - r_y * force_3) + w[p + 49];
+    w[p + 49] = E_zx * force_1 + E_zy * force_2 + E_zz * n_z + (r_x * force_4 - r_y * force_3)
+        + w[p + 49];
     w[p + 52] = force_5 + w[p + 52];
   }
 

@@ -5,12 +5,15 @@ import org.mechservice.solver.step.StepKind;
 
 /**
  * The printed steps. Printed from its equations; do not edit. PrintedStepsTest compares it with
- * them and prints it anew with -Dgolden.write=true.
+ * them and
+ * prints it anew with -Dgolden.write=true.
  */
 public final class PrintedSteps {
   private PrintedSteps() {}
 
-  /** Returns the methods of a kind of step. */
+  /**
+   * Returns the methods of a kind of step.
+   */
   public static StepKernel of(StepKind kind) {
     return switch (kind) {
       case TURN -> new PrintedTurn();

@@ -3,8 +3,8 @@ package org.mechservice.solver.step.printed;
 import org.mechservice.solver.step.StepKernel;
 
 /**
- * Printed from its equations; do not edit. PrintedStepsTest compares it with them and prints it
- * anew with -Dgolden.write=true.
+ * Printed from its equations; do not edit. PrintedStepsTest compares it with them and
+ * prints it anew with -Dgolden.write=true.
  */
 final class PrintedTurn implements StepKernel {
 
@@ -48,21 +48,12 @@ final class PrintedTurn implements StepKernel {
     double motion_4 = omega_p_x * omega_p_y;
     double motion_5 = omega_p_x * omega_p_z;
     double motion_6 = omega_p_y * omega_p_z;
-    double motion_7 =
-        r_y * (motion_4 - alpha_p_z)
-            - r_x * (motion_2 + motion_3)
-            + r_z * (alpha_p_y + motion_5)
-            + w[p + 44];
-    double motion_8 =
-        r_x * (alpha_p_z + motion_4)
-            - r_y * (motion_1 + motion_3)
-            + r_z * (motion_6 - alpha_p_x)
-            + w[p + 45];
-    double motion_9 =
-        r_x * (motion_5 - alpha_p_y)
-            + r_y * (alpha_p_x + motion_6)
-            - r_z * (motion_1 + motion_2)
-            + w[p + 46];
+    double motion_7 = r_y * (motion_4 - alpha_p_z) - r_x * (motion_2 + motion_3) + r_z * (alpha_p_y
+        + motion_5) + w[p + 44];
+    double motion_8 = r_x * (alpha_p_z + motion_4) - r_y * (motion_1 + motion_3) + r_z * (motion_6
+        - alpha_p_x) + w[p + 45];
+    double motion_9 = r_x * (motion_5 - alpha_p_y) + r_y * (alpha_p_x + motion_6) - r_z * (motion_1
+        + motion_2) + w[p + 46];
     double motion_10 = E_xx * omega_p_x + E_yx * omega_p_y + E_zx * omega_p_z;
     double motion_11 = E_xy * omega_p_x + E_yy * omega_p_y + E_zy * omega_p_z;
     double motion_12 = E_xx * alpha_p_x + E_yx * alpha_p_y + E_zx * alpha_p_z;
@@ -93,27 +84,12 @@ final class PrintedTurn implements StepKernel {
     double motion_22 = m * (c_y * W_xy - c_x * (motion_17 + motion_18) + c_z * W_xz + a_x);
     double motion_23 = m * (c_x * W_yx - c_y * (motion_16 + motion_18) + c_z * W_yz + a_y);
     double motion_24 = m * (c_x * W_zx + c_y * W_zy - c_z * (motion_16 + motion_17) + a_z);
-    double motion_25 =
-        I_xx * alpha_x
-            + motion_21 * (I_zz - I_yy)
-            + I_xz * W_yx
-            - I_xy * W_zx
-            + I_yz * (motion_17 - motion_18)
-            + (c_y * motion_24 - c_z * motion_23);
-    double motion_26 =
-        I_yy * alpha_y
-            + motion_20 * (I_xx - I_zz)
-            + I_xy * W_zy
-            - I_yz * W_xy
-            + I_xz * (motion_18 - motion_16)
-            + (c_z * motion_22 - c_x * motion_24);
-    double motion_27 =
-        I_zz * alpha_z
-            + motion_19 * (I_yy - I_xx)
-            + I_yz * W_xz
-            - I_xz * W_yz
-            + I_xy * (motion_16 - motion_17)
-            + (c_x * motion_23 - c_y * motion_22);
+    double motion_25 = I_xx * alpha_x + motion_21 * (I_zz - I_yy) + I_xz * W_yx - I_xy * W_zx
+        + I_yz * (motion_17 - motion_18) + (c_y * motion_24 - c_z * motion_23);
+    double motion_26 = I_yy * alpha_y + motion_20 * (I_xx - I_zz) + I_xy * W_zy - I_yz * W_xy
+        + I_xz * (motion_18 - motion_16) + (c_z * motion_22 - c_x * motion_24);
+    double motion_27 = I_zz * alpha_z + motion_19 * (I_yy - I_xx) + I_yz * W_xz - I_xz * W_yz
+        + I_xy * (motion_16 - motion_17) + (c_x * motion_23 - c_y * motion_22);
     w[i + 38] = omega_x;
     w[i + 39] = omega_y;
     w[i + 40] = omega_z;
@@ -241,10 +217,9 @@ final class PrintedTurn implements StepKernel {
     double inertia_73 = E_zx * inertia_65 + E_zy * inertia_66 + E_zz * inertia_67;
     double inertia_74 = E_yx * inertia_68 + E_yy * inertia_69 + E_yz * inertia_70;
     double inertia_75 = E_zx * inertia_68 + E_zy * inertia_69 + E_zz * inertia_70;
-    double inertia_76 =
-        E_zx * (E_zx * inertia_40 + E_zy * inertia_42 + E_zz * inertia_38)
-            + E_zy * (E_zx * inertia_42 + E_zy * inertia_41 + E_zz * inertia_39)
-            + E_zz * (E_zx * inertia_38 + E_zy * inertia_39 + E_zz * inertia_20);
+    double inertia_76 = E_zx * (E_zx * inertia_40 + E_zy * inertia_42 + E_zz * inertia_38)
+        + E_zy * (E_zx * inertia_42 + E_zy * inertia_41 + E_zz * inertia_39)
+        + E_zz * (E_zx * inertia_38 + E_zy * inertia_39 + E_zz * inertia_20);
     double inertia_77 = r_z * inertia_72;
     double inertia_78 = r_y * inertia_73;
     double inertia_79 = r_x * inertia_75;
@@ -257,10 +232,8 @@ final class PrintedTurn implements StepKernel {
     double inertia_86 = r_x * inertia_72 - r_y * inertia_71 + inertia_62;
     double inertia_87 = r_x * inertia_74 - r_y * inertia_72 + inertia_63;
     double inertia_88 = inertia_79 - inertia_78 + inertia_64;
-    double inertia_89 =
-        E_zx * (E_zx * inertia_24 + E_zy * inertia_26)
-            + E_zy * (E_zx * inertia_26 + E_zy * inertia_25)
-            + (r_x * (inertia_63 + inertia_87) - r_y * (inertia_62 + inertia_86));
+    double inertia_89 = E_zx * (E_zx * inertia_24 + E_zy * inertia_26) + E_zy * (E_zx * inertia_26
+        + E_zy * inertia_25) + (r_x * (inertia_63 + inertia_87) - r_y * (inertia_62 + inertia_86));
     double inertia_90 = inertia_1 * cos - inertia_2 * sin;
     double inertia_91 = inertia_1 * sin + inertia_2 * cos;
     double inertia_92 = inertia_3 * cos - inertia_4 * sin;
@@ -275,32 +248,17 @@ final class PrintedTurn implements StepKernel {
     w[i + 85] = kf_x;
     w[i + 86] = kf_y;
     w[i + 87] = kf_z;
-    w[p + 59] =
-        E_xx * inertia_43
-            + E_xy * inertia_44
-            + (r_y * (inertia_58 + inertia_82) - r_z * (inertia_57 + inertia_81))
-            + w[p + 59];
-    w[p + 60] =
-        E_yx * inertia_45
-            + E_yy * inertia_46
-            + (r_z * (inertia_59 + inertia_83) - r_x * (inertia_61 + inertia_85))
-            + w[p + 60];
+    w[p + 59] = E_xx * inertia_43 + E_xy * inertia_44 + (r_y * (inertia_58 + inertia_82)
+        - r_z * (inertia_57 + inertia_81)) + w[p + 59];
+    w[p + 60] = E_yx * inertia_45 + E_yy * inertia_46 + (r_z * (inertia_59 + inertia_83)
+        - r_x * (inertia_61 + inertia_85)) + w[p + 60];
     w[p + 61] = inertia_89 + w[p + 61];
-    w[p + 62] =
-        E_yx * inertia_43
-            + E_yy * inertia_44
-            + (r_y * inertia_85 - r_x * inertia_58 + r_z * (inertia_56 - inertia_84))
-            + w[p + 62];
-    w[p + 63] =
-        E_zx * inertia_43
-            + E_zy * inertia_44
-            + (r_x * inertia_81 - r_z * inertia_63 + r_y * (inertia_64 - inertia_80))
-            + w[p + 63];
-    w[p + 64] =
-        E_zx * inertia_45
-            + E_zy * inertia_46
-            + (r_z * inertia_86 - r_y * inertia_59 + r_x * (inertia_60 - inertia_88))
-            + w[p + 64];
+    w[p + 62] = E_yx * inertia_43 + E_yy * inertia_44 + (r_y * inertia_85 - r_x * inertia_58
+        + r_z * (inertia_56 - inertia_84)) + w[p + 62];
+    w[p + 63] = E_zx * inertia_43 + E_zy * inertia_44 + (r_x * inertia_81 - r_z * inertia_63
+        + r_y * (inertia_64 - inertia_80)) + w[p + 63];
+    w[p + 64] = E_zx * inertia_45 + E_zy * inertia_46 + (r_z * inertia_86 - r_y * inertia_59
+        + r_x * (inertia_60 - inertia_88)) + w[p + 64];
     w[p + 65] = inertia_80 + w[p + 65];
     w[p + 66] = inertia_81 + w[p + 66];
     w[p + 67] = inertia_82 + w[p + 67];
@@ -316,26 +274,14 @@ final class PrintedTurn implements StepKernel {
     w[p + 77] = inertia_72 + w[p + 77];
     w[p + 78] = inertia_73 + w[p + 78];
     w[p + 79] = inertia_75 + w[p + 79];
-    w[p + 47] =
-        E_xx * inertia_90
-            + E_xy * inertia_91
-            + E_xz * tau
-            + (r_y * inertia_96 - r_z * inertia_95)
-            + w[p + 47];
+    w[p + 47] = E_xx * inertia_90 + E_xy * inertia_91 + E_xz * tau + (r_y * inertia_96
+        - r_z * inertia_95) + w[p + 47];
     w[p + 50] = inertia_94 + w[p + 50];
-    w[p + 48] =
-        E_yx * inertia_90
-            + E_yy * inertia_91
-            + E_yz * tau
-            + (r_z * inertia_94 - r_x * inertia_96)
-            + w[p + 48];
+    w[p + 48] = E_yx * inertia_90 + E_yy * inertia_91 + E_yz * tau + (r_z * inertia_94
+        - r_x * inertia_96) + w[p + 48];
     w[p + 51] = inertia_95 + w[p + 51];
-    w[p + 49] =
-        E_zx * inertia_90
-            + E_zy * inertia_91
-            + E_zz * tau
-            + (r_x * inertia_95 - r_y * inertia_94)
-            + w[p + 49];
+    w[p + 49] = E_zx * inertia_90 + E_zy * inertia_91 + E_zz * tau + (r_x * inertia_95
+        - r_y * inertia_94) + w[p + 49];
     w[p + 52] = inertia_96 + w[p + 52];
     w[i + 59] = 0.0;
     w[i + 60] = 0.0;
@@ -475,10 +421,8 @@ final class PrintedTurn implements StepKernel {
     double pass_30 = E_yx * pass_6 + E_yy * pass_8 + E_yz * pass_4;
     double pass_31 = E_yx * pass_8 + E_yy * pass_7 + E_yz * pass_5;
     double pass_32 = E_yx * pass_4 + E_yy * pass_5 + E_yz * J_zz;
-    double pass_33 =
-        E_zx * (E_zx * pass_6 + E_zy * pass_8 + E_zz * pass_4)
-            + E_zy * (E_zx * pass_8 + E_zy * pass_7 + E_zz * pass_5)
-            + E_zz * (E_zx * pass_4 + E_zy * pass_5 + E_zz * J_zz);
+    double pass_33 = E_zx * (E_zx * pass_6 + E_zy * pass_8 + E_zz * pass_4) + E_zy * (E_zx * pass_8
+        + E_zy * pass_7 + E_zz * pass_5) + E_zz * (E_zx * pass_4 + E_zy * pass_5 + E_zz * J_zz);
     double pass_34 = E_xx * pass_16 + E_xy * pass_19 + E_xz * pass_14;
     double pass_35 = E_xx * pass_18 + E_xy * pass_17 + E_xz * pass_15;
     double pass_36 = E_xx * pass_12 + E_xy * pass_13 + E_xz * H_zz;
@@ -508,10 +452,9 @@ final class PrintedTurn implements StepKernel {
     double pass_60 = E_zx * pass_52 + E_zy * pass_53 + E_zz * pass_54;
     double pass_61 = E_yx * pass_55 + E_yy * pass_56 + E_yz * pass_57;
     double pass_62 = E_zx * pass_55 + E_zy * pass_56 + E_zz * pass_57;
-    double pass_63 =
-        E_zx * (E_zx * pass_24 + E_zy * pass_26 + E_zz * pass_22)
-            + E_zy * (E_zx * pass_26 + E_zy * pass_25 + E_zz * pass_23)
-            + E_zz * (E_zx * pass_22 + E_zy * pass_23 + E_zz * M_zz);
+    double pass_63 = E_zx * (E_zx * pass_24 + E_zy * pass_26 + E_zz * pass_22)
+        + E_zy * (E_zx * pass_26 + E_zy * pass_25 + E_zz * pass_23) + E_zz * (E_zx * pass_22
+        + E_zy * pass_23 + E_zz * M_zz);
     double pass_64 = r_z * pass_59;
     double pass_65 = r_y * pass_60;
     double pass_66 = r_x * pass_62;
@@ -531,37 +474,17 @@ final class PrintedTurn implements StepKernel {
     double pass_80 = E_xx * pass_78 + E_xy * pass_79 + E_xz * f_z;
     double pass_81 = E_yx * pass_78 + E_yy * pass_79 + E_yz * f_z;
     double pass_82 = E_zx * pass_78 + E_zy * pass_79 + E_zz * f_z;
-    w[p + 59] =
-        E_xx * pass_27
-            + E_xy * pass_28
-            + E_xz * pass_29
-            + (r_y * (pass_45 + pass_69) - r_z * (pass_44 + pass_68))
-            + w[p + 59];
-    w[p + 60] =
-        E_yx * pass_30
-            + E_yy * pass_31
-            + E_yz * pass_32
-            + (r_z * (pass_46 + pass_70) - r_x * (pass_48 + pass_72))
-            + w[p + 60];
+    w[p + 59] = E_xx * pass_27 + E_xy * pass_28 + E_xz * pass_29 + (r_y * (pass_45 + pass_69)
+        - r_z * (pass_44 + pass_68)) + w[p + 59];
+    w[p + 60] = E_yx * pass_30 + E_yy * pass_31 + E_yz * pass_32 + (r_z * (pass_46 + pass_70)
+        - r_x * (pass_48 + pass_72)) + w[p + 60];
     w[p + 61] = r_x * (pass_50 + pass_74) - r_y * (pass_49 + pass_73) + pass_33 + w[p + 61];
-    w[p + 62] =
-        E_yx * pass_27
-            + E_yy * pass_28
-            + E_yz * pass_29
-            + (r_y * pass_72 - r_x * pass_45 + r_z * (pass_43 - pass_71))
-            + w[p + 62];
-    w[p + 63] =
-        E_zx * pass_27
-            + E_zy * pass_28
-            + E_zz * pass_29
-            + (r_x * pass_68 - r_z * pass_50 + r_y * (pass_51 - pass_67))
-            + w[p + 63];
-    w[p + 64] =
-        E_zx * pass_30
-            + E_zy * pass_31
-            + E_zz * pass_32
-            + (r_z * pass_73 - r_y * pass_46 + r_x * (pass_47 - pass_75))
-            + w[p + 64];
+    w[p + 62] = E_yx * pass_27 + E_yy * pass_28 + E_yz * pass_29 + (r_y * pass_72 - r_x * pass_45
+        + r_z * (pass_43 - pass_71)) + w[p + 62];
+    w[p + 63] = E_zx * pass_27 + E_zy * pass_28 + E_zz * pass_29 + (r_x * pass_68 - r_z * pass_50
+        + r_y * (pass_51 - pass_67)) + w[p + 63];
+    w[p + 64] = E_zx * pass_30 + E_zy * pass_31 + E_zz * pass_32 + (r_z * pass_73 - r_y * pass_46
+        + r_x * (pass_47 - pass_75)) + w[p + 64];
     w[p + 65] = pass_67 + w[p + 65];
     w[p + 66] = pass_68 + w[p + 66];
     w[p + 67] = pass_69 + w[p + 67];
@@ -577,14 +500,14 @@ final class PrintedTurn implements StepKernel {
     w[p + 77] = pass_59 + w[p + 77];
     w[p + 78] = pass_60 + w[p + 78];
     w[p + 79] = pass_62 + w[p + 79];
-    w[p + 47] =
-        E_xx * pass_76 + E_xy * pass_77 + E_xz * n_z + (r_y * pass_82 - r_z * pass_81) + w[p + 47];
+    w[p + 47] = E_xx * pass_76 + E_xy * pass_77 + E_xz * n_z + (r_y * pass_82 - r_z * pass_81)
+        + w[p + 47];
     w[p + 50] = pass_80 + w[p + 50];
-    w[p + 48] =
-        E_yx * pass_76 + E_yy * pass_77 + E_yz * n_z + (r_z * pass_80 - r_x * pass_82) + w[p + 48];
+    w[p + 48] = E_yx * pass_76 + E_yy * pass_77 + E_yz * n_z + (r_z * pass_80 - r_x * pass_82)
+        + w[p + 48];
     w[p + 51] = pass_81 + w[p + 51];
-    w[p + 49] =
-        E_zx * pass_76 + E_zy * pass_77 + E_zz * n_z + (r_x * pass_81 - r_y * pass_80) + w[p + 49];
+    w[p + 49] = E_zx * pass_76 + E_zy * pass_77 + E_zz * n_z + (r_x * pass_81 - r_y * pass_80)
+        + w[p + 49];
     w[p + 52] = pass_82 + w[p + 52];
   }
 
@@ -621,12 +544,8 @@ final class PrintedTurn implements StepKernel {
     double dalpha_y = acceleration_5 * cos - acceleration_4 * sin;
     double da_x = acceleration_7 * cos + acceleration_8 * sin;
     double da_y = acceleration_8 * cos - acceleration_7 * sin;
-    double acceleration_9 =
-        w[i + 81]
-            - (dalpha_x * w[i + 82]
-                + dalpha_y * w[i + 83]
-                + acceleration_6
-                + (da_x * w[i + 85] + da_y * w[i + 86] + da_z * w[i + 87]));
+    double acceleration_9 = w[i + 81] - (dalpha_x * w[i + 82] + dalpha_y * w[i + 83]
+        + acceleration_6 + (da_x * w[i + 85] + da_y * w[i + 86] + da_z * w[i + 87]));
     w[i + 88] = dalpha_x;
     w[i + 89] = dalpha_y;
     w[i + 90] = acceleration_6 + acceleration_9;
@@ -674,13 +593,9 @@ final class PrintedTurn implements StepKernel {
   @Override
   public void driving(double[] w, int i, int p) {
     // U.A + p.z - tau of each degree of freedom.
-    double driving_1 =
-        (w[i + 30] + w[i + 63]) * w[i + 88]
-            + (w[i + 31] + w[i + 64]) * w[i + 89]
-            + (w[i + 28] + w[i + 61]) * w[i + 90]
-            + ((w[i + 71] - w[i + 24]) * w[i + 91]
-                + (w[i + 23] + w[i + 72]) * w[i + 92]
-                + w[i + 73] * w[i + 93]);
+    double driving_1 = (w[i + 30] + w[i + 63]) * w[i + 88] + (w[i + 31] + w[i + 64]) * w[i + 89]
+        + (w[i + 28] + w[i + 61]) * w[i + 90] + ((w[i + 71] - w[i + 24]) * w[i + 91] + (w[i + 23]
+        + w[i + 72]) * w[i + 92] + w[i + 73] * w[i + 93]);
     w[i + 94] = w[i + 49] + driving_1 - w[i + 37];
     w[i + 59] = 0.0;
     w[i + 60] = 0.0;
@@ -736,14 +651,14 @@ final class PrintedTurn implements StepKernel {
     double force_6 = E_yx * force_3 + E_yy * force_4 + E_yz * f_z;
     double force_7 = E_zx * force_3 + E_zy * force_4 + E_zz * f_z;
     w[i + 94] = n_z - w[i + 37];
-    w[p + 47] =
-        E_xx * force_1 + E_xy * force_2 + E_xz * n_z + (r_y * force_7 - r_z * force_6) + w[p + 47];
+    w[p + 47] = E_xx * force_1 + E_xy * force_2 + E_xz * n_z + (r_y * force_7 - r_z * force_6)
+        + w[p + 47];
     w[p + 50] = force_5 + w[p + 50];
-    w[p + 48] =
-        E_yx * force_1 + E_yy * force_2 + E_yz * n_z + (r_z * force_5 - r_x * force_7) + w[p + 48];
+    w[p + 48] = E_yx * force_1 + E_yy * force_2 + E_yz * n_z + (r_z * force_5 - r_x * force_7)
+        + w[p + 48];
     w[p + 51] = force_6 + w[p + 51];
-    w[p + 49] =
-        E_zx * force_1 + E_zy * force_2 + E_zz * n_z + (r_x * force_6 - r_y * force_5) + w[p + 49];
+    w[p + 49] = E_zx * force_1 + E_zy * force_2 + E_zz * n_z + (r_x * force_6 - r_y * force_5)
+        + w[p + 49];
     w[p + 52] = force_7 + w[p + 52];
   }
 
