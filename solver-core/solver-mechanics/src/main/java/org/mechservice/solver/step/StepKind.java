@@ -45,7 +45,11 @@ public enum StepKind {
 
   /** Returns the kind of a constant turn about a coordinate axis. */
   public static StepKind ofTurn(int axis) {
-    return values()[AXES_X.ordinal() + axis];
+    return switch (axis) {
+      case 0 -> AXES_X;
+      case 1 -> AXES_Y;
+      default -> AXES_Z;
+    };
   }
 
   /** Returns the elementary motion of its joint. */

@@ -14,7 +14,7 @@ import org.mechservice.solver.links.Links;
 final class PivotBounds {
   private final List<Link> links;
 
-  /** Distance that a sliding link has gone at most, m. */
+  /** Distance that a sliding link may have gone, m: a metre more than at the start, or more. */
   private final double[] reach;
 
   private final double[] mass;
@@ -31,7 +31,7 @@ final class PivotBounds {
     clear = new double[links.size()];
     for (int i = 0; i < reach.length; i++) {
       Link link = links.get(i);
-      reach[i] = Math.abs(link.way() * link.initialPosition());
+      reach[i] = link.way() == 0 ? 0 : 1 + Math.abs(link.way() * link.initialPosition());
     }
     form();
   }
