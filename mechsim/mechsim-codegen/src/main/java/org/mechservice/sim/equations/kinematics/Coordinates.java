@@ -26,8 +26,8 @@ public final class Coordinates {
   private final Expressions expressions;
   private final TimeFunctions functions;
   private final Differentiation byTime;
-  private final Map<Link, ScalarMatrix> rotations = new IdentityHashMap<>();
-  private final Map<Link, LinkStep> steps = new IdentityHashMap<>();
+  private final IdentityHashMap<Link, ScalarMatrix> rotations = new IdentityHashMap<>();
+  private final IdentityHashMap<Link, LinkStep> steps = new IdentityHashMap<>();
   private final int derivative;
 
   /** Creates coordinates with zero joint accelerations, except those of driven joints. */
