@@ -42,7 +42,7 @@ class DifferentiationTest {
   @ParameterizedTest
   @EnumSource(
       mode = EnumSource.Mode.EXCLUDE,
-      names = {"PICK", "HELD", "CLOSEST"})
+      names = {"PICK", "HELD", "CLOSEST", "PLACE", "GIVEN"})
   void slopesOfFunctionsAreTheirDifferences(MathFunction function) {
     Scalar[] arguments = {x, y, x.times(y), y.squared()};
     Scalar value =
