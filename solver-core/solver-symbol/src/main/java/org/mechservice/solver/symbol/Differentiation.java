@@ -2,8 +2,10 @@ package org.mechservice.solver.symbol;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 
 /**
  * Derivatives of expressions along a direction. The direction gives the rates of some nodes; the
@@ -13,6 +15,9 @@ import java.util.Map;
 public final class Differentiation {
   private final Expressions expressions;
   private final Map<Scalar, Scalar> rates;
+
+  /** Nodes that change through one that is marked as steep. */
+  private final Set<Scalar> steep = new HashSet<>();
 
   /**
    * Creates the derivatives along a direction.
@@ -52,8 +57,30 @@ public final class Differentiation {
     return rates.getOrDefault(node, expressions.zero());
   }
 
+  /**
+   * Returns whether the rate of a node may be that of a value with an unbounded slope. What is
+   * steep and does not change along the direction, such as a function of time, does no harm.
+   */
+  private boolean isSteep(Scalar node) {
+    if (!node.isSteep()) {
+      return false;
+    }
+    boolean changes = false;
+    for (Scalar operand : node.operands()) {
+      if (steep.contains(operand)) {
+        return true;
+      }
+      changes |= !known(operand).isZero();
+    }
+    return changes && node.isMarkedSteep();
+  }
+
   private Scalar rate(Scalar node) {
-    return rate(node, node.isSteep());
+    boolean guarded = isSteep(node);
+    if (guarded) {
+      steep.add(node);
+    }
+    return rate(node, guarded);
   }
 
   private Scalar rate(Scalar node, boolean guarded) {

@@ -26,6 +26,7 @@ public final class Scalar {
   private final Optional<MathFunction> function;
   private final Optional<FixedPart> fixed;
   private boolean steep;
+  private boolean ownSteep;
   private boolean positive;
 
   /** Creates a node that is not a function. */
@@ -165,6 +166,7 @@ public final class Scalar {
    */
   public Scalar markedSteep() {
     steep |= !isConstant();
+    ownSteep |= !isConstant();
     return this;
   }
 
@@ -184,6 +186,11 @@ public final class Scalar {
    */
   boolean isSteep() {
     return steep;
+  }
+
+  /** Returns whether it is marked as steep itself. */
+  boolean isMarkedSteep() {
+    return ownSteep;
   }
 
   /** Returns this + other. */
