@@ -10,8 +10,8 @@ import org.mechservice.mechml.Solid;
 import org.mechservice.solver.expression.BodyPoint;
 import org.mechservice.solver.expression.Coordinate;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.expression.FormulaEvaluation;
 import org.mechservice.solver.expression.Tape;
-import org.mechservice.solver.expression.TapeEvaluation;
 import org.mechservice.solver.kinematics.TreeGeometry;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Body;
@@ -298,10 +298,9 @@ final class SceneParts {
 
   /** Returns the value at the start, with 0 for whatever depends on the state. */
   private double value(Expression expression) {
-    Tape tape = new Tape(List.of(expression));
-    TapeEvaluation evaluation = new TapeEvaluation(tape);
-    for (int leaf = 0; leaf < tape.leaves().size(); leaf++) {
-      Expression kind = tape.leaves().get(leaf);
+    FormulaEvaluation evaluation = new FormulaEvaluation(List.of(expression));
+    for (int leaf = 0; leaf < evaluation.leaves().size(); leaf++) {
+      Expression kind = evaluation.leaves().get(leaf);
       if (kind instanceof Expression.Time) {
         evaluation.setLeaf(leaf, t);
       } else if (kind instanceof Expression.ParameterValue parameter) {

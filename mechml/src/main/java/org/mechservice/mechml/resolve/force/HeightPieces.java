@@ -14,9 +14,8 @@ import org.mechservice.solver.expression.Expression.Product;
 import org.mechservice.solver.expression.Expression.Quotient;
 import org.mechservice.solver.expression.Expression.Sum;
 import org.mechservice.solver.expression.Expression.TableValue;
+import org.mechservice.solver.expression.FormulaEvaluation;
 import org.mechservice.solver.expression.Table;
-import org.mechservice.solver.expression.Tape;
-import org.mechservice.solver.expression.TapeEvaluation;
 import org.mechservice.solver.symbol.MathFunction;
 
 /**
@@ -28,12 +27,12 @@ final class HeightPieces {
   /** Distance of two places that are the same, by their size. */
   private static final double ROUNDING = 1e-13;
 
-  private final TapeEvaluation height;
+  private final FormulaEvaluation height;
   private final double[] breaks;
   private final boolean bounded;
 
   private HeightPieces(Expression height, double[] breaks, boolean bounded) {
-    this.height = new TapeEvaluation(new Tape(List.of(height)));
+    this.height = new FormulaEvaluation(List.of(height));
     this.breaks = breaks;
     this.bounded = bounded;
   }

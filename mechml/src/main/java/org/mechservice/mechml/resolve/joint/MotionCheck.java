@@ -11,8 +11,7 @@ import org.mechservice.mechml.diagnosis.Phrase;
 import org.mechservice.solver.api.run.RunSettings;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.expression.Tape;
-import org.mechservice.solver.expression.TapeEvaluation;
+import org.mechservice.solver.expression.FormulaEvaluation;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.MotionJump;
 import org.mechservice.solver.mechanism.PrescribedMotion;
@@ -82,10 +81,9 @@ public final class MotionCheck {
 
   private static Optional<String> atStart(
       Mechanism mechanism, List<Expression> coordinates, double t, boolean moves) {
-    Tape tape = new Tape(coordinates);
-    TapeEvaluation motion = new TapeEvaluation(tape);
-    for (int i = 0; i < tape.leaves().size(); i++) {
-      if (tape.leaves().get(i) instanceof Expression.ParameterValue parameter) {
+    FormulaEvaluation motion = new FormulaEvaluation(coordinates);
+    for (int i = 0; i < motion.leaves().size(); i++) {
+      if (motion.leaves().get(i) instanceof Expression.ParameterValue parameter) {
         motion.setLeaf(i, mechanism.parameters().get(parameter.index()).value(), 0, 0);
       } else {
         motion.setLeaf(i, t, 1, 0);

@@ -5,8 +5,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.mechservice.solver.api.JointType;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.expression.Tape;
-import org.mechservice.solver.expression.TapeEvaluation;
+import org.mechservice.solver.expression.FormulaEvaluation;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.PrescribedMotion;
 
@@ -17,7 +16,7 @@ import org.mechservice.solver.mechanism.PrescribedMotion;
  * axes of the file's body 1, and ω′ = 2 E(e) e″, since E(e′) e′ = 0.
  */
 final class PrescribedCoordinates {
-  private final TapeEvaluation evaluation;
+  private final FormulaEvaluation evaluation;
   private final int[] timeLeaves;
   private final int[] parameterLeaves;
   private final int[] parameterIndex;
@@ -36,8 +35,8 @@ final class PrescribedCoordinates {
   PrescribedCoordinates(TreeGeometry tree) {
     Mechanism mechanism = tree.mechanism();
     evaluation =
-        new TapeEvaluation(
-            new Tape(inJointOrder(mechanism).flatMap(m -> m.coordinates().stream()).toList()));
+        new FormulaEvaluation(
+            inJointOrder(mechanism).flatMap(m -> m.coordinates().stream()).toList());
     positionStart = tree.statePositionCount;
     velocityStart = tree.stateVelocityCount;
     List<JointType> types =
@@ -53,7 +52,7 @@ final class PrescribedCoordinates {
     List<Integer> times = new ArrayList<>();
     List<Integer> parameters = new ArrayList<>();
     List<Integer> indices = new ArrayList<>();
-    List<Expression> leaves = evaluation.tape().leaves();
+    List<Expression> leaves = evaluation.leaves();
     for (int leaf = 0; leaf < leaves.size(); leaf++) {
       if (leaves.get(leaf) instanceof Expression.Time) {
         times.add(leaf);
@@ -108,7 +107,7 @@ final class PrescribedCoordinates {
     }
   }
 
-  /** Writes a ball whose Euler parameters are four results of the tape from {@code first}. */
+  /** Writes a ball whose Euler parameters are four results from {@code first}. */
   private void turn(int first, double[] q, double[] v, double[] a, int at) {
     double e0 = evaluation.value(first);
     double e1 = evaluation.value(first + 1);

@@ -16,8 +16,7 @@ import org.mechservice.solver.expression.Expression.Product;
 import org.mechservice.solver.expression.Expression.Quotient;
 import org.mechservice.solver.expression.Expression.Sum;
 import org.mechservice.solver.expression.Expression.Time;
-import org.mechservice.solver.expression.Tape;
-import org.mechservice.solver.expression.TapeEvaluation;
+import org.mechservice.solver.expression.FormulaEvaluation;
 import org.mechservice.solver.mechanism.closure.JointClosure;
 import org.mechservice.solver.mechanism.closure.LoopClosure;
 import org.mechservice.solver.mechanism.joint.Joint;
@@ -256,7 +255,7 @@ final class MotionJumps {
   private static final class Curve {
     private static final int PLAIN = -1;
 
-    private final TapeEvaluation evaluation;
+    private final FormulaEvaluation evaluation;
     private final int turnAbout;
 
     Curve(Expression coordinate, List<Parameter> parameters) {
@@ -269,8 +268,8 @@ final class MotionJumps {
      */
     Curve(List<Expression> coordinates, int turnAbout, List<Parameter> parameters) {
       this.turnAbout = turnAbout;
-      evaluation = new TapeEvaluation(new Tape(coordinates));
-      List<Expression> leaves = evaluation.tape().leaves();
+      evaluation = new FormulaEvaluation(coordinates);
+      List<Expression> leaves = evaluation.leaves();
       for (int i = 0; i < leaves.size(); i++) {
         if (leaves.get(i) instanceof ParameterValue parameter) {
           evaluation.setLeaf(i, parameters.get(parameter.index()).value());
@@ -279,7 +278,7 @@ final class MotionJumps {
     }
 
     double at(double t, boolean position) {
-      List<Expression> leaves = evaluation.tape().leaves();
+      List<Expression> leaves = evaluation.leaves();
       for (int i = 0; i < leaves.size(); i++) {
         if (leaves.get(i) instanceof Time) {
           evaluation.setLeaf(i, t, 1, 0);

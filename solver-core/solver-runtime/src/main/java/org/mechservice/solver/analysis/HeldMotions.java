@@ -3,8 +3,7 @@ package org.mechservice.solver.analysis;
 import java.util.ArrayList;
 import java.util.List;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.expression.Tape;
-import org.mechservice.solver.expression.TapeEvaluation;
+import org.mechservice.solver.expression.FormulaEvaluation;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.PrescribedMotion;
 import org.mechservice.solver.mechanism.closure.JointClosure;
@@ -43,8 +42,8 @@ final class HeldMotions {
   }
 
   private static List<Expression> held(List<Expression> motion, Mechanism mechanism, double t) {
-    TapeEvaluation evaluation = new TapeEvaluation(new Tape(motion));
-    List<Expression> leaves = evaluation.tape().leaves();
+    FormulaEvaluation evaluation = new FormulaEvaluation(motion);
+    List<Expression> leaves = evaluation.leaves();
     for (int i = 0; i < leaves.size(); i++) {
       evaluation.setLeaf(
           i,

@@ -9,8 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.expression.Tape;
-import org.mechservice.solver.expression.TapeEvaluation;
+import org.mechservice.solver.expression.FormulaEvaluation;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.RandomTrees;
 
@@ -70,9 +69,9 @@ class CompactFormTest {
     Expression first = (Expression) reader.read();
     assertThat(reader.read()).isSameAs(first);
     assertThat(bytes).hasSizeLessThan(1000);
-    TapeEvaluation tape = new TapeEvaluation(new Tape(List.of(first)));
-    tape.setLeaf(0, 1);
-    tape.values();
-    assertThat(tape.value(0)).isEqualTo(0x1p60);
+    FormulaEvaluation evaluation = new FormulaEvaluation(List.of(first));
+    evaluation.setLeaf(0, 1);
+    evaluation.values();
+    assertThat(evaluation.value(0)).isEqualTo(0x1p60);
   }
 }

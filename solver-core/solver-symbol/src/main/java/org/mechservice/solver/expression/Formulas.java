@@ -1,7 +1,11 @@
 package org.mechservice.solver.expression;
 
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
 import org.mechservice.solver.symbol.Expressions;
 import org.mechservice.solver.symbol.MathFunction;
 import org.mechservice.solver.symbol.NumberRow;
@@ -23,41 +27,71 @@ public abstract class Formulas {
   /** Returns a leaf that is neither a constant nor the time nor a parameter, which are inputs. */
   protected abstract Scalar leaf(Expression leaf);
 
-  /** Returns a formula as a scalar; parts that formulas share are converted once. */
-  public final Scalar scalar(Expression formula) {
-    Scalar known = done.get(formula);
-    if (known == null) {
-      known = convert(formula);
-      done.put(formula, known);
+  /** Returns the time, a parameter or a leaf. */
+  protected Scalar input(Expression leaf) {
+    if (leaf instanceof Expression.Time) {
+      return e.input(Program.TIME);
+    } else if (leaf instanceof Expression.ParameterValue parameter) {
+      return e.input(Program.PARAMETER + parameter.index());
     }
-    return known;
+    return leaf(leaf);
+  }
+
+  /**
+   * Returns a formula as a scalar; parts that formulas share are converted once. A sum of thousands
+   * of terms is a tree as deep, so a stack of our own holds what is open.
+   */
+  public final Scalar scalar(Expression formula) {
+    Deque<Expression> open = new ArrayDeque<>();
+    open.push(formula);
+    while (!open.isEmpty()) {
+      Expression next = open.element();
+      Optional<Expression> missing =
+          parts(next).stream().filter(part -> !done.containsKey(part)).findFirst();
+      if (missing.isPresent()) {
+        open.push(missing.get());
+      } else {
+        open.pop();
+        if (!done.containsKey(next)) {
+          done.put(next, convert(next));
+        }
+      }
+    }
+    return known(formula);
+  }
+
+  /** Returns what a formula is converted from: of a composed function its arguments. */
+  private static List<Expression> parts(Expression formula) {
+    return formula instanceof Expression.Composed call
+        ? call.arguments()
+        : Expression.operands(formula);
+  }
+
+  private Scalar known(Expression formula) {
+    return Objects.requireNonNull(done.get(formula));
   }
 
   private Scalar convert(Expression formula) {
     if (formula instanceof Expression.Constant constant) {
       return e.constant(constant.value());
-    } else if (formula instanceof Expression.Time) {
-      return e.input(Program.TIME);
-    } else if (formula instanceof Expression.ParameterValue parameter) {
-      return e.input(Program.PARAMETER + parameter.index());
     } else if (formula instanceof Expression.Sum sum) {
-      return scalar(sum.left()).plus(scalar(sum.right()));
+      return known(sum.left()).plus(known(sum.right()));
     } else if (formula instanceof Expression.Product product) {
-      return scalar(product.left()).times(scalar(product.right()));
+      return known(product.left()).times(known(product.right()));
     } else if (formula instanceof Expression.Quotient quotient) {
-      return quotient(scalar(quotient.dividend()), scalar(quotient.divisor()));
+      return quotient(known(quotient.dividend()), known(quotient.divisor()));
     } else if (formula instanceof Expression.Power power) {
-      return power(scalar(power.base()), scalar(power.exponent()));
+      return power(known(power.base()), known(power.exponent()));
     } else if (formula instanceof Expression.Negation negation) {
-      return scalar(negation.operand()).negated();
+      return known(negation.operand()).negated();
     } else if (formula instanceof Expression.Call call) {
       return call(call.function(), call.arguments());
     } else if (formula instanceof Expression.Composed call) {
       return call(call.function(), call.arguments());
     } else if (formula instanceof Expression.TableValue value) {
-      return given(value);
+      return table(value.table(), value.arguments().stream().map(this::known).toList());
     }
-    return leaf(formula);
+    return input(formula);
   }
 
   /** Returns a quotient, marked as steep: its divisor may pass through zero or be infinite. */
@@ -94,19 +128,18 @@ public abstract class Formulas {
   }
 
   private Scalar call(MathFunction function, List<Expression> arguments) {
-    return function.call(arguments.stream().map(this::scalar).toList());
+    return function.call(arguments.stream().map(this::known).toList());
   }
 
-  private Scalar given(Expression.TableValue value) {
-    Scalar x = scalar(value.arguments().get(0));
-    if (value.table() instanceof Table table) {
-      return table(table.curve(), x);
-    }
-    return map(((TableMap) value.table()).surface(), x, scalar(value.arguments().get(1)));
+  /** Returns the value of a table or map: by default the polynomials of which it is made. */
+  protected Scalar table(PointFunction table, List<Scalar> arguments) {
+    return table instanceof Table ofOne
+        ? curve(ofOne.curve(), arguments.get(0))
+        : surface(((TableMap) table).surface(), arguments.get(0), arguments.get(1));
   }
 
   /** Returns the polynomial of the interval that an argument is in, in the solver's order. */
-  private Scalar table(TableCurve curve, Scalar x) {
+  private Scalar curve(TableCurve curve, Scalar x) {
     Scalar place = e.interval(NumberRow.ofKnots(curve.knots(), curve.corners()), x);
     Scalar[] chosen = new Scalar[5];
     for (int number = 0; number < chosen.length; number++) {
@@ -119,7 +152,7 @@ public abstract class Formulas {
   }
 
   /** Returns the polynomial of the cell that two arguments are in, in the solver's order. */
-  private Scalar map(MapSurface surface, Scalar x, Scalar y) {
+  private Scalar surface(MapSurface surface, Scalar x, Scalar y) {
     NumberRow originX = new NumberRow(surface.origins(0));
     NumberRow originY = new NumberRow(surface.origins(1));
     Scalar k = e.interval(NumberRow.ofKnots(surface.knots(0), surface.corners(0)), x);

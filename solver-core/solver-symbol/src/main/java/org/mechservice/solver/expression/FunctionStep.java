@@ -21,11 +21,6 @@ record FunctionStep(MathFunction function) implements TapeStep {
   }
 
   @Override
-  public void differentiate(double a, double b, LocalDerivatives d) {
-    d.of(function, a, b);
-  }
-
-  @Override
   public void bound(double aLow, double aHigh, double bLow, double bHigh, Enclosure out) {
     function.bound(out, aLow, aHigh, bLow, bHigh);
     out.settle(function.isExact() ? 0 : Enclosure.ROUNDING);

@@ -5,6 +5,7 @@ import org.mechservice.solver.expression.Table.Extrapolation;
 import org.mechservice.solver.expression.Table.Method;
 import org.mechservice.solver.spatial.NumberTable;
 import org.mechservice.solver.symbol.Enclosure;
+import org.mechservice.solver.symbol.GivenFunction;
 
 /**
  * The surface of a map: for each cell of the grid Σᵢⱼ cᵢⱼ dxⁱ dyʲ, i, j = 0 to 3, with dx and dy
@@ -17,9 +18,14 @@ import org.mechservice.solver.symbol.Enclosure;
  * procedures, Communications of the ACM 17 (1974) 18: the divided differences of the four cells
  * around a point with the weights of both directions.
  */
-public final class MapSurface implements TapeStep {
+public final class MapSurface implements TapeStep, GivenFunction {
   /** Coefficients of a cell. */
   private static final int NUMBERS = 16;
+
+  /** Factors of the powers 0 to 3 in derivatives of order 0 to 3. */
+  private static final double[][] FACTORS = {
+    {1, 1, 1, 1}, {0, 1, 2, 3}, {0, 0, 2, 6}, {0, 0, 0, 6}
+  };
 
   private final double[] x;
   private final double[] y;
@@ -306,14 +312,23 @@ public final class MapSurface implements TapeStep {
 
   @Override
   public double value(double a, double b) {
-    int k = (int) NumberTable.interval(x, 0, x.length, a);
-    int l = (int) NumberTable.interval(y, 0, y.length, b);
+    return value(a, b, piece(a, b));
+  }
+
+  @Override
+  public double place(double a, double b) {
+    return piece(a, b);
+  }
+
+  @Override
+  public double value(double a, double b, double place) {
     if (bounded && isOutside(a, b)) {
       return Double.NaN;
     }
-    double dx = a - originX[k];
-    double dy = b - originY[l];
-    int c = NUMBERS * (k * originY.length + l);
+    int cell = (int) place;
+    double dx = a - originX[cell / originY.length];
+    double dy = b - originY[cell % originY.length];
+    int c = NUMBERS * cell;
     return along(c, dy)
         + dx * (along(c + 4, dy) + dx * (along(c + 8, dy) + dx * along(c + 12, dy)));
   }
@@ -322,28 +337,46 @@ public final class MapSurface implements TapeStep {
     return cells[c] + d * (cells[c + 1] + d * (cells[c + 2] + d * cells[c + 3]));
   }
 
-  private double slope(int c, double d) {
-    return cells[c + 1] + d * (2 * cells[c + 2] + 3 * cells[c + 3] * d);
-  }
-
-  private double curve(int c, double d) {
-    return 2 * cells[c + 2] + 6 * cells[c + 3] * d;
+  @Override
+  public GivenFunction slope(int argument) {
+    return new Slope(this, 1 - argument, argument);
   }
 
   @Override
-  public void differentiate(double a, double b, LocalDerivatives derivatives) {
-    int k = (int) NumberTable.interval(x, 0, x.length, a);
-    int l = (int) NumberTable.interval(y, 0, y.length, b);
-    double dx = a - originX[k];
-    double dy = b - originY[l];
-    int c = NUMBERS * (k * originY.length + l);
-    double byX = along(c + 4, dy) + dx * (2 * along(c + 8, dy) + 3 * along(c + 12, dy) * dx);
-    double byXX = 2 * along(c + 8, dy) + 6 * along(c + 12, dy) * dx;
-    double byY =
-        slope(c, dy) + dx * (slope(c + 4, dy) + dx * (slope(c + 8, dy) + dx * slope(c + 12, dy)));
-    double byYY =
-        curve(c, dy) + dx * (curve(c + 4, dy) + dx * (curve(c + 8, dy) + dx * curve(c + 12, dy)));
-    double byXY = slope(c + 4, dy) + dx * (2 * slope(c + 8, dy) + 3 * slope(c + 12, dy) * dx);
-    derivatives.all(byX, byY, byXX, byXY, byYY);
+  public GivenFunction origin() {
+    return this;
+  }
+
+  /** A derivative, {@code byX} times by x and {@code byY} times by y. */
+  private record Slope(MapSurface origin, int byX, int byY) implements GivenFunction {
+    @Override
+    public double place(double a, double b) {
+      return origin.piece(a, b);
+    }
+
+    @Override
+    public double value(double a, double b, double place) {
+      return origin.slopeAt(a, b, (int) place, byX, byY);
+    }
+
+    @Override
+    public GivenFunction slope(int argument) {
+      return new Slope(origin, byX + 1 - argument, byY + argument);
+    }
+  }
+
+  private double slopeAt(double a, double b, int cell, int byX, int byY) {
+    double dx = a - originX[cell / originY.length];
+    double dy = b - originY[cell % originY.length];
+    int c = NUMBERS * cell;
+    double sum = 0;
+    for (int i = 3; i >= byX; i--) {
+      double row = 0;
+      for (int j = 3; j >= byY; j--) {
+        row = FACTORS[byY][j] * cells[c + 4 * i + j] + dy * row;
+      }
+      sum = FACTORS[byX][i] * row + dx * sum;
+    }
+    return sum;
   }
 }

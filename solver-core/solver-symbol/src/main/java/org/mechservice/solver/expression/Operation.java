@@ -11,11 +11,6 @@ enum Operation implements TapeStep {
     }
 
     @Override
-    public void differentiate(double a, double b, LocalDerivatives d) {
-      d.linear(1, 1);
-    }
-
-    @Override
     public void bound(double aLow, double aHigh, double bLow, double bHigh, Enclosure out) {
       out.set(aLow + bLow, aHigh + bHigh);
       out.settle(Enclosure.ROUNDING);
@@ -28,11 +23,6 @@ enum Operation implements TapeStep {
     }
 
     @Override
-    public void differentiate(double a, double b, LocalDerivatives d) {
-      d.all(b, a, 0, 1, 0);
-    }
-
-    @Override
     public void bound(double aLow, double aHigh, double bLow, double bHigh, Enclosure out) {
       out.product(aLow, aHigh, bLow, bHigh);
       out.settle(Enclosure.ROUNDING);
@@ -42,12 +32,6 @@ enum Operation implements TapeStep {
     @Override
     public double value(double a, double b) {
       return a / b;
-    }
-
-    @Override
-    public void differentiate(double a, double b, LocalDerivatives d) {
-      double f = a / b;
-      d.all(1 / b, -f / b, 0, -1 / (b * b), 2 * f / (b * b));
     }
 
     @Override
@@ -73,11 +57,6 @@ enum Operation implements TapeStep {
     }
 
     @Override
-    public void differentiate(double a, double b, LocalDerivatives d) {
-      d.single(-1, 0);
-    }
-
-    @Override
     public void bound(double aLow, double aHigh, double bLow, double bHigh, Enclosure out) {
       out.set(-aHigh, -aLow);
     }
@@ -87,11 +66,6 @@ enum Operation implements TapeStep {
     @Override
     public double value(double a, double b) {
       return a * a;
-    }
-
-    @Override
-    public void differentiate(double a, double b, LocalDerivatives d) {
-      d.single(2 * a, 2);
     }
 
     @Override

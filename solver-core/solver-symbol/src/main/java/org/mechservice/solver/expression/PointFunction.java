@@ -1,6 +1,7 @@
 package org.mechservice.solver.expression;
 
 import java.util.List;
+import org.mechservice.solver.symbol.GivenFunction;
 
 /** A function of one or two arguments that a model gives by points. */
 public sealed interface PointFunction permits Table, TableMap {
@@ -13,8 +14,11 @@ public sealed interface PointFunction permits Table, TableMap {
   /** Returns the values beyond the points. */
   Table.Extrapolation outside();
 
-  /** Returns it as an operation, with derivatives; one of one argument ignores the second. */
+  /** Returns it as a step of a tape. */
   TapeStep step();
+
+  /** Returns it as one node of a graph. */
+  GivenFunction function();
 
   /** Returns the number of its arguments, 1 or 2. */
   default int argumentCount() {

@@ -1,6 +1,7 @@
 package org.mechservice.solver.expression;
 
 import java.util.List;
+import org.mechservice.solver.symbol.GivenFunction;
 
 /**
  * A function of one argument given by points: y at ascending x.
@@ -87,6 +88,11 @@ public record Table(
 
   @Override
   public TapeStep step() {
+    return curve();
+  }
+
+  @Override
+  public GivenFunction function() {
     return curve();
   }
 

@@ -5,12 +5,13 @@ import org.mechservice.solver.expression.Table.Extrapolation;
 import org.mechservice.solver.expression.Table.Method;
 import org.mechservice.solver.spatial.NumberTable;
 import org.mechservice.solver.symbol.Enclosure;
+import org.mechservice.solver.symbol.GivenFunction;
 
 /**
  * The curve of a table: one polynomial c0 + d (c1 + d (c2 + d c3)) with d = x − origin for each
  * interval between points, and one for each side beyond them. Immutable.
  */
-public final class TableCurve implements TapeStep {
+public final class TableCurve implements TapeStep, GivenFunction {
   /** Numbers of a polynomial: origin, c0, c1, c2, c3. */
   private static final int NUMBERS = 5;
 
@@ -206,10 +207,6 @@ public final class TableCurve implements TapeStep {
     return row;
   }
 
-  private int polynomialAt(double x) {
-    return NUMBERS * (int) NumberTable.interval(knots, 0, knots.length, x);
-  }
-
   /** Returns whether its slope jumps at the points. */
   public boolean hasCorners() {
     return straight;
@@ -316,13 +313,7 @@ public final class TableCurve implements TapeStep {
 
   /** Returns the value at an argument. */
   public double at(double x) {
-    int p = polynomialAt(x);
-    double d = x - polynomials[p];
-    if (bounded && !(x >= knots[0] && x <= knots[knots.length - 1])) {
-      return Double.NaN;
-    }
-    return polynomials[p + 1]
-        + d * (polynomials[p + 2] + d * (polynomials[p + 3] + d * polynomials[p + 4]));
+    return value(x, x, place(x));
   }
 
   @Override
@@ -331,11 +322,56 @@ public final class TableCurve implements TapeStep {
   }
 
   @Override
-  public void differentiate(double a, double b, LocalDerivatives derivatives) {
-    int p = polynomialAt(a);
-    double d = a - polynomials[p];
+  public double place(double a, double b) {
+    return place(a);
+  }
+
+  @Override
+  public double value(double a, double b, double place) {
+    boolean beyond = bounded && !(a >= knots[0] && a <= knots[knots.length - 1]);
+    return beyond ? Double.NaN : cubic(NUMBERS * (int) place, a - originOf(place));
+  }
+
+  private double originOf(double place) {
+    return polynomials[NUMBERS * (int) place];
+  }
+
+  @Override
+  public GivenFunction slope(int argument) {
+    return new Slope(this, 1);
+  }
+
+  @Override
+  public GivenFunction origin() {
+    return this;
+  }
+
+  /** A derivative, {@code order} times by x. */
+  private record Slope(TableCurve origin, int order) implements GivenFunction {
+    @Override
+    public double place(double a, double b) {
+      return origin.place(a);
+    }
+
+    @Override
+    public double value(double a, double b, double place) {
+      return origin.slopeAt(NUMBERS * (int) place, a - origin.originOf(place), order);
+    }
+
+    @Override
+    public GivenFunction slope(int argument) {
+      return new Slope(origin, order + 1);
+    }
+  }
+
+  private double slopeAt(int p, double d, int order) {
     double c2 = polynomials[p + 3];
     double c3 = polynomials[p + 4];
-    derivatives.single(polynomials[p + 2] + d * (2 * c2 + 3 * c3 * d), 2 * c2 + 6 * c3 * d);
+    return switch (order) {
+      case 1 -> polynomials[p + 2] + d * (2 * c2 + 3 * c3 * d);
+      case 2 -> 2 * c2 + 6 * c3 * d;
+      case 3 -> 6 * c3;
+      default -> 0;
+    };
   }
 }

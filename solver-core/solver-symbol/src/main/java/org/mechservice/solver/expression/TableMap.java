@@ -1,6 +1,7 @@
 package org.mechservice.solver.expression;
 
 import java.util.List;
+import org.mechservice.solver.symbol.GivenFunction;
 
 /**
  * A function of two arguments given on a grid: z at ascending x and y.
@@ -35,6 +36,11 @@ public record TableMap(
   @Override
   public List<List<Double>> grid() {
     return List.of(x, y);
+  }
+
+  @Override
+  public GivenFunction function() {
+    return surface();
   }
 
   /** Returns its surface. */

@@ -4,7 +4,7 @@ import java.util.List;
 
 /**
  * Expressions compiled to a list of operations on numbered slots, equal subexpressions only once
- * and constant ones done in advance. Immutable; {@link TapeEvaluation} runs it.
+ * and constant ones done in advance. Immutable; {@link TapePieces} runs it.
  *
  * <p>The leaves that are not constants ({@link #leaves()}) are inputs, which the caller sets from a
  * mechanism's motion.
@@ -19,7 +19,6 @@ public final class Tape {
   static final byte OTHER = 4;
 
   private final List<Expression> leaves;
-  private final boolean[] constantResult;
 
   /** Slot of each leaf. */
   final int[] leafSlot;
@@ -48,10 +47,6 @@ public final class Tape {
   public Tape(List<Expression> results) {
     TapeCompiler compiler = new TapeCompiler();
     result = results.stream().mapToInt(compiler::compile).toArray();
-    constantResult = new boolean[result.length];
-    for (int i = 0; i < result.length; i++) {
-      constantResult[i] = compiler.isConstant(result[i]);
-    }
     leaves = List.copyOf(compiler.leaves);
     leafSlot = compiler.leafSlots();
     operation = compiler.steps.stream().map(TapeCompiler.Step::operation).toArray(TapeStep[]::new);
@@ -106,10 +101,5 @@ public final class Tape {
   /** Returns the number of results. */
   public int resultCount() {
     return result.length;
-  }
-
-  /** Returns whether a result does not depend on the leaves. */
-  public boolean isConstantResult(int index) {
-    return constantResult[index];
   }
 }

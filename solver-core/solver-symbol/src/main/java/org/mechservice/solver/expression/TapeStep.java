@@ -3,9 +3,8 @@ package org.mechservice.solver.expression;
 import org.mechservice.solver.symbol.Enclosure;
 
 /**
- * A step of a tape on one or two earlier values, f(a) or f(a, b), with its partial derivatives and
- * all that the search of steps must know of it: an {@link Operation}, a {@link FunctionStep}, or
- * the curve or map of a table.
+ * A step of a tape on one or two earlier values, f(a) or f(a, b), with all that the search of steps
+ * must know of it: an {@link Operation}, a {@link FunctionStep}, or the curve or map of a table.
  */
 interface TapeStep {
   /** Returns the name in printed code. */
@@ -13,9 +12,6 @@ interface TapeStep {
 
   /** Returns f, or NaN if f is not defined; functions of one argument ignore b. */
   double value(double a, double b);
-
-  /** Writes the partial derivatives; not finite if they do not exist. */
-  void differentiate(double a, double b, LocalDerivatives d);
 
   /** Finds the bounds of f, with its rounding, for a and b in two intervals. */
   void bound(double aLow, double aHigh, double bLow, double bHigh, Enclosure out);

@@ -3,18 +3,16 @@
  * and outputs.
  *
  * <p>An {@link org.mechservice.solver.expression.Expression} is an immutable tree of few kinds of
- * nodes, in SI units, with every name resolved to an index. The interface is sealed, so the
- * compiler checks that every switch over the kinds of nodes (in the tape compiler, in the code
- * generator) is complete. Leaves refer to a mechanism through {@link
- * org.mechservice.solver.expression.Coordinate} and {@link
+ * nodes, in SI units, with every name resolved to an index: what the user has written. {@link
+ * org.mechservice.solver.expression.Formulas} turns it into scalars of the graph of {@link
+ * org.mechservice.solver.symbol}, for generated code and for evaluation alike. Leaves refer to a
+ * mechanism through {@link org.mechservice.solver.expression.Coordinate} and {@link
  * org.mechservice.solver.expression.BodyPoint}, which are in this package so that descriptions of
  * joints may contain expressions.
  *
- * <p>{@link org.mechservice.solver.expression.Tape} compiles expressions to a list of operations
- * with common subexpressions shared; {@link org.mechservice.solver.expression.TapeEvaluation} runs
- * it and computes values, gradients (reverse mode) and derivatives along a trajectory (forward
- * mode) without allocation. The functions, with their values and derivatives, are those of the
- * catalogue {@link org.mechservice.solver.symbol.MathFunction}. Source: Griewank and Walther,
- * <i>Evaluating Derivatives</i>, 2008, chapter 3.
+ * <p>{@link org.mechservice.solver.expression.FormulaEvaluation} evaluates formulas, their
+ * gradients and their derivatives along a trajectory without allocation, as programs of the graph.
+ * {@link org.mechservice.solver.expression.Tape} is the list of operations whose bounds over a step
+ * {@link org.mechservice.solver.expression.TapePieces} finds.
  */
 package org.mechservice.solver.expression;

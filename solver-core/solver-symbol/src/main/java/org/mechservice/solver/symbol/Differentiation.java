@@ -2,8 +2,10 @@ package org.mechservice.solver.symbol;
 
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 
 /**
  * Derivatives of expressions along a direction. The direction gives the rates of some nodes; the
@@ -13,6 +15,9 @@ import java.util.Map;
 public final class Differentiation {
   private final Expressions expressions;
   private final Map<Scalar, Scalar> rates;
+
+  /** Nodes that change through one that is marked as steep. */
+  private final Set<Scalar> steep = new HashSet<>();
 
   /**
    * Creates the derivatives along a direction.
@@ -52,48 +57,74 @@ public final class Differentiation {
     return rates.getOrDefault(node, expressions.zero());
   }
 
+  /**
+   * Returns whether the rate of a node may be that of a value with an unbounded slope. What is
+   * steep and does not change along the direction, such as a function of time, does no harm.
+   */
+  private boolean isSteep(Scalar node) {
+    if (!node.isSteep()) {
+      return false;
+    }
+    boolean changes = false;
+    for (Scalar operand : node.operands()) {
+      if (steep.contains(operand)) {
+        return true;
+      }
+      changes |= !known(operand).isZero();
+    }
+    return changes && node.isMarkedSteep();
+  }
+
   private Scalar rate(Scalar node) {
+    boolean guarded = isSteep(node);
+    if (guarded) {
+      steep.add(node);
+    }
+    return rate(node, guarded);
+  }
+
+  private Scalar rate(Scalar node, boolean guarded) {
     return switch (node.operation()) {
       case CONSTANT, INPUT -> expressions.zero();
       case ADD -> known(node.first()).plus(known(node.second()));
       case SUBTRACT -> known(node.first()).minus(known(node.second()));
       case NEGATE -> known(node.first()).negated();
       case MULTIPLY ->
-          product(node.isSteep(), known(node.first()), node.second())
-              .plus(product(node.isSteep(), node.first(), known(node.second())));
-      case DIVIDE -> quotient(node);
-      case SQUARE_ROOT -> root(node);
+          product(guarded, known(node.first()), node.second())
+              .plus(product(guarded, node.first(), known(node.second())));
+      case DIVIDE -> quotient(node, guarded);
+      case SQUARE_ROOT -> root(node, guarded);
       case SINE -> expressions.cosine(node.first()).times(known(node.first()));
       case COSINE -> expressions.sine(node.first()).times(known(node.first())).negated();
-      case FUNCTION -> function(node);
+      case FUNCTION -> function(node, guarded);
     };
   }
 
   /** In a steep node a product with a zero factor is 0, even if the other factor is infinite. */
-  private Scalar product(boolean steep, Scalar a, Scalar b) {
-    return steep ? expressions.function(MathFunction.PRODUCT, a, b) : a.times(b);
+  private Scalar product(boolean guarded, Scalar a, Scalar b) {
+    return guarded ? Simplification.guardedProduct(a, b) : a.times(b);
   }
 
-  private Scalar quotient(Scalar node) {
+  private Scalar quotient(Scalar node, boolean guarded) {
     Scalar dividend = known(node.first());
     Scalar divisor = known(node.second());
-    if (!node.isSteep()) {
+    if (!guarded) {
       return dividend.minus(node.times(divisor)).over(node.second());
     }
     Scalar slope = node.over(node.second());
-    return product(true, expressions.one().over(node.second()), dividend)
+    return product(true, expressions.one().over(node.second()).markedSteep(), dividend)
         .minus(product(true, slope, divisor));
   }
 
-  private Scalar root(Scalar node) {
+  private Scalar root(Scalar node, boolean guarded) {
     Scalar inner = known(node.first());
-    return node.isSteep()
+    return guarded
         ? product(true, expressions.constant(0.5).over(node), inner)
         : inner.times(0.5).over(node);
   }
 
-  private Scalar function(Scalar node) {
-    return node.function().isChoice() ? chosen(node) : smooth(node);
+  private Scalar function(Scalar node, boolean guarded) {
+    return node.function().isChoice() ? chosen(node) : smooth(node, guarded);
   }
 
   /**
@@ -106,12 +137,12 @@ public final class Differentiation {
         MathFunction.CHOOSE, x.get(0), x.get(1), known(x.get(2)), known(x.get(3)));
   }
 
-  private Scalar smooth(Scalar node) {
+  private Scalar smooth(Scalar node, boolean guarded) {
     Scalar sum = expressions.zero();
     for (int i = 0; i < node.operands().size(); i++) {
       Scalar inner = known(node.operands().get(i));
       if (!inner.isZero()) {
-        sum = sum.plus(product(node.isSteep(), node.function().slope(node, i), inner));
+        sum = sum.plus(product(guarded, node.function().slope(node, i), inner));
       }
     }
     return sum;

@@ -13,7 +13,7 @@ import java.util.Optional;
  * looked up, never iterated, so its hash order has no effect.
  */
 public final class Expressions {
-  private static final int FIRST_CAPACITY = 4096;
+  private static final int FIRST_CAPACITY = 256;
 
   private final List<Scalar> nodes = new ArrayList<>();
 
@@ -95,6 +95,33 @@ public final class Expressions {
     return read(MathFunction.CLOSEST, curve, List.of(x, z));
   }
 
+  /**
+   * Returns the value of a function that is given by points; a constant if all arguments are.
+   *
+   * @param x its arguments
+   */
+  public Scalar given(GivenFunction function, List<Scalar> x) {
+    if (x.stream().allMatch(Scalar::isConstant)) {
+      double a = x.get(0).value();
+      double b = x.get(x.size() - 1).value();
+      double value = function.value(a, b, function.place(a, b));
+      if (Double.isFinite(value)) {
+        return constant(value);
+      }
+    }
+    Scalar place = call(MathFunction.PLACE, Optional.of(function.origin()), x);
+    List<Scalar> arguments = new ArrayList<>(x);
+    arguments.add(place);
+    return call(MathFunction.GIVEN, Optional.of(function), arguments);
+  }
+
+  /** Returns the slope of such a value by one of its arguments; the place has none. */
+  Scalar slopeOfGiven(Scalar value, int argument) {
+    return argument == value.operands().size() - 1
+        ? zero
+        : call(MathFunction.GIVEN, Optional.of(value.given().slope(argument)), value.operands());
+  }
+
   private Scalar read(MathFunction function, NumberRow row, List<Scalar> x) {
     return x.stream().allMatch(Scalar::isConstant)
         ? constant(row.value(function, x.stream().mapToDouble(Scalar::value).toArray()))
@@ -103,6 +130,9 @@ public final class Expressions {
 
   /** Returns the call of a node of this or another graph with other arguments. */
   Scalar function(Scalar node, List<Scalar> arguments) {
+    if (node.function() == MathFunction.GIVEN || node.function() == MathFunction.PLACE) {
+      return call(node.function(), node.fixed(), arguments);
+    }
     return node.function().readsRow()
         ? read(node.function(), node.row(), arguments)
         : Simplification.function(node.function(), arguments);
@@ -121,7 +151,7 @@ public final class Expressions {
     return switch (node.operation()) {
       case CONSTANT -> constant(node.value());
       case INPUT -> input(node.index());
-      case FUNCTION -> call(node.function(), node.readRow(), operands);
+      case FUNCTION -> call(node.function(), node.fixed(), operands);
       case NEGATE, SQUARE_ROOT, SINE, COSINE -> unary(node.operation(), operands.get(0));
       default -> binary(node.operation(), operands.get(0), operands.get(1));
     };
@@ -158,13 +188,13 @@ public final class Expressions {
     return call(function, Optional.empty(), arguments);
   }
 
-  private Scalar call(MathFunction function, Optional<NumberRow> row, List<Scalar> arguments) {
+  private Scalar call(MathFunction function, Optional<FixedPart> fixed, List<Scalar> arguments) {
     List<Object> key = new ArrayList<>(arguments);
     key.add(function);
-    row.ifPresent(key::add);
+    fixed.ifPresent(key::add);
     Scalar node = calls.get(key);
     if (node == null) {
-      node = new Scalar(this, nodes.size(), function, row, arguments);
+      node = new Scalar(this, nodes.size(), function, fixed, arguments);
       nodes.add(node);
       calls.put(key, node);
     }

@@ -58,6 +58,10 @@ final class FunctionTraits {
   Optional<String> cName = Optional.empty();
   Optional<Function<List<Scalar>, Scalar>> formula = Optional.empty();
   boolean composed;
+
+  /** Whether {@link #pair} computes its value without an array. */
+  boolean direct;
+
   UnitRule units = UnitRule.NUMBER;
   Slope slope = (call, argument) -> call.expressions().zero();
   Optional<List<Integer>> choice = Optional.empty();
@@ -100,12 +104,23 @@ final class FunctionTraits {
    */
   static FunctionTraits one(String symbol, DoubleUnaryOperator value) {
     return new FunctionTraits(
-        symbol, 1, (row, x) -> value.applyAsDouble(x[0]), value, (a, b) -> value.applyAsDouble(a));
+            symbol,
+            1,
+            (row, x) -> value.applyAsDouble(x[0]),
+            value,
+            (a, b) -> value.applyAsDouble(a))
+        .direct();
   }
 
   /** A function of two arguments; its method is that of StrictMath. */
   static FunctionTraits two(String symbol, DoubleBinaryOperator value) {
-    return new FunctionTraits(symbol, 2, (row, x) -> value.applyAsDouble(x[0], x[1]), value);
+    return new FunctionTraits(symbol, 2, (row, x) -> value.applyAsDouble(x[0], x[1]), value)
+        .direct();
+  }
+
+  private FunctionTraits direct() {
+    direct = true;
+    return this;
   }
 
   /** A function that formulas cannot call, with its method; its slopes are 0. */

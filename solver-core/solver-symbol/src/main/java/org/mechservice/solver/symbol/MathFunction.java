@@ -217,12 +217,13 @@ public enum MathFunction {
           .choice(0, 1, 2, 3)),
   /** {@code product(a, b)}: a b, but 0 if one factor is 0, even if the other is infinite or NaN. */
   PRODUCT(
-      inner("Piecewise", "product", 2, (row, x) -> Piecewise.product(x[0], x[1]))
+      two("", Piecewise::product)
+          .by(SPATIAL + "Piecewise", "product")
           .slope((f, i) -> f.operands().get(1 - i))),
   /** {@code pick(a, b, x, y)}: x where a ≤ b, else y; found by a search, so without derivatives. */
   PICK(inner("Piecewise", "pick", 4, (row, x) -> Piecewise.pick(x[0], x[1], x[2], x[3]))),
   /** {@code held(x)}: x, without a derivative. */
-  HELD(inner("Piecewise", "held", 1, (row, x) -> Piecewise.held(x[0]))),
+  HELD(one("", Piecewise::held).by(SPATIAL + "Piecewise", "held")),
   /**
    * {@code interval(row, x)}: how many numbers of an ascending {@link NumberRow} are not above x, 0
    * if x is NaN.
@@ -248,7 +249,15 @@ public enum MathFunction {
               "closest",
               2,
               (row, x) -> CubicCurve.closest(row, 0, row.length, x[0], x[1]))
-          .readsRow());
+          .readsRow()),
+  /** The number of the polynomial of a {@link GivenFunction} at its arguments. */
+  PLACE(two("", (a, b) -> Double.NaN)),
+  /**
+   * A {@link GivenFunction} of its arguments and their {@link #PLACE}, which tells value and
+   * slopes; both only in programs that are evaluated and not printed.
+   */
+  GIVEN(
+      inner("", "", 3, (row, x) -> Double.NaN).slope((f, i) -> f.expressions().slopeOfGiven(f, i)));
 
   private static final double[] NO_ROW = {};
 
@@ -313,6 +322,11 @@ public enum MathFunction {
     return traits.readsRow;
   }
 
+  /** Returns whether the value of one or two arguments is computed without an array. */
+  boolean isDirect() {
+    return traits.direct;
+  }
+
   /** Returns its value if it reads a row; {@code x} holds the other arguments. */
   double value(double[] row, double[] x) {
     return traits.value.of(row, x);
@@ -352,9 +366,10 @@ public enum MathFunction {
     return traits.composed;
   }
 
-  /** Returns the slope of a call of it by one of its arguments. */
+  /** Returns the slope of a call of it by one of its arguments; that of a steep one is steep. */
   Scalar slope(Scalar call, int argument) {
-    return traits.slope.of(call, argument);
+    Scalar slope = traits.slope.of(call, argument);
+    return traits.steep && call.isSteep() ? slope.markedSteep() : slope;
   }
 
   /** Returns whether it is one of its arguments. */

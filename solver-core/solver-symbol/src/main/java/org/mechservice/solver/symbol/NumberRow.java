@@ -9,7 +9,7 @@ import java.util.Arrays;
  * <p>A row that divides the arguments of a table may tell at which of them the slope jumps; rows
  * that tell otherwise are not equal.
  */
-public final class NumberRow {
+public final class NumberRow implements FixedPart {
   private final double[] numbers;
   private final double[] corners;
   private final int hash;
@@ -74,6 +74,11 @@ public final class NumberRow {
   @Override
   public int hashCode() {
     return hash;
+  }
+
+  /** Returns the numbers, which must not be modified. */
+  double[] numbers() {
+    return numbers;
   }
 
   /** Returns the result of a function that reads this row. */

@@ -85,13 +85,13 @@ public final class ReverseDifferentiation {
 
   /** A guarded product with a zero factor is 0, even if the other factor is infinite or NaN. */
   private Scalar product(boolean guarded, Scalar a, Scalar b) {
-    return guarded ? expressions.function(MathFunction.PRODUCT, a, b) : a.times(b);
+    return guarded ? Simplification.guardedProduct(a, b) : a.times(b);
   }
 
   private void quotient(boolean guarded, Scalar node, Scalar slope) {
     Scalar byDividend =
         guarded
-            ? product(true, expressions.one().over(node.second()), slope)
+            ? product(true, expressions.one().over(node.second()).markedSteep(), slope)
             : slope.over(node.second());
     add(node.first(), byDividend);
     add(node.second(), product(guarded, node, byDividend).negated());

@@ -24,8 +24,9 @@ public final class Scalar {
   private final double value;
   private final int index;
   private final Optional<MathFunction> function;
-  private final Optional<NumberRow> row;
+  private final Optional<FixedPart> fixed;
   private boolean steep;
+  private boolean ownSteep;
   private boolean positive;
 
   /** Creates a node that is not a function. */
@@ -47,16 +48,16 @@ public final class Scalar {
     this.value = value;
     this.index = index;
     this.function = Optional.empty();
-    this.row = Optional.empty();
+    this.fixed = Optional.empty();
     this.steep = anySteep(operands);
   }
 
-  /** Creates a node of a function, with the row that it reads, if it reads one. */
+  /** Creates a node of a function, with what it reads, if it reads anything. */
   Scalar(
       Expressions expressions,
       int id,
       MathFunction function,
-      Optional<NumberRow> row,
+      Optional<FixedPart> fixed,
       List<Scalar> operands) {
     this.expressions = expressions;
     this.id = id;
@@ -67,7 +68,7 @@ public final class Scalar {
     this.value = 0;
     this.index = 0;
     this.function = Optional.of(function);
-    this.row = row;
+    this.fixed = fixed;
     this.steep = anySteep(operands);
   }
 
@@ -122,12 +123,17 @@ public final class Scalar {
 
   /** Returns the row that a function {@linkplain MathFunction#readsRow() reads}. */
   public NumberRow row() {
-    return row.orElseThrow();
+    return (NumberRow) fixed.orElseThrow();
   }
 
-  /** Returns the row that it reads, if it reads one. */
-  Optional<NumberRow> readRow() {
-    return row;
+  /** Returns the function of points that {@link MathFunction#GIVEN} is, or that has the place. */
+  public GivenFunction given() {
+    return (GivenFunction) fixed.orElseThrow();
+  }
+
+  /** Returns what it reads, if it reads anything. */
+  Optional<FixedPart> fixed() {
+    return fixed;
   }
 
   /** Returns the index of an {@link ScalarOperation#INPUT}. */
@@ -160,6 +166,7 @@ public final class Scalar {
    */
   public Scalar markedSteep() {
     steep |= !isConstant();
+    ownSteep |= !isConstant();
     return this;
   }
 
@@ -179,6 +186,11 @@ public final class Scalar {
    */
   boolean isSteep() {
     return steep;
+  }
+
+  /** Returns whether it is marked as steep itself. */
+  boolean isMarkedSteep() {
+    return ownSteep;
   }
 
   /** Returns this + other. */

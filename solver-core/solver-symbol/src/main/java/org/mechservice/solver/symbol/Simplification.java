@@ -128,6 +128,13 @@ final class Simplification {
     return commutative(MULTIPLY, a, b);
   }
 
+  /** Returns a product that is 0 if a factor is, even if the other is not finite; it is steep. */
+  static Scalar guardedProduct(Scalar a, Scalar b) {
+    Scalar product = function(MathFunction.PRODUCT, List.of(a, b));
+    boolean simpler = !product.is(ScalarOperation.FUNCTION);
+    return simpler || product.function() != MathFunction.PRODUCT ? product : product.markedSteep();
+  }
+
   static Scalar quotient(Scalar a, Scalar b) {
     Expressions expressions = a.expressions();
     if (a.isConstant() && b.isConstant()) {

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -42,7 +43,7 @@ class DifferentiationTest {
   @ParameterizedTest
   @EnumSource(
       mode = EnumSource.Mode.EXCLUDE,
-      names = {"PICK", "HELD", "CLOSEST"})
+      names = {"PICK", "HELD", "CLOSEST", "PLACE", "GIVEN"})
   void slopesOfFunctionsAreTheirDifferences(MathFunction function) {
     Scalar[] arguments = {x, y, x.times(y), y.squared()};
     Scalar value =
@@ -52,6 +53,29 @@ class DifferentiationTest {
           default -> e.function(function, Arrays.copyOf(arguments, function.arity()));
         };
     assertSlope(value, 0.3, 0.7);
+  }
+
+  /** Guarded products are slower; e^y is steep, and alone along x. */
+  @Test
+  void whatIsSteepIsGuardedOnlyWhereItChanges() {
+    Scalar steep = e.function(MathFunction.EXP, y).markedSteep();
+    Scalar value = e.sine(steep.times(x)).times(x.squared());
+    Scalar byX = new Differentiation(e, Map.of(x, e.one())).of(value);
+    Scalar byY = new Differentiation(e, Map.of(y, x)).of(value);
+    program.section("slopes", "s");
+    program.output(0, byX);
+    assertThat(calls(MathFunction.PRODUCT)).isZero();
+    program.output(1, byY);
+    assertThat(calls(MathFunction.PRODUCT)).isPositive();
+  }
+
+  private long calls(MathFunction function) {
+    int[] uses = program.uses();
+    return IntStream.range(0, uses.length)
+        .filter(id -> uses[id] > 0)
+        .mapToObj(e::node)
+        .filter(node -> node.is(ScalarOperation.FUNCTION) && node.function() == function)
+        .count();
   }
 
   /** What a search has found is held: the formula around it says how it changes. */

@@ -22,8 +22,7 @@ import org.mechservice.solver.expression.Expression.ParameterValue;
 import org.mechservice.solver.expression.Expression.PointVelocity;
 import org.mechservice.solver.expression.Expression.RelativeMotion;
 import org.mechservice.solver.expression.Expression.Time;
-import org.mechservice.solver.expression.Tape;
-import org.mechservice.solver.expression.TapeEvaluation;
+import org.mechservice.solver.expression.FormulaEvaluation;
 import org.mechservice.solver.force.formula.FormulaText;
 import org.mechservice.solver.mechanism.FurtherState;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -166,8 +165,8 @@ final class FormulaForecast {
 
   /** Returns the derivative at the start of an expression of time and parameters alone. */
   private OptionalDouble rate(Expression argument) {
-    TapeEvaluation evaluation = new TapeEvaluation(new Tape(List.of(argument)));
-    List<Expression> leaves = evaluation.tape().leaves();
+    FormulaEvaluation evaluation = new FormulaEvaluation(List.of(argument));
+    List<Expression> leaves = evaluation.leaves();
     for (int i = 0; i < leaves.size(); i++) {
       if (leaves.get(i) instanceof Time) {
         evaluation.setLeaf(i, settings.tStart(), 1, 0);

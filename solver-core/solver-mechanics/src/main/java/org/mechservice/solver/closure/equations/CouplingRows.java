@@ -4,8 +4,7 @@ import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.expression.Tape;
-import org.mechservice.solver.expression.TapeEvaluation;
+import org.mechservice.solver.expression.FormulaEvaluation;
 import org.mechservice.solver.force.applied.Couplings;
 import org.mechservice.solver.force.applied.ForceJacobian;
 import org.mechservice.solver.kinematics.CountedPositions;
@@ -15,7 +14,7 @@ import org.mechservice.solver.mechanism.closure.CoordinateClosure;
 
 /** A coupling of coordinates: one equation. */
 final class CouplingRows extends ClosureRows {
-  private final TapeEvaluation evaluation;
+  private final FormulaEvaluation evaluation;
   private final CouplingLeaf[] leaves;
 
   /** ∂Φ/∂(leaf). */
@@ -32,11 +31,10 @@ final class CouplingRows extends ClosureRows {
       double length,
       CountedPositions counted) {
     super(closure);
-    Tape tape = new Tape(List.of(closure.relation()));
-    evaluation = new TapeEvaluation(tape);
-    leaves = new CouplingLeaf[tape.leaves().size()];
+    evaluation = new FormulaEvaluation(List.of(closure.relation()));
+    leaves = new CouplingLeaf[evaluation.leaves().size()];
     for (int i = 0; i < leaves.length; i++) {
-      Expression leaf = tape.leaves().get(i);
+      Expression leaf = evaluation.leaves().get(i);
       leaves[i] = CouplingLeaf.of(leaf, closure.name(), tree, parameters, length, counted);
     }
     gradient = new double[leaves.length];

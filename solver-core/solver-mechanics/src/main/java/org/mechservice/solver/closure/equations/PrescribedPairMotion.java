@@ -2,13 +2,11 @@ package org.mechservice.solver.closure.equations;
 
 import java.util.List;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.expression.Tape;
-import org.mechservice.solver.expression.TapeEvaluation;
+import org.mechservice.solver.expression.FormulaEvaluation;
 
 /** Prescribed coordinates as functions of time and parameters. Workspace of one thread. */
 public final class PrescribedPairMotion {
-  private final Tape tape;
-  private final TapeEvaluation evaluation;
+  private final FormulaEvaluation evaluation;
   private final double[] parameters;
 
   /**
@@ -17,10 +15,9 @@ public final class PrescribedPairMotion {
    * @throws IllegalArgumentException if an expression depends on anything but time and parameters
    */
   public PrescribedPairMotion(List<Expression> coordinates, double[] parameters) {
-    tape = new Tape(coordinates);
-    evaluation = new TapeEvaluation(tape);
+    evaluation = new FormulaEvaluation(coordinates);
     this.parameters = parameters;
-    for (Expression leaf : tape.leaves()) {
+    for (Expression leaf : evaluation.leaves()) {
       if (!(leaf instanceof Expression.Time) && !(leaf instanceof Expression.ParameterValue)) {
         throw new IllegalArgumentException("a prescribed motion depends on " + leaf);
       }
@@ -29,12 +26,12 @@ public final class PrescribedPairMotion {
 
   /** Returns the number of coordinates. */
   public int count() {
-    return tape.resultCount();
+    return evaluation.resultCount();
   }
 
   /** Evaluates the coordinates with their first and second derivatives. */
   public void evaluate(double t) {
-    List<Expression> leaves = tape.leaves();
+    List<Expression> leaves = evaluation.leaves();
     for (int i = 0; i < leaves.size(); i++) {
       if (leaves.get(i) instanceof Expression.ParameterValue parameter) {
         evaluation.setLeaf(i, parameters[parameter.index()], 0, 0);

@@ -3,8 +3,7 @@ package org.mechservice.solver.force.applied;
 import java.util.List;
 import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Expression.ParameterValue;
-import org.mechservice.solver.expression.Tape;
-import org.mechservice.solver.expression.TapeEvaluation;
+import org.mechservice.solver.expression.FormulaEvaluation;
 import org.mechservice.solver.force.law.Condition;
 import org.mechservice.solver.mechanism.force.Coefficient;
 import org.mechservice.solver.mechanism.force.ForceElement;
@@ -12,15 +11,15 @@ import org.mechservice.solver.mechanism.force.ForceElement;
 /** The coefficients of a force: expressions of tunable parameters only, evaluated once per run. */
 final class Coefficients {
   private final List<Coefficient> coefficients;
-  private final TapeEvaluation tape;
+  private final FormulaEvaluation formulas;
 
   /**
    * @throws IllegalArgumentException if an expression depends on time or the state
    */
   Coefficients(ForceElement force) {
     coefficients = force.coefficients();
-    tape = new TapeEvaluation(new Tape(coefficients.stream().map(Coefficient::value).toList()));
-    for (Expression leaf : tape.tape().leaves()) {
+    formulas = new FormulaEvaluation(coefficients.stream().map(Coefficient::value).toList());
+    for (Expression leaf : formulas.leaves()) {
       if (!(leaf instanceof ParameterValue)) {
         throw new IllegalArgumentException(
             "coefficients of force " + force.name() + " may contain parameters but not " + leaf);
@@ -37,15 +36,15 @@ final class Coefficients {
    * @return false if there is one
    */
   boolean update(double[] parameters, double[] out, AppliedForce force) {
-    List<Expression> leaves = tape.tape().leaves();
+    List<Expression> leaves = formulas.leaves();
     for (int i = 0; i < leaves.size(); i++) {
       if (leaves.get(i) instanceof ParameterValue parameter) {
-        tape.setLeaf(i, parameters[parameter.index()]);
+        formulas.setLeaf(i, parameters[parameter.index()]);
       }
     }
-    tape.values();
+    formulas.values();
     for (int i = 0; i < coefficients.size(); i++) {
-      out[i] = tape.value(i);
+      out[i] = formulas.value(i);
       if (!Double.isFinite(out[i])) {
         return refuse(i, out[i], Condition.FINITE, force);
       }

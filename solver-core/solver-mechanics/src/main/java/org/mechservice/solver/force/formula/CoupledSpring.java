@@ -10,9 +10,8 @@ import org.mechservice.solver.expression.Expression.CoordinateVelocity;
 import org.mechservice.solver.expression.Expression.PointPosition;
 import org.mechservice.solver.expression.Expression.PointVelocity;
 import org.mechservice.solver.expression.Expression.Time;
+import org.mechservice.solver.expression.FormulaEvaluation;
 import org.mechservice.solver.expression.JointCoordinate;
-import org.mechservice.solver.expression.Tape;
-import org.mechservice.solver.expression.TapeEvaluation;
 import org.mechservice.solver.force.applied.AppliedForce;
 import org.mechservice.solver.force.applied.Couplings;
 import org.mechservice.solver.force.applied.CutCoordinates;
@@ -37,7 +36,7 @@ import org.mechservice.solver.mechanism.force.CouplingSpringDamper;
  */
 public final class CoupledSpring extends AppliedForce {
   private final ScalarLaw law;
-  private final TapeEvaluation formula;
+  private final FormulaEvaluation formula;
   private final double[] parameters;
 
   /** Positions, and their rates; of what has none, the position itself stands there. */
@@ -65,9 +64,9 @@ public final class CoupledSpring extends AppliedForce {
     super(element);
     this.law = law;
     Mechanism mechanism = motion.tree().mechanism();
-    formula = new TapeEvaluation(new Tape(List.of(element.along())));
+    formula = new FormulaEvaluation(List.of(element.along()));
     parameters = mechanism.parameters().stream().mapToDouble(Parameter::value).toArray();
-    List<Expression> leaves = formula.tape().leaves();
+    List<Expression> leaves = formula.leaves();
     int count = leaves.size();
     positions = new LeafInput[count];
     rates = new LeafInput[count];

@@ -3,15 +3,14 @@ package org.mechservice.solver.force.formula;
 import java.util.List;
 import java.util.function.IntConsumer;
 import org.mechservice.solver.expression.Expression;
-import org.mechservice.solver.expression.Tape;
-import org.mechservice.solver.expression.TapeEvaluation;
+import org.mechservice.solver.expression.FormulaEvaluation;
 import org.mechservice.solver.force.applied.GradientSink;
 import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.Parameter;
 
 /** Expressions of time, parameters and the state, evaluated in a motion that the caller sweeps. */
 public final class ExpressionInputs {
-  private final TapeEvaluation tape;
+  private final FormulaEvaluation formulas;
   private final LeafInput[] inputs;
   private final double[] parameters;
 
@@ -27,10 +26,10 @@ public final class ExpressionInputs {
    * @throws IllegalArgumentException if one refers to an element that the mechanism does not have
    */
   public ExpressionInputs(TreeMotion motion, List<Expression> expressions) {
-    tape = new TapeEvaluation(new Tape(expressions));
+    formulas = new FormulaEvaluation(expressions);
     parameters =
         motion.tree().mechanism().parameters().stream().mapToDouble(Parameter::value).toArray();
-    List<Expression> leaves = tape.tape().leaves();
+    List<Expression> leaves = formulas.leaves();
     inputs = new LeafInput[leaves.size()];
     for (int i = 0; i < inputs.length; i++) {
       inputs[i] = LeafInput.of(leaves.get(i), motion, parameters);
@@ -52,21 +51,21 @@ public final class ExpressionInputs {
    */
   public void evaluate(double t) {
     for (int i = 0; i < inputs.length; i++) {
-      tape.setLeaf(i, inputs[i].value(t));
+      formulas.setLeaf(i, inputs[i].value(t));
     }
-    tape.values();
+    formulas.values();
   }
 
   /** Returns a result of the last {@link #evaluate}. */
   public double value(int result) {
-    return tape.value(result);
+    return formulas.value(result);
   }
 
   /** Evaluates the gradients of all results at the state of the last {@link #evaluate}. */
   public void differentiate() {
-    tape.derivatives();
+    formulas.derivatives();
     for (int i = 0; i < gradients.length; i++) {
-      tape.gradient(i, gradients[i]);
+      formulas.gradient(i, gradients[i]);
     }
   }
 

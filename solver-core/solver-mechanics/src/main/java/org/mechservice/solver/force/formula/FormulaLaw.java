@@ -7,8 +7,7 @@ import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Expression.ParameterValue;
 import org.mechservice.solver.expression.Expression.RelativeMotion;
 import org.mechservice.solver.expression.Expression.StateValue;
-import org.mechservice.solver.expression.Tape;
-import org.mechservice.solver.expression.TapeEvaluation;
+import org.mechservice.solver.expression.FormulaEvaluation;
 import org.mechservice.solver.force.applied.AppliedForce;
 import org.mechservice.solver.force.applied.FrameLaw;
 import org.mechservice.solver.force.applied.FrameMotion;
@@ -16,16 +15,16 @@ import org.mechservice.solver.kinematics.TreeMotion;
 import org.mechservice.solver.mechanism.force.PairForce;
 
 /**
- * The formulas of a {@link PairForce}: its wrench and energy on one tape, whose derivatives by the
- * components of the relative motion give the Jacobian; its output values on another.
+ * The formulas of a {@link PairForce}: its wrench and energy in one evaluation, whose derivatives
+ * by the components of the relative motion give the Jacobian; its output values in another.
  */
 public final class FormulaLaw implements FrameLaw {
   private static final int POTENTIAL = 6;
   private static final int POTENTIAL_RATE = 7;
 
   private final TreeMotion motion;
-  private final TapeEvaluation law;
-  private final TapeEvaluation outputs;
+  private final FormulaEvaluation law;
+  private final FormulaEvaluation outputs;
   private final int outputCount;
   private final double[][] gradients = new double[6][];
   private final double[] place = new double[6];
@@ -39,13 +38,12 @@ public final class FormulaLaw implements FrameLaw {
     List<Expression> formulas = new ArrayList<>(force.wrench());
     formulas.add(force.potential());
     formulas.add(force.potentialRate());
-    law = new TapeEvaluation(new Tape(formulas));
+    law = new FormulaEvaluation(formulas);
     outputs =
-        new TapeEvaluation(
-            new Tape(force.outputs().stream().map(PairForce.Value::expression).toList()));
+        new FormulaEvaluation(force.outputs().stream().map(PairForce.Value::expression).toList());
     outputCount = force.outputs().size();
-    for (TapeEvaluation tape : List.of(law, outputs)) {
-      for (Expression leaf : tape.tape().leaves()) {
+    for (FormulaEvaluation evaluation : List.of(law, outputs)) {
+      for (Expression leaf : evaluation.leaves()) {
         boolean own =
             leaf instanceof RelativeMotion relative
                 && relative.frame1().equals(force.frame1())
@@ -56,30 +54,30 @@ public final class FormulaLaw implements FrameLaw {
       }
     }
     for (int i = 0; i < gradients.length; i++) {
-      gradients[i] = new double[law.tape().leaves().size()];
+      gradients[i] = new double[law.leaves().size()];
     }
   }
 
   @Override
   public boolean parameters(double[] values, AppliedForce force) {
-    for (TapeEvaluation tape : List.of(law, outputs)) {
-      List<Expression> leaves = tape.tape().leaves();
+    for (FormulaEvaluation formulas : List.of(law, outputs)) {
+      List<Expression> leaves = formulas.leaves();
       for (int i = 0; i < leaves.size(); i++) {
         if (leaves.get(i) instanceof ParameterValue parameter) {
-          tape.setLeaf(i, values[parameter.index()]);
+          formulas.setLeaf(i, values[parameter.index()]);
         }
       }
     }
     return true;
   }
 
-  private void read(TapeEvaluation tape, FrameMotion x) {
-    List<Expression> leaves = tape.tape().leaves();
+  private void read(FormulaEvaluation formulas, FrameMotion x) {
+    List<Expression> leaves = formulas.leaves();
     for (int i = 0; i < leaves.size(); i++) {
       if (leaves.get(i) instanceof RelativeMotion relative) {
-        tape.setLeaf(i, x.component(relative.component()));
+        formulas.setLeaf(i, x.component(relative.component()));
       } else if (leaves.get(i) instanceof StateValue state) {
-        tape.setLeaf(i, motion.further[state.index()]);
+        formulas.setLeaf(i, motion.further[state.index()]);
       }
     }
   }
@@ -97,7 +95,7 @@ public final class FormulaLaw implements FrameLaw {
   @Override
   public void slopes(FrameMotion x, double[] by) {
     differentiate();
-    List<Expression> leaves = law.tape().leaves();
+    List<Expression> leaves = law.leaves();
     for (int leaf = 0; leaf < leaves.size(); leaf++) {
       if (!(leaves.get(leaf) instanceof RelativeMotion relative)) {
         continue;
@@ -129,7 +127,7 @@ public final class FormulaLaw implements FrameLaw {
 
   @Override
   public boolean byState(int state, double[] w) {
-    List<Expression> leaves = law.tape().leaves();
+    List<Expression> leaves = law.leaves();
     for (int leaf = 0; leaf < leaves.size(); leaf++) {
       if (leaves.get(leaf) instanceof StateValue one && one.index() == state) {
         differentiate();

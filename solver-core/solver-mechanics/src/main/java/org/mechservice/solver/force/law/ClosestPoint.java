@@ -6,9 +6,8 @@ import org.mechservice.solver.expression.Expression;
 import org.mechservice.solver.expression.Expression.Argument;
 import org.mechservice.solver.expression.Expression.ParameterValue;
 import org.mechservice.solver.expression.Expression.TableValue;
+import org.mechservice.solver.expression.FormulaEvaluation;
 import org.mechservice.solver.expression.Table;
-import org.mechservice.solver.expression.Tape;
-import org.mechservice.solver.expression.TapeEvaluation;
 import org.mechservice.solver.spatial.CubicCurve;
 
 /**
@@ -31,7 +30,7 @@ public final class ClosestPoint {
   /** Largest number of steps of Newton's method; halvings would leave 2⁻¹² of an interval. */
   public static final int STEPS = 12;
 
-  private final TapeEvaluation height;
+  private final FormulaEvaluation height;
 
   /** The curve as a row of {@link CubicCurve}; empty if it is not a table of the abscissa. */
   private final double[] row;
@@ -46,7 +45,7 @@ public final class ClosestPoint {
   private double bend;
 
   public ClosestPoint(Expression curve) {
-    height = new TapeEvaluation(new Tape(List.of(curve)));
+    height = new FormulaEvaluation(List.of(curve));
     argument = leaves().indexOf(new Argument());
     row = row(curve).orElse(new double[0]);
   }
@@ -62,7 +61,7 @@ public final class ClosestPoint {
 
   /** Returns what the curve depends on. */
   public List<Expression> leaves() {
-    return height.tape().leaves();
+    return height.leaves();
   }
 
   public void parameters(double[] values) {
