@@ -46,19 +46,34 @@ def in_environment():
     sys.exit(subprocess.run([str(python), __file__] + sys.argv[1:]).returncode)
 
 
-def ours(*arguments):
-    done = subprocess.run(
-        ["java", "-XX:+UseSerialGC", "-cp", str(JAR),
-         "org.mechservice.benchmarks.robot.RobotAccelerations", *map(str, arguments)],
-        capture_output=True, text=True)
-    if done.returncode:
-        lines = [line for line in done.stderr.splitlines() if line.strip()]
-        return None, re.sub(r"^.*?Exception: ", "", next(iter(lines), "no answer"))
-    return done.stdout, ""
+class Ours:
+    """One process of ours that answers for all robots."""
+
+    process = None
+
+    @classmethod
+    def ask(cls, *parts):
+        """Returns the lines of an answer, or None and why there is none."""
+        if cls.process is None or cls.process.poll() is not None:
+            cls.process = subprocess.Popen(
+                ["java", "-XX:+UseSerialGC", "-cp", str(JAR),
+                 "org.mechservice.benchmarks.robot.RobotAccelerations"],
+                stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+        cls.process.stdin.write("\t".join(map(str, parts)) + "\n")
+        cls.process.stdin.flush()
+        lines = []
+        for line in cls.process.stdout:
+            if line == "\n":
+                break
+            lines.append(line.rstrip("\n"))
+        else:
+            return None, "our process ended"
+        if lines and lines[0].startswith("! "):
+            return None, lines[0][2:]
+        return lines, ""
 
 
-def joints_of(text):
-    lines = text.splitlines()
+def joints_of(lines):
     nq, nv, lost = map(int, lines[0].split())
     return nq, nv, lost, [(n, t, int(q), int(v)) for n, t, q, v in (l.split("\t") for l in lines[1:])]
 
@@ -66,7 +81,7 @@ def joints_of(text):
 def accelerations(file, states, nv, folder):
     import numpy
     numpy.asarray(states).astype(">f8").tofile(folder / "states")
-    out, why = ours(file, folder / "states", folder / "answers")
+    out, why = Ours.ask(file, folder / "states", folder / "answers")
     if out is None:
         return None, why
     return numpy.fromfile(folder / "answers", dtype=">f8").astype(float).reshape(-1, nv), ""
@@ -101,7 +116,7 @@ def urdf(file, count, folder):
     import numpy
     import pinocchio
     copy = plain(file, folder)
-    text, why = ours(copy)
+    text, why = Ours.ask(copy)
     if text is None:
         return None, why
     nq, nv, lost, joints = joints_of(text)
@@ -179,7 +194,7 @@ def mjcf_copy(copy, count, folder):
     import mujoco
     import numpy
     model = mujoco.MjModel.from_xml_path(str(copy))
-    text, why = ours(copy)
+    text, why = Ours.ask(copy)
     if text is None:
         return None, why
     nq, nv, lost, joints = joints_of(text)

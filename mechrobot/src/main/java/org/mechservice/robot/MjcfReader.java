@@ -167,11 +167,23 @@ final class MjcfReader {
         root.attribute("model").orElse("robot"),
         Optional.of(options.gravity()),
         whole,
-        joints,
+        armed(more.armatures()),
         more.loops(),
         more.couplings(),
         forces,
         start.read(root, keyframe));
+  }
+
+  /** Returns the joints with the inertia of their motors beside their own. */
+  private List<Joint> armed(Map<String, Double> armatures) {
+    return joints.stream()
+        .map(
+            joint -> {
+              double own = joint.coordinate().armature();
+              double more = armatures.getOrDefault(joint.name(), 0.0);
+              return joint.with(joint.coordinate().armed(own + more));
+            })
+        .toList();
   }
 
   /** MuJoCo takes the inertia that the joint moves in the pose of the file, all others free. */

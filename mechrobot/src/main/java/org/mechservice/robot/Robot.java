@@ -293,6 +293,8 @@ record Robot(
    * @param freePosition position at which the spring exerts nothing
    * @param damping N·s/m or N·m·s/rad
    * @param friction N or N·m
+   * @param armature inertia of a motor as the coordinate feels it, kg or kg·m²; of a ball or free
+   *     joint that of each of its velocities
    * @param mimic the joint that it follows
    */
   record Coordinate(
@@ -302,13 +304,21 @@ record Robot(
       double freePosition,
       double damping,
       double friction,
+      double armature,
       Optional<Mimic> mimic) {
     static final Coordinate FREE =
-        new Coordinate(Optional.empty(), Stop.ASSUMED, 0, 0, 0, 0, Optional.empty());
+        new Coordinate(Optional.empty(), Stop.ASSUMED, 0, 0, 0, 0, 0, Optional.empty());
 
     /** Returns the same with another spring and damper. */
     Coordinate with(double newStiffness, double newDamping) {
-      return new Coordinate(limits, stop, newStiffness, freePosition, newDamping, friction, mimic);
+      return new Coordinate(
+          limits, stop, newStiffness, freePosition, newDamping, friction, armature, mimic);
+    }
+
+    /** Returns the same with another armature. */
+    Coordinate armed(double newArmature) {
+      return new Coordinate(
+          limits, stop, stiffness, freePosition, damping, friction, newArmature, mimic);
     }
   }
 
