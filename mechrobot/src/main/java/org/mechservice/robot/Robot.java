@@ -478,6 +478,16 @@ record Robot(
    */
   record Input(Element element, String name, String unit) implements Force {}
 
+  /**
+   * A signal that follows another one with a delay of the first order.
+   *
+   * @param unit of its value
+   * @param followed the other one, in MechML
+   * @param time its time constant, s
+   */
+  record Filter(Element element, String name, String unit, String followed, double time)
+      implements Force {}
+
   /** Positions and velocities of a joint at the start, in the order of MechML. */
   record Start(List<Double> positions, List<Double> velocities) {}
 }
