@@ -63,9 +63,6 @@ final class MjcfActuators {
   private final Map<String, Sum> sums = new LinkedHashMap<>();
   private final Set<String> names = new HashSet<>();
 
-  /** Inertia of motors as the coordinates of joints feel it, kg or kg·m². */
-  private final Map<String, Double> armatures = new LinkedHashMap<>();
-
   MjcfActuators(
       Map<String, Joint> joints,
       Map<String, Double> references,
@@ -77,11 +74,6 @@ final class MjcfActuators {
     this.inertia = inertia;
     this.numbers = numbers;
     this.losses = losses;
-  }
-
-  /** Returns the inertia of the motors of each joint as its coordinate feels it, kg or kg·m². */
-  Map<String, Double> armatures() {
-    return armatures;
   }
 
   /** Returns the inputs, then the forces. */
@@ -122,6 +114,7 @@ final class MjcfActuators {
     Optional<Law> law = law(actuator);
     if (law.isEmpty()) {
       lose(actuator, true, "a motor of this kind is left out");
+      return;
     }
     List<Double> gear =
         actuator
@@ -146,10 +139,6 @@ final class MjcfActuators {
     } else if (tendon.isPresent()) {
       tendon.get().terms().forEach((joint, factor) -> moments.put(joint, gear.get(0) * factor));
     }
-    addArmature(actuator, moments);
-    if (law.isEmpty()) {
-      return;
-    }
     if (moments.isEmpty()) {
       lose(
           actuator,
@@ -167,20 +156,6 @@ final class MjcfActuators {
     boolean turns =
         moments.keySet().stream().allMatch(name -> joint(name).type() != Freedom.PRISMATIC);
     addForces(actuator, scope, acting, moments, turns);
-  }
-
-  /** A motor's inertia couples the joints of a tendon, which the armature of a joint does not. */
-  private void addArmature(Element actuator, Map<String, Double> moments) {
-    double armature = numbers.optional(actuator, "armature", 0);
-    if (armature == 0) {
-      return;
-    }
-    if (moments.size() != 1) {
-      losses.motion(actuator, "its armature is left out: it is read at motors of one joint");
-      return;
-    }
-    moments.forEach(
-        (joint, factor) -> armatures.merge(joint, factor * factor * armature, Double::sum));
   }
 
   private void lose(Element actuator, boolean alone, String what) {

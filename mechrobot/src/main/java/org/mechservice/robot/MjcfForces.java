@@ -97,11 +97,6 @@ final class MjcfForces {
     return couplings;
   }
 
-  /** Returns the inertia of the motors of each joint as its coordinate feels it, kg or kg·m². */
-  Map<String, Double> armatures() {
-    return actuators.armatures();
-  }
-
   /** Returns the forces, those of motors last. */
   List<Force> forces() {
     List<Force> all = new ArrayList<>(forces);
