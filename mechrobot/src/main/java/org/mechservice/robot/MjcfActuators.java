@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.mechservice.mechml.document.Element;
 import org.mechservice.robot.MjcfForces.Tendon;
+import org.mechservice.robot.Robot.Filter;
 import org.mechservice.robot.Robot.Force;
 import org.mechservice.robot.Robot.Freedom;
 import org.mechservice.robot.Robot.Input;
@@ -17,7 +18,8 @@ import org.mechservice.robot.Robot.JointForce;
 
 /**
  * The motors and servos of an MJCF model: each is an input u, zero until somebody sets it, and the
- * force gain · u + bias along joints. The bias of a servo acts also where nobody commands it.
+ * force gain · u + bias along joints. With a time constant a state that follows u takes its place.
+ * The bias of a servo acts also where nobody commands it.
  *
  * <p>Source: MuJoCo documentation, Computation, "Actuation model": the force is limited to {@code
  * forcerange}, the input to {@code ctrlrange}; the length of a joint's actuator is gear · position,
@@ -34,16 +36,17 @@ final class MjcfActuators {
    * The force of an actuator: its factor of the input, and a₀ + a₁ length + a₂ velocity.
    *
    * @param dampingRatio from which MuJoCo makes a₂; 0 if that is given
+   * @param time time constant with which the input acts, s; 0 if it acts at once
    */
-  private record Law(double gain, List<Double> bias, double dampingRatio) {
+  private record Law(double gain, List<Double> bias, double dampingRatio, double time) {
     Law(double gain, List<Double> bias) {
-      this(gain, bias, 0);
+      this(gain, bias, 0, 0);
     }
 
     /** Returns the law with the damping for an inertia as the actuator sees it. */
     Law damped(double inertia) {
       double damping = 2 * dampingRatio * Math.sqrt(-bias.get(1) * inertia);
-      return new Law(gain, List.of(bias.get(0), bias.get(1), -damping));
+      return new Law(gain, List.of(bias.get(0), bias.get(1), -damping), 0, time);
     }
 
     boolean actsAlone() {
@@ -174,11 +177,20 @@ final class MjcfActuators {
     boolean commands = actuator.name().equals("position") || actuator.name().equals("velocity");
     String unit = commands ? (turns ? "rad" : "m") : turns ? "N*m" : "N";
     unit = actuator.name().equals("velocity") ? unit + "/s" : unit;
-    inputs.add(new Input(actuator, name, actuator.name().matches("general|damper") ? "1" : unit));
+    String signal = actuator.name().matches("general|damper") ? "1" : unit;
+    inputs.add(new Input(actuator, name, signal));
     String u = MechmlText.name(name);
     Optional<List<Double>> control = range(actuator, "ctrl");
     if (control.isPresent()) {
       u = clamped(u, control.get());
+    }
+    if (law.time() > 0) {
+      String follower = name + " activation";
+      while (!names.add(follower)) {
+        follower += "_";
+      }
+      inputs.add(new Filter(actuator, follower, signal, u, law.time()));
+      u = MechmlText.name(follower);
     }
     double offset = 0;
     for (Map.Entry<String, Double> moment : moments.entrySet()) {
@@ -235,11 +247,9 @@ final class MjcfActuators {
       case "position" -> {
         double kp = numbers.optional(actuator, "kp", 1);
         double kv = numbers.optional(actuator, "kv", 0);
-        if (numbers.optional(actuator, "timeconst", 0) != 0) {
-          losses.contact(actuator, "the time constant of its input is left out");
-        }
         double ratio = numbers.optional(actuator, "dampratio", 0);
-        return Optional.of(new Law(kp, List.of(0.0, -kp, -kv), ratio));
+        double time = numbers.optional(actuator, "timeconst", 0);
+        return Optional.of(new Law(kp, List.of(0.0, -kp, -kv), ratio, time));
       }
       case "velocity" -> {
         double kv = numbers.optional(actuator, "kv", 1);
@@ -264,9 +274,8 @@ final class MjcfActuators {
         || !(filtered || dynamics.equals("none"))) {
       return Optional.empty();
     }
-    if (filtered) {
-      losses.contact(actuator, "the time constant of its input is left out");
-    }
+    List<Double> dynamic = list(actuator, "dynprm");
+    double time = filtered ? (dynamic.isEmpty() ? 1 : dynamic.get(0)) : 0;
     List<Double> prm = new ArrayList<>(list(actuator, "biasprm"));
     while (prm.size() < 3) {
       prm.add(0.0);
@@ -274,14 +283,14 @@ final class MjcfActuators {
     List<Double> gains = list(actuator, "gainprm");
     double factor = gains.isEmpty() ? 1 : gains.get(0);
     if (!bias.equals("affine")) {
-      return Optional.of(new Law(factor, List.of(0.0, 0.0, 0.0)));
+      return Optional.of(new Law(factor, List.of(0.0, 0.0, 0.0), 0, time));
     }
     // In a servo, whose gain is minus its stiffness, a positive damping is a damping ratio.
     boolean servo = factor == -prm.get(1) && prm.get(2) > 0;
     return Optional.of(
         servo
-            ? new Law(factor, List.of(prm.get(0), prm.get(1), 0.0), prm.get(2))
-            : new Law(factor, prm.subList(0, 3)));
+            ? new Law(factor, List.of(prm.get(0), prm.get(1), 0.0), prm.get(2), time)
+            : new Law(factor, prm.subList(0, 3), 0, time));
   }
 
   private List<Double> list(Element actuator, String name) {

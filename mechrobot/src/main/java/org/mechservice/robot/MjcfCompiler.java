@@ -106,6 +106,15 @@ final class MjcfCompiler {
     return new Frame(at, turn(element));
   }
 
+  /** Returns the rotation of a replica: MuJoCo multiplies the Euler angles by its number. */
+  Rotation turnOfReplica(Element replicate, int index) {
+    return replicate
+        .attribute("euler")
+        .map(text -> numbers.read(replicate, "euler", text, 3, 3))
+        .map(angles -> ofEulerAngles(angles.stream().map(a -> index * a).toList()))
+        .orElse(Rotation.IDENTITY);
+  }
+
   private static Vector3 vector(List<Double> numbers, int from) {
     return new Vector3(numbers.get(from), numbers.get(from + 1), numbers.get(from + 2));
   }

@@ -185,10 +185,7 @@ final class MjcfGeometry {
 
   private void add(ShapeMasses masses, Held held) {
     Element geometry = held.element();
-    String type =
-        geometry
-            .attribute("type")
-            .orElse(geometry.attribute("mesh").isPresent() ? "mesh" : "sphere");
+    String type = geometry.attribute("type").orElse("sphere");
     Optional<Double> given =
         geometry.attribute("mass").map(text -> numbers.optional(geometry, "mass", 0));
     double density = numbers.optional(geometry, "density", WATER);

@@ -127,8 +127,12 @@ final class MjcfJointReader {
     double stiffness = options.springs() ? first(element, "stiffness") : 0;
     double damping = options.dampers() ? first(element, "damping") : 0;
     double friction = options.friction() ? numbers.optional(element, "frictionloss", 0) : 0;
+    double armature = numbers.optional(element, "armature", 0);
     if (friction < 0) {
       numbers.contradiction(element, "frictionloss is " + friction + "; it must not be negative");
+    }
+    if (armature < 0) {
+      numbers.contradiction(element, "armature is " + armature + "; it must not be negative");
     }
     if (!freedom.isSingle()) {
       if (friction != 0) {
@@ -139,9 +143,9 @@ final class MjcfJointReader {
       }
       if (freedom == Freedom.FLOATING && stiffness != 0) {
         losses.motion(element, "stiffness of a free joint is left out");
-        return Coordinate.FREE.with(0, damping);
+        return Coordinate.FREE.with(0, damping).armed(armature);
       }
-      return Coordinate.FREE.with(stiffness, damping);
+      return Coordinate.FREE.with(stiffness, damping).armed(armature);
     }
     double unit = freedom == Freedom.PRISMATIC ? 1 : compiler.angle();
     double reference = reference(element, freedom);
@@ -168,6 +172,7 @@ final class MjcfJointReader {
         numbers.optional(element, "springref", 0) * unit - reference,
         damping,
         friction,
+        armature,
         Optional.empty());
   }
 

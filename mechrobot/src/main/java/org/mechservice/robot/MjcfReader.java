@@ -154,6 +154,7 @@ final class MjcfReader {
                           inertial.frame().at(),
                           options.gravity().times(-factor * inertial.mass()))));
     }
+    armMotors();
     RobotInertia inertia = new RobotInertia(whole, joints);
     springDampers.forEach((joint, values) -> makeSpring(joint, values, inertia));
     MjcfForces more =
@@ -172,6 +173,46 @@ final class MjcfReader {
         more.couplings(),
         forces,
         start.read(root, keyframe));
+  }
+
+  /** Gives joints the inertia of their motors beside their own, with the square of the gear. */
+  private void armMotors() {
+    Map<String, Double> armatures = new HashMap<>();
+    Set<Map.Entry<Element, String>> seen = new HashSet<>();
+    for (Scope scope : scopes) {
+      for (Element actuator : scope.file().all("actuator")) {
+        double armature = numbers.optional(actuator, "armature", 0);
+        Optional<String> joint = actuator.attribute("joint").map(scope::named);
+        if (armature == 0) {
+          continue;
+        }
+        if (joint.isEmpty()) {
+          losses.motion(actuator, "its armature is left out: it is read at motors of one joint");
+        } else if (seen.add(Map.entry(actuator, joint.get()))) {
+          double gear =
+              actuator
+                  .attribute("gear")
+                  .map(text -> numbers.read(actuator, "gear", text, 1, 6).get(0))
+                  .orElse(1.0);
+          armatures.merge(joint.get(), gear * gear * armature, Double::sum);
+        }
+      }
+    }
+    joints.replaceAll(
+        joint -> {
+          double own = joint.coordinate().armature();
+          double more = armatures.getOrDefault(joint.name(), 0.0);
+          return joint.with(joint.coordinate().armed(own + more));
+        });
+    if (!weightless.isEmpty()) {
+      joints.stream()
+          .map(Joint::element)
+          .filter(one -> one.attribute("actuatorgravcomp").filter("true"::equals).isPresent())
+          .forEach(
+              one ->
+                  losses.motion(
+                      one, "actuatorgravcomp is left out: gravcomp acts without motors, too"));
+    }
   }
 
   /** MuJoCo takes the inertia that the joint moves in the pose of the file, all others free. */
@@ -267,7 +308,7 @@ final class MjcfReader {
                     new MjcfForces.Site(parent, outer.times(scope.compiler().frame(site)))));
   }
 
-  /** Returns each replica with its frame: each is turned and moved from the one before it. */
+  /** Returns each replica with its frame: each is moved from the one before it in its axes. */
   private Map<Scope, Frame> replicas(Scope scope, Element replicate) {
     double wished = numbers.required(replicate, "count");
     int count = (int) wished;
@@ -283,15 +324,13 @@ final class MjcfReader {
           "there are more than " + Limits.BODIES + " replicas");
       return Map.of();
     }
-    Frame step =
-        new Frame(
-            numbers.vector(replicate, "offset", Vector3.ZERO),
-            scope.compiler().frame(replicate).turn());
+    Vector3 offset = numbers.vector(replicate, "offset", Vector3.ZERO);
     String separator = replicate.attribute("sep").orElse("");
     int digits = String.valueOf(count).length();
     Map<Scope, Frame> all = new LinkedHashMap<>();
-    Frame frame = Frame.SAME;
+    Vector3 at = Vector3.ZERO;
     for (int i = 0; i < count; i++) {
+      Frame frame = new Frame(at, scope.compiler().turnOfReplica(replicate, i));
       String number = "0".repeat(digits - String.valueOf(i).length()) + i;
       Scope replica = scope.with(scope.prefix(), separator + number + scope.suffix());
       // Several replicates of a file share their suffixes, and what refers to them is read once.
@@ -299,7 +338,7 @@ final class MjcfReader {
         scopes.add(replica);
       }
       all.put(replica, frame);
-      frame = frame.times(step);
+      at = at.plus(frame.turn().apply(offset));
     }
     return all;
   }

@@ -293,6 +293,8 @@ record Robot(
    * @param freePosition position at which the spring exerts nothing
    * @param damping N·s/m or N·m·s/rad
    * @param friction N or N·m
+   * @param armature inertia of a motor as the coordinate feels it, kg or kg·m²; of a ball or free
+   *     joint that of each of its velocities
    * @param mimic the joint that it follows
    */
   record Coordinate(
@@ -302,13 +304,21 @@ record Robot(
       double freePosition,
       double damping,
       double friction,
+      double armature,
       Optional<Mimic> mimic) {
     static final Coordinate FREE =
-        new Coordinate(Optional.empty(), Stop.ASSUMED, 0, 0, 0, 0, Optional.empty());
+        new Coordinate(Optional.empty(), Stop.ASSUMED, 0, 0, 0, 0, 0, Optional.empty());
 
     /** Returns the same with another spring and damper. */
     Coordinate with(double newStiffness, double newDamping) {
-      return new Coordinate(limits, stop, newStiffness, freePosition, newDamping, friction, mimic);
+      return new Coordinate(
+          limits, stop, newStiffness, freePosition, newDamping, friction, armature, mimic);
+    }
+
+    /** Returns the same with another armature. */
+    Coordinate armed(double newArmature) {
+      return new Coordinate(
+          limits, stop, stiffness, freePosition, damping, friction, newArmature, mimic);
     }
   }
 
@@ -467,6 +477,16 @@ record Robot(
    * @param unit of its value, a label
    */
   record Input(Element element, String name, String unit) implements Force {}
+
+  /**
+   * A signal that follows another one with a delay of the first order.
+   *
+   * @param unit of its value
+   * @param followed the other one, in MechML
+   * @param time its time constant, s
+   */
+  record Filter(Element element, String name, String unit, String followed, double time)
+      implements Force {}
 
   /** Positions and velocities of a joint at the start, in the order of MechML. */
   record Start(List<Double> positions, List<Double> velocities) {}

@@ -9,6 +9,7 @@ import org.mechservice.robot.Robot.BodyForce;
 import org.mechservice.robot.Robot.Coordinate;
 import org.mechservice.robot.Robot.Coupling;
 import org.mechservice.robot.Robot.CouplingSpring;
+import org.mechservice.robot.Robot.Filter;
 import org.mechservice.robot.Robot.Force;
 import org.mechservice.robot.Robot.Frame;
 import org.mechservice.robot.Robot.Freedom;
@@ -118,6 +119,20 @@ final class RobotActions {
             TagBuilder.of("input", input.element())
                 .set("name", input.name())
                 .set("unit", input.unit()));
+      } else if (force instanceof Filter filter) {
+        states.add(
+            TagBuilder.of("state", filter.element())
+                .set("name", filter.name())
+                .set(
+                    "derivative",
+                    "("
+                        + filter.followed()
+                        + " - "
+                        + MechmlText.name(filter.name())
+                        + ")/("
+                        + MechmlText.number(filter.time())
+                        + ")")
+                .set("unit", filter.unit()));
       } else {
         forces.add(force(force));
       }

@@ -172,7 +172,8 @@ final class RobotInertia {
 
   private double entry(Column i, Column j) {
     Composite all = beyond.get(j.joint().child());
-    return all == null ? 0 : i.motion().dot(all.times(j.motion()));
+    double inertia = all == null ? 0 : i.motion().dot(all.times(j.motion()));
+    return i.equals(j) ? inertia + i.joint().coordinate().armature() : inertia;
   }
 
   /**

@@ -158,6 +158,10 @@ final class RobotJoints {
       tag.set("lead", joint.place().lead());
     }
     Coordinate coordinate = joint.coordinate();
+    if (coordinate.armature() > 0) {
+      String armature = MechmlText.number(coordinate.armature());
+      tag.set("armature", joint.type() == Freedom.FLOATING ? armature + ";" + armature : armature);
+    }
     if (coordinate.stiffness() > 0) {
       tag.set("stiffness", coordinate.stiffness());
       tag.set("freePosition", coordinate.freePosition());

@@ -27,9 +27,10 @@ final class SdfAxis {
    * Returns what acts along the axis.
    *
    * @param endless whether limits have no meaning at this joint
+   * @param armature inertia of its motor as the axis feels it, kg or kg·m²
    * @param mimic the joint that it follows
    */
-  Coordinate coordinate(boolean endless, Optional<Mimic> mimic) {
+  Coordinate coordinate(boolean endless, double armature, Optional<Mimic> mimic) {
     Element dynamics = axis.child("dynamics").orElse(axis);
     return new Coordinate(
         endless ? Optional.empty() : axis.child("limit").flatMap(this::limits),
@@ -38,6 +39,7 @@ final class SdfAxis {
         numbers.text(dynamics, "spring_reference", 0),
         numbers.text(dynamics, "damping", 0),
         numbers.text(dynamics, "friction", 0),
+        armature,
         mimic);
   }
 

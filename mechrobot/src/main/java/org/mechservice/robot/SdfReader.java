@@ -397,11 +397,14 @@ final class SdfReader {
                 parent.get(),
                 child.get(),
                 place,
-                read.coordinate(type.equals("continuous"), mimic(scope, axis))));
+                read.coordinate(type.equals("continuous"), armature(element), mimic(scope, axis))));
       }
       case "universal", "revolute2" -> {
         // Two hinges with a cross without mass between them.
         String cross = scope + name + "_cross";
+        if (armature(element) != 0) {
+          losses.motion(element, "the inertia of a motor is left out: it has two axes");
+        }
         Element first = axis(element, "axis");
         Element second = axis(element, "axis2");
         links.add(new Link(element, cross, Optional.empty()));
@@ -413,7 +416,7 @@ final class SdfReader {
                 parent.get(),
                 cross,
                 Place.along(childInParent, jointInChild.at(), direction(scope, name, first, below)),
-                new SdfAxis(first, numbers).coordinate(false, mimic(scope, first))));
+                new SdfAxis(first, numbers).coordinate(false, 0, mimic(scope, first))));
         joints.add(
             new Joint(
                 element,
@@ -422,7 +425,7 @@ final class SdfReader {
                 cross,
                 child.get(),
                 Place.along(Frame.SAME, jointInChild.at(), direction(scope, name, second, below)),
-                new SdfAxis(second, numbers).coordinate(false, mimic(scope, second))));
+                new SdfAxis(second, numbers).coordinate(false, 0, mimic(scope, second))));
       }
       default ->
           diagnostics.error(
@@ -443,6 +446,12 @@ final class SdfReader {
       return Optional.empty();
     }
     return frames.link(scope, found.get().text(), joint);
+  }
+
+  /** Returns the inertia of a motor behind its gear, which Drake adds to SDF. */
+  private double armature(Element joint) {
+    double ratio = numbers.text(joint, "drake:gear_ratio", 1);
+    return ratio * ratio * numbers.text(joint, "drake:rotor_inertia", 0);
   }
 
   private Element axis(Element joint, String name) {

@@ -69,6 +69,7 @@ final class UrdfJointReader {
         0,
         notNegative(dynamics, "damping"),
         notNegative(dynamics, "friction"),
+        0,
         element.child("mimic").flatMap(this::mimic));
   }
 

@@ -54,6 +54,7 @@ final class UrdfReader {
     noteMaterials(robot);
     List<Link> links = new ArrayList<>();
     List<Joint> read = new ArrayList<>();
+    Map<String, Double> armatures = new HashMap<>();
     Set<String> linkNames = new HashSet<>();
     Set<String> jointNames = new HashSet<>();
     for (Element child : robot.children()) {
@@ -68,6 +69,7 @@ final class UrdfReader {
             joints.read(child).ifPresent(read::add);
           }
         }
+        case "transmission" -> noteArmature(child, armatures);
         default -> {
           // The table of the format says what else there may be.
         }
@@ -77,7 +79,36 @@ final class UrdfReader {
       numbers.missing(robot, "links");
     }
     return new Robot(
-        RobotFormat.URDF, robot.attribute("name").orElse("robot"), Optional.empty(), links, read);
+        RobotFormat.URDF,
+        robot.attribute("name").orElse("robot"),
+        Optional.empty(),
+        links,
+        read.stream()
+            .map(
+                joint ->
+                    joint.with(joint.coordinate().armed(armatures.getOrDefault(joint.name(), 0.0))))
+            .toList());
+  }
+
+  /** Notes the inertia of a motor behind its gear, which Drake adds to URDF. */
+  private void noteArmature(Element transmission, Map<String, Double> armatures) {
+    for (Element motor : transmission.children("actuator")) {
+      double ratio =
+          motor.child("drake:gear_ratio").map(one -> numbers.required(one, "value")).orElse(1.0);
+      motor
+          .child("drake:rotor_inertia")
+          .ifPresent(
+              rotor ->
+                  transmission
+                      .child("joint")
+                      .flatMap(joint -> joint.attribute("name"))
+                      .ifPresent(
+                          name ->
+                              armatures.merge(
+                                  name,
+                                  ratio * ratio * numbers.required(rotor, "value"),
+                                  Double::sum)));
+    }
   }
 
   private void noteMaterials(Element around) {

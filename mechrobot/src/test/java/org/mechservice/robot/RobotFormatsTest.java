@@ -277,7 +277,7 @@ class RobotFormatsTest {
         "mass=\"1.5\" |  | M-081",
         "range=\"-2 2\" | range=\"2 -2\" | M-084",
         "angle=\"radian\" | angle=\"radian\" coordinate=\"global\" | M-080",
-        "name=\"a\" axis | name=\"a\" armature=\"1\" axis | M-085"
+        "name=\"a\" axis | name=\"a\" armature=\"-1\" axis | M-084"
       })
   void oneFaultInMjcfIsOneMessage(String right, String wrong, String code) {
     String text = wrong == null ? "" : wrong;

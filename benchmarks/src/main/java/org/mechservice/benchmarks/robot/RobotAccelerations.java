@@ -1,12 +1,17 @@
 package org.mechservice.benchmarks.robot;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
+
 import java.io.BufferedInputStream;
 import java.io.BufferedOutputStream;
+import java.io.BufferedReader;
 import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.InputStreamReader;
 import java.io.OutputStream;
+import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.mechservice.mechml.diagnosis.MechmlException;
@@ -23,33 +28,60 @@ public final class RobotAccelerations {
   private RobotAccelerations() {}
 
   /**
-   * Imports a robot and computes dv/dt.
+   * Imports robots and computes dv/dt, as the lines of the standard input ask, one after the other.
    *
-   * @param args the robot's file; then, for accelerations, a file of states y = [q; v] and the file
-   *     of dv/dt to write, both as doubles in the order of the machine's network. Without them the
-   *     joints are printed, a line each: name, type, first position, first velocity in y, after a
-   *     line with the counts of positions, velocities and losses that change the motion.
+   * <p>A line has the robot's file; then, behind tabulators, for accelerations a file of states y =
+   * [q; v] and the file of dv/dt to write, both as doubles in the order of the machine's network.
+   * The answer to a file alone is a line with the counts of positions, velocities and losses that
+   * change the motion, and a line for each joint: name, type, first position, first velocity in y.
+   * Each answer ends with an empty line; one that begins with {@code !} says what failed.
+   *
+   * @param args none
    */
-  public static void main(String[] args) throws IOException, MechmlException {
-    Path file = Path.of(args[0]);
-    RobotImport robot = RobotImport.read(file, ImportOptions.NONE);
-    Mechanism mechanism = robot.model().mechanism();
-    if (args.length == 1) {
-      long lost =
-          robot.losses().stream().filter(loss -> loss.code() == LossGrade.MOTION.code()).count();
-      System.out.printf("%d %d %d%n", mechanism.positionCount(), mechanism.velocityCount(), lost);
-      for (int i = 0; i < mechanism.joints().size(); i++) {
-        Joint joint = mechanism.joints().get(i);
-        System.out.printf(
-            "%s\t%s\t%d\t%d%n",
-            joint.name(), joint.type(), mechanism.positionOffset(i), mechanism.velocityOffset(i));
+  public static void main(String[] args) throws IOException {
+    BufferedReader asked = new BufferedReader(new InputStreamReader(System.in, UTF_8));
+    PrintStream answer = new PrintStream(System.out, true, UTF_8);
+    String file = "";
+    RobotImport robot = null;
+    for (String line = asked.readLine(); line != null; line = asked.readLine()) {
+      String[] parts = line.split("\t", -1);
+      try {
+        if (parts.length == 1 || robot == null || !parts[0].equals(file)) {
+          robot = RobotImport.read(Path.of(parts[0]), ImportOptions.NONE);
+          file = parts[0];
+        }
+        if (parts.length == 1) {
+          describe(robot, answer);
+        } else {
+          compute(robot, Path.of(parts[1]), Path.of(parts[2]));
+        }
+      } catch (IOException | MechmlException | RuntimeException e) {
+        robot = null;
+        answer.println("! " + String.valueOf(e.getMessage()).lines().findFirst().orElse(""));
       }
-      return;
+      answer.println();
     }
+  }
+
+  private static void describe(RobotImport robot, PrintStream answer) {
+    Mechanism mechanism = robot.model().mechanism();
+    long lost =
+        robot.losses().stream().filter(loss -> loss.code() == LossGrade.MOTION.code()).count();
+    answer.printf("%d %d %d%n", mechanism.positionCount(), mechanism.velocityCount(), lost);
+    for (int i = 0; i < mechanism.joints().size(); i++) {
+      Joint joint = mechanism.joints().get(i);
+      answer.printf(
+          "%s\t%s\t%d\t%d%n",
+          joint.name(), joint.type(), mechanism.positionOffset(i), mechanism.velocityOffset(i));
+    }
+  }
+
+  private static void compute(RobotImport robot, Path states, Path answers) throws IOException {
+    Mechanism mechanism = robot.model().mechanism();
     DataDrivenModel model = new DataDrivenModel(mechanism, robot.model().settings().run());
-    try (InputStream states = new BufferedInputStream(Files.newInputStream(Path.of(args[1])));
-        OutputStream answers = new BufferedOutputStream(Files.newOutputStream(Path.of(args[2])))) {
-      accelerations(mechanism, model, states, answers);
+    try (InputStream in = new BufferedInputStream(Files.newInputStream(states));
+        OutputStream out = new BufferedOutputStream(Files.newOutputStream(answers))) {
+      accelerations(mechanism, model, in, out);
     }
   }
 

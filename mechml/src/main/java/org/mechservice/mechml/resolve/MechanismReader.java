@@ -23,6 +23,7 @@ import org.mechservice.mechml.resolve.force.JointAttributesReader;
 import org.mechservice.mechml.resolve.formula.FormulaReader;
 import org.mechservice.mechml.resolve.formula.MechanismNames;
 import org.mechservice.mechml.resolve.formula.ResolvedJoint;
+import org.mechservice.mechml.resolve.joint.ArmatureReader;
 import org.mechservice.mechml.resolve.joint.ConstraintsReader;
 import org.mechservice.mechml.resolve.joint.DriveReader;
 import org.mechservice.mechml.resolve.joint.JointLink;
@@ -35,6 +36,7 @@ import org.mechservice.mechml.resolve.value.ResolvedParameter;
 import org.mechservice.mechml.resolve.value.ValueReader;
 import org.mechservice.solver.catalogue.MessageCode;
 import org.mechservice.solver.expression.Expression;
+import org.mechservice.solver.mechanism.Armature;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.FurtherState;
 import org.mechservice.solver.mechanism.Mechanism;
@@ -209,10 +211,13 @@ final class MechanismReader {
     List<PrescribedMotion> motions = new ArrayList<>();
     List<StartRole> roles = new ArrayList<>();
     List<LoopClosure> closures = new ArrayList<>();
+    ArmatureReader armatureReader = new ArmatureReader(values, diagnostics);
+    List<Armature> armatures = new ArrayList<>();
     for (int j = 0; j < links.size(); j++) {
       JointLink link = links.get(j);
       List<Expression> motion = drives.motion(link, tree.isCut(j));
       StartRole role = DriveReader.role(link);
+      armatureReader.read(link, tree.isCut(j), roles.size()).ifPresent(armatures::add);
       if (tree.isCut(j)) {
         link.joint().ifPresent(joint -> closures.add(new JointClosure(joint, role, motion)));
         continue;
@@ -245,7 +250,8 @@ final class MechanismReader {
                 forces,
                 parameters())
             .withFurtherStates(further)
-            .withSamplings(states.samplings()));
+            .withSamplings(states.samplings())
+            .withArmatures(armatures));
   }
 
   /** Reports prescribed motions that no mechanism can follow. */

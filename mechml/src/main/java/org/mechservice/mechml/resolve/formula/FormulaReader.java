@@ -113,22 +113,9 @@ public final class FormulaReader {
     if (!values.hasCount(items, count)) {
       return Optional.empty();
     }
-    return unitOfItem(element, attribute, quantity)
+    return values
+        .unitOfItem(element, attribute, quantity)
         .flatMap(unit -> read(items.get(index), unit, FormulaRole.COEFFICIENT));
-  }
-
-  /** A unit beside a list of several quantities applies to the items of its dimension. */
-  private Optional<Unit> unitOfItem(Element element, String attribute, Quantity quantity) {
-    Optional<String> own = element.attribute(attribute + "Unit");
-    if (own.isEmpty()) {
-      return Optional.of(values.units().of(quantity));
-    }
-    boolean single = AttributeText.itemsOf(element, attribute).size() == 1;
-    return single
-        ? values.unit(element, attribute, quantity)
-        : values
-            .parse(element, own.get())
-            .map(u -> quantity.isMeasuredBy(u) ? u : values.units().of(quantity));
   }
 
   /** Returns a coefficient that must not be negative, zero if the attribute is missing. */

@@ -23,8 +23,9 @@ import org.mechservice.solver.mechanism.joint.Joint;
  * Chooses the spanning tree: the joints of the tree, the joints that close loops and are cut, and
  * the direction of each joint from the root outwards.
  *
- * <p>Welds come first, then the other joints, each group in file order. A joint whose bodies are
- * already connected is cut. A joint marked {@code cut="true"} never enters the tree.
+ * <p>Welds come first, then joints with an armature, then the other joints, each group in file
+ * order. A joint whose bodies are already connected is cut. A joint marked {@code cut="true"} never
+ * enters the tree.
  */
 public final class JointTree {
   private final List<JointLink> links;
@@ -49,7 +50,9 @@ public final class JointTree {
   private List<Integer> inOrderOfChoice() {
     return IntStream.range(0, links.size())
         .boxed()
-        .sorted(Comparator.comparing(j -> links.get(j).type() != JointType.W))
+        .sorted(
+            Comparator.comparing((Integer j) -> links.get(j).type() != JointType.W)
+                .thenComparing(j -> !ArmatureReader.isGiven(links.get(j).element())))
         .toList();
   }
 

@@ -156,6 +156,21 @@ public final class ValueReader {
     return own;
   }
 
+  /**
+   * Returns the unit of an item of a list. A unit beside a list of several quantities applies to
+   * the items of its dimension.
+   */
+  public Optional<Unit> unitOfItem(Element element, String attribute, Quantity quantity) {
+    Optional<String> own = element.attribute(attribute + "Unit");
+    if (own.isEmpty()) {
+      return Optional.of(units.of(quantity));
+    }
+    boolean single = AttributeText.itemsOf(element, attribute).size() == 1;
+    return single
+        ? unit(element, attribute, quantity)
+        : parse(element, own.get()).map(u -> quantity.isMeasuredBy(u) ? u : units.of(quantity));
+  }
+
   /** Returns the text of the unit beside an attribute. */
   private static Optional<String> unitText(Element element, String attribute) {
     return element.attribute(attribute + "Unit").or(() -> element.attribute("unit"));

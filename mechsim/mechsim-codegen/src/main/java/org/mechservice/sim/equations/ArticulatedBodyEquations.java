@@ -169,7 +169,9 @@ public final class ArticulatedBodyEquations {
               .moment()
               .dot(accelerations.alpha(i))
               .plus(column.force().dot(accelerations.acceleration(i)));
-      return taken.plus(freedom.along(inertias.wrench(i))).minus(inJoints.of(i).at(freedom.axis()));
+      Scalar force =
+          taken.plus(freedom.along(inertias.wrench(i))).minus(inJoints.of(i).at(freedom.axis()));
+      return force.plus(coordinates.step(mechanism.links().get(i)).armatureForce(freedom));
     }
   }
 }

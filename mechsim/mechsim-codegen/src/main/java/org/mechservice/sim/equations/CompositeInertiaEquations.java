@@ -155,7 +155,8 @@ public final class CompositeInertiaEquations {
         for (int j = 0; j <= k; j++) {
           if (velocities.get(j).link() == i) {
             String name = "M_" + label(velocity) + "_" + label(velocities.get(j));
-            mass[k][j] = program.named(name, velocities.get(j).freedom().along(column));
+            DegreeOfFreedom along = velocities.get(j).freedom();
+            mass[k][j] = program.named(name, j == k ? along.pivot(column) : along.along(column));
           }
         }
         column = toParent.wrench(links.get(i), column);

@@ -18,8 +18,9 @@ import org.mechservice.solver.symbol.ScalarMatrix;
 import org.mechservice.solver.symbol.ScalarVector;
 
 /**
- * Kinetic energy ½ Σ (m v·v + ω·I ω) over the centres of mass and potential energy −Σ m g·p of a
- * tree, p from the world origin, plus the energy of springs and of rods that close loops.
+ * Kinetic energy ½ Σ (m v·v + ω·I ω) over the centres of mass with ½ A v² of armatures, and
+ * potential energy −Σ m g·p of a tree, p from the world origin, plus the energy of springs and of
+ * rods that close loops.
  *
  * <p>Positions are not needed: the sweep carries the direction of gravity outwards in body axes,
  * together with the height of each joint.
@@ -178,6 +179,17 @@ public final class EnergyEquations {
       {inertia.xz(), inertia.yz(), inertia.zz()}
     };
     ScalarMatrix half = ScalarMatrix.of((i, j) -> expressions.constant(tensor[i][j] / 2));
-    return velocity.dot(velocity).times(link.mass() / 2).plus(omega.dot(half.times(omega)));
+    Scalar energy =
+        velocity.dot(velocity).times(link.mass() / 2).plus(omega.dot(half.times(omega)));
+    return link.armature() == 0 ? energy : energy.plus(kineticOfArmature(link));
+  }
+
+  /** Returns ½ A v². */
+  private Scalar kineticOfArmature(Link link) {
+    Scalar square =
+        link.isBall()
+            ? coordinates.ballVelocity(link).dot(coordinates.ballVelocity(link))
+            : coordinates.velocity(link).squared();
+    return square.times(link.armature() / 2);
   }
 }

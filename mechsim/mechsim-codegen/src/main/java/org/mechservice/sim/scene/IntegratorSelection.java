@@ -151,6 +151,6 @@ public record IntegratorSelection(String integrator, Optional<String> reason) {
             mechanism.closures(),
             forces,
             mechanism.parameters());
-    return other.withFurtherStates(mechanism.furtherStates());
+    return other.withFurtherStates(mechanism.furtherStates()).withArmatures(mechanism.armatures());
   }
 }

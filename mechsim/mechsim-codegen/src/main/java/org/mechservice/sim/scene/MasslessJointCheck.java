@@ -22,7 +22,8 @@ final class MasslessJointCheck {
       Joint joint = mechanism.joints().get(index);
       int child = joint.attachment().child();
       Body body = mechanism.bodies().get(child);
-      if (!heavy[child] && joint.type() != JointType.W && !mechanism.isDriven(index)) {
+      boolean moves = joint.type() != JointType.W && !mechanism.isDriven(index);
+      if (moves && !heavy[child] && !mechanism.isWhollyArmed(index)) {
         findings.add(movesNothing(joint, body));
       }
     }

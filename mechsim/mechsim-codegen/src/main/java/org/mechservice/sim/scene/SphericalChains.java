@@ -86,7 +86,7 @@ final class SphericalChains {
   }
 
   private boolean meet(int index, int other) {
-    if (mechanism.isDriven(index) || mechanism.isDriven(other)) {
+    if (isMoreThanJoint(index) || isMoreThanJoint(other)) {
       return false;
     }
     Joint inner = mechanism.joints().get(index);
@@ -99,6 +99,11 @@ final class SphericalChains {
     Vector3 axis = inner.attachment().zeroRotation().transposed().apply(first.axis());
     return apart <= SAME_POINT * Math.max(1, point.norm())
         && axis.cross(second.axis()).norm() > LEAST_ANGLE;
+  }
+
+  /** Returns whether something follows or resists the angle itself. */
+  private boolean isMoreThanJoint(int joint) {
+    return mechanism.isDriven(joint) || mechanism.isWhollyArmed(joint);
   }
 
   private String text(List<Integer> chain) {

@@ -49,16 +49,17 @@ public final class CutUses {
       closures.add(uses.relation(free.get(0), free.get(free.size() - 1)));
     }
     return new Mechanism(
-        loops.name(),
-        loops.root(),
-        loops.gravity(),
-        loops.bodies(),
-        loops.joints(),
-        loops.motions(),
-        loops.startRoles(),
-        closures,
-        uses.forces,
-        loops.parameters());
+            loops.name(),
+            loops.root(),
+            loops.gravity(),
+            loops.bodies(),
+            loops.joints(),
+            loops.motions(),
+            loops.startRoles(),
+            closures,
+            uses.forces,
+            loops.parameters())
+        .withArmatures(loops.armatures());
   }
 
   private static int euler(JointType type) {

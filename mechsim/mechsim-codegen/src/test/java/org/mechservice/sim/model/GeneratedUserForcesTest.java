@@ -83,16 +83,17 @@ class GeneratedUserForcesTest {
     forces.add(0, new UserForceElement("pull", className, points, Origin.NONE));
     forces.add(new UserForceElement("again", className, points, Origin.NONE));
     return new Mechanism(
-        m.name(),
-        m.root(),
-        m.gravity(),
-        m.bodies(),
-        m.joints(),
-        m.motions(),
-        m.startRoles(),
-        m.closures(),
-        forces,
-        m.parameters());
+            m.name(),
+            m.root(),
+            m.gravity(),
+            m.bodies(),
+            m.joints(),
+            m.motions(),
+            m.startRoles(),
+            m.closures(),
+            forces,
+            m.parameters())
+        .withArmatures(m.armatures());
   }
 
   private static GeneratedModel generated(String formulation, Mechanism mechanism) {

@@ -185,15 +185,16 @@ class LargeLoopCodeTest {
     closures.add(
         new PointOnPlaneClosure("always", point, point, new Vector3(0, 0, 1), Origin.NONE));
     return new Mechanism(
-        mechanism.name(),
-        mechanism.root(),
-        mechanism.gravity(),
-        mechanism.bodies(),
-        mechanism.joints(),
-        mechanism.motions(),
-        mechanism.startRoles(),
-        closures,
-        mechanism.forces(),
-        mechanism.parameters());
+            mechanism.name(),
+            mechanism.root(),
+            mechanism.gravity(),
+            mechanism.bodies(),
+            mechanism.joints(),
+            mechanism.motions(),
+            mechanism.startRoles(),
+            closures,
+            mechanism.forces(),
+            mechanism.parameters())
+        .withArmatures(mechanism.armatures());
   }
 }

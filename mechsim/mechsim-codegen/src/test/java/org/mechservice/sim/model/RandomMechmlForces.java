@@ -57,16 +57,17 @@ public final class RandomMechmlForces {
     }
     forces.addLaws();
     return new Mechanism(
-        "forced" + seed,
-        tree.root(),
-        tree.gravity(),
-        tree.bodies(),
-        tree.joints(),
-        tree.motions(),
-        tree.startRoles(),
-        List.of(),
-        forces.forces.stream().filter(kind::isInstance).toList(),
-        List.of());
+            "forced" + seed,
+            tree.root(),
+            tree.gravity(),
+            tree.bodies(),
+            tree.joints(),
+            tree.motions(),
+            tree.startRoles(),
+            List.of(),
+            forces.forces.stream().filter(kind::isInstance).toList(),
+            List.of())
+        .withArmatures(tree.armatures());
   }
 
   private void addOneOfEach() {

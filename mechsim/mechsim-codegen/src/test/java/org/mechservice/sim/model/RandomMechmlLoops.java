@@ -67,16 +67,17 @@ public final class RandomMechmlLoops {
 
   private Mechanism closed(long seed) {
     return new Mechanism(
-        "loops" + seed,
-        tree.root(),
-        tree.gravity(),
-        tree.bodies(),
-        tree.joints(),
-        tree.motions(),
-        tree.startRoles(),
-        closures,
-        tree.forces(),
-        tree.parameters());
+            "loops" + seed,
+            tree.root(),
+            tree.gravity(),
+            tree.bodies(),
+            tree.joints(),
+            tree.motions(),
+            tree.startRoles(),
+            closures,
+            tree.forces(),
+            tree.parameters())
+        .withArmatures(tree.armatures());
   }
 
   /** What closes a loop. */

@@ -3,6 +3,8 @@ package org.mechservice.sim.model;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import org.mechservice.solver.api.JointType;
+import org.mechservice.solver.mechanism.Armature;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Root;
@@ -16,8 +18,8 @@ import org.mechservice.solver.text.Origin;
 /**
  * Random open chains: turning and sliding joints, branches, massless bodies between bodies with
  * mass, axes along coordinates and oblique, any zero rotations, joint points off the body origins,
- * a root that is moved and turned. Joints and bodies stand in an order in which a child may come
- * before its parent.
+ * a root that is moved and turned, armatures of some joints. Joints and bodies stand in an order in
+ * which a child may come before its parent.
  */
 public final class RandomMechmlTrees {
   private final Random random;
@@ -52,16 +54,17 @@ public final class RandomMechmlTrees {
   public static Mechanism driven(long seed, int bodies) {
     Mechanism free = ofAllJoints(seed, bodies);
     return new Mechanism(
-        "driven" + seed,
-        free.root(),
-        free.gravity(),
-        free.bodies(),
-        free.joints(),
-        new RandomMechmlJoints(new Random(seed)).motions(free.joints()),
-        free.startRoles(),
-        List.of(),
-        List.of(),
-        List.of());
+            "driven" + seed,
+            free.root(),
+            free.gravity(),
+            free.bodies(),
+            free.joints(),
+            new RandomMechmlJoints(new Random(seed)).motions(free.joints()),
+            free.startRoles(),
+            List.of(),
+            List.of(),
+            List.of())
+        .withArmatures(free.armatures());
   }
 
   /** Returns a random state [q; v] of a tree. */
@@ -98,7 +101,25 @@ public final class RandomMechmlTrees {
       joints.add(joint("j" + i, parent, place));
     }
     Root root = new Root("ground", vector(3), rotation());
-    return new Mechanism(name, root, new Vector3(1, -2, -9), bodies, joints);
+    return armed(new Mechanism(name, root, new Vector3(1, -2, -9), bodies, joints));
+  }
+
+  /** Gives every fourth joint an armature. */
+  private static Mechanism armed(Mechanism bare) {
+    Random own = new Random(bare.name().hashCode());
+    List<Armature> armatures = new ArrayList<>();
+    for (int j = 0; j < bare.joints().size(); j++) {
+      JointType type = bare.joints().get(j).type();
+      if (type.velocityCount() > 0 && own.nextInt(4) == 0) {
+        double turning = own.nextDouble();
+        List<Double> inertias = new ArrayList<>();
+        for (int k = 0; k < type.velocityCount(); k++) {
+          inertias.add(type.hasEulerParameters() && k < 3 ? turning : own.nextDouble());
+        }
+        armatures.add(new Armature(j, inertias));
+      }
+    }
+    return bare.withArmatures(armatures);
   }
 
   private Body body(String name, boolean massless) {

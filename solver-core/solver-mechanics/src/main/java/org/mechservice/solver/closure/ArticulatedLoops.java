@@ -27,7 +27,7 @@ import org.mechservice.solver.linear.SparseSymmetric;
  * <p>The cost per link grows with the square of the number of equations open in it; a dense
  * factorisation costs the cube of the mechanism's size. With K the wrenches of the multipliers as a
  * link feels them, U = Iᴬ S, D = Sᵀ U, κ = Kᵀ S + g, where g are the forces of multipliers on the
- * joint itself:
+ * joint itself; D has the armature of the joint, too:
  *
  * <pre>
  * Iᴬ −= U Uᵀ / D,  K −= U κᵀ / D,  Λ += κ κᵀ / D   for each freedom of a joint
@@ -276,7 +276,7 @@ public final class ArticulatedLoops {
         continue;
       }
       project(link, k);
-      pivot[k] = dot(motion.subspace, 6 * k, projected, 6 * k);
+      pivot[k] = dot(motion.subspace, 6 * k, projected, 6 * k) + tree.armature[k];
       if (addedAt.length > 0) {
         pivot[k] += addedAt[k];
       }
@@ -328,7 +328,7 @@ public final class ArticulatedLoops {
       int first = tree.velocityAt[link];
       for (int k = first; k < first + tree.kind[link].velocityCount(); k++) {
         double unit = tree.driven[link] ? 0 : units[k];
-        largest = Math.max(largest, rigid.scale(link) * unit * unit);
+        largest = Math.max(largest, (rigid.scale(link) + tree.armature[k]) * unit * unit);
       }
       if (tree.parent[link] != TreeGeometry.ROOT) {
         rigid.addToParent(motion, link);

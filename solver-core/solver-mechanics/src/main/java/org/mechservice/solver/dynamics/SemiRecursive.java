@@ -123,7 +123,7 @@ public final class SemiRecursive {
       int k = pattern.velocityAt[place];
       int link = tree.linkOfVelocity[k];
       composites.applyTo(link, motion.subspace, 6 * k, work, 0);
-      mass.setDiagonal(place, product(k));
+      mass.setDiagonal(place, product(k) + tree.armature[k]);
       scale[k] = composites.scale(link);
       for (int i = link; i != TreeGeometry.ROOT; i = tree.parent[i]) {
         if (!tree.driven[i]) {

@@ -105,6 +105,9 @@ public final class SingularInertia {
       addCross(angular, 3 * link, tree.centerOfMass, 3 * link, u, 0);
       energies[link] = 0.5 * (tree.mass[link] * dot(u, 0, u, 0) + twiceTurning(link, angular));
     }
+    for (int k = 0; k < v.length; k++) {
+      energies[tree.linkOfVelocity[k]] += 0.5 * tree.armature[k] * v[k] * v[k];
+    }
     return energies;
   }
 

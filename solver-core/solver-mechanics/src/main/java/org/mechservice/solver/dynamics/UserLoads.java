@@ -57,7 +57,7 @@ public final class UserLoads {
             m.closures(),
             forces,
             m.parameters());
-    return alone.withFurtherStates(m.furtherStates());
+    return alone.withFurtherStates(m.furtherStates()).withArmatures(m.armatures());
   }
 
   /**

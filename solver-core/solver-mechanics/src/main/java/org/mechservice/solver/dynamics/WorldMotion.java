@@ -22,7 +22,7 @@ public final class WorldMotion {
     tree = motion.tree();
   }
 
-  /** Returns Σ ½ (m u_c² + ωᵀ I_c ω) J. */
+  /** Returns Σ ½ (m u_c² + ωᵀ I_c ω), and ½ A v² of each armature, J. */
   public double kineticEnergy() {
     double twice = 0;
     for (int link = 0; link < tree.linkCount; link++) {
@@ -38,6 +38,9 @@ public final class WorldMotion {
       double z = omega[at + 2];
       twice += i[ii] * x * x + i[ii + 1] * y * y + i[ii + 2] * z * z;
       twice += 2 * (i[ii + 3] * x * y + i[ii + 4] * x * z + i[ii + 5] * y * z);
+    }
+    for (int k = 0; k < tree.velocityCount; k++) {
+      twice += tree.armature[k] * motion.v[k] * motion.v[k];
     }
     return 0.5 * twice;
   }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.mechanism.Armature;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.Root;
@@ -102,6 +103,9 @@ public final class TreeGeometry {
   /** Link of each extended velocity. */
   public final int[] linkOfVelocity;
 
+  /** Inertia of its own of each extended velocity, kg·m² or kg; 0 if there is none. */
+  public final double[] armature;
+
   /** Lengths of the extended q and v, and of the state's part of them. */
   public final int positionCount;
 
@@ -159,6 +163,7 @@ public final class TreeGeometry {
     statePositionCount = mechanism.positionCount();
     stateVelocityCount = mechanism.velocityCount();
     linkOfVelocity = new int[velocityCount];
+    armature = new double[velocityCount];
     Root root = mechanism.root();
     rootRotation = new double[9];
     put(rootRotation, 0, root.orientation());
@@ -166,6 +171,11 @@ public final class TreeGeometry {
     gravity = components(mechanism.gravity());
     gravityInRoot = components(root.orientation().transposed().apply(mechanism.gravity()));
     fill(chains, offsets);
+    for (Armature armed : mechanism.armatures()) {
+      for (int k = 0; k < armed.inertias().size(); k++) {
+        armature[offsets.velocity(armed.joint()) + k] = armed.inertias().get(k);
+      }
+    }
   }
 
   private void fill(List<List<ElementaryLink>> chains, ExtendedOffsets offsets) {

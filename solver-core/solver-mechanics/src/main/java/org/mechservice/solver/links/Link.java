@@ -37,6 +37,7 @@ import org.mechservice.solver.spatial.Vector3;
  * @param mass kg
  * @param centerOfMass from the computing origin, in computing axes, m
  * @param inertia about the centre of mass, in computing axes, kg·m²
+ * @param armature inertia of its own of each of its velocities, kg·m² or kg
  * @param initialPosition the coordinate at the start, rad or m; 0 for Euler parameters
  * @param bodyLabel identifier of the link in programs
  * @param jointLabel identifier of its coordinate in programs
@@ -61,6 +62,7 @@ public record Link(
     double mass,
     Vector3 centerOfMass,
     InertiaTensor inertia,
+    double armature,
     double initialPosition,
     String bodyLabel,
     String jointLabel,
@@ -118,6 +120,7 @@ public record Link(
         all.mass(),
         all.center(),
         all.inertia(),
+        armature,
         initialPosition,
         bodyLabel,
         jointLabel,

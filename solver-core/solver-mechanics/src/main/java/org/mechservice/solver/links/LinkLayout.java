@@ -124,6 +124,7 @@ final class LinkLayout {
         mass.mass(),
         ComputingAxes.inFrame(frame, mass.center()),
         ComputingAxes.inFrame(frame, mass.inertia()),
+        tree.armature[tree.velocityAt[i]],
         initialPosition(i),
         bodyLabel(i),
         jointLabel(i),

@@ -50,6 +50,7 @@ public final class Mechanism {
   private final List<Event> events;
   private final List<FurtherState> furtherStates;
   private final List<Sampling> samplings;
+  private final List<Armature> armatures;
   private final int[] outward;
   private final int[] jointOfBody;
   private final int[] motionOfJoint;
@@ -123,6 +124,7 @@ public final class Mechanism {
     this.events = List.of();
     this.furtherStates = List.of();
     this.samplings = List.of();
+    this.armatures = List.of();
     this.jointOfBody = jointOfBody(this.bodies, this.joints);
     this.outward = outward(this.bodies, this.joints, jointOfBody);
     this.motionOfJoint = motionOfJoint(this.joints, this.motions);
@@ -137,13 +139,14 @@ public final class Mechanism {
     }
   }
 
-  /** Copies a mechanism with other parameters, events, further states and samplings. */
+  /** Copies a mechanism with other parameters, events, further states, samplings and armatures. */
   private Mechanism(
       Mechanism like,
       List<Parameter> parameters,
       List<Event> events,
       List<FurtherState> furtherStates,
-      List<Sampling> samplings) {
+      List<Sampling> samplings,
+      List<Armature> armatures) {
     this.name = like.name;
     this.root = like.root;
     this.gravity = like.gravity;
@@ -157,6 +160,7 @@ public final class Mechanism {
     this.events = List.copyOf(events);
     this.furtherStates = List.copyOf(furtherStates);
     this.samplings = List.copyOf(samplings);
+    this.armatures = List.copyOf(armatures);
     this.jointOfBody = like.jointOfBody;
     this.outward = like.outward;
     this.motionOfJoint = like.motionOfJoint;
@@ -354,17 +358,37 @@ public final class Mechanism {
 
   /** Returns the same mechanism with other events along its simulation. */
   public Mechanism withEvents(List<Event> other) {
-    return new Mechanism(this, parameters, other, furtherStates, samplings);
+    return new Mechanism(this, parameters, other, furtherStates, samplings, armatures);
   }
 
   /** Returns the same mechanism with other states besides positions and velocities. */
   public Mechanism withFurtherStates(List<FurtherState> other) {
-    return new Mechanism(this, parameters, events, other, samplings);
+    return new Mechanism(this, parameters, events, other, samplings, armatures);
   }
 
   /** Returns the same mechanism with further states that are sampled. */
   public Mechanism withSamplings(List<Sampling> other) {
-    return new Mechanism(this, parameters, events, furtherStates, other);
+    return new Mechanism(this, parameters, events, furtherStates, other, armatures);
+  }
+
+  /**
+   * Returns the same mechanism with other armatures.
+   *
+   * @throws IllegalArgumentException if one does not fit its joint, or a joint has two
+   */
+  public Mechanism withArmatures(List<Armature> other) {
+    Armature.check(other, joints);
+    return new Mechanism(this, parameters, events, furtherStates, samplings, other);
+  }
+
+  /** Returns the armatures of the joints that have one, in file order. */
+  public List<Armature> armatures() {
+    return armatures;
+  }
+
+  /** Returns whether inertia of its own resists each velocity of a joint. */
+  public boolean isWhollyArmed(int joint) {
+    return armatures.stream().anyMatch(a -> a.joint() == joint && a.isWhole());
   }
 
   /** Returns the samplings that set further states at given times. */
@@ -407,7 +431,7 @@ public final class Mechanism {
     for (Parameter parameter : parameters) {
       changed.add(parameter.with(values[changed.size()]));
     }
-    return new Mechanism(this, changed, events, furtherStates, samplings);
+    return new Mechanism(this, changed, events, furtherStates, samplings, armatures);
   }
 
   /** Returns whether a joint's coordinates follow a prescribed motion and are no states. */

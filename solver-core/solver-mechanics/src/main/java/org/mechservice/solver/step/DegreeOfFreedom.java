@@ -13,22 +13,27 @@ import org.mechservice.solver.symbol.ScalarVector;
  * @param axis 0, 1, 2 for x, y, z
  * @param turns whether it rotates
  * @param way displacement along the axis per coordinate
+ * @param armature inertia of its own, kg·m² or kg
  */
-public record DegreeOfFreedom(int axis, boolean turns, Scalar way) {
+public record DegreeOfFreedom(int axis, boolean turns, Scalar way, Scalar armature) {
 
   /** Returns the degrees of freedom of a link in the order of elimination. */
   public static List<DegreeOfFreedom> of(Expressions expressions, Link link) {
-    return of(link.isBall(), link.turns(), expressions.constant(link.way()));
+    return of(
+        link.isBall(),
+        link.turns(),
+        expressions.constant(link.way()),
+        expressions.constant(link.armature()));
   }
 
   /** Returns the degrees of freedom of a link in the order of elimination. */
-  static List<DegreeOfFreedom> of(boolean ball, boolean turns, Scalar way) {
+  static List<DegreeOfFreedom> of(boolean ball, boolean turns, Scalar way, Scalar armature) {
     return ball
         ? List.of(
-            new DegreeOfFreedom(0, true, way),
-            new DegreeOfFreedom(1, true, way),
-            new DegreeOfFreedom(2, true, way))
-        : List.of(new DegreeOfFreedom(2, turns, way));
+            new DegreeOfFreedom(0, true, way, armature),
+            new DegreeOfFreedom(1, true, way, armature),
+            new DegreeOfFreedom(2, true, way, armature))
+        : List.of(new DegreeOfFreedom(2, turns, way, armature));
   }
 
   /** Returns the component of a wrench along the degree of freedom. */
@@ -45,9 +50,21 @@ public record DegreeOfFreedom(int axis, boolean turns, Scalar way) {
     return !way.isZero();
   }
 
-  /** Returns whether it is a pure rotation or a pure displacement. */
+  /**
+   * Returns the inertia of a joint along the degree of freedom with its armature.
+   *
+   * @param column moment and force of a unit acceleration
+   */
+  public Scalar pivot(Wrench column) {
+    return along(column).plus(armature);
+  }
+
+  /**
+   * Returns whether it is a pure rotation or a pure displacement without armature: no wrench along
+   * its axis but the joint force is left when it is eliminated.
+   */
   public boolean isPlain() {
-    return turns != slides();
+    return turns != slides() && armature.isZero();
   }
 
   /** Returns a wrench with its element on the axis of a plain degree of freedom replaced. */

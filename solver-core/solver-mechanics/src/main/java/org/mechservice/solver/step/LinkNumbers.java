@@ -20,6 +20,7 @@ import org.mechservice.solver.symbol.ScalarVector;
  * @param offset from the parent's computing origin to the joint's point, in parent axes, m
  * @param way displacement along z per coordinate: 1 for a slide, the pitch of a screw in m/rad,
  *     otherwise 0
+ * @param armature inertia of its own of each velocity, kg·m² or kg
  * @param body its mass
  */
 public record LinkNumbers(
@@ -29,6 +30,7 @@ public record LinkNumbers(
     Optional<Turn> turn,
     ScalarVector offset,
     Scalar way,
+    Scalar armature,
     Body body) {
   /** Number of the first element of {@code axes}; the others follow row by row. */
   public static final int AXES = 0;
@@ -85,15 +87,16 @@ public record LinkNumbers(
     StepBlock.put(numbers, 0, link);
     LinkNumbers all =
         of(link.kind(), link.inverse(), expressions, k -> expressions.constant(numbers[k]));
-    return all.turned(
-        link.axes()
-            .turn()
-            .map(
-                turn ->
-                    new Turn(
-                        turn.axis(),
-                        expressions.constant(turn.cosine()),
-                        expressions.constant(turn.sine()))));
+    return all.armed(expressions.constant(link.armature()))
+        .turned(
+            link.axes()
+                .turn()
+                .map(
+                    turn ->
+                        new Turn(
+                            turn.axis(),
+                            expressions.constant(turn.cosine()),
+                            expressions.constant(turn.sine()))));
   }
 
   /** Returns the numbers of a constant turn about a coordinate axis, a step without mass. */
@@ -108,15 +111,21 @@ public record LinkNumbers(
         Optional.of(new Turn(axis, number.apply(COSINE), number.apply(SINE))),
         vector(number, OFFSET),
         zero,
+        zero,
         new Body(zero, none, none, nothing, nothing));
   }
 
   private LinkNumbers turned(Optional<Turn> by) {
-    return new LinkNumbers(kind, inverse, axes, by, offset, way, body);
+    return new LinkNumbers(kind, inverse, axes, by, offset, way, armature, body);
+  }
+
+  /** Returns the same numbers with an armature. */
+  LinkNumbers armed(Scalar by) {
+    return new LinkNumbers(kind, inverse, axes, turn, offset, way, by, body);
   }
 
   /**
-   * Returns the numbers of a link without a constant turn.
+   * Returns the numbers of a link without a constant turn and without armature.
    *
    * @param number returns one of the {@link #COUNT} numbers that {@link StepBlock#put} writes
    */
@@ -133,6 +142,7 @@ public record LinkNumbers(
           case SCREW -> number.apply(WAY);
           default -> expressions.zero();
         },
+        expressions.zero(),
         new Body(
             number.apply(MASS),
             vector(number, CENTER),

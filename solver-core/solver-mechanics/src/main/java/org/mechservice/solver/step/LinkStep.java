@@ -46,7 +46,7 @@ public final class LinkStep {
   public List<DegreeOfFreedom> freedoms() {
     return numbers.kind() == LinkKind.FIXED
         ? List.of()
-        : DegreeOfFreedom.of(isBall(), turns(), numbers.way());
+        : DegreeOfFreedom.of(isBall(), turns(), numbers.way(), numbers.armature());
   }
 
   // The motion, outwards.
@@ -174,7 +174,7 @@ public final class LinkStep {
    * The elimination of a degree of freedom from an articulated inertia.
    *
    * @param column U, the wrench of a unit acceleration
-   * @param pivot D, its component along the freedom
+   * @param pivot D, its component along the freedom with the armature
    * @param reciprocal 1 / D
    * @param share U / D; the element of a plain degree of freedom is 1
    * @param rate u / D, the acceleration of the freedom for a parent without acceleration
@@ -203,7 +203,7 @@ public final class LinkStep {
       Scalar force,
       boolean passedOn) {
     Wrench column = inertia.along(freedom);
-    Scalar pivot = freedom.along(column);
+    Scalar pivot = freedom.pivot(column);
     Scalar reciprocal = expressions.one().over(pivot);
     Wrench divided =
         new Wrench(column.moment().times(reciprocal), column.force().times(reciprocal));
@@ -333,6 +333,27 @@ public final class LinkStep {
    */
   public ScalarVector ballToState(ScalarVector inLink) {
     return numbers.inverse() ? inLink.map(Scalar::negated) : joint.ballRotation().times(inLink);
+  }
+
+  /**
+   * Returns the force that the known joint acceleration takes of the armature, along an axis of the
+   * link, N·m or N.
+   */
+  public Scalar armatureForce(DegreeOfFreedom freedom) {
+    if (freedom.armature().isZero()) {
+      return expressions.zero();
+    }
+    Scalar acceleration =
+        isBall() ? knownBallInLink().at(freedom.axis()) : joint.knownAcceleration();
+    return acceleration.times(freedom.armature());
+  }
+
+  /** Returns what {@link #ballToState} converts to the known acceleration. */
+  private ScalarVector knownBallInLink() {
+    ScalarVector known = joint.knownBallAcceleration();
+    return numbers.inverse()
+        ? known.map(Scalar::negated)
+        : joint.ballRotation().transposed().times(known);
   }
 
   private ScalarVector toChild(ScalarVector v) {

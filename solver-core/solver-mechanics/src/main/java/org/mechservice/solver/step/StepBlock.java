@@ -54,8 +54,11 @@ public final class StepBlock {
   /** Acceleration, or joint force that the motion takes. */
   public static final int RESULT = ADDED + 6;
 
+  /** Inertia of its own of each velocity. */
+  public static final int ARMATURE = RESULT + 1;
+
   /** Length of a block without what only balls have. */
-  public static final int SIZE = RESULT + 2;
+  public static final int SIZE = ARMATURE + 1;
 
   /** Velocities of a ball in the axes of the file's body 1, 3. */
   public static final int BALL_VELOCITY = SIZE;

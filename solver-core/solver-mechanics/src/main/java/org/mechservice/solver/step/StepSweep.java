@@ -152,7 +152,7 @@ public enum StepSweep {
       program.named("m", all.body().mass());
       program.named("c", all.body().center());
       program.named("I", all.body().inertia());
-      return all;
+      return kind.armed() ? all.armed(in("A", StepBlock.ARMATURE)) : all;
     }
 
     private Scalar in(String name, int at) {
@@ -321,7 +321,8 @@ public enum StepSweep {
       for (int k = 0; k < freedoms.size(); k++) {
         DegreeOfFreedom freedom = freedoms.get(k);
         Scalar taken = added(0).dot(inertia.along(freedom));
-        forces.add(taken.plus(freedom.along(wrench)).minus(tau(k)));
+        Scalar force = taken.plus(freedom.along(wrench)).minus(tau(k));
+        forces.add(force.plus(step.armatureForce(freedom)));
       }
       putResult(forces);
     }
@@ -330,8 +331,9 @@ public enum StepSweep {
       List<Scalar> forces = new ArrayList<>();
       List<DegreeOfFreedom> freedoms = step.freedoms();
       for (int k = 0; k < freedoms.size(); k++) {
-        Scalar along = freedoms.get(k).along(wrench);
-        forces.add(along.minus(tau(k)));
+        DegreeOfFreedom freedom = freedoms.get(k);
+        Scalar force = freedom.along(wrench).minus(tau(k));
+        forces.add(force.plus(step.armatureForce(freedom)));
       }
       putResult(forces);
     }

@@ -45,16 +45,17 @@ final class RandomLoops {
       closures.add(closure(random, "c" + i, first, onFirst, second, poses[second]));
     }
     return new Mechanism(
-        "loops" + seed,
-        tree.root(),
-        tree.gravity(),
-        tree.bodies(),
-        tree.joints(),
-        List.of(),
-        tree.startRoles(),
-        closures,
-        List.of(),
-        List.of());
+            "loops" + seed,
+            tree.root(),
+            tree.gravity(),
+            tree.bodies(),
+            tree.joints(),
+            List.of(),
+            tree.startRoles(),
+            closures,
+            List.of(),
+            List.of())
+        .withArmatures(tree.armatures());
   }
 
   private static TaylorPose[] posesAtStart(Mechanism tree) {

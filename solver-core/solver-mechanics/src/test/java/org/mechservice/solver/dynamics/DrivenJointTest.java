@@ -131,16 +131,17 @@ class DrivenJointTest {
 
   private static Mechanism with(Mechanism free, List<PrescribedMotion> motions) {
     return new Mechanism(
-        free.name(),
-        free.root(),
-        free.gravity(),
-        free.bodies(),
-        free.joints(),
-        motions,
-        free.startRoles(),
-        List.of(),
-        List.of(),
-        List.of());
+            free.name(),
+            free.root(),
+            free.gravity(),
+            free.bodies(),
+            free.joints(),
+            motions,
+            free.startRoles(),
+            List.of(),
+            List.of(),
+            List.of())
+        .withArmatures(free.armatures());
   }
 
   private static List<Expression> coordinates(Random random, Joint joint) {

@@ -114,16 +114,17 @@ public final class RandomForces {
 
   public Mechanism with(List<ForceElement> forces) {
     return new Mechanism(
-        mechanism.name(),
-        mechanism.root(),
-        mechanism.gravity(),
-        mechanism.bodies(),
-        mechanism.joints(),
-        mechanism.motions(),
-        mechanism.startRoles(),
-        mechanism.closures(),
-        forces,
-        mechanism.parameters());
+            mechanism.name(),
+            mechanism.root(),
+            mechanism.gravity(),
+            mechanism.bodies(),
+            mechanism.joints(),
+            mechanism.motions(),
+            mechanism.startRoles(),
+            mechanism.closures(),
+            forces,
+            mechanism.parameters())
+        .withArmatures(mechanism.armatures());
   }
 
   ForceElement force(Kind kind, String name) {

@@ -18,7 +18,8 @@ import org.mechservice.solver.text.Origin;
 
 /**
  * Seeded open chains with branches, oblique axes, displaced points and turned zero positions: of R
- * and P joints, or of all nine types, half of them taken against the file's sense.
+ * and P joints, or of all nine types, half of them taken against the file's sense; some joints have
+ * an armature.
  */
 public final class RandomTrees {
   private static final List<JointType> TYPES = List.of(JointType.values());
@@ -35,7 +36,8 @@ public final class RandomTrees {
       joints.add(joint(random, i));
     }
     Root root = new Root("ground", vector(random), rotation(random));
-    return new Mechanism("random" + seed, root, vector(random).times(10), bodies, joints);
+    return armed(
+        seed, new Mechanism("random" + seed, root, vector(random).times(10), bodies, joints));
   }
 
   /** Returns a tree of joints of all types. */
@@ -50,7 +52,8 @@ public final class RandomTrees {
       joints.add(RandomJoints.joint(random, type, parent, i));
     }
     Root root = new Root("ground", vector(random), rotation(random));
-    return new Mechanism("mixed" + seed, root, vector(random).times(10), bodies, joints);
+    return armed(
+        seed, new Mechanism("mixed" + seed, root, vector(random).times(10), bodies, joints));
   }
 
   /** Returns a tree of joints of all types whose first body floats and carries all others. */
@@ -65,7 +68,26 @@ public final class RandomTrees {
       joints.add(RandomJoints.joint(random, type, parent, i));
     }
     Root root = new Root("space", vector(random), rotation(random));
-    return new Mechanism("floating" + seed, root, vector(random).times(10), bodies, joints);
+    return armed(
+        seed, new Mechanism("floating" + seed, root, vector(random).times(10), bodies, joints));
+  }
+
+  /** Gives every fourth joint an armature. */
+  private static Mechanism armed(long seed, Mechanism bare) {
+    Random random = new Random(~seed);
+    List<Armature> armatures = new ArrayList<>();
+    for (int j = 0; j < bare.joints().size(); j++) {
+      JointType type = bare.joints().get(j).type();
+      if (type.velocityCount() > 0 && random.nextInt(4) == 0) {
+        double turning = random.nextDouble();
+        List<Double> inertias = new ArrayList<>();
+        for (int k = 0; k < type.velocityCount(); k++) {
+          inertias.add(type.hasEulerParameters() && k < 3 ? turning : random.nextDouble());
+        }
+        armatures.add(new Armature(j, inertias));
+      }
+    }
+    return bare.withArmatures(armatures);
   }
 
   /**
@@ -82,16 +104,17 @@ public final class RandomTrees {
       rods.add(new DistanceClosure("rod" + i, a, b, 1, 1 + random.nextDouble(), Origin.NONE));
     }
     return new Mechanism(
-        tree.name(),
-        tree.root(),
-        tree.gravity(),
-        tree.bodies(),
-        tree.joints(),
-        List.of(),
-        tree.startRoles(),
-        rods,
-        List.of(),
-        List.of());
+            tree.name(),
+            tree.root(),
+            tree.gravity(),
+            tree.bodies(),
+            tree.joints(),
+            List.of(),
+            tree.startRoles(),
+            rods,
+            List.of(),
+            List.of())
+        .withArmatures(tree.armatures());
   }
 
   /**

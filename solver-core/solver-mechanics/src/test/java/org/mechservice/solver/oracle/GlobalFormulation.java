@@ -6,10 +6,12 @@ import java.util.function.IntFunction;
 import org.apache.commons.math3.linear.Array2DRowRealMatrix;
 import org.apache.commons.math3.linear.ArrayRealVector;
 import org.apache.commons.math3.linear.DecompositionSolver;
+import org.apache.commons.math3.linear.DiagonalMatrix;
 import org.apache.commons.math3.linear.RealMatrix;
 import org.apache.commons.math3.linear.RealVector;
 import org.apache.commons.math3.linear.SingularValueDecomposition;
 import org.mechservice.solver.expression.BodyPoint;
+import org.mechservice.solver.mechanism.Armature;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Mechanism;
 import org.mechservice.solver.mechanism.PrescribedMotion;
@@ -28,8 +30,8 @@ import org.mechservice.solver.spatial.Vector3;
  * <pre>A = −G⁺γ + Z z,  (Zᵀ M Z) z = Zᵀ (F + M G⁺γ),  Z = null space of G</pre>
  *
  * <p>G and γ are Taylor coefficients of the equations along motions of the bodies, so redundant
- * rows do no harm and nothing is differentiated by hand. A rod is three masses: a sixth at either
- * end and two thirds in the middle.
+ * rows do no harm and nothing is differentiated by hand. Armatures are masses of joint
+ * accelerations. A rod is three masses: a sixth at either end and two thirds in the middle.
  */
 public final class GlobalFormulation {
   /** Singular values of G below this part of the largest belong to redundant equations. */
@@ -118,7 +120,7 @@ public final class GlobalFormulation {
   /** Returns the joint accelerations, in the order of v. */
   public double[] accelerations(double t, double[] q, double[] v) {
     TaylorPose[] motion = poses(t, q, v, new double[mechanism.velocityCount()]);
-    double[] bodyAccelerations = bodyAccelerations(t, motion);
+    double[] bodyAccelerations = bodyAccelerations(t, q, v, motion);
     TaylorPose[] accelerated = new TaylorPose[motion.length];
     for (int b = 0; b < motion.length; b++) {
       accelerated[b] = moving(b, motion[b], true, bodyAccelerations, 6 * b);
@@ -215,14 +217,51 @@ public final class GlobalFormulation {
     return loads.sum;
   }
 
-  private double[] bodyAccelerations(double t, TaylorPose[] motion) {
+  private double[] bodyAccelerations(double t, double[] q, double[] v, TaylorPose[] motion) {
     int n = 6 * motion.length;
     RealMatrix mass = new Array2DRowRealMatrix(n, n);
     double[] loads = loads(t, motion, mass);
+    if (!mechanism.armatures().isEmpty()) {
+      addArmatures(t, q, v, motion, mass, loads);
+    }
     List<double[]> rows = new ArrayList<>();
     List<Double> gamma = new ArrayList<>();
     addConditions(t, motion, rows, gamma);
     return constrained(mass, loads, rows, gamma);
+  }
+
+  /** With joint accelerations a = P A + p: mass Pᵀ I P, load −Pᵀ I p for the armatures I. */
+  private void addArmatures(
+      double t, double[] q, double[] v, TaylorPose[] motion, RealMatrix mass, double[] loads) {
+    double[] none = new double[6];
+    TaylorPose[] coasting = new TaylorPose[motion.length];
+    for (int b = 0; b < motion.length; b++) {
+      coasting[b] = moving(b, motion[b], true, none, 0);
+    }
+    double[] p = jointAccelerations(t, q, v, coasting);
+    RealMatrix columns = new Array2DRowRealMatrix(p.length, loads.length);
+    for (int i = 0; i < loads.length; i++) {
+      double[] unit = new double[6];
+      unit[i % 6] = 1;
+      TaylorPose[] moved = coasting.clone();
+      moved[i / 6] = moving(i / 6, motion[i / 6], true, unit, 0);
+      double[] with = jointAccelerations(t, q, v, moved);
+      columns.setColumnVector(i, new ArrayRealVector(with).subtract(new ArrayRealVector(p)));
+    }
+    double[] inertia = new double[p.length];
+    for (Armature armature : mechanism.armatures()) {
+      for (int k = 0;
+          k < armature.inertias().size() && !mechanism.isDriven(armature.joint());
+          k++) {
+        inertia[mechanism.velocityOffset(armature.joint()) + k] = armature.inertias().get(k);
+      }
+    }
+    RealMatrix weighted = new DiagonalMatrix(inertia).multiply(columns);
+    mass.setSubMatrix(mass.add(columns.transpose().multiply(weighted)).getData(), 0, 0);
+    double[] felt = weighted.transpose().operate(p);
+    for (int i = 0; i < felt.length; i++) {
+      loads[i] -= felt[i];
+    }
   }
 
   private void addBodies(TaylorPose[] motion, RealMatrix mass, BodyLoads loads) {

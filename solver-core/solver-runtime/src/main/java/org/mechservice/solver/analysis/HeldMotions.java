@@ -38,7 +38,7 @@ final class HeldMotions {
             closures,
             mechanism.forces(),
             mechanism.parameters());
-    return held.withFurtherStates(mechanism.furtherStates());
+    return held.withFurtherStates(mechanism.furtherStates()).withArmatures(mechanism.armatures());
   }
 
   private static List<Expression> held(List<Expression> motion, Mechanism mechanism, double t) {

@@ -1,6 +1,7 @@
 package org.mechservice.solver.compact;
 
 import java.util.List;
+import org.mechservice.solver.mechanism.Armature;
 import org.mechservice.solver.mechanism.Body;
 import org.mechservice.solver.mechanism.Event;
 import org.mechservice.solver.mechanism.FurtherState;
@@ -21,23 +22,22 @@ public final class CompactForm {
 
   /** Returns the bytes of a mechanism. */
   public static byte[] write(Mechanism mechanism) {
-    RecordWriter writer =
-        new RecordWriter()
-            .write(mechanism.name())
-            .write(mechanism.root())
-            .write(mechanism.gravity())
-            .write(mechanism.bodies())
-            .write(mechanism.joints())
-            .write(mechanism.motions())
-            .write(mechanism.startRoles())
-            .write(mechanism.closures())
-            .write(mechanism.forces())
-            .write(mechanism.parameters())
-            .write(mechanism.events());
-    if (!mechanism.furtherStates().isEmpty()) {
-      writer.write(mechanism.furtherStates()).write(mechanism.samplings());
-    }
-    return writer.bytes();
+    return new RecordWriter()
+        .write(mechanism.name())
+        .write(mechanism.root())
+        .write(mechanism.gravity())
+        .write(mechanism.bodies())
+        .write(mechanism.joints())
+        .write(mechanism.motions())
+        .write(mechanism.startRoles())
+        .write(mechanism.closures())
+        .write(mechanism.forces())
+        .write(mechanism.parameters())
+        .write(mechanism.events())
+        .write(mechanism.furtherStates())
+        .write(mechanism.samplings())
+        .write(mechanism.armatures())
+        .bytes();
   }
 
   /**
@@ -60,12 +60,11 @@ public final class CompactForm {
             list(reader, LoopClosure.class),
             list(reader, ForceElement.class),
             list(reader, Parameter.class));
-    Mechanism watched = mechanism.withEvents(list(reader, Event.class));
-    return reader.hasMore()
-        ? watched
-            .withFurtherStates(list(reader, FurtherState.class))
-            .withSamplings(list(reader, Sampling.class))
-        : watched;
+    return mechanism
+        .withEvents(list(reader, Event.class))
+        .withFurtherStates(list(reader, FurtherState.class))
+        .withSamplings(list(reader, Sampling.class))
+        .withArmatures(list(reader, Armature.class));
   }
 
   private static <T> List<T> list(RecordReader reader, Class<T> type) {

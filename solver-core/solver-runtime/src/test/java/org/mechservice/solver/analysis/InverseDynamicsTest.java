@@ -25,16 +25,17 @@ import org.mechservice.solver.text.Origin;
 class InverseDynamicsTest {
   private static Mechanism with(Mechanism bare, List<ForceElement> forces) {
     return new Mechanism(
-        bare.name(),
-        bare.root(),
-        bare.gravity(),
-        bare.bodies(),
-        bare.joints(),
-        bare.motions(),
-        bare.startRoles(),
-        bare.closures(),
-        forces,
-        List.of());
+            bare.name(),
+            bare.root(),
+            bare.gravity(),
+            bare.bodies(),
+            bare.joints(),
+            bare.motions(),
+            bare.startRoles(),
+            bare.closures(),
+            forces,
+            List.of())
+        .withArmatures(bare.armatures());
   }
 
   private static double[] accelerations(ColumnsAt forward, double[] y) {

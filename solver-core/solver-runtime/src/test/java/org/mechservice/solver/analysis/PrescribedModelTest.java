@@ -214,16 +214,17 @@ class PrescribedModelTest {
   private static Mechanism with(
       Mechanism of, List<PrescribedMotion> motions, List<LoopClosure> closures) {
     return new Mechanism(
-        of.name(),
-        of.root(),
-        of.gravity(),
-        of.bodies(),
-        of.joints(),
-        motions,
-        of.startRoles(),
-        closures,
-        of.forces(),
-        of.parameters());
+            of.name(),
+            of.root(),
+            of.gravity(),
+            of.bodies(),
+            of.joints(),
+            motions,
+            of.startRoles(),
+            closures,
+            of.forces(),
+            of.parameters())
+        .withArmatures(of.armatures());
   }
 
   private static double energy(Rows found, int row) {

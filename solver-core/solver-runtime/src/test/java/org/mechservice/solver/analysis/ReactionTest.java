@@ -161,16 +161,17 @@ class ReactionTest {
       }
     }
     return new Mechanism(
-        free.name(),
-        free.root(),
-        free.gravity(),
-        free.bodies(),
-        free.joints(),
-        motions,
-        free.startRoles(),
-        List.of(),
-        List.of(),
-        List.of());
+            free.name(),
+            free.root(),
+            free.gravity(),
+            free.bodies(),
+            free.joints(),
+            motions,
+            free.startRoles(),
+            List.of(),
+            List.of(),
+            List.of())
+        .withArmatures(free.armatures());
   }
 
   /** m a = m g + loads + Σ joints and d(I ω)/dt = moments about the centre of mass. */

@@ -207,18 +207,19 @@ class LoopRefusalTest {
     Expression other = new Expression.Negation(breaking);
     Mechanism pushed =
         new Mechanism(
-            "pushed",
-            FOUR_BAR.root(),
-            FOUR_BAR.gravity(),
-            FOUR_BAR.bodies(),
-            FOUR_BAR.joints(),
-            List.of(),
-            FOUR_BAR.startRoles(),
-            FOUR_BAR.closures(),
-            List.of(
-                new JointForce("breaking", new JointCoordinate(0, 0), breaking, Origin.NONE),
-                new JointForce("balance", new JointCoordinate(0, 0), other, Origin.NONE)),
-            List.of());
+                "pushed",
+                FOUR_BAR.root(),
+                FOUR_BAR.gravity(),
+                FOUR_BAR.bodies(),
+                FOUR_BAR.joints(),
+                List.of(),
+                FOUR_BAR.startRoles(),
+                FOUR_BAR.closures(),
+                List.of(
+                    new JointForce("breaking", new JointCoordinate(0, 0), breaking, Origin.NONE),
+                    new JointForce("balance", new JointCoordinate(0, 0), other, Origin.NONE)),
+                List.of())
+            .withArmatures(FOUR_BAR.armatures());
     String integrator = formulation.startsWith("RR") ? "ode15sR" : "ode113";
     RunSettings settings = SceneRun.settings(3, 0.1, integrator, 1e-6);
     SceneRun run = LoopModels.run(pushed, formulation, settings);

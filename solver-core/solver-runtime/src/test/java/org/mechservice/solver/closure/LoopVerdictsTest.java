@@ -100,16 +100,17 @@ class LoopVerdictsTest {
       List<LoopClosure> closures = new ArrayList<>(mechanism.closures());
       closures.addAll(mechanism.closures());
       return new Mechanism(
-          mechanism.name(),
-          mechanism.root(),
-          mechanism.gravity(),
-          mechanism.bodies(),
-          mechanism.joints(),
-          List.of(),
-          mechanism.startRoles(),
-          closures,
-          List.of(),
-          List.of());
+              mechanism.name(),
+              mechanism.root(),
+              mechanism.gravity(),
+              mechanism.bodies(),
+              mechanism.joints(),
+              List.of(),
+              mechanism.startRoles(),
+              closures,
+              List.of(),
+              List.of())
+          .withArmatures(mechanism.armatures());
     }
   }
 

@@ -54,16 +54,17 @@ class PrescribedMotionsTest {
     Expression fromStart = new Expression.Sum(turn, Expression.of(-0.3));
     Mechanism driven =
         new Mechanism(
-            "driven four-bar",
-            Linkages.GROUND,
-            free.gravity(),
-            free.bodies(),
-            free.joints(),
-            List.of(new PrescribedMotion(0, List.of(fromStart))),
-            free.startRoles(),
-            free.closures(),
-            List.of(),
-            List.of());
+                "driven four-bar",
+                Linkages.GROUND,
+                free.gravity(),
+                free.bodies(),
+                free.joints(),
+                List.of(new PrescribedMotion(0, List.of(fromStart))),
+                free.startRoles(),
+                free.closures(),
+                List.of(),
+                List.of())
+            .withArmatures(free.armatures());
     Failure failure = failure(driven, formulation, integrator);
     assertThat(failure.part()).isEqualTo("drive of joint \"A\"");
   }

@@ -26,10 +26,15 @@ public record Table(
     /** Straight lines; the slope jumps at the points. */
     LINEAR,
     /**
-     * Cubics whose slopes follow the neighbouring points only, without overshoot beside a jump
+     * Cubics whose slopes follow the neighbouring points only, with little overshoot beside a jump
      * (Akima 1970); the curvature jumps at the points.
      */
     AKIMA,
+    /**
+     * Cubics that rise and fall with the points: no value lies beyond those of its two neighbours
+     * (Steffen 1990); the curvature jumps at the points. For tables of one argument.
+     */
+    MONOTONE,
     /** A cubic spline, whose curvature is continuous, with the ends not-a-knot (de Boor 2001). */
     CUBIC
   }

@@ -70,7 +70,11 @@ public final class TableCurve implements TapeStep, GivenFunction {
       slope[n - 1] = chord[n - 2];
       return slope;
     }
-    return method == Method.AKIMA ? akima(chord) : spline(x, chord);
+    return switch (method) {
+      case AKIMA -> akima(chord);
+      case MONOTONE -> monotone(x, chord);
+      default -> spline(x, chord);
+    };
   }
 
   static double[] chords(double[] x, double[] y) {
@@ -119,6 +123,37 @@ public final class TableCurve implements TapeStep, GivenFunction {
               : (after * m[i + 1] + before * m[i + 2]) / (after + before);
     }
     return slope;
+  }
+
+  /**
+   * Returns Steffen's slopes: those of a parabola through three points where it is no steeper than
+   * twice the flatter chord, and zero at an extremum of the points (M. Steffen, A simple method for
+   * monotonic interpolation in one dimension, 1990, equations 8, 11 and 24 to 27).
+   */
+  private static double[] monotone(double[] x, double[] chord) {
+    int n = x.length;
+    double[] slope = new double[n];
+    for (int i = 1; i + 1 < n; i++) {
+      double before = x[i] - x[i - 1];
+      double after = x[i + 1] - x[i];
+      double parabola = (chord[i - 1] * after + chord[i] * before) / (before + after);
+      double most = Math.min(Math.abs(chord[i - 1]), Math.abs(chord[i]));
+      double sign = Math.signum(chord[i - 1]) + Math.signum(chord[i]);
+      slope[i] = sign * Math.min(most, Math.abs(parabola) / 2);
+    }
+    slope[0] = endOfMonotone(x[1] - x[0], x[2] - x[1], chord[0], chord[1]);
+    slope[n - 1] =
+        endOfMonotone(x[n - 1] - x[n - 2], x[n - 2] - x[n - 3], chord[n - 2], chord[n - 3]);
+    return slope;
+  }
+
+  private static double endOfMonotone(double own, double next, double chord, double nextChord) {
+    double part = own / (own + next);
+    double parabola = chord * (1 + part) - nextChord * part;
+    if (parabola * chord <= 0) {
+      return 0;
+    }
+    return Math.abs(parabola) > 2 * Math.abs(chord) ? 2 * chord : parabola;
   }
 
   /** Slopes of the spline: continuous curvature inside, one cubic over the two end intervals. */

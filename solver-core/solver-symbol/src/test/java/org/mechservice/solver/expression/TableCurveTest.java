@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
+import java.util.Random;
 import java.util.function.DoubleUnaryOperator;
 import java.util.stream.DoubleStream;
 import org.junit.jupiter.api.Test;
@@ -57,6 +58,42 @@ class TableCurveTest {
     for (double x = 0; x < 5; x += 0.01) {
       assertThat(curve.at(x)).isBetween(0.0, 1.0);
     }
+  }
+
+  /** Between two points it stays between their values, however different the intervals are. */
+  @Test
+  void monotoneStaysBetweenItsPoints() {
+    Random random = new Random(5);
+    for (int trial = 0; trial < 200; trial++) {
+      double[] x = new double[8];
+      double[] y = new double[8];
+      for (int i = 0; i < x.length; i++) {
+        x[i] = (i == 0 ? 0 : x[i - 1]) + Math.pow(10, 4 * random.nextDouble() - 3);
+        y[i] = random.nextInt(3) == 0 && i > 0 ? y[i - 1] : random.nextGaussian();
+      }
+      TableCurve curve =
+          new Table("f", list(x), list(y), Method.MONOTONE, Extrapolation.HOLD).curve();
+      for (int i = 1; i < x.length; i++) {
+        double low = Math.min(y[i - 1], y[i]) - 1e-14;
+        double high = Math.max(y[i - 1], y[i]) + 1e-14;
+        for (double part = 0; part <= 1; part += 0.02) {
+          assertThat(curve.at(x[i - 1] + part * (x[i] - x[i - 1]))).isBetween(low, high);
+        }
+      }
+    }
+  }
+
+  /** Where no slope is bounded, the slopes are those of parabolas. */
+  @Test
+  void monotoneIsExactForRisingParabolas() {
+    TableCurve curve = curve(x -> x * x, Method.MONOTONE, Extrapolation.HOLD, 1, 2, 3, 4, 5);
+    for (double x = 1; x < 5; x += 0.01) {
+      assertThat(curve.at(x)).isCloseTo(x * x, within(1e-13));
+    }
+  }
+
+  private static List<Double> list(double[] numbers) {
+    return DoubleStream.of(numbers).boxed().toList();
   }
 
   @ParameterizedTest

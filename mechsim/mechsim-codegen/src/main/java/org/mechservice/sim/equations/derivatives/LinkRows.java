@@ -108,9 +108,15 @@ final class LinkRows {
           Scalar mass = own.get(k).itself().dot(inertia[j]);
           block.mass[j][k] = mass;
           block.mass[k][j] = mass;
-          elements.putOutMass(at[j], at[k], mass);
+          elements.putOutMass(at[j], at[k], j == k ? withArmature(mass) : mass);
         }
       }
+    }
+
+    /** The armature of a ball does not turn with it, so that the block has none. */
+    private Scalar withArmature(Scalar mass) {
+      double armature = links.get(link).armature();
+      return armature == 0 ? mass : mass.plus(mass.expressions().constant(armature));
     }
 
     private void withAncestor(int step, Wrench[] inertia, ScalarVector[] change) {

@@ -21,9 +21,9 @@ import org.mechservice.solver.symbol.ScalarVector;
  * Second sweep, inwards: articulated inertias and bias wrenches (Featherstone 2008, §7.2, with the
  * residual wrenches of the first sweep as bias forces).
  *
- * <p>With U the column of the articulated inertia along the joint's axis, D its element on the
- * axis, and u the joint force less the wrench along the axis, I − U Uᵀ / D and p + U u / D are
- * added to the parent.
+ * <p>With U the column of the articulated inertia along the joint's axis, D its element on the axis
+ * plus the armature, and u the joint force less the wrench along the axis, I − U Uᵀ / D and p + U u
+ * / D are added to the parent.
  */
 public final class InertiaSweep {
   private final Program program;

@@ -11,8 +11,8 @@ import org.mechservice.solver.symbol.Scalar;
 import org.mechservice.solver.symbol.ScalarVector;
 
 /**
- * Inward sweep: the joint forces for the inertia wrenches of the bodies, minus the applied joint
- * forces (recursive Newton-Euler, Featherstone 2008, §5.3).
+ * Inward sweep: the joint forces for the inertia wrenches of the bodies and armatures, minus the
+ * applied joint forces (recursive Newton-Euler, Featherstone 2008, §5.3).
  */
 public final class JointSweep {
   private final Program program;
@@ -41,7 +41,8 @@ public final class JointSweep {
       borne[i] = ScalarVector.zero(program.expressions());
       for (DegreeOfFreedom freedom : coordinates.step(link).freedoms()) {
         Scalar force = freedom.along(wrenches[i]).minus(applied.of(i).at(freedom.axis()));
-        borne[i] = freedom.replaced(borne[i], force);
+        Scalar byArmature = coordinates.step(link).armatureForce(freedom);
+        borne[i] = freedom.replaced(borne[i], force.plus(byArmature));
       }
       program.named("tau_" + link.jointLabel(), borne[i]);
       if (link.parent() != Links.ROOT) {

@@ -74,10 +74,10 @@ public final class Pivots {
   /** Returns the link's own inertia along a degree of freedom: kg·m², or kg. */
   private static double ownInertia(DegreeOfFreedom freedom, Link link) {
     if (link.isBall()) {
-      return SmallTensor.pivots(link.inertiaAtOrigin())[freedom.axis()];
+      return link.armature() + SmallTensor.pivots(link.inertiaAtOrigin())[freedom.axis()];
     }
     double turning = freedom.turns() ? link.inertiaAtOrigin().zz() : 0;
-    return turning + link.way() * link.way() * link.mass();
+    return link.armature() + turning + link.way() * link.way() * link.mass();
   }
 
   /** Returns the absolute displacement of a sliding link. */

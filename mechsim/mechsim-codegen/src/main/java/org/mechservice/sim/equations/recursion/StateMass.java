@@ -12,7 +12,7 @@ import org.mechservice.solver.symbol.ScalarVector;
 
 /**
  * The mass matrix for the velocities of the state, from composite inertias (Featherstone 2008,
- * §6.2).
+ * §6.2) and the armatures on its diagonal.
  */
 public final class StateMass {
   private final Program program;
@@ -52,7 +52,9 @@ public final class StateMass {
       Link on = links.get(i);
       int at = rows.velocity(on);
       for (Twist motion : rows.subspace(on)) {
-        if (i != link || at <= velocity) {
+        if (i == link && at == velocity && on.armature() != 0) {
+          taker.take(velocity, at, motion.dot(carried).plus(constant(on.armature())));
+        } else if (i != link || at <= velocity) {
           taker.take(velocity, at, motion.dot(carried));
         }
         at++;
@@ -61,6 +63,10 @@ public final class StateMass {
         carried = rows.toParent(on, carried);
       }
     }
+  }
+
+  private Scalar constant(double value) {
+    return program.expressions().constant(value);
   }
 
   private RigidComposite[] composites() {

@@ -187,16 +187,17 @@ class GeneratedJacobianTest {
             Bushing.Law.ENERGY,
             Origin.NONE);
     return new Mechanism(
-        "mounted",
-        free.root(),
-        free.gravity(),
-        free.bodies(),
-        free.joints(),
-        free.motions(),
-        free.startRoles(),
-        List.of(),
-        List.of(mount),
-        List.of());
+            "mounted",
+            free.root(),
+            free.gravity(),
+            free.bodies(),
+            free.joints(),
+            free.motions(),
+            free.startRoles(),
+            List.of(),
+            List.of(mount),
+            List.of())
+        .withArmatures(free.armatures());
   }
 
   /** Derivatives by difference quotients of the residual itself, of second order. */

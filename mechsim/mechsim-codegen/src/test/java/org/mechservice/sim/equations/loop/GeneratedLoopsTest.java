@@ -213,16 +213,17 @@ public class GeneratedLoopsTest {
     Mechanism loops = LoopAgreement.scene(1);
     Mechanism named =
         new Mechanism(
-            "LoopTerms",
-            loops.root(),
-            loops.gravity(),
-            loops.bodies(),
-            loops.joints(),
-            loops.motions(),
-            loops.startRoles(),
-            loops.closures(),
-            loops.forces(),
-            loops.parameters());
+                "LoopTerms",
+                loops.root(),
+                loops.gravity(),
+                loops.bodies(),
+                loops.joints(),
+                loops.motions(),
+                loops.startRoles(),
+                loops.closures(),
+                loops.forces(),
+                loops.parameters())
+            .withArmatures(loops.armatures());
     MechmlModel file = Scenes.model(named);
     BuildOptions options = LoopAgreement.options("DSR", "penalty", false);
     GeneratedModel generated = ModelFactory.generate(file, options);

@@ -183,7 +183,10 @@ public final class ArticulatedIteration extends StepReduction {
       double turned = carried[2 * link + 1] + trace;
       for (int k = jacobian.links.first(link); k < jacobian.links.end(link); k++) {
         int own = 3 * k + k - jacobian.links.first(link);
-        double joint = step * Math.abs(byVelocity[own]) + step * step * Math.abs(byPlace[own]);
+        double joint =
+            tree.armature[k]
+                + step * Math.abs(byVelocity[own])
+                + step * step * Math.abs(byPlace[own]);
         double moved = tree.kind[link] == LinkKind.SLIDE ? straight : turned;
         largest = Math.max(largest, (moved + joint) * units[k] * units[k]);
       }
@@ -206,6 +209,7 @@ public final class ArticulatedIteration extends StepReduction {
     combine(byPlace.motion, byVelocity.motion, WIDTH, matrix.motion);
     combine(byPlace.wrench, byVelocity.wrench, 6, matrix.wrench);
     combine(byPlace.force, byVelocity.force, 3, matrix.force);
+    jacobian.addArmature(matrix.force);
     for (int k = 0; k < tree.stateVelocityCount; k++) {
       for (int r = 0; r < 6; r++) {
         matrix.motion[WIDTH * k + r] += jacobian.links.subspace[6 * k + r];
@@ -309,6 +313,7 @@ public final class ArticulatedIteration extends StepReduction {
       for (int k = 0; k < tree.stateVelocityCount; k++) {
         System.arraycopy(jacobian.links.subspace, 6 * k, still.motion, WIDTH * k, 6);
       }
+      jacobian.addArmature(still.force);
       inertiaRegular = ofInertia.eliminate(still);
       inertiaFactored = true;
     }

@@ -31,12 +31,13 @@ import org.mechservice.solver.kinematics.TreeMotion;
  *      M            C                   K
  * Z    [S; 0; 0]    [ψ' + S'; S; 0]     [ψ''; ψ'; S]
  * G    0            0                   S ×* f
+ * D    armatures    dampers             springs
  * </pre>
  *
- * <p>where c are the links on link i, f is the force that the parent exerts, D holds joint springs
- * and dampers, and R and Q the forces between a link and its parent. Other pairs of links have
- * {@linkplain FarBlocks blocks of their own}. Columns of balls that are given in the axes of the
- * parent turn as in {@link ResidualJacobian}.
+ * <p>where c are the links on link i, f is the force that the parent exerts, and R and Q the forces
+ * between a link and its parent. Other pairs of links have {@linkplain FarBlocks blocks of their
+ * own}. Columns of balls that are given in the axes of the parent turn as in {@link
+ * ResidualJacobian}.
  */
 public final class LinkJacobian implements StepDerivatives {
   final TreeGeometry tree;
@@ -184,6 +185,13 @@ public final class LinkJacobian implements StepDerivatives {
         motion.subspace, 6 * k, newtonEuler.force, 6 * link, placeColumns.wrench, 6 * k);
   }
 
+  /** Adds the armatures to D of M. */
+  void addArmature(double[] force) {
+    for (int k = 0; k < tree.stateVelocityCount; k++) {
+      force[3 * k + k - tree.velocityAt[tree.linkOfVelocity[k]]] += tree.armature[k];
+    }
+  }
+
   /** {@inheritDoc} They get ∂F/∂v [ω]× + M [ω']×, and −[Sᵀ f]× in their own rows. */
   @Override
   public void finish() {
@@ -196,8 +204,10 @@ public final class LinkJacobian implements StepDerivatives {
         for (int c = 0; c < 3; c++) {
           int next = (c + 1) % 3;
           int last = (c + 2) % 3;
-          placeColumns.force[3 * (k + last) + next] += residual[k + c];
-          placeColumns.force[3 * (k + next) + last] -= residual[k + c];
+          // the force that accelerates the armature does not turn with the link
+          double turned = residual[k + c] - tree.armature[k + c] * motion.a[k + c];
+          placeColumns.force[3 * (k + last) + next] += turned;
+          placeColumns.force[3 * (k + next) + last] -= turned;
         }
       }
     }

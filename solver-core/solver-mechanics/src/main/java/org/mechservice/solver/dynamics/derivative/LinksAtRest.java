@@ -20,17 +20,17 @@ import org.mechservice.solver.linear.front.SymmetricFronts;
  * displacements u, [rotation; displacement] in link axes, and the displacements x of joints:
  *
  * <pre>
- * Σ_i u_iᵀ H_i u_i + Σ_ij u_iᵀ F_ij u_j + k Σ_i f_i · (X_i u_p × u_i) + Σ_i x_iᵀ D_i x_i,   u_i = X_i u_p + S_i x_i
+ * Σ_i u_iᵀ H_i u_i + Σ_ij u_iᵀ F_ij u_j + k Σ_i f_i · (X_i u_p × u_i) + Σ_i x_iᵀ (m A_i + D_i) x_i,   u_i = X_i u_p + S_i x_i
  * H = m I + k [−h × g ×, 0; −m g ×, 0] − k ∂f/∂X − c ∂f/∂V
  * </pre>
  *
- * <p>with the force f in each joint and F of forces between links and by coordinates. With the
- * wrenches w that enforce u_i − X_i u_p − S_i x_i = 0 and the multipliers λ of loops it is the
- * symmetric system
+ * <p>with the armature A of each joint, the force f in it and F of forces between links and by
+ * coordinates. With the wrenches w that enforce u_i − X_i u_p − S_i x_i = 0 and the multipliers λ
+ * of loops it is the symmetric system
  *
  * <pre>
  * (H u)_i + (F u)_i + w_i − Σ_c X_cᵀ w_c + J_uᵀ λ = 0
- * D_i x_i − S_iᵀ w_i + J_xᵀ λ = b_i
+ * (m A_i + D_i) x_i − S_iᵀ w_i + J_xᵀ λ = b_i
  * u_i − X_i u_p − S_i x_i = 0,   J_u u + J_x x = 0
  * </pre>
  *
@@ -344,7 +344,7 @@ public final class LinksAtRest {
       }
     }
     for (int j = links.first(link); j < links.end(link); j++) {
-      put(x(link, j), x(link, j), shift * terms.jointWeight[j]);
+      put(x(link, j), x(link, j), m * tree.armature[j] + shift * terms.jointWeight[j]);
     }
   }
 

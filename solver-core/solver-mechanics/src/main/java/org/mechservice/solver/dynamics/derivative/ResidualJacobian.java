@@ -182,7 +182,7 @@ public final class ResidualJacobian implements StepDerivatives {
     double value = dot6(motion.subspace, 6 * j, inertiaWrench);
     int other = pattern.placeOf[j];
     if (other == place) {
-      mass.setDiagonal(place, value);
+      mass.setDiagonal(place, value + tree.armature[j]);
     } else {
       mass.setElement(pattern.find(place, other), value);
     }

@@ -14,7 +14,7 @@ import org.mechservice.solver.kinematics.TreeMotion;
  * Workspace of one thread.
  *
  * <p>f = I A + V ×* (I V) − w + Σ X* f of the children, with gravity as an acceleration of the
- * root; the joint force is Sᵀ f.
+ * root; the joint force is Sᵀ f, and the armature times the joint acceleration.
  */
 public final class NewtonEuler {
   private final TreeGeometry tree;
@@ -61,6 +61,9 @@ public final class NewtonEuler {
           sum += motion.subspace[6 * k + i] * force[6 * link + i];
         }
         residual[k] = sum - tau[k];
+        if (tree.armature[k] != 0) {
+          residual[k] += tree.armature[k] * motion.a[k];
+        }
       }
       if (tree.parent[link] != TreeGeometry.ROOT) {
         addToParent(link);

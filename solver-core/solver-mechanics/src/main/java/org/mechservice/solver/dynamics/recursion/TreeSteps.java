@@ -122,6 +122,7 @@ public final class TreeSteps {
       }
       next++;
       StepBlock.put(w, step.at, link);
+      w[step.at + StepBlock.ARMATURE] = link.armature();
       if (link.axes().turn().isPresent()) {
         // the turn has taken the offset
         Arrays.fill(w, step.at + LinkNumbers.OFFSET, step.at + LinkNumbers.OFFSET + 3, 0);

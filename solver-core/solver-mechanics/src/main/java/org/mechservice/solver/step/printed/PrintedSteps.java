@@ -24,6 +24,11 @@ public final class PrintedSteps {
       case AXES_X -> new PrintedAxesX();
       case AXES_Y -> new PrintedAxesY();
       case AXES_Z -> new PrintedAxesZ();
+      case TURN_ARMED -> new PrintedTurnArmed();
+      case SLIDE_ARMED -> new PrintedSlideArmed();
+      case SCREW_ARMED -> new PrintedScrewArmed();
+      case BALL_ARMED -> new PrintedBallArmed();
+      case BALL_BACK_ARMED -> new PrintedBallBackArmed();
     };
   }
 }

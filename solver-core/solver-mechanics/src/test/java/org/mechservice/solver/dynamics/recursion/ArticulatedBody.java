@@ -55,7 +55,7 @@ public final class ArticulatedBody {
     /** U = Iᴬ S, 6 per extended velocity. */
     private final double[] projected;
 
-    /** D = Sᵀ U, one per extended velocity. */
+    /** D = Sᵀ U + the armature, one per extended velocity. */
     private final double[] pivot;
 
     /** u = τ − Sᵀ p, one per extended velocity. */
@@ -169,21 +169,21 @@ public final class ArticulatedBody {
     return ExplicitModel.REGULAR;
   }
 
-  /** U = Iᴬ S, D = Sᵀ U, u = τ − Sᵀ p. */
+  /** U = Iᴬ S, D = Sᵀ U + the armature, u = τ − Sᵀ p. */
   private void formPivot(Workspace w, int link, int k, double tau) {
     double[] s = w.motion.subspace;
     int at = 6 * k;
     if (tree.kind[link] == LinkKind.SLIDE) {
       w.inertia.applyToSliding(link, s, at + 3, w.projected, at);
-      w.pivot[k] = dot(s, at + 3, w.projected, at + 3);
+      w.pivot[k] = dot(s, at + 3, w.projected, at + 3) + tree.armature[k];
       w.residual[k] = tau - dot(s, at + 3, w.inertia.bias, 6 * link + 3);
     } else if (tree.kind[link] == LinkKind.SCREW) {
       w.inertia.applyTo(link, s, at, w.projected, at);
-      w.pivot[k] = dot6(s, at, w.projected, at);
+      w.pivot[k] = dot6(s, at, w.projected, at) + tree.armature[k];
       w.residual[k] = tau - dot6(s, at, w.inertia.bias, 6 * link);
     } else {
       w.inertia.applyToTurning(link, s, at, w.projected, at);
-      w.pivot[k] = dot(s, at, w.projected, at);
+      w.pivot[k] = dot(s, at, w.projected, at) + tree.armature[k];
       w.residual[k] = tau - dot(s, at, w.inertia.bias, 6 * link);
     }
   }
@@ -200,7 +200,9 @@ public final class ArticulatedBody {
       }
       for (int k = first; k < end; k++) {
         w.driving[k - tree.stateVelocityCount] =
-            dot6(w.projected, 6 * k, acceleration, 6 * link) - w.residual[k];
+            dot6(w.projected, 6 * k, acceleration, 6 * link)
+                - w.residual[k]
+                + tree.armature[k] * w.motion.a[k];
       }
       return;
     }

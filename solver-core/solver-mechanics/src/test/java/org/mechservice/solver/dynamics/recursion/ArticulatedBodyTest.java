@@ -108,7 +108,9 @@ class ArticulatedBodyTest {
   void moreDistantRootLeavesTheBitsAlone() {
     Mechanism near = RandomTrees.tree(40, 9);
     Root moved = new Root("ground", new Vector3(1e6, -1e6, 1e6), near.root().orientation());
-    Mechanism far = new Mechanism("far", moved, near.gravity(), near.bodies(), near.joints());
+    Mechanism far =
+        new Mechanism("far", moved, near.gravity(), near.bodies(), near.joints())
+            .withArmatures(near.armatures());
     double[] y = initialState(near);
     double[] tau = new double[near.velocityCount()];
     assertThat(accelerations(far, y, tau)).containsExactly(accelerations(near, y, tau));
@@ -121,7 +123,9 @@ class ArticulatedBodyTest {
     for (Joint joint : tree.joints()) {
       twice.add(joint.reversed().reversed());
     }
-    Mechanism same = new Mechanism("same", tree.root(), tree.gravity(), tree.bodies(), twice);
+    Mechanism same =
+        new Mechanism("same", tree.root(), tree.gravity(), tree.bodies(), twice)
+            .withArmatures(tree.armatures());
     double[] y = initialState(tree);
     double[] tau = new double[tree.velocityCount()];
     double[] expected = accelerations(tree, y, tau);

@@ -56,16 +56,17 @@ class CutJointForceTest {
     Joint cut = RandomJoints.joint(random, type, inner, 4);
     Mechanism closed =
         new Mechanism(
-            bare.name(),
-            bare.root(),
-            bare.gravity(),
-            bare.bodies(),
-            bare.joints(),
-            bare.motions(),
-            bare.startRoles(),
-            List.of(new JointClosure(cut)),
-            List.of(),
-            List.of());
+                bare.name(),
+                bare.root(),
+                bare.gravity(),
+                bare.bodies(),
+                bare.joints(),
+                bare.motions(),
+                bare.startRoles(),
+                List.of(new JointClosure(cut)),
+                List.of(),
+                List.of())
+            .withArmatures(bare.armatures());
     return new ForcedTree(new RandomForces(seed, closed).with(forces(seed, closed, type)), seed);
   }
 
